@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
-from typing import NamedTuple
 
 from armui.setting_checks import Language
 
 
-class StartOptions(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class StartOptions:
     """How to begin.
 
     Attributes:

@@ -64,6 +64,24 @@ def test_what_calls_itself_pure_is_held_to_it():
     assert {name for name in pure if name.rpartition(".")[0] not in held} == held
 
 
+FIGURES = ("arm", "bus", "decode", "doctor", "kinematics", "protocol", "session", "sim",
+           "telemetry", "trajectory")  # fmt: skip
+"""The rooms that frames, samples and figures pass by the thousands."""
+
+
+def test_a_value_is_a_dataclass_where_nothing_passes_by_the_thousands():
+    found = {
+        f"{name}: {node.name}"
+        for name, path in modules()
+        if name.split(".")[1:2] and name.split(".")[1] not in FIGURES
+        for node in ast.walk(tree(path))
+        if isinstance(node, ast.ClassDef)
+        and any(ast.unparse(base).endswith("NamedTuple") for base in node.bases)
+    }
+
+    assert found == set()
+
+
 LATE = ("can", "cantools", "pyqtgraph", "scipy", "trimesh", "vtkmodules", "yourdfpy")
 
 

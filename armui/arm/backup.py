@@ -91,7 +91,7 @@ class Backup:
 
 
 def to_text(backup: Backup) -> str:
-    """A backup as the text of its file."""
+    """Return a backup as the text of its file."""
     head = {
         "format": FORMAT,
         "version": VERSION,
@@ -113,7 +113,7 @@ def to_text(backup: Backup) -> str:
 
 
 def parameter_row(parameter: Parameter, value: float) -> dict[str, float | int | str]:
-    """A parameter as a backup and a recording's sidecar name it."""
+    """Return a parameter as a backup and a recording's sidecar name it."""
     joint: dict[str, float | int | str] = {"joint": parameter.joint} if parameter.joint else {}
     return {
         "name": parameter.name,
@@ -124,7 +124,7 @@ def parameter_row(parameter: Parameter, value: float) -> dict[str, float | int |
 
 
 def from_text(text: str) -> Backup | Refusal:
-    """The backup in the text of a file, or what is wrong with it and where."""
+    """Return the backup in the text of a file, or what is wrong with it and where."""
     try:
         entries = json.loads(text)
     except json.JSONDecodeError as error:
@@ -142,7 +142,7 @@ def from_text(text: str) -> Backup | Refusal:
         if error.problem is FieldProblem.MISSING:
             return BACKUP_FIELD_MISSING(field=error.place)
         bad = {"field": error.place, "value": _shortened(error.value)}
-        return error.reason or BACKUP_FIELD_BAD(**bad)
+        return error.refusal or BACKUP_FIELD_BAD(**bad)
 
 
 def _backup(entries: Fields) -> Backup:
@@ -258,7 +258,7 @@ def compare(
     known: Collection[Parameter],
     same: Callable[[Parameter, float], bool],
 ) -> list[ComparisonRow]:
-    """Every parameter of the file and of the arm, in the order of the catalogue.
+    """Return every parameter of the file and of the arm, in the order of the catalogue.
 
     Args:
         filed: What the file says; empty: only the arm is shown.

@@ -76,7 +76,7 @@ class Device:
         return self.label or f"{self.interface} {self.channel}"
 
     def arm_key(self, node: str = "") -> str:
-        """What the arm at it is remembered by; an adapter without a serial number by its place.
+        """Return what the arm is remembered by: the adapter's serial number, or its place.
 
         Args:
             node: The arm's node number, where it is known: one adapter serves two arms in turn.
@@ -85,7 +85,7 @@ class Device:
         return f"{name} / {node}" if node else name
 
     def same(self, other: Device) -> bool:
-        """Whether both are one device, whatever bit rate and options were chosen."""
+        """Tell whether both are one device, whatever bit rate and options were chosen."""
         return (self.interface, str(self.channel), self.serial or other.serial) == (
             other.interface,
             str(other.channel),
@@ -94,5 +94,5 @@ class Device:
 
 
 def bitrate_is_ours(interface: str) -> bool:
-    """Whether the program sets the bit rate of this back-end, or the operating system does."""
+    """Tell whether the program sets the bit rate of this back-end, or the operating system does."""
     return interface not in _BITRATE_SET_BY_SYSTEM

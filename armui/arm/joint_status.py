@@ -170,12 +170,12 @@ _ROWS: Final[Mapping[Generation, tuple[Item, ...]]] = {
 
 
 def rows(generation: Generation | None) -> tuple[Item, ...]:
-    """The ten items, from top to bottom; the manual's while it is not known which arm it is."""
+    """Return the ten items from top to bottom; the manual's while the arm is unknown."""
     return _ROWS[generation or Generation.ONE]
 
 
 def word(state: ArmState, generation: Generation | None, item: Item, joint: int) -> Word | None:
-    """What the arm said last of one item of one joint (1–6)."""
+    """Return what the arm said last of one item of one joint (1–6)."""
     if item is Item.STATUS_CODE:
         return None
     if item is Item.COMMUNICATION:
@@ -192,7 +192,7 @@ def word(state: ArmState, generation: Generation | None, item: Item, joint: int)
 
 
 def value(state: ArmState, item: Item, joint: int) -> float | None:
-    """The figure behind one item of one joint; see :data:`UNITS`."""
+    """Return the figure behind one item of one joint; see :data:`UNITS`."""
     slow, fast = state.drivers_slow[joint - 1], state.drivers_fast[joint - 1]
     if item in _SLOW_VALUES:
         return None if slow is None else _SLOW_VALUES[item](slow.value)
@@ -202,7 +202,7 @@ def value(state: ArmState, item: Item, joint: int) -> float | None:
 
 
 def is_stale(state: ArmState, item: Item, joint: int) -> bool:
-    """Whether a frame an item comes from stays away while others are still heard."""
+    """Tell whether a frame an item comes from stays away while others are still heard."""
     now_s = state.last_feedback_s
     sources: list[Reading[Status] | Reading[DriverSlow] | Reading[DriverFast] | None]
     if item is Item.COMMUNICATION:
@@ -217,7 +217,7 @@ def is_stale(state: ArmState, item: Item, joint: int) -> bool:
 
 
 def faults(state: ArmState, generation: Generation | None) -> list[tuple[int, Item, Word]]:
-    """Every fault there is, by joints: joint, item, and what is wrong with it."""
+    """Return every fault, by joints: joint, item, and what is wrong with it."""
     return [
         (joint, item, said)
         for joint in JOINTS
@@ -229,7 +229,7 @@ def faults(state: ArmState, generation: Generation | None) -> list[tuple[int, It
 def worst(
     state: ArmState, generation: Generation | None, faulty_items: Sequence[tuple[int, Item, Word]]
 ) -> Worst:
-    """The worst of the six states of an arm that is being heard.
+    """Return the worst of the six states of an arm that is being heard.
 
     A fault stands until the arm itself has taken it back: a joint that falls silent with a fault
     still has it.
@@ -273,7 +273,7 @@ class JointHistory:
         self._words: dict[tuple[Item, int], Word | None] = {}
         self._since: dict[tuple[Item, int], datetime] = {}
 
-    def follow(self, state: ArmState, generation: Generation | None, at: datetime) -> bool:
+    def add_state(self, state: ArmState, generation: Generation | None, at: datetime) -> bool:
         """Take in a snapshot of the arm; whether any word or status code has changed by it."""
         status = state.status
         changed = False
@@ -304,13 +304,13 @@ class JointHistory:
                 self._since[item, joint] = at
 
     def since(self, item: Item, joint: int) -> datetime | None:
-        """When the present word of an item began to be true."""
+        """Return when the present word of an item began to be true."""
         return self._since.get((item, joint))
 
     def cell(
         self, state: ArmState, generation: Generation | None, item: Item, joint: int
     ) -> StatusCell:
-        """One cell of the table, of the snapshot that was taken in last."""
+        """Return one cell of the table, of the snapshot that was taken in last."""
         return StatusCell(
             word=word(state, generation, item, joint),
             value=value(state, item, joint),

@@ -28,7 +28,7 @@ class FieldError(Exception):
         path: To the field.
         value: What it holds; ``None`` for one that is missing.
         expected: What should have been there, as an example.
-        reason: Of its own, where the type alone is not to blame.
+        refusal: Of its own, where the type alone is not to blame.
     """
 
     def __init__(
@@ -37,14 +37,14 @@ class FieldError(Exception):
         path: Path,
         value: object = None,
         expected: str = "",
-        reason: Refusal | None = None,
+        refusal: Refusal | None = None,
     ) -> None:
-        super().__init__(problem, path, value, expected, reason)
+        super().__init__(problem, path, value, expected, refusal)
         self.problem = problem
         self.path = path
         self.value = value
         self.expected = expected
-        self.reason = reason
+        self.refusal = refusal
 
     @property
     def name(self) -> str:
@@ -80,33 +80,33 @@ class Fields:
         return name in self._values
 
     def bad(self, name: str, expected: str) -> FieldError:
-        """The error that says what should have been there."""
+        """Return the error that says what should have been there."""
         return FieldError(FieldProblem.BAD, (*self.path, name), self._values.get(name), expected)
 
     def wrong(self, name: str, reason: Refusal) -> FieldError:
-        """The error of a field that has a reason of its own."""
+        """Return the error of a field that has a reason of its own."""
         path = (*self.path, name)
-        return FieldError(FieldProblem.BAD, path, self._values.get(name), reason=reason)
+        return FieldError(FieldProblem.BAD, path, self._values.get(name), refusal=reason)
 
     def text(self, name: str, default: str | None = None) -> str:
-        """A text."""
+        """Return a text."""
         value = self._value(name, default)
         if not isinstance(value, str):
             raise self.bad(name, "“…”")
         return value
 
     def maybe_text(self, name: str) -> str | None:
-        """A text, or ``None`` where there is none, or null."""
+        """Return a text, or ``None`` where there is none, or null."""
         self._asked.add(name)
         return None if self._values.get(name) is None else self.text(name)
 
     def given(self, name: str) -> bool:
-        """Whether there is something other than null; null counts as asked for."""
+        """Tell whether there is something other than null; null counts as asked for."""
         self._asked.add(name)
         return self._values.get(name) is not None
 
     def number(self, name: str, default: float | None = None) -> float:
-        """A finite number."""
+        """Return a finite number."""
         value = finite(self._value(name, default))
         if value is None:
             raise self.bad(name, "0.0")
@@ -115,14 +115,14 @@ class Fields:
     def whole(
         self, name: str, default: int | None = None, allowed: Collection[int] | None = None
     ) -> int:
-        """A whole number, one of those allowed if they are given."""
+        """Return a whole number, one of those allowed if they are given."""
         value = self._value(name, default)
         if not _is_whole(value, allowed):
             raise self.bad(name, _example(allowed))
         return int(value)
 
     def wholes(self, name: str, count: int, allowed: Collection[int]) -> tuple[int, ...]:
-        """A list of so many whole numbers."""
+        """Return a list of so many whole numbers."""
         values = self._list(name, count)
         for index, value in enumerate(values):
             if not _is_whole(value, allowed):
@@ -131,14 +131,14 @@ class Fields:
         return tuple(values)
 
     def numbers(self, name: str, counts: tuple[int, ...]) -> tuple[float, ...]:
-        """A list of numbers, as many as one of the counts says."""
+        """Return a list of numbers, as many as one of the counts says."""
         values = _numbers(self._value(name, None), counts)
         if values is None:
             raise self.bad(name, f"[{' / '.join(map(str, counts))} × 0.0]")
         return values
 
     def number_lists(self, name: str, counts: tuple[int, ...]) -> Iterator[tuple[float, ...]]:
-        """Each of a list of such lists."""
+        """Return a list of lists of numbers, each as many as one of the counts says."""
         for index, value in enumerate(self._list(name)):
             values = _numbers(value, counts)
             if values is None:
@@ -148,28 +148,28 @@ class Fields:
             yield values
 
     def texts(self, name: str) -> tuple[str, ...]:
-        """A list of texts; none where it is missing."""
+        """Return a list of texts; none where it is missing."""
         values = self._list(name) if name in self._values else []
         if not all(isinstance(value, str) for value in values):
             raise self.bad(name, "[“…”, …]")
         return tuple(values)
 
     def object(self, name: str) -> Fields:
-        """An object within."""
+        """Return an object within."""
         return Fields(self._value(name, None), (*self.path, name))
 
     def maybe_object(self, name: str) -> Fields | None:
-        """An object within, or ``None`` where there is none, or null."""
+        """Return an object within, or ``None`` where there is none, or null."""
         self._asked.add(name)
         return None if self._values.get(name) is None else self.object(name)
 
     def objects(self, name: str, count: int | None = None) -> Iterator[Fields]:
-        """Each of a list of objects, so many if it is said how many."""
+        """Return a list of objects, so many if it is said how many."""
         for index, value in enumerate(self._list(name, count)):
             yield Fields(value, (*self.path, name, index))
 
     def nothing_else(self) -> None:
-        """Makes sure that every field has been asked for: a misspelt one is no default."""
+        """Make sure that every field has been asked for: a misspelt one is no default."""
         left = self._values.keys() - self._asked
         if left:
             raise FieldError(FieldProblem.UNKNOWN, (*self.path, min(left)))
@@ -189,7 +189,7 @@ class Fields:
 
 
 def finite(value: object) -> float | None:
-    """A finite number, or ``None`` where a value is none: truth values are not, nor is text."""
+    """Return a finite number, or ``None`` for what is none: truth values, text."""
     if isinstance(value, bool) or not isinstance(value, int | float):
         return None
     try:

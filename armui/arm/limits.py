@@ -48,12 +48,12 @@ _FASTEST_DEG_S: Final = 3600.0
 
 
 def plausible(limits: JointLimits) -> bool:
-    """Whether limits read from an arm can be true; a corrupted flash answers with 0xFFFF."""
+    """Tell whether limits read from an arm can be true; a corrupted flash answers with 0xFFFF."""
     return limits.min_deg < limits.max_deg and 0 < limits.max_speed_deg_s < _FASTEST_DEG_S
 
 
 def check_joint(joint: int, angle_deg: float, limits: JointLimits) -> Refusal | None:
-    """Whether a joint may be sent to an angle: None, or the reason against it."""
+    """Tell why a joint may not be sent to an angle; ``None``: it may."""
     if not math.isfinite(angle_deg):
         return JOINT_NOT_A_NUMBER(joint=joint, value=angle_deg)
     half_step = ANGLE_STEP_DEG / 2
@@ -65,7 +65,7 @@ def check_joint(joint: int, angle_deg: float, limits: JointLimits) -> Refusal | 
 
 
 def check_joints(joints_deg: Sequence[float], limits: Sequence[JointLimits]) -> Refusal | None:
-    """Whether the arm may be sent to six angles: None, or the first reason against it."""
+    """Tell why the arm may not be sent to six angles; ``None``: it may."""
     for joint, angle_deg, limit in zip(JOINTS, joints_deg, limits, strict=True):
         refusal = check_joint(joint, angle_deg, limit)
         if refusal is not None:

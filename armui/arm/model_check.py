@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 
 from armui.arm.models import ModelData, all_models, model_data
 from armui.arm.refusal import Reason, Refusal
+from armui.kinematics.arm_kinematics import Kinematics
+from armui.kinematics.poses import Pose, apart
 from armui.protocol.generation import PiperModel
 
 if TYPE_CHECKING:
@@ -128,7 +130,7 @@ class ModelFit(NamedTuple):
 def fitting_arms(
     joints_deg: Sequence[float], pose: Sequence[float], firmware: str | None
 ) -> frozenset[FittingArm]:
-    """The arms of the family whose flange is where a standing arm says that it is.
+    """Return the arms of the family whose flange is where a standing arm says that it is.
 
     The version says which zeros an arm counts from. Only where no model fits with them, the others
     are tried: whether PiPER H, L and X ever had the older ones is not known.
@@ -148,7 +150,7 @@ def fitting_arms(
 def fitting_models(
     joints_deg: Sequence[float], pose: Sequence[float], firmware: str | None
 ) -> Models:
-    """The models among `fitting_arms`."""
+    """Return the models of the family that `fitting_arms` finds."""
     return frozenset(arm.model for arm in fitting_arms(joints_deg, pose, firmware))
 
 
@@ -157,8 +159,6 @@ def _fitting(
     pose: Sequence[float],
     zeros: Callable[[ModelData], Iterable[bool]],
 ) -> frozenset[FittingArm]:
-    from armui.kinematics.arm_kinematics import Kinematics  # noqa: PLC0415 - numpy
-    from armui.kinematics.poses import Pose, apart  # noqa: PLC0415 - see above
 
     told = Pose(*pose)
     found = set()

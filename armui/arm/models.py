@@ -131,21 +131,21 @@ class ModelData(NamedTuple):
         return tool_z_mm if tool_z_mm > 0.0 else self.gripper.reach_mm
 
     def geometry_with(self, *, older_zeros: bool) -> Geometry:
-        """The dimensions with the zeros before S-V1.6-3, or with today's."""
+        """Return the dimensions with the zeros before S-V1.6-3, or with today's."""
         return self.older_geometry if older_zeros else self.geometry
 
     def older_zeros(self, version: str) -> bool:
-        """Whether a firmware counts from the zeros before S-V1.6-3; one that is unreadable: no."""
+        """Tell whether a firmware counts from the zeros before S-V1.6-3; an unreadable one: no."""
         parsed = FirmwareVersion.parse(version)
         return parsed is not None and quirks_of(parsed, self.model).shifted_zeros
 
     def geometry_of(self, version: str) -> Geometry:
-        """The dimensions with the zeros of a firmware."""
+        """Return the dimensions with the zeros of a firmware."""
         return self.geometry_with(older_zeros=self.older_zeros(version))
 
 
 def all_models() -> Mapping[PiperModel, ModelData]:
-    """The arms of the family.
+    """Return the arms of the family.
 
     Raises:
         ModelFileError: The installation lacks a file, or it is damaged.
@@ -154,7 +154,7 @@ def all_models() -> Mapping[PiperModel, ModelData]:
 
 
 def model_data(model: PiperModel = PiperModel.PIPER) -> ModelData:
-    """One of them.
+    """Return the data of a model of the family.
 
     Raises:
         ModelFileError: As with all of them.
@@ -164,17 +164,17 @@ def model_data(model: PiperModel = PiperModel.PIPER) -> ModelData:
 
 @cache
 def _installed(model: PiperModel) -> ModelData:
-    """The data file of a model, read when it is first asked for."""
+    """Return the data file of a model, read when it is first asked for."""
     return read_model(model_folder(model))
 
 
 def model_folder(model: PiperModel) -> Path:
-    """Where a model's data file, robot description and meshes are."""
+    """Return where a model's data file, robot description and meshes are."""
     return URDF / model.value
 
 
 def robot_description(model: PiperModel, *, older_zeros: bool = False) -> Path:
-    """The robot description (URDF) of a model, whose joint angles are those on the bus.
+    """Return the robot description (URDF) of a model, whose joint angles are those on the bus.
 
     Args:
         model: Which.
@@ -185,7 +185,7 @@ def robot_description(model: PiperModel, *, older_zeros: bool = False) -> Path:
 
 
 def read_model(folder: Path) -> ModelData:
-    """The model whose data file lies in a folder.
+    """Return the model whose data file lies in a folder.
 
     Raises:
         ModelFileError: There is none, or a field of it is missing or wrong.

@@ -44,7 +44,7 @@ _LOCKSTEP: Final = 3
 
 
 def is_arms_answer(arbitration_id: int, data: bytes) -> bool:
-    """Whether a frame with a command's identifier is the arm's answer (CPV)."""
+    """Tell whether a frame with a command's identifier is the arm's answer (CPV)."""
     return arbitration_id in _SPEEDS_AND_POSITIONS and data[:1] == bytes((_ANSWER,))
 
 
@@ -72,7 +72,7 @@ class FrameSeries:
         return (self.count - 1) / span_s if span_s > 0.0 else 0.0
 
     def joined(self, more: FrameSeries) -> FrameSeries:
-        """Frames of one identifier that two have sent."""
+        """Return frames of one identifier that two have sent."""
         newer, older = (more, self) if more.last_s >= self.last_s else (self, more)
         if newer.since_s - older.last_s > _FORGOTTEN_S:
             return newer
@@ -92,25 +92,25 @@ class OtherTraffic:
     series: Mapping[int, FrameSeries] = field(default_factory=lambda: _NOTHING)
 
     def motion(self, offsets: tuple[int, ...]) -> tuple[FrameSeries, ...]:
-        """The series that concern an arm under these control offsets (0x470), by identifier."""
+        """Return the series for an arm under these control offsets (0x470), by identifier."""
         mine = {base + offset for base in _MOTION_BASE for offset in offsets}
         mine.update(_SPEEDS_AND_POSITIONS, _CHANGES)
         return tuple(self.series[each] for each in sorted(self.series) if each in mine)
 
     def mode_word(self, offsets: tuple[int, ...]) -> FrameSeries | None:
-        """The newest 0x151 of another host."""
+        """Return the newest 0x151 of another host."""
         return self._newest(_MODE + offset for offset in offsets)
 
     def mit_frames(self, offsets: tuple[int, ...]) -> FrameSeries | None:
-        """The newest joint setpoint in MIT mode (0x15A–0x15F) of another host."""
+        """Return the newest joint setpoint in MIT mode (0x15A–0x15F) of another host."""
         return self._newest(base + offset for base in _MIT for offset in offsets)
 
     def cpv_frames(self) -> FrameSeries | None:
-        """The newest setpoint in CPV mode (0x181–0x187) of another host."""
+        """Return the newest setpoint in CPV mode (0x181–0x187) of another host."""
         return self._newest(_SPEEDS_AND_POSITIONS)
 
     def leads(self, offsets: tuple[int, ...]) -> bool:
-        """Whether these are the frames of a leader arm (0x470), or of a program that acts as one.
+        """Tell whether these are frames of a leader arm (0x470), or of a program like one.
 
         A leader sends 0x151, its joint angles and its gripper in lockstep, and nothing else.
         """
@@ -126,7 +126,7 @@ class OtherTraffic:
         return False
 
     def joined(self, more: OtherTraffic) -> OtherTraffic:
-        """This and what somebody else was heard to send, as though it were one host's."""
+        """Return this and what somebody else was heard to send, as though of one host."""
         if not more.series:
             return self
         series = dict(self.series)
@@ -166,7 +166,7 @@ class OtherHosts:
         self._changed = True
 
     def traffic(self) -> OtherTraffic:
-        """What was heard up to now; the same object as before if nothing new was."""
+        """Return what was heard up to now; the same object as before if nothing new was."""
         if self._changed:
             self._changed = False
             self._traffic = OtherTraffic(MappingProxyType(dict(self._series)))

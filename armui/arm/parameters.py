@@ -86,7 +86,7 @@ class Batch(NamedTuple):
     joint: int = 0
 
     def parameters(self) -> tuple[Parameter, ...]:
-        """All of them, in the order of the frame."""
+        """Return its parameters, in the order of the frame."""
         names = [name for name, kind in KINDS.items() if kind.group is self.group]
         if self.group in _SIX_IN_ONE:
             return tuple(Parameter(names[0], joint) for joint in JOINTS)
@@ -274,12 +274,12 @@ def all_batches(*, teaching: bool, drag_assistance: bool) -> Iterator[Batch]:
 
 
 def heard(state: ArmState, parameter: Parameter) -> Reading[float] | None:
-    """What the arm last said of a parameter, or ``None`` if it has not been read."""
+    """Return what the arm last said of a parameter, or ``None`` if it has not been read."""
     return parameter.kind.read(state, parameter.joint)
 
 
 def is_corrupt(state: ArmState, parameter: Parameter) -> bool:
-    """Whether what was read can only come from a corrupted memory (0xFFFF)."""
+    """Tell whether what was read can only come from a corrupted memory (0xFFFF)."""
     known = heard(state, parameter)
     if known is None:
         return False
@@ -290,7 +290,7 @@ def is_corrupt(state: ArmState, parameter: Parameter) -> bool:
 
 
 def check_value(parameter: Parameter, value: float) -> Refusal | None:
-    """Whether a value may be asked for: ``None``, or the reason against it."""
+    """Tell why a value may not be asked for; ``None``: it may."""
     kind = parameter.kind
     if not math.isfinite(value):
         return not_a_number(parameter, str(value))
@@ -329,7 +329,7 @@ def factory_bound(parameter: Parameter, value: float, data: ModelData) -> float 
 
 
 def not_a_number(parameter: Parameter, text: str) -> Refusal:
-    """The reason against what was typed for a parameter and is no number."""
+    """Return the reason against what was typed for a parameter and is no number."""
     return SETTING_NOT_A_NUMBER(**_figures(parameter, text))
 
 

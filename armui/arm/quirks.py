@@ -24,7 +24,7 @@ NEEDS_FIRMWARE = Reason(
 
 
 def told_quirks(state: ArmState) -> FirmwareQuirks | None:
-    """What an arm with its firmware does; ``None`` while it has named no version."""
+    """Return what an arm with its firmware does; ``None`` while it has named no version."""
     version = None if state.firmware is None else FirmwareVersion.parse(state.firmware)
     return None if version is None else quirks_of(version)
 
@@ -36,12 +36,12 @@ def leaves_by_mode_word(version: str) -> bool:
 
 
 def exits_by_mode_word(state: ArmState) -> bool:
-    """Whether its firmware, as far as it is known, leaves MIT and its like by a mode word."""
+    """Tell whether its firmware, as far as it is known, leaves MIT and its like by a mode word."""
     return state.firmware is not None and leaves_by_mode_word(state.firmware)
 
 
 def why_not_by_firmware(state: ArmState, field: str) -> Refusal | None:
-    """The reason that lies in the firmware against a frame it may not have, or ``None``.
+    """Return the reason that lies in the firmware against a frame it may not have, or ``None``.
 
     Args:
         state: The arm as heard.

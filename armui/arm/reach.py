@@ -50,7 +50,7 @@ _FEWEST_STEPS: Final = 8
 def check_pose(
     kinematics: Kinematics, pose: Pose, near_deg: Sequence[float], limits: Sequence[JointLimits]
 ) -> Joints | Refusal:
-    """Whether the flange can be brought to a pose.
+    """Tell whether the flange can be brought to a pose.
 
     Args:
         kinematics: Of the arm.
@@ -77,7 +77,7 @@ def check_path(
     start_deg: Sequence[float],
     limits: Sequence[JointLimits],
 ) -> Refusal | None:
-    """Whether the arm can go along a path from where its joints stand: ``None``, or why not.
+    """Tell why the arm cannot go along a path from where its joints stand; ``None``: it can.
 
     Args:
         kinematics: Of the arm.

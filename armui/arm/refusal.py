@@ -16,7 +16,7 @@ class Reason(Sentence):
     context: ClassVar[str] = "Refusal"
 
     def __call__(self, **figures: float | int | str) -> Refusal:
-        """This reason with the figures its sentence names, in the units it shows."""
+        """Return a refusal: this reason with the figures its sentence names, in its units."""
         return Refusal(self, figures)
 
 

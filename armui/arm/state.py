@@ -60,7 +60,7 @@ class GripperState(NamedTuple):
 
 
 def gripper_of(signals: Mapping[str, float]) -> GripperState:
-    """The gripper by the signals of 0x2A8 of either generation."""
+    """Return the gripper by the signals of 0x2A8 of either generation."""
     homed = signals.get("Homed")
     return GripperState(
         opening_mm=signals.get("Opening"),
@@ -83,7 +83,7 @@ FRESH_FOR_S: Final = 0.5
 
 
 def is_fresh(at_s: float | None, now_s: float) -> bool:
-    """Whether something heard at ``at_s`` may stand for the present."""
+    """Tell whether something heard at ``at_s`` may stand for the present."""
     return at_s is not None and now_s - at_s <= FRESH_FOR_S
 
 
@@ -100,7 +100,7 @@ class Reading(Generic[T]):
     at_s: float
 
     def fresh(self, now_s: float) -> bool:
-        """Whether the value is young enough to stand for the present."""
+        """Tell whether the value is young enough to stand for the present."""
         return is_fresh(self.at_s, now_s)
 
 
@@ -279,11 +279,11 @@ class ArmState(NamedTuple):
     invalid_frames: Mapping[str, int] = _NO_INVALID_FRAMES
 
     def online(self, now_s: float) -> bool:
-        """Whether the arm has been heard within the last half second."""
+        """Tell whether the arm has been heard within the last half second."""
         return is_fresh(self.last_feedback_s, now_s)
 
     def angles_deg(self) -> Six[float] | None:
-        """Six joint angles, or ``None`` while one of them has never been heard."""
+        """Return six joint angles, or ``None`` while one of them has never been heard."""
         return _six_values(self.joints_deg)
 
     def end_pose(self) -> Six[float] | None:
@@ -291,14 +291,14 @@ class ArmState(NamedTuple):
         return _six_values(self.pose)
 
     def enabled(self) -> Six[bool | None]:
-        """Whether each motor is enabled; ``None`` where it has not been heard."""
+        """Tell whether each motor is enabled; ``None`` where it has not been heard."""
         a, b, c, d, e, f = (
             None if driver is None else driver.value.enabled for driver in self.drivers_slow
         )
         return (a, b, c, d, e, f)
 
     def joints_without_limits(self) -> list[int]:
-        """The joints whose limits have not been read in full."""
+        """Return the joints whose limits have not been read in full."""
         return [
             joint
             for joint in JOINTS
@@ -347,7 +347,7 @@ _UNKNOWN: Final = {
 
 
 def common_to_generations(state: ArmState) -> ArmState:
-    """The same state without what only one of the generations can explain.
+    """Return a state without what only one of the generations can explain.
 
     Angles, the pose, the modes of 0x2A1 and what proves that the arm is there stay.
     """

@@ -121,7 +121,7 @@ class Tracker:
         self._sequence += 1
 
     def reset_timeouts(self) -> None:
-        """What was taken in so far comes from a log and was not heard one after another."""
+        """Count no silences of what was taken in: it comes from a log, not one after another."""
         self._silences = self._pauses = 0
         self._before_pause = []
         self._sequence += 1
@@ -145,7 +145,7 @@ class Tracker:
             self._before_pause = []
 
     def snapshot(self) -> ArmState:
-        """The arm as heard up to now; the same object as before if nothing new was heard."""
+        """Return the arm as heard up to now; the same object as before if nothing new was heard."""
         if self._published != self._sequence:
             self._published = self._sequence
             self._picture = self._compose()
@@ -215,7 +215,7 @@ class Tracker:
             self._foreign_targets_s[place] = at_s
 
     def _all_targets_s(self) -> float | None:
-        """When the oldest of the three was heard: a single one may be a stray frame."""
+        """Return when the oldest of the three was heard: a single one may be a stray frame."""
         times = [at_s for at_s in self._foreign_targets_s if at_s is not None]
         return min(times) if len(times) == len(_TARGET_MESSAGES) else None
 
@@ -323,7 +323,7 @@ def _version_payload(signals: _Signals) -> bytes:
 
 
 def _is_asked_by_a_host(heard: Message) -> bool:
-    """Whether a message that an arm and a host may both send is the host's."""
+    """Tell whether a message that an arm and a host may both send is the host's."""
     return heard.name == _VERSION_MESSAGE and is_question(_version_payload(heard.signals))
 
 

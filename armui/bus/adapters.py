@@ -77,7 +77,7 @@ _PACKAGES: Final = {
 
 
 def interfaces() -> list[str]:
-    """The back-ends python-can knows on this computer, its plug-ins included."""
+    """Return the back-ends python-can knows on this computer, its plug-ins included."""
     return sorted(can.VALID_INTERFACES)
 
 
@@ -139,7 +139,7 @@ def _keep_kernel_queue_short(bus: can.BusABC) -> None:
 
 
 def explain(device: Device, error: BaseException) -> Refusal:
-    """What is wrong with a device, from the exception that opening or using it raised."""
+    """Return what is wrong with a device, from the exception that opening or using it raised."""
     params: dict[str, str] = {"device": device.name, "interface": device.interface}
     for cause in causes(error):
         code = _CODE_OF_ERRNO.get(_errno(cause) or 0)

@@ -175,7 +175,7 @@ class FrameProcessor:
 
 
 def invalid_frame(frame: Frame, flags: int) -> InvalidFrame | None:
-    """What is wrong with a frame that is no classic data frame with an 11-bit identifier."""
+    """Return what is wrong with a frame that is no classic data frame with an 11-bit identifier."""
     if flags & FrameFlag.ERROR:
         detail = "the adapter reports a bus error"
     elif flags & FrameFlag.EXTENDED:

@@ -79,12 +79,12 @@ class BusHealth:
         self._heard_s: float | None = None
 
     def on_frame(self, now_s: float) -> None:
-        """A data frame was received: the controller takes part in the bus."""
+        """Note that a data frame was received: the controller takes part in the bus."""
         self._bus_off = False
         self._heard_s = now_s
 
     def on_error_frame(self, arbitration_id: int) -> None:
-        """The adapter reports an error of the bus."""
+        """Note that the adapter reports an error of the bus."""
         if self._device.interface not in LINUX_ERROR_FRAMES:
             return
         if arbitration_id & _BUS_OFF:
@@ -93,7 +93,7 @@ class BusHealth:
             self._bus_off = False
 
     def problem(self, now_s: float, *, blocked: bool) -> Refusal | None:
-        """What is wrong with the bus, or ``None``: frames get through as far as can be seen.
+        """Return what is wrong with the bus, or ``None``: frames get through as far as can be seen.
 
         Args:
             now_s: Monotonic time.

@@ -52,13 +52,13 @@ class Notifier:
         self._wanted = tuple(listeners)
 
     def open(self, codec: Codec, bitrate: int | None) -> None:
-        """A device was opened, and is spoken to in this way."""
+        """Tell the listeners that a device was opened, and how it is spoken to."""
         self._opened = codec, bitrate
         self._told, self._failed = [], []
         self._update_told()
 
     def flush(self, codec: Codec, now_s: float) -> None:
-        """Pass on the frames collected since the last flush; this codec decoded them."""
+        """Pass on the frames that were collected since the last flush, decoded by this codec."""
         if self._wanted is not self._followed:
             self._update_told()
         heard, self.heard = self.heard, []
@@ -74,14 +74,14 @@ class Notifier:
                 self._give_up(listener)
 
     def switch(self, before: Codec, codec: Codec, now_s: float) -> None:
-        """From now on frames are decoded by another codec."""
+        """Tell the listeners that another codec decodes the frames from now on."""
         self.flush(before, now_s)
         if self._opened is not None:
             self._opened = codec, self._opened[1]
         self._tell(lambda listener: listener.on_codec(codec))
 
     def error_frame(self) -> None:
-        """The adapter has reported an error on the bus."""
+        """Tell the listeners that the adapter has reported an error on the bus."""
         self._tell(lambda listener: listener.on_error_frame())
 
     def _update_told(self) -> None:

@@ -112,7 +112,7 @@ class Outbox:
             return self._is_blocked(self._clock())
 
     def attach(self, bus: can.BusABC, *, threaded: bool = False) -> None:
-        """Frames may go out on this bus from now on. What was left from before is dropped.
+        """Let frames go out on this bus from now on; drop what was left from before.
 
         Args:
             bus: Where to.
@@ -127,7 +127,7 @@ class Outbox:
             self._changed.notify_all()
 
     def detach(self) -> None:
-        """No frame goes out any more; nothing that waits survives."""
+        """Let no frame go out any more, and drop all that waits."""
         with self._changed:
             self._port = None
             self._drop_waiting()
@@ -282,7 +282,7 @@ class Outbox:
                 port.driver.release()
 
     def _next(self, port: _Port) -> tuple[Frame | None, _Batch | None]:
-        """What is to be sent next, and the batch it is of; it stays queued until it is out."""
+        """Return what is to be sent next, and its batch; it stays queued until it is out."""
         with self._changed:
             if self._port is not port:
                 return None, None

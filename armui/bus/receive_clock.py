@@ -46,16 +46,16 @@ class ReceiveClock:
         self._behind = False
 
     def begin(self) -> None:
-        """The reader turns to the queue, after whatever else it did."""
+        """Note that the reader turns to the queue, after whatever else it did."""
         self._behind = self._behind or self._clock() - self._empty_s > _AWAY_S
 
     def emptied(self) -> None:
-        """The reader has found the queue empty."""
+        """Note that the reader has found the queue empty."""
         self._empty_s = self._clock()
         self._behind = False
 
     def at_s(self, stamp_s: float, now_s: float) -> float:
-        """When a frame was received, by the program's clock.
+        """Return when a frame was received, by the program's clock.
 
         Args:
             stamp_s: What the back-end says.

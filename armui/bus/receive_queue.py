@@ -51,7 +51,7 @@ class ReceiveQueue:
         return self._of_earlier + self._by_kernel + self._by_adapter
 
     def attach(self, bus: can.BusABC) -> None:
-        """A device was opened."""
+        """Watch the queue of a device that was opened."""
         self.detach()
         self._socket = _socket_of(bus)
         if self._socket is not None:
@@ -59,7 +59,7 @@ class ReceiveQueue:
             self._at_opening = _drops(self._socket)
 
     def detach(self) -> None:
-        """The device is closed; what was lost stays counted."""
+        """Watch no queue: the device is closed. What was lost stays counted."""
         self._of_earlier += self._by_kernel
         self._by_kernel = 0
         if self._socket is not None:
@@ -80,7 +80,7 @@ class ReceiveQueue:
 
 
 def _socket_of(bus: can.BusABC) -> socket.socket | None:
-    """A second handle on the bus's socket; ``None``: it has none, or the system tells nothing."""
+    """Return a second handle on the bus's socket; ``None``: there is none to ask."""
     system: str = sys.platform  # its type: checked for every system
     if system != "linux":
         return None
@@ -92,7 +92,7 @@ def _socket_of(bus: can.BusABC) -> socket.socket | None:
 
 
 def _lengthen(receiving: socket.socket) -> None:
-    """As far as the system allows: without rights only to net.core.rmem_max."""
+    """Lengthen the queue as far as the system allows: without rights to net.core.rmem_max."""
     if receiving.getsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF) >= _WANTED_BYTES:
         return
     for option in (_SO_RCVBUFFORCE, socket.SO_RCVBUF):

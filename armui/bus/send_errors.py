@@ -56,12 +56,12 @@ inside a library, for the time it likes (gs_usb 1 s, serial ports without a limi
 
 
 def obeys_its_timeout(bus: can.BusABC) -> bool:
-    """Whether ``send`` of this bus returns in the time it is given."""
+    """Tell whether ``send`` of this bus returns in the time it is given."""
     return getattr(bus.send, "__module__", None) in _PROMPT_SENDERS
 
 
 def queue_is_full(error: BaseException) -> bool:
-    """Whether a frame could not be sent just now, while the device itself is there."""
+    """Tell whether a frame could not be sent just now, while the device itself is there."""
     chain = list(causes(error))
     if any(_names_a_full_queue(cause) for cause in chain):
         return True
@@ -99,7 +99,7 @@ def _number(error: BaseException) -> int | None:
 
 
 def causes(error: BaseException) -> Iterator[BaseException]:
-    """An error, what it came of, and so on."""
+    """Return an error, what it came of, and so on."""
     cause: BaseException | None = error
     while cause is not None:
         yield cause

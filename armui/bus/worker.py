@@ -41,7 +41,7 @@ socket without CAN_RAW_RECV_OWN_MSGS.
 
 
 def is_own_echo(message: can.Message, interface: str) -> bool:
-    """Whether a frame is one of ours that the adapter hands back; nobody else has said it then."""
+    """Tell whether a frame is one of ours that the adapter hands back."""
     return not message.is_rx and interface not in _MARKS_NEIGHBOURS
 
 
@@ -279,7 +279,7 @@ def _flags(message: can.Message) -> int:
 
 
 def opener_after(before: Sequence[threading.Event], opener: Opener) -> Opener:
-    """Opens a device when other threads have closed theirs: it may be the same one.
+    """Open a device when other threads have closed theirs: it may be the same one.
 
     Args:
         before: Set by the threads that are ending, each when its device is closed. The threads

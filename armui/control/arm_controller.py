@@ -27,10 +27,9 @@ from armui.control.link.connection import Connection
 from armui.control.link.device_finder import DeviceFinder
 from armui.control.link.link_watch import LinkWatch
 from armui.control.motion.motion_command import End
-from armui.control.motion_end import MotionEnd
+from armui.control.motion_end import MotionEnd, abort_motion
 from armui.control.operating_state import Busy, OperatingState
 from armui.control.parts import Parts
-from armui.control.run.run_end import abort_motion
 from armui.control.safety.emergency_stop import is_stopped
 from armui.control.safety.stopping import Stopping
 from armui.protocol.codes import TrajectoryCommand
@@ -174,7 +173,7 @@ class ArmController(ControllerParts):
 
     @staticmethod
     def interfaces() -> list[str]:
-        """The back-ends python-can knows on this computer."""
+        """Return the back-ends python-can knows on this computer."""
         from armui.bus.adapters import interfaces  # noqa: PLC0415 - loaded when asked for
 
         return interfaces()
@@ -184,13 +183,13 @@ class ArmController(ControllerParts):
         self.disconnect_device()
         self._stop.on_connecting(device)
         self.cartesian.prepare()
-        self._parts.take(self._all_parts(), last=self.recovery)
+        self._parts.set_parts(self._all_parts(), last=self.recovery)
         if not self._replays:
             self.sessions  # noqa: B018 - it keeps every frame, from the first on
         self._connection.open(device)
         self._timer.start()
         self._refresh()
-        self.recovery.advance()
+        self.recovery.follow_arm()
 
     def disconnect_device(self) -> None:
         """Close the device. What this program drives ends before; the arm keeps its power.
@@ -211,10 +210,10 @@ class ArmController(ControllerParts):
         self._notice(EventCode.DISCONNECTED, device=device)
         self.state_changed.emit(self._state)
         self._refresh()
-        self.recovery.advance()
+        self.recovery.follow_arm()
 
     def let_motion_finish(self) -> None:
-        """When the program ends, a single motion goes on to its target: the operator chose so."""
+        """Let a single motion go on to its target when the program ends: the operator chose so."""
         self._lets_finish = True
 
     def shutdown(self) -> bool:
@@ -223,7 +222,7 @@ class ArmController(ControllerParts):
         Returns:
             Whether all threads have ended within two seconds: a driver may keep one.
         """
-        self._motion_end.end(RUN_LEFT, single=not self._lets_finish)
+        self._motion_end.end_motion(RUN_LEFT, single=not self._lets_finish)
         self._motion_end.await_rest(self.tick, self._wait)
         self._connection.wait_until_sent(_SENT_WITHIN_S)
         self.disconnect_device()
@@ -239,7 +238,7 @@ class ArmController(ControllerParts):
         self.all_motion_ended.emit()
 
     def withdraw_stop(self) -> None:
-        """A stop that the arm has not confirmed is wanted no more."""
+        """Withdraw a stop that the arm has not confirmed."""
         self._stop.withdraw()
         self._refresh()
 
@@ -292,19 +291,19 @@ class ArmController(ControllerParts):
         attempt = self._parts.attempt  # a stop is repeated, and motion ended, whatever else fails
         attempt("Connection", lambda: self._hear(now_s))
         attempt("Stopping", lambda: self._follow_stop(now_s))
-        attempt("AuthorityWatch", lambda: self._watch.advance(now_s))
+        attempt("AuthorityWatch", lambda: self._watch.follow_arm(now_s))
         attempt("Assessor", self._assess)
-        self._parts.advance()
+        self._parts.follow_arm()
         attempt("LinkWatch", lambda: self._link_watch.follow_handshake(self._state))
         attempt("Assessor", self._assess, step="2")  # what the parts have begun and ended
-        self._parts.advance_last()
-        self._motion_end.follow(now_s)
+        self._parts.follow_arm_last()
+        self._motion_end.retry_end(now_s)
         self._authority.failed = self._motion_end.stuck or not self._parts.in_order
         if self._state is not before:
             self.state_changed.emit(self._state)
 
     def _hear(self, now_s: float) -> None:
-        self._state = self._connection.advance(now_s)
+        self._state = self._connection.follow_arm(now_s)
         self._link_watch.follow_online()
 
     def _assess(self) -> None:
@@ -313,14 +312,14 @@ class ArmController(ControllerParts):
     def on_failure(self) -> None:
         """End every motion of this program, since a part of it has failed."""
         if not self._motion_end.busy:
-            self._motion_end.end()
+            self._motion_end.end_motion()
             # the failure may lie within the very call that goes on to begin a motion
-            QTimer.singleShot(0, self, self._motion_end.end)
+            QTimer.singleShot(0, self, self._motion_end.end_motion)
             self.all_motion_ended.emit()
 
     def end_all_motion(self) -> None:
         """End every motion of this program, since the system is about to end it or to sleep."""
-        self._motion_end.end(SYSTEM_ENDS)
+        self._motion_end.end_motion(SYSTEM_ENDS)
         self.all_motion_ended.emit()
 
     def abort_from_any_thread(self) -> bool:
@@ -334,12 +333,12 @@ class ArmController(ControllerParts):
     def _on_part_failed(self) -> None:
         self._authority.failed = True
         if not self._motion_end.busy:
-            self._motion_end.end()
+            self._motion_end.end_motion()
             self.all_motion_ended.emit()
 
     def _follow_stop(self, now_s: float) -> None:
         resuming = self.motors.busy is Busy.RESUMING
-        self._stop.advance(self._state, now_s, resuming=resuming, still=self._authority.at_rest)
+        self._stop.follow_arm(self._state, now_s, resuming=resuming, still=self._authority.at_rest)
         stopped = is_stopped(self._state)
         if stopped and not self._was_stopped:
             self._parts.halt()
@@ -360,27 +359,27 @@ class ArmController(ControllerParts):
 
     def _on_connection(self, report: BusReport, code: EventCode) -> None:
         if code == EventCode.LINK_LOST:
-            self._parts.forget()
+            self._parts.forget_arm()
         elif code == EventCode.CONNECT_FAILED:
             self._timer.stop()
             self._forget_arm()
         if report.device.recorded is None or code not in LINK_BREAKS:  # a log is jumped in
             self._notice(code, device=report.device, reason=report.problem)
         self._refresh()
-        self.recovery.advance()
+        self.recovery.follow_arm()
 
     def _on_arm_came(self) -> None:
-        """What was read and saved before may have been another arm's."""
+        """Forget what was read and saved before: it may have been another arm's."""
         self._link_watch.arm_came()
-        self._authority.end(End.SILENT)
-        self.settings.forget()
-        self.model_watch.forget()
+        self._authority.end_command(End.SILENT)
+        self.settings.forget_arm()
+        self.model_watch.forget_arm()
 
     def _forget_arm(self) -> None:
-        self._parts.forget()
-        self._authority.end(End.FORGOTTEN)
-        self._watch.forget(self._clock())
-        self._link_watch.forget()
+        self._parts.forget_arm()
+        self._authority.end_command(End.FORGOTTEN)
+        self._watch.reset(self._clock())
+        self._link_watch.reset()
         self._was_stopped = False
 
     def end_motion(self, *, single: bool = False) -> None:
@@ -399,8 +398,8 @@ class ArmController(ControllerParts):
         self._refresh()
 
     def _end_all_motion(self) -> None:
-        """No part goes on with what a halt has ended, and no target comes back."""
+        """Let no part go on with what a halt has ended, and no target come back."""
         self._end_driven()
         self._authority.cancelled(self._clock())
         self.mode_exit.halt()
-        self.gripper.end()
+        self.gripper.end_travel()

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import NamedTuple
 
 from armui.arm.device import Device
 from armui.arm.limits import plausible
@@ -30,7 +29,8 @@ from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN, SPEED_ZERO
 from armui.protocol.generation import Generation
 
 
-class ActiveTasks(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class ActiveTasks:
     """What the program itself is doing to the arm; see :class:`OperatingState` for the fields."""
 
     running: bool = False
@@ -71,7 +71,7 @@ class AssessmentInputs:
 
 
 def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> OperatingState:
-    """What the operator can do at monotonic time ``now_s``."""
+    """Return what the operator can do at monotonic time ``now_s``."""
     enabled = _fresh_enabled(state, now_s)
     tasks, authority = around.tasks, around.authority
     no_command = interlocks.why_no_command(
@@ -146,7 +146,7 @@ def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> Operating
 
 
 def _controller_heard(state: ArmState, now_s: float) -> bool:
-    """Whether the arm's controller itself is heard, 0x2A1–0x2A7; drivers may go on without it."""
+    """Tell whether the arm's controller is heard, 0x2A1–0x2A7; drivers may go on without it."""
     heard = (state.status, *state.joints_deg, *state.pose)
     return any(each is not None and each.fresh(now_s) for each in heard)
 

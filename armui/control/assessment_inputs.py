@@ -42,7 +42,7 @@ class Assessor:
         self._operating_state: OperatingState | None = None
 
     def read(self) -> OperatingState:
-        """What the operator can do, as of the last look."""
+        """Return what the operator can do, as of the last look."""
         if self._operating_state is None:
             return OperatingState(speed_percent=self._controller.motion.speed_percent)
         return self._operating_state
@@ -57,7 +57,7 @@ class Assessor:
         return self.assess()
 
     def assess(self) -> OperatingState:
-        """What the operator can do, by what the authority has seen and the parts are doing."""
+        """Return what the operator can do, by what the authority saw and the parts are doing."""
         now_s = self._clock()
         controller = self._controller
         operating_state = assess(controller.state, self._inputs(now_s), now_s)
@@ -78,7 +78,7 @@ class Assessor:
         return frozenset(part for part, is_busy in busy.items() if is_busy)
 
     def _inputs(self, now_s: float) -> AssessmentInputs:
-        """What the program knows beside the arm's feedback at monotonic time ``now_s``."""
+        """Return what the program knows beside the arm's feedback at monotonic time ``now_s``."""
         controller, connection, emergency_stop = (
             self._controller,
             self._connection,

@@ -7,6 +7,7 @@ the place the next step starts from while it is the last one the arm got; `End` 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Reason, Refusal
@@ -110,7 +111,7 @@ class Authority:
         if end is not None:
             self._end(end)
         if seen.waiting and self.command is not None:
-            self.command = self.command._replace(sent_s=now_s)
+            self.command = replace(self.command, sent_s=now_s)
         self._follow_hold(seen)
         self._stood = self._stood or self.at_rest
         self._follow_cancel(now_s)
@@ -178,20 +179,20 @@ class Authority:
         return Mover.NOBODY if self.at_rest else Mover.UNKNOWN
 
     def why_not(self) -> Refusal | None:
-        """The reason against any motion frame of ours now, or ``None``."""
+        """Return the reason against any motion frame of ours now, or ``None``."""
         return self.why_not_ours() or self.why_held()
 
     def why_not_ours(self) -> Refusal | None:
-        """The same, but for a motion of ours that is held back in the arm."""
+        """As :meth:`why_not`, but for a motion of ours that is held back in the arm."""
         failed = PART_FAILED() if self.failed else None
         return failed or self.why_silent() or self.other.why_not()
 
     def why_silent(self) -> Refusal | None:
-        """The feedback that a motion counts on and that is not heard, or ``None``."""
+        """Return the feedback that a motion counts on and that is not heard, or ``None``."""
         return self._silent
 
     def why_held(self) -> Refusal | None:
-        """The motion that is held back in the arm, as a reason against another one."""
+        """Return the motion that is held back in the arm, as a reason against another one."""
         return why_held(self.holds)
 
     @property
@@ -200,7 +201,7 @@ class Authority:
         return self.command.joints_deg if self.holds and self.command is not None else None
 
     def joint_base_deg(self) -> tuple[float, ...] | None:
-        """Six angles a step or a jog of a joint starts from; ``None``: they are not known.
+        """Return six angles a step or a jog of a joint starts from; ``None``: they are not known.
 
         Our own target while it is the last command and the arm is on its way or there, so that
         steps add up and a sagging arm does not creep; otherwise where the arm is measured.
@@ -211,7 +212,7 @@ class Authority:
         return command.joints_deg
 
     def measured_deg(self) -> tuple[float, ...] | None:
-        """Six angles to set out from; ``None`` while they are not known well enough.
+        """Return six angles to set out from; ``None`` while they are not known well enough.
 
         Of a moving arm, angles that are no longer the newest tell where it was.
         """
@@ -225,11 +226,11 @@ class Authority:
         return None if late and not self.at_rest else seen.state.angles_deg()
 
     def tool_base(self) -> Matrix | None:
-        """The last target of the tool while it is ours, whether or not the tool is there."""
+        """Return the last target of the tool while it is ours, whether or not the tool is there."""
         return None if self.command is None else self.command.tool
 
     def lowers_speed(self, percent: float) -> bool:
-        """Whether a percentage is below the arm's, so that it must arrive before the target."""
+        """Tell whether a percentage is below the arm's: it must arrive before the target."""
         seen = self._seen
         status = None if seen is None else seen.state.status
         told = None if status is None else status.value.speed_percent
@@ -237,7 +238,7 @@ class Authority:
         return not known or percent < max(known)
 
     def mode_in_force(self) -> tuple[ControlMode, MoveMode] | None:
-        """The modes the arm is in: as reported, or as sent when it has had no time to report them.
+        """Return the arm's modes: as reported, or as sent while it had no time to report them.
 
         ``None`` where a mode word with them cannot be sent: nobody knows them, or somebody else
         has the command.
@@ -269,7 +270,7 @@ class Authority:
         pace: ToolPace | None = None,
         started: Started | None = None,
     ) -> MotionCommand:
-        """A new command of ours takes the place of whatever was before.
+        """Have a new command of ours take the place of whatever was before.
 
         Args:
             kind: What it is.
@@ -300,16 +301,16 @@ class Authority:
         return self.command
 
     def is_current(self, command: MotionCommand) -> bool:
-        """Whether a command is still the last one given to the arm."""
+        """Tell whether a command is still the last one given to the arm."""
         return self.command is not None and self.command.number == command.number
 
     def extend(
         self, command: MotionCommand, joints_deg: Sequence[float], now_s: float
     ) -> MotionCommand | None:
-        """The next setpoint of a stream; ``None`` if the command is not ours to go on with."""
+        """Take the next setpoint of a stream; ``None``: the command is not ours to go on with."""
         if not self.is_current(command):
             return None
-        self.command = command._replace(joints_deg=tuple(joints_deg), sent_s=now_s)
+        self.command = replace(command, joints_deg=tuple(joints_deg), sent_s=now_s)
         return self.command
 
     def told_percent(self, percent: int) -> None:
@@ -321,7 +322,7 @@ class Authority:
             if command is not None:
                 if seen is not None:
                     self._slow_down(percent, seen.now_s)
-                self.command = command._replace(speed_percent=percent)
+                self.command = replace(command, speed_percent=percent)
                 self._overspeed.change_speed()
         elif seen is not None and (self.under_way or self.moves):
             self._hold(Hold.SPEED_ZERO, seen.now_s)
@@ -346,16 +347,16 @@ class Authority:
         self.holds = frozenset()
         self._overspeed.change_speed()
         if self.command is not None:
-            self.command = self.command._replace(sent_s=now_s)
+            self.command = replace(self.command, sent_s=now_s)
 
     def cancelled(self, now_s: float) -> None:
-        """The arm was told to end its motion: what was asked for before never comes back."""
+        """Note that the arm was told to end its motion: what was asked before never comes back."""
         self._end(End.CANCELLED)
         self.holds = frozenset()
         self._cancelled_s, self.cancel_unheeded = now_s, False
 
-    def end(self, reason: End) -> None:
-        """Ends our command: no step starts from its target any more."""
+    def end_command(self, reason: End) -> None:
+        """End our command: no step starts from its target any more."""
         self._end(reason)
         if reason in {End.STOPPED, End.DISABLED, End.FORGOTTEN}:
             self.holds = frozenset()
@@ -392,7 +393,7 @@ class Authority:
     def _forget(self) -> None:
         self.other.reconnected()
         self.arm_percent = self._mode_sent = None
-        self._rest.forget()
+        self._rest.reset()
         self._seen, self._silent = None, NOT_CONNECTED()
 
     @property
@@ -441,7 +442,7 @@ class Authority:
         if in_drag_teaching(state):
             return End.TAUGHT
         if status.value.arm_status not in MOVABLE_STATUSES:  # it may move on, but not to there
-            self.command = command._replace(joints_deg=None, tool=None)
+            self.command = replace(command, joints_deg=None, tool=None)
         late = status.at_s - command.sent_s > _TAKEN_IN_S
         if late and status.value.control_mode != ControlMode.CAN_CONTROL:
             return End.OTHER_MODE
@@ -453,7 +454,7 @@ class Authority:
             return None
         if command.joints_deg is None:
             # a pose: which angles the arm takes there is its own choice
-            self.command = command._replace(joints_deg=measured_deg)
+            self.command = replace(command, joints_deg=measured_deg)
             return None
         away_deg = max(
             abs(asked - measured)
@@ -462,7 +463,7 @@ class Authority:
         return End.MOVED_AWAY if away_deg > ARRIVED_DEG else None
 
     def _follow_hold(self, seen: Observation) -> None:
-        """What the arm itself drops is held back no more."""
+        """Take what the arm itself has dropped for held back no more."""
         status = seen.state.status
         if not self.holds or status is None or not status.fresh(seen.now_s):
             return

@@ -33,7 +33,7 @@ class AuthorityWatch:
     Args:
         authority: Knows who moves the arm.
         connection: The way to the arm.
-        tell: Takes the notices.
+        tell: Takes the events.
         end_motion: Ends our motion with a reason.
 
     Attributes:
@@ -78,7 +78,7 @@ class AuthorityWatch:
             self._voided = self.authority.number
             connection.void(self._voided)
 
-    def advance(self, now_s: float) -> None:
+    def follow_arm(self, now_s: float) -> None:
         """Tell who else moves the arm, and end a motion of ours that is too fast."""
         self.observe(now_s)
         authority = self.authority
@@ -152,7 +152,7 @@ class AuthorityWatch:
             other.frames, self._began[1], other.rate_hz, reason, other.may_be_taken_over
         )
 
-    def forget(self, now_s: float) -> None:
+    def reset(self, now_s: float) -> None:
         """Another connection begins."""
         self._follow_motion(now_s)
         self._acknowledgement.reset()

@@ -46,7 +46,7 @@ class Context:
 
     Attributes:
         connection: The way to the arm.
-        tell: Takes the notices.
+        tell: Takes the events.
         clock: Monotonic time in seconds.
         state: The arm as last heard.
         operating_state: What the operator can do, as of the last look: the controller's tick looks,
@@ -90,7 +90,7 @@ class Context:
         report_and_tell(self.tell, self.clock(), started, code, **params)
 
     def why_no_motion(self) -> Refusal | None:
-        """The reason against a motion frame of ours by who moves the arm now, or ``None``.
+        """Return the reason against a motion frame of ours by who moves the arm now, or ``None``.
 
         The check that every motion frame passes: it judges by what is heard at this very moment,
         not by the controller's last tick.
@@ -148,12 +148,12 @@ class Context:
         )
         self.connection.void(command.number)
         if not self.connection.send([*lead, *frames], keep_s, command.number):
-            self.authority.end(End.NOT_SENT)
+            self.authority.end_command(End.NOT_SENT)
             return LINK_LOST()
         return command
 
     def _pace(self, way: Sequence[Sequence[float]]) -> ToolPace:
-        """How fast a line or an arc is at 100 %, from where the joints are measured to stand."""
+        """Return how fast a line or an arc is at 100 %, from where the joints stand."""
         state = self.state()
         start_deg = None if self.authority.moves else state.angles_deg()
         return tool_pace(way, start_deg, planning_model(state, self.operating_state()))
@@ -181,7 +181,7 @@ class Context:
         if further is None:
             return COMMAND_OVER()
         if not self.connection.send(frames, keep_s, further.number):
-            self.authority.end(End.NOT_SENT)
+            self.authority.end_command(End.NOT_SENT)
             return LINK_LOST()
         return further
 
@@ -209,7 +209,7 @@ class Context:
         )
 
     def why_unknown(self) -> Refusal | None:
-        """Why the arm cannot be asked: it is not there, or its protocol is not known yet."""
+        """Tell why the arm cannot be asked: it is not there, or its protocol is not known yet."""
         connection = self.connection
         refusal = why_unreachable(connection.link, connection.device)
         if refusal is None and connection.generation is None:
@@ -224,11 +224,11 @@ class ControllerPart:
     touched by a stop: a motion under way ends with the arm's own, and a setting moves nothing.
     """
 
-    def advance(self) -> None:
+    def follow_arm(self) -> None:
         """Look at what was heard and move on; called at each tick while a device is open."""
 
     def halt(self) -> None:
-        """An emergency stop was asked for, or the arm has stopped: give up what would move it."""
+        """Give up what would move the arm: a stop was asked for, or the arm has stopped."""
 
-    def forget(self) -> None:
-        """The arm is gone, lost or disconnected on purpose: no answer will come."""
+    def forget_arm(self) -> None:
+        """Await nothing more: the arm is gone, lost or disconnected on purpose."""

@@ -22,7 +22,7 @@ from armui.control.devices.teaching import TeachingControl
 from armui.control.devices.zeroing import Zeroing
 from armui.control.gamepad.pilot import GamepadPilot
 from armui.control.link.bus_access import BusAccess
-from armui.control.link.dropped_frames import DroppedFrames
+from armui.control.link.link_watch import DroppedFrames
 from armui.control.link.model_watch import ModelWatch
 from armui.control.motion.cartesian import Cartesian
 from armui.control.motion.jog_floor import JogFloor
@@ -192,7 +192,7 @@ class ControllerParts(QObject):
         """Moves the gripper."""
         gripper = GripperControl(self._context, self.settings, end_run=self._end_run_because)
         for run in (self.player, self.replayer):
-            run.gripper_sent.connect(gripper.follow)
+            run.gripper_sent.connect(gripper.note_travel)
         return gripper
 
     @cached_property
@@ -214,7 +214,7 @@ class ControllerParts(QObject):
         return recorder
 
     def on_sessions_chosen(self) -> None:
-        """The operator has chosen otherwise how and where sessions are recorded."""
+        """Take over how and where the operator wants sessions to be recorded."""
         if self.session_choices is not None and "sessions" in vars(self):
             self.sessions.choose(self.session_choices())
 
@@ -240,7 +240,7 @@ class ControllerParts(QObject):
         return DroppedFrames(self._context)
 
     def _all_parts(self) -> tuple[ControllerPart, ...]:
-        """Those that follow an arm, in the order in which they act; but recovery, which is last."""
+        """Return those that follow an arm, in the order in which they act; recovery is last."""
         return (
             self.motors,
             self.motion,
@@ -278,12 +278,12 @@ class ControllerParts(QObject):
         self.jogging.stop()
 
     def _end_run_because(self, reason: Refusal) -> None:
-        self.player.end(reason)
-        self.replayer.end(reason)
+        self.player.end_run(reason)
+        self.replayer.end_run(reason)
 
     def _forget_places(self) -> None:
-        """The angles are counted anew: no place that was asked for before means the same."""
-        self._context.authority.end(End.ZERO_CHANGED)
+        """Forget the places asked for: the angles are counted anew, and none means the same."""
+        self._context.authority.end_command(End.ZERO_CHANGED)
         self.player.drop()
 
     # What the controller itself does ----------------------------------------------------------

@@ -10,24 +10,33 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from armui.arm.device import Device, RecordedArm
-from armui.bus.playback.log_cursor import LogClock
+from armui.bus.playback.curve_history import CurveHistory, is_own_command
+from armui.bus.playback.log_cursor import LogClock, LogCursor
 from armui.bus.playback.log_player import FILLED_S
 from armui.bus.playback.log_worker import FASTEST, SLOWEST, LogWorker
 from armui.control.arm_controller import ArmController
-from armui.protocol.generation import PiperModel
+from armui.protocol.addressing import Addressing
+from armui.protocol.codec import Codec
+from armui.protocol.firmware_version import FirmwareVersion
+from armui.protocol.frame import Frame
+from armui.protocol.generation import Generation, PiperModel
 from armui.system.clock import local_time
+from armui.telemetry.bus_statistics import BusStatistics
+from armui.telemetry.series import KEPT_S
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
     from contextlib import AbstractContextManager
     from typing import NoReturn
 
     from armui.bus.playback.log_cursor import ReplayedFrame
-    from armui.protocol.codec import Codec
     from armui.session.frames import Channel
     from armui.session.session import Session
     from armui.telemetry.listener import Listener
 
+_AROUND_S: Final = (0.3, 3.0, 60.0)
+"""So long before a moment its frames are read, and half as long after it: longer where few are."""
+_ENOUGH_FRAMES: Final = 200
 _FILL_AFTER_MS: Final = 120
 """Curves are filled when the operator has come to rest somewhere."""
 
@@ -46,6 +55,7 @@ class LogReplay(QObject):
         session, channel: As given.
         clock: Log time; it moves only with the replay.
         controller: Watches the log.
+        whole: Reads the curves of the whole log, once they are wanted.
 
     Signals:
         moved: The replay is elsewhere, or runs or stands still now.
@@ -65,6 +75,7 @@ class LogReplay(QObject):
     ) -> None:
         super().__init__(parent)
         self.session = session
+        self._arm = arm
         self.clock = LogClock(session.start_s)
         self.channel = channel
         self._device = Device(
@@ -81,6 +92,7 @@ class LogReplay(QObject):
         self._going_to: float | None = None
         self._number = 0
         self._curves_are_seen = True
+        self.whole: CurveHistory | None = None
         self.controller = ArmController(
             _no_device,
             clock=self.clock,
@@ -122,6 +134,8 @@ class LogReplay(QObject):
     def close(self) -> bool:
         """End the thread that plays; whether it has ended within two seconds."""
         self._fill_timer.stop()
+        if self.whole is not None:
+            self.whole.end(wait=True)
         self._worker = None
         ended = self.controller.shutdown()
         if ended and self._forgotten is not None:
@@ -172,6 +186,56 @@ class LogReplay(QObject):
         share = (history.reached_s - history.begin_s) / max(history.end_s - history.begin_s, 1e-9)
         return history.begin_s, min(worker.curves_from_s, history.end_s), share
 
+    # Beside what is played --------------------------------------------------------------------
+
+    def read_whole(self, longest_s: float, then: Callable[[], object]) -> CurveHistory:
+        """Have the curves of the whole log read, whatever is played meanwhile.
+
+        Args:
+            longest_s: Of a longer log it is the end.
+            then: Called, in another thread, when they are read.
+        """
+        session = self.session
+        begin_s = max(session.start_s, session.end_s - longest_s)
+        telemetry = self.controller.telemetry.alike(
+            lambda: session.end_s, max(session.end_s - begin_s, KEPT_S)
+        )
+        times_s = begin_s, session.end_s
+        self.whole = CurveHistory(session, self.channel, telemetry, times_s, then)
+        return self.whole
+
+    def read_around(self, at_s: float) -> tuple[BusStatistics, float, float]:
+        """Read the frames around a time; for a thread that may wait for the disk.
+
+        Args:
+            at_s: Log time.
+
+        Returns:
+            What has counted and kept them; and the log times from and to which it holds all.
+        """
+        arm, cursor = self._arm, LogCursor(self.session, self.channel)
+        firmware = FirmwareVersion.parse(arm.firmware)
+        codec = Codec(Generation(arm.generation), Addressing(arm.feedback_offset), firmware)
+        for before_s in _AROUND_S:
+            begin_s, end_s = at_s - before_s, at_s + before_s / 2.0
+            pieces = list(cursor.columns_between(begin_s, end_s))
+            if sum(map(len, pieces)) >= _ENOUGH_FRAMES:
+                break
+        statistics = BusStatistics(lambda: at_s)
+        statistics.on_codec(codec)
+        for piece in pieces:
+            for row in range(len(piece)):
+                frame = Frame(
+                    int(piece.ids[row]), piece.payloads[row, : piece.lengths[row]].tobytes()
+                )
+                flags = int(piece.flags[row])
+                heard = (codec.decode(frame), float(piece.times_s[row]), frame, flags)
+                own = is_own_command(frame.arbitration_id, flags)
+                (statistics.on_sent if own else statistics.on_heard)([heard])
+        while not statistics.count_waiting():
+            pass
+        return statistics, begin_s, end_s
+
     # The operator's wishes --------------------------------------------------------------------
 
     def want_curves(self, back_s: float) -> None:
@@ -187,7 +251,7 @@ class LogReplay(QObject):
         self._worker.want_history(on=back_s > FILLED_S)
 
     def set_speed(self, speed: float) -> None:
-        """From 0.1 to 20 times as fast as it was."""
+        """Set the speed of the replay, from 0.1 to 20 times as fast as it was."""
         if self._worker is not None:
             self._worker.speed = min(max(speed, SLOWEST), FASTEST)
             self.moved.emit()

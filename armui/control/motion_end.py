@@ -1,4 +1,4 @@
-"""Ends every motion of this program when any part of it fails (safety S23)."""
+"""Ends motions of this program: one that is called off, all when a part fails (safety S23)."""
 
 from __future__ import annotations
 
@@ -8,8 +8,14 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Reason, Refusal
 from armui.control.authority import PART_FAILED
-from armui.control.operating_state import LinkState
-from armui.control.run.run_end import RUN_STOPPED, abort_motion
+from armui.control.operating_state import LINK_LOST, NOT_CONNECTED, LinkState
+from armui.control.safety.interlocks import (
+    CONTROL_OFFSET_UNKNOWN,
+    OTHER_CONTROL,
+    STOP_REQUESTED,
+    STOPPED,
+)
+from armui.control.safety.other_command import LEADER_ARM, OTHER_HOST, OTHER_MODE
 from armui.control.safety.standstill import why_not_still
 from armui.protocol import commands
 from armui.protocol.addressing import OFFSETS
@@ -20,6 +26,32 @@ if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.control.context import Context
     from armui.control.run.execution import Execution
+
+RUN_STOPPED = Reason(
+    "run_stopped",
+    "The arm is in emergency stop. Hold the arm, press Resume, enable the motors; then the "
+    "run can go on from this row.",
+)
+
+
+_LEFT_ALONE: Final = frozenset(
+    {
+        # the stop has gone out, and says more
+        STOPPED,
+        STOP_REQUESTED,
+        RUN_STOPPED,
+        # nothing reaches the arm, or nobody knows which arm it would reach
+        NOT_CONNECTED,
+        LINK_LOST,
+        CONTROL_OFFSET_UNKNOWN,
+        # the arm serves another master: its motion is not this program's to end
+        OTHER_CONTROL,
+        OTHER_HOST,
+        LEADER_ARM,
+        OTHER_MODE,
+    }
+)
+"""Reasons for a run to end after which the arm is told nothing more."""
 
 _LOG: Final = logging.getLogger(__name__)
 
@@ -32,6 +64,30 @@ _AGAIN_S: Final = 0.1
 _LOOK_S: Final = 0.02
 _OWED_S: Final = 10.0
 """A lost device that comes back within this time is told that the motion has ended."""
+
+
+def abort_motion(context: Context) -> bool:
+    """Have the arm end its motion where it is, powered, and drop its target (0x150 byte 1 = 6).
+
+    It goes past everything that waits to be sent: half a target must not follow it. Returns
+    whether it is on the bus.
+    """
+    connection = context.connection
+    if connection.device is None or connection.device.listen_only:
+        return False
+    frames = commands.trajectory_command(connection.codec, TrajectoryCommand.ABORT)
+    context.authority.cancelled(context.clock())
+    return connection.send_urgent(frames)
+
+
+def abort_motion_for(context: Context, reason: Refusal) -> None:
+    """Abort the motion of a run that cannot go on, unless its reason makes sending pointless.
+
+    An arm that is blocked, or whose run took too long, would otherwise set out for the point of a
+    run long over as soon as it can.
+    """
+    if reason.reason not in _LEFT_ALONE:
+        abort_motion(context)
 
 
 class MotionEnd:
@@ -62,7 +118,7 @@ class MotionEnd:
         self._was_lost = False
         self.stuck = False
 
-    def end(self, code: Reason = PART_FAILED, *, single: bool = True) -> None:
+    def end_motion(self, code: Reason = PART_FAILED, *, single: bool = True) -> None:
         """End everything; where nothing moves, nothing is sent.
 
         Args:
@@ -133,10 +189,10 @@ class MotionEnd:
         """
         return self._ending or self.stuck
 
-    def follow(self, now_s: float) -> None:
+    def retry_end(self, now_s: float) -> None:
         """Go on with what could not be ended yet; called at each tick."""
         if self.stuck:
-            self.end(self._code)
+            self.end_motion(self._code)
         if self._ended_s is None:
             return
         connection = self._context.connection
@@ -157,7 +213,7 @@ class MotionEnd:
         jogging = self._controller.jogging
         if jogging.active:
             self._note()
-            jogging.end(self._reason())
+            jogging.end_jog(self._reason())
 
     def _end_replay(self) -> None:
         self._end_run(self._controller.replayer)
@@ -168,7 +224,7 @@ class MotionEnd:
     def _end_run(self, run: Execution) -> None:
         if run.running:
             self._note()
-            run.end(self._reason())
+            run.end_run(self._reason())
 
     def _end_single_motion(self) -> None:
         authority = self._context.authority
@@ -177,10 +233,10 @@ class MotionEnd:
             abort_motion(self._context)
 
     def _end_gripper(self) -> None:
-        self._controller.gripper.end()
+        self._controller.gripper.end_travel()
 
     def _reason(self) -> Refusal:
-        """Why something ends; after a stop the arm is told nothing more."""
+        """Tell why something ends; after a stop the arm is told nothing more."""
         stopped = self._stopping()
         return Refusal(RUN_STOPPED if stopped else self._code)
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import enum
 from dataclasses import dataclass, field
 from datetime import datetime
-from typing import NamedTuple
 
 from armui.arm.device import Device
 from armui.arm.limits import JointLimits
@@ -63,14 +62,14 @@ class LinkState(enum.Enum):
 
 
 def why_only_heard(device: Device | None) -> Refusal | None:
-    """The reason why an arm that is heard is not spoken to, or ``None``: it may be."""
+    """Return the reason why an arm that is heard is not spoken to, or ``None``: it may be."""
     if device is None or not device.listen_only:
         return None
     return Refusal(LISTEN_ONLY if device.recorded is None else REPLAYED_LOG)
 
 
 def why_unreachable(link: LinkState, device: Device | None = None) -> Refusal | None:
-    """The reason against sending anything at all: no arm is heard, or it is only listened to.
+    """Tell why nothing at all can be sent: no arm is heard, or it is only listened to.
 
     Args:
         link: How the program stands to its arm.
@@ -104,21 +103,22 @@ class Busy(enum.Enum):
     ZEROING = "zeroing"
 
 
-class OtherHostReport(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class OtherHostReport:
     """Another host that moves the arm.
 
     Attributes:
         frames: The identifiers of its motion frames, for a sentence.
         since: Local time of the first of them.
         rate_hz: How often they come, rounded; 0 for single frames.
-        reason: It, as a reason against a motion of ours.
+        refusal: The reason it is against a motion of ours.
         may_be_taken_over: Whether the operator may take the arm over now.
     """
 
     frames: str
     since: datetime
     rate_hz: int
-    reason: Refusal
+    refusal: Refusal
     may_be_taken_over: bool
 
 
@@ -246,4 +246,4 @@ class OperatingState:
             return self.held
         if self.other_host is None or self.teaching_input:
             return None  # a teaching input sends commands itself
-        return self.other_host.reason
+        return self.other_host.refusal

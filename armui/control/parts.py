@@ -19,7 +19,7 @@ class Parts:
     Its first failure is told to the operator, every one is logged.
 
     Args:
-        tell: Takes the notices.
+        tell: Takes the events.
         on_failure: Called whenever one fails: no motion may go on unwatched.
     """
 
@@ -36,7 +36,9 @@ class Parts:
         """Whether each has worked when it was called last to look at what was heard."""
         return not self._out_of_order
 
-    def take(self, parts: Sequence[ControllerPart], last: ControllerPart | None = None) -> None:
+    def set_parts(
+        self, parts: Sequence[ControllerPart], last: ControllerPart | None = None
+    ) -> None:
         """Call these from now on.
 
         Args:
@@ -47,23 +49,23 @@ class Parts:
         self._parts = parts
         self._last = () if last is None else (last,)
 
-    def advance(self) -> None:
-        """Have each look at what was heard; see :meth:`ControllerPart.advance`."""
-        self._advance(self._parts)
+    def follow_arm(self) -> None:
+        """Have each look at what was heard; see :meth:`ControllerPart.follow_arm`."""
+        self._follow_arm(self._parts)
 
-    def advance_last(self) -> None:
+    def follow_arm_last(self) -> None:
         """Have the last look at what the others are doing."""
-        self._advance(self._last)
+        self._follow_arm(self._last)
 
     def halt(self) -> None:
         """Have each give up what would move the arm; see :meth:`ControllerPart.halt`."""
         for part in (*self._parts, *self._last):
             self._have(type(part).__name__, part.halt)
 
-    def forget(self) -> None:
-        """Tell each that the arm is gone; see :meth:`ControllerPart.forget`."""
+    def forget_arm(self) -> None:
+        """Tell each that the arm is gone; see :meth:`ControllerPart.forget_arm`."""
         for part in (*self._parts, *self._last):
-            self._have(type(part).__name__, part.forget)
+            self._have(type(part).__name__, part.forget_arm)
 
     def attempt(self, name: str, look: Callable[[], object], *, step: str = "") -> None:
         """Have something that is no part look at what was heard, as carefully.
@@ -78,9 +80,9 @@ class Parts:
         else:
             self._out_of_order.add(name + step)
 
-    def _advance(self, parts: Sequence[ControllerPart]) -> None:
+    def _follow_arm(self, parts: Sequence[ControllerPart]) -> None:
         for part in parts:
-            self.attempt(type(part).__name__, part.advance)
+            self.attempt(type(part).__name__, part.follow_arm)
 
     def _have(self, name: str, act: Callable[[], object]) -> bool:
         try:

@@ -25,15 +25,15 @@ class Kinematics:
     geometry: Geometry
 
     def matrix(self, joints_deg: Sequence[float]) -> Matrix:
-        """The flange's 4×4 transform in the base frame."""
+        """Return the flange's 4×4 transform in the base frame."""
         return np.array((*flange_rows(self.geometry, joints_deg), 0.0, 0.0, 0.0, 1.0)).reshape(4, 4)
 
     def forward(self, joints_deg: Sequence[float]) -> Pose:
-        """The flange's pose at six joint angles."""
+        """Return the flange's pose at six joint angles."""
         return rows_to_pose(flange_rows(self.geometry, joints_deg))
 
     def inverse(self, pose: Pose, near_deg: Sequence[float]) -> list[Joints]:
-        """All ways to bring the flange to a pose, whatever the joints' limits.
+        """Return all ways to bring the flange to a pose, whatever the joints' limits.
 
         Angles lie within half a turn of the middle of their joint's range. A joint that a wrist in
         a singular pose leaves free stays where it is in `near_deg`.
@@ -50,5 +50,5 @@ class Kinematics:
         return nearest_first(self.geometry, pose_to_matrix(pose), near_deg)
 
     def missing_mm(self, pose: Pose) -> float:
-        """How far the end of the forearm is out of the arm's reach for a pose; 0 within it."""
+        """Return how far, in mm, the end of the forearm is out of reach for a pose; 0 within."""
         return missing_mm(self.geometry, pose_to_matrix(pose))

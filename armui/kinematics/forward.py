@@ -68,7 +68,7 @@ class PlaneVectors(NamedTuple):
         return c1 * out - s1 * aside, s1 * out + c1 * aside, up
 
     def flange_axes(self) -> tuple[Vector, Vector, Vector]:
-        """The flange's X, Y and Z in the base frame."""
+        """Return the flange's X, Y and Z in the base frame."""
         c6, s6 = self.turn_6
         along = _mixed(c6, self.thumb, s6, self.bend_axis)
         palm = _mixed(c6, self.bend_axis, -s6, self.thumb)
@@ -100,7 +100,7 @@ class Links(NamedTuple):
 
 
 def links(geometry: Geometry, joints_deg: Matrix) -> Links:
-    """Where the links are at (…, 6) joint angles."""
+    """Return where the links are at (…, 6) joint angles."""
     arm = plane_vectors(geometry, joints_deg)
     along, palm, hand = map(stacked, arm.flange_axes())
     side, upper, elbow, forearm, across, wrist, centre, flange = (
@@ -114,7 +114,7 @@ def links(geometry: Geometry, joints_deg: Matrix) -> Links:
 
 
 def flange_transforms(geometry: Geometry, joints_deg: Matrix) -> Matrix:
-    """The flange's (…, 4, 4) transforms at (…, 6) joint angles, lengths in mm."""
+    """Return the flange's (…, 4, 4) transforms at (…, 6) joint angles, lengths in mm."""
     arm = plane_vectors(geometry, joints_deg)
     transforms = np.zeros((*joints_deg.shape[:-1], 4, 4))
     for column, vector in enumerate((*arm.flange_axes(), arm.turned(arm.flange))):
@@ -124,7 +124,7 @@ def flange_transforms(geometry: Geometry, joints_deg: Matrix) -> Matrix:
 
 
 def flange_rows(geometry: Geometry, joints_deg: Sequence[float]) -> list[float]:
-    """The twelve figures of the upper three rows of one transform, lengths in mm."""
+    """Return the twelve figures of the upper three rows of one transform, lengths in mm."""
     arm = _plane_vectors(geometry, joints_deg, math.cos, math.sin, math.radians)
     rows = zip(*arm.flange_axes(), arm.turned(arm.flange), strict=True)
     return [figure for row in rows for figure in row]
@@ -137,7 +137,7 @@ def flange_heights(geometry: Geometry, joints_deg: Matrix) -> Matrix:
 
 
 def plane_vectors(geometry: Geometry, joints_deg: Matrix) -> PlaneVectors:
-    """The arm in its plane at (…, 6) joint angles; each component is a number or (…)."""
+    """Return the arm in its plane at (…, 6) joint angles; each component is a number or (…)."""
     return _plane_vectors(geometry, components(joints_deg), np.cos, np.sin, np.radians)
 
 
@@ -168,7 +168,7 @@ def _plane_vectors(
     sin: Callable[[Value], Value],
     radians: Callable[[Value], Value],
 ) -> PlaneVectors:
-    """The arm in its plane, with the functions that suit the angles."""
+    """Return the arm in its plane, with the functions that suit the angles."""
     j1, j2, j3, j4, j5, j6 = joints_deg
     shoulder_zero, elbow_zero, wrist_zero = geometry.plane_zeros_deg
     shoulder = j2 + shoulder_zero
@@ -231,7 +231,7 @@ def wrist_centres(geometry: Geometry, targets: Matrix) -> tuple[Matrix, Matrix, 
 def bar_angles(
     geometry: Geometry, out: Matrix, height: Matrix, elbow_above: npt.NDArray[np.bool_] | Any
 ) -> tuple[Matrix, Matrix]:
-    """How both bars rise, in radians, to end in a place of the plane; NaN out of their reach.
+    """Return how both bars rise, in radians, to end in a place; NaN out of their reach.
 
     Args:
         geometry: Of the arm; its second bar is the straight line from elbow to wrist.

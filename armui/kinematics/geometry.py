@@ -81,7 +81,7 @@ class Geometry(NamedTuple):
 
     @classmethod
     def from_dh(cls, rows: Iterable[Sequence[float]]) -> Geometry:
-        """The geometry of a DH table.
+        """Return the geometry of a DH table.
 
         Args:
             rows: Six times a in mm, α in degrees, d in mm, θ offset in degrees.
@@ -118,7 +118,7 @@ class Geometry(NamedTuple):
 
 
 def _kind(rows: tuple[DhRow, ...]) -> Wrist:
-    """The kind of arm a table is of."""
+    """Return the kind of arm a table is of."""
     if len(rows) != JOINT_COUNT:
         raise GeometryError(f"a DH table of {len(rows)} rows is no arm of {JOINT_COUNT} joints")
     if not all(math.isfinite(figure) for row in rows for figure in row):

@@ -23,7 +23,7 @@ Two of the protocol's steps: a pose rounded to them must not turn the wrist abou
 def solutions(
     geometry: Geometry, targets: Matrix, near_deg: Sequence[float] | None = None
 ) -> tuple[Matrix, Matrix]:
-    """All ways to bring the flange to each target, whatever the joints' limits.
+    """Return all ways to bring the flange to each target, whatever the joints' limits.
 
     Args:
         geometry: Of the arm.
@@ -54,7 +54,7 @@ def nearest_first(geometry: Geometry, target: Matrix, near_deg: Sequence[float])
 def same_way(
     geometry: Geometry, here_deg: Matrix, joints: Joints, there_deg: Matrix
 ) -> Joints | None:
-    """Where the joints come to at the end of a straight way that keeps to its branch.
+    """Return where the joints come to at the end of a straight way that keeps to its branch.
 
     Args:
         geometry: Of the arm.
@@ -80,7 +80,7 @@ def same_way(
 
 
 def missing_mm(geometry: Geometry, target: Matrix) -> float:
-    """How far the end of the forearm is out of the arm's reach for one target; 0 within it."""
+    """Return how far, in mm, the end of the forearm is out of reach for a target."""
     if geometry.wrist is Wrist.PARALLEL:
         return parallel.missing_mm(geometry, target)
     out, height, _ = wrist_centres(geometry, target)

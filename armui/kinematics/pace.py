@@ -87,7 +87,7 @@ def tool_demand(poses: Values, places: Values, end_limits: Sequence[float]) -> D
 
 
 def pace(demands: Sequence[Demand]) -> tuple[Values, Values]:
-    """The highest speed and acceleration along each path that keep every limit everywhere.
+    """Return the highest speed and acceleration along each path that keep every limit everywhere.
 
     Returns:
         Two arrays, (paths,), in the paths' own parameters a second, and a second². Infinite where
@@ -109,6 +109,6 @@ def pace(demands: Sequence[Demand]) -> tuple[Values, Values]:
 
 
 def _quotient(limits: Values, wanted: Values) -> Values:
-    """What is allowed of a unit; infinite where nothing is wanted."""
+    """Return what is allowed of a unit; infinite where nothing is wanted."""
     some = wanted > 0.0
     return np.where(some, limits / np.where(some, wanted, 1.0), math.inf)

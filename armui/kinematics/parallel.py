@@ -40,7 +40,7 @@ def joints_of(
     way: npt.NDArray[np.int64],
     near_deg: Sequence[float] | None = None,
 ) -> Matrix:
-    """The joints on one of the eight ways to each target.
+    """Return the joints on one of the eight ways to each target.
 
     Args:
         geometry: Of the arm.

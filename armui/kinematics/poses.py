@@ -32,7 +32,7 @@ class Pose(NamedTuple):
 
 
 def pose_to_matrix(pose: Sequence[float] | Matrix) -> Matrix:
-    """The homogeneous transforms of poses, lengths in mm: (…, 6) becomes (…, 4, 4)."""
+    """Return the homogeneous transforms of poses, lengths in mm: (…, 6) becomes (…, 4, 4)."""
     figures = np.asarray(pose, dtype=np.float64)
     angles = np.radians(figures[..., 3:])
     cx, cy, cz = components(np.cos(angles))
@@ -51,17 +51,17 @@ def pose_to_matrix(pose: Sequence[float] | Matrix) -> Matrix:
 
 
 def components(vectors: Matrix) -> list[Matrix]:
-    """The columns of (…, n): n times (…)."""
+    """Return the columns of (…, n): n times (…)."""
     return [vectors[..., index] for index in range(vectors.shape[-1])]
 
 
 def matrix_to_pose(matrix: Matrix) -> Pose:
-    """The pose of a 4×4 homogeneous transform, lengths in mm; at RY = ±90° RZ is taken as 0."""
+    """Return the pose of a 4×4 transform, lengths in mm; at RY = ±90° RZ is taken as 0."""
     return rows_to_pose(matrix[:3].ravel().tolist())
 
 
 def rows_to_pose(rows: Sequence[float]) -> Pose:
-    """The pose of the twelve figures of a transform's upper three rows."""
+    """Return the pose of the twelve figures of a transform's upper three rows."""
     xx, _, _, x, yx, yy, yz, y, zx, zy, zz, z = rows
     horizontal = math.hypot(xx, yx)
     ry = math.atan2(-zx, horizontal)
@@ -78,7 +78,7 @@ def wrapped_deg(angle_deg: _Angle) -> _Angle:
 
 
 def apart(one: Pose, other: Pose) -> tuple[float, float]:
-    """How far two poses are from one another, in mm, and turned against one another, in degrees."""
+    """Return how far two poses are apart, in mm, and turned, in degrees."""
     first, second = pose_to_matrix(np.array((one, other)))
     cosine = (float(np.trace(first[:3, :3].T @ second[:3, :3])) - 1.0) / 2.0
     turned_deg = math.degrees(math.acos(min(1.0, max(-1.0, cosine))))
@@ -86,29 +86,29 @@ def apart(one: Pose, other: Pose) -> tuple[float, float]:
 
 
 def tool_matrix(flange: Matrix, tool: Sequence[float]) -> Matrix:
-    """The 4×4 transform of the tool centre point of a tool mounted on the flange."""
+    """Return the 4×4 transform of the tool centre point of a tool mounted on the flange."""
     result: Matrix = flange @ pose_to_matrix(tool)
     return result
 
 
 def flange_matrix(tool_point: Matrix, tool: Sequence[float]) -> Matrix:
-    """Where the flange must be for a tool centre point to be somewhere."""
+    """Return where the flange must be for a tool centre point to be somewhere."""
     result: Matrix = tool_point @ np.linalg.inv(pose_to_matrix(tool))
     return result
 
 
 def tool_pose(flange: Sequence[float], tool: Sequence[float]) -> Pose:
-    """The pose of the tool centre point, from the flange's and the tool's in it (mm, degrees)."""
+    """Return the tool centre point's pose from the flange's and the tool's in it (mm, °)."""
     return matrix_to_pose(tool_matrix(pose_to_matrix(flange), tool))
 
 
 def flange_pose(tool_point: Sequence[float], tool: Sequence[float]) -> Pose:
-    """The flange's pose, from that of the tool centre point and the tool's in the flange."""
+    """Return the flange's pose, from that of the tool centre point and the tool's in the flange."""
     return matrix_to_pose(flange_matrix(pose_to_matrix(tool_point), tool))
 
 
 def shifted(tool_point: Matrix, axis: int, amount: float, frame: JogFrame) -> Matrix:
-    """A transform moved along, or turned about, one axis of a frame.
+    """Return a transform moved along, or turned about, one axis of a frame.
 
     Args:
         tool_point: 4×4 transform, lengths in mm.
@@ -127,7 +127,7 @@ def shifted(tool_point: Matrix, axis: int, amount: float, frame: JogFrame) -> Ma
 def moved(
     tool_point: Matrix, way_mm: Sequence[float], turn_deg: Sequence[float], frame: JogFrame
 ) -> Matrix:
-    """A transform moved along three axes of a frame, and turned about all three at once.
+    """Return a transform moved along three axes of a frame, and turned about all three at once.
 
     Args:
         tool_point: 4×4 transform, lengths in mm.
@@ -147,7 +147,7 @@ def moved(
 
 
 def rotation(turn_deg: Sequence[float]) -> Matrix:
-    """The 3×3 rotation by a rotation vector in degrees."""
+    """Return the 3×3 rotation by a rotation vector in degrees."""
     vector = np.radians(np.asarray(turn_deg, dtype=np.float64))
     angle = float(np.linalg.norm(vector))
     if angle < 1e-12:

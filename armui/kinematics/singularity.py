@@ -30,7 +30,7 @@ JITTER_DEG: Final = 0.01
 
 
 def jacobians(geometry: Geometry, joints_deg: Matrix) -> Matrix:
-    """The Jacobian of the flange at (…, 6) joint angles.
+    """Return the Jacobian of the flange at (…, 6) joint angles.
 
     Returns:
         (…, 6, 6): rows are its velocity in m/rad, then its angular velocity in rad/rad.
@@ -76,7 +76,7 @@ def smallest_singular_values(geometry: Geometry, joints_deg: Matrix) -> Matrix:
 
 
 def fine_steps(length_mm: _Figure, angle_deg: _Figure) -> _Figure:
-    """How many fine steps tool paths have, from their lengths and the turns of the hand."""
+    """Return how many fine steps tool paths have, from their lengths and the turns of the hand."""
     steps: _Figure = np.maximum(length_mm / _FINE_STEP_MM, angle_deg / _FINE_STEP_DEG)
     return steps
 
@@ -91,7 +91,7 @@ def turns(joints_deg: Matrix) -> Matrix:
 
 
 def leaps(joints_deg: Matrix, fine_steps: Matrix | float) -> npt.NDArray[np.bool_]:
-    """Whether a joint would turn too far from place to place of a path.
+    """Tell whether a joint would turn too far from place to place of a path.
 
     Args:
         joints_deg: (…, places, 6) along paths.

@@ -27,7 +27,7 @@ Two of the protocol's steps: a stretched wrist, rounded to them, must not turn a
 
 
 def bent_wrist(hands: Matrix) -> Matrix:
-    """Both ways to bend the wrist.
+    """Return both ways to bend the wrist.
 
     Args:
         hands: (…, 3, 3) orientations of the hand in the forearm.
@@ -44,7 +44,7 @@ def bent_wrist(hands: Matrix) -> Matrix:
 
 
 def bend_deg(hands: Matrix) -> Matrix:
-    """How far the wrist is bent, joint 5 without its sign, in degrees; (…) for (…, 3, 3)."""
+    """Return how far the wrist is bent, joint 5 without its sign, in degrees; (…) for (…, 3, 3)."""
     aside = np.hypot(hands[..., 0, 2], hands[..., 1, 2])
     bend: Matrix = np.degrees(np.arctan2(aside, hands[..., 2, 2]))
     return bend

@@ -115,7 +115,7 @@ class Arc:
         return _transforms(places, self._turn(shares).as_matrix())
 
     def _angle_to(self, point_mm: Matrix) -> float:
-        """The angle from the start, in the sense in which the middle comes before the end."""
+        """Return the angle from the start, turning so that the middle comes before the end."""
         spoke = point_mm - self._centre_mm
         angle = math.atan2(float(spoke @ self._aside), float(spoke @ self._ahead))
         return angle % (2.0 * math.pi)

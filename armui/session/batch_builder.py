@@ -72,7 +72,7 @@ class BatchBuilder:
         self._last_s = 0.0
 
     def batch(self, messages: list[can.Message], place: Callable[[int], str]) -> FrameBatch:
-        """The batch of some messages; those that are no frame at all are left out and noted.
+        """Return the batch of some messages; those that are no frame at all are left out and noted.
 
         Args:
             messages: As a reader gave them.
@@ -144,7 +144,7 @@ class BatchBuilder:
         return batch
 
     def _with_times(self, batch: FrameBatch) -> FrameBatch:
-        """The batch with times in seconds, none beyond `LATEST_S`.
+        """Return the batch with times in seconds, none beyond `LATEST_S`.
 
         Times in ms, µs or ns since 1970 become seconds. Where there is still none that could be,
         the frame is given that of the frame before it, and noted.
@@ -168,7 +168,7 @@ class BatchBuilder:
         return batch if times_s is batch.times_s else replace(batch, times_s=times_s)
 
     def _unit(self, times_s: NDArray[np.float64]) -> float:
-        """How many of the log's units of time a second has; one it does not say is noted."""
+        """Return how many of the log's units of time a second has; one it does not say is noted."""
         middle = float(np.sort(times_s)[times_s.size // 2])
         for unit, per_second in _SMALLER_UNITS.items() if middle > LATEST_S else ():
             if _EARLIEST_DATE_S < middle / per_second <= LATEST_S:
@@ -192,7 +192,7 @@ class BatchBuilder:
         return np.array([known.get(channel, further) for channel in channels], np.uint8)
 
     def _usable(self, message: can.Message, index: int, place: Callable[[int], str]) -> bool:
-        """Whether a message has an identifier, data and a time at all."""
+        """Tell whether a message has an identifier, data and a time at all."""
         try:
             self._columns([message])
             reason = "" if math.isfinite(message.timestamp) else "its time is no number"
@@ -209,7 +209,7 @@ def _impossible(
     sizes: NDArray[np.int64],
     dlcs: NDArray[np.int64],
 ) -> NDArray[np.uint8]:
-    """The flag IMPOSSIBLE for every row whose parts contradict one another.
+    """Return the flag IMPOSSIBLE for every row whose parts contradict one another.
 
     A classic frame may carry a length code of 9 to 15; its data are 8 bytes then (ISO 11898-1),
     and readers tell that code, or the number of bytes that it would mean in CAN FD.
@@ -228,7 +228,7 @@ def _impossible(
 
 
 def _contradiction(batch: FrameBatch, row: int) -> str:
-    """What is wrong with a frame that is marked as impossible."""
+    """Return what is wrong with a frame that is marked as impossible."""
     arbitration_id, flags = int(batch.ids[row]), int(batch.flags[row])
     bits, top = (29, _TOP_EXTENDED_ID) if flags & FrameFlag.EXTENDED else (11, _TOP_STANDARD_ID)
     if arbitration_id > top:

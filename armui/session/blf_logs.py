@@ -135,7 +135,7 @@ class ObjectStream:
         return True
 
     def _unpacked(self, body: bytes, place: int) -> Iterator[bytes]:
-        """What a container holds, as far as it can be unpacked."""
+        """Return what a container holds, as far as it can be unpacked."""
         if len(body) < _CONTAINER.size:
             return
         method, _size = _CONTAINER.unpack_from(body)
@@ -167,7 +167,7 @@ class ObjectStream:
         self._idle_bytes = 0
 
     def _whole(self, data: bytes, place: int) -> Iterator[bytes]:
-        """The whole objects in data that follow on the tail of what was there before."""
+        """Return the whole objects in data that follow on the tail of what was there before."""
         data = self._tail + data
         self._tail = b""
         if self._cut:
@@ -216,7 +216,7 @@ class ObjectStream:
         return data[begin:]
 
     def _completed(self, shortened: bytes, least: int, place: int) -> Iterator[bytes]:
-        """An object whose last, unused bytes were left out, with them; nothing if more lacks."""
+        """Return an object with the unused bytes it was cut by; nothing if more lacks."""
         signature, header_size, version, size, kind = _BASE.unpack_from(shortened)
         if least - size <= _SPARED.get(kind, -1):
             head = _BASE.pack(signature, header_size, version, least, kind)
@@ -266,7 +266,7 @@ class _Feed:
 
 
 def read_blf_log(source: LogSource, builder: BatchBuilder) -> Iterator[FrameBatch]:
-    """Frames of a log, in order.
+    """Return frames of a log, in order.
 
     Objects that are no CAN frames are passed over. Frames that stand in the file by themselves,
     outside of a container, are read as well.

@@ -35,7 +35,7 @@ class _Database(can.SqliteReader):
         self._conn.execute("PRAGMA query_only = 1")
 
     def has_table(self) -> bool:
-        """Whether there is a table of frames; a view might never end."""
+        """Tell whether there is a table of frames; a view might never end."""
         found = self._conn.execute(
             "SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = 'messages'"
         )
@@ -74,7 +74,7 @@ class _Database(can.SqliteReader):
 
 
 def read_database(path: Path, builder: BatchBuilder) -> Iterator[FrameBatch]:
-    """Frames of a log that `can.SqliteWriter` wrote, in the order of its table.
+    """Return frames of a log that `can.SqliteWriter` wrote, in the order of its table.
 
     Raises:
         NotALogError: It is no database, or none with such a table.
@@ -95,7 +95,7 @@ def read_database(path: Path, builder: BatchBuilder) -> Iterator[FrameBatch]:
 
 
 def read_mf4(path: Path, builder: BatchBuilder) -> Iterator[FrameBatch]:
-    """Frames of a bus log in ASAM's format.
+    """Return frames of a bus log in ASAM's format.
 
     Raises:
         NotALogError: asammdf is not installed, or cannot open the file.

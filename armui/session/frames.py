@@ -85,7 +85,7 @@ class FrameBatch:
         return self.payloads[row, : self.lengths[row]].tobytes() if whole is None else whole
 
     def frame(self, row: int) -> LoggedFrame:
-        """One row as an object."""
+        """Return one row as an object."""
         return LoggedFrame(
             float(self.times_s[row]),
             Frame(int(self.ids[row]), self.data(row)),
@@ -134,7 +134,7 @@ class DamageList:
         return len(self._kept)
 
     def since(self, index: int) -> list[Damage]:
-        """The places kept from a position of the list on."""
+        """Return the places kept from a position of the list on."""
         return self._kept[index:]
 
     @property

@@ -92,7 +92,7 @@ def marks_of(frames: LogFrames, generation: Generation) -> list[SessionMark]:
 
 
 def marked_ids(generation: Generation) -> tuple[frozenset[int], frozenset[int]]:
-    """The identifiers that marks are found in: of every frame, and of those heard at all."""
+    """Return the identifiers that marks are found in: of every frame, and of those heard at all."""
     names = {"ArmStatus", "MotionCommand", "MotorEnable", *_TARGETS, *_DRIVERS}
     every, heard = set(), set()
     for offset in OFFSETS:
@@ -189,7 +189,7 @@ class _Finder:
         yield from self._sent(times_s, actions == MotorAction.DISABLE, command, code="disable_sent")
 
     def of_silence(self) -> Iterator[SessionMark]:
-        """Where nothing of the arm is heard for long, whatever offset its identifiers have."""
+        """Return where nothing of the arm is heard for long, under whatever offset."""
         ids = [self._ids[name][0] for name in _FAST]
         ids += [0x2A1 + offset for offset in OFFSETS]
         ids += [0x2A5 + offset for offset in OFFSETS]
@@ -208,7 +208,7 @@ class _Finder:
         kind: MarkKind,
         **entry: object,
     ) -> Iterator[SessionMark]:
-        """Where streams of commands begin."""
+        """Return where streams of commands begin."""
         for place in _bursts(times_s, np.flatnonzero(which)):
             yield self._mark(times_s, place, None, kind, **entry)
 
@@ -247,7 +247,7 @@ def _runs(values: NDArray[Any]) -> Iterator[tuple[int, int, int]]:
 
 
 def _bursts(times_s: NDArray[np.float64], places: NDArray[np.int64]) -> list[int]:
-    """Where streams of commands begin."""
+    """Return where streams of commands begin."""
     if places.size == 0:
         return []
     began = np.diff(times_s[places], prepend=-np.inf) > _BURST_S

@@ -34,7 +34,7 @@ _Said = TypeVar("_Said")
 
 
 def joint_signals(message: str) -> tuple[tuple[str, str], ...]:
-    """Where six angles stand, measured or asked for: messages and signals."""
+    """Return where six angles stand, measured or asked for: messages and signals."""
     return tuple((f"{message}{pair}", f"J{joint}") for pair in ("12", "34", "56") for joint in pair)
 
 
@@ -44,7 +44,7 @@ ANGLES: Final = joint_signals("JointFeedback")
 def model_of_log(
     session: Session, channel: Channel, generation: Generation, feedback_offset: int
 ) -> PiperModel | None:
-    """The model of the arm on a channel of a log; ``None`` where nothing tells.
+    """Return the model of the arm on a channel of a log; ``None`` where nothing tells.
 
     What the operator had chosen goes first, as the recording's sidecar has it: the replay says,
     as the program did live, where the arm's own word is another.
@@ -58,7 +58,7 @@ def model_of_log(
 def zeros_of_log(
     session: Session, channel: Channel, generation: Generation, feedback_offset: int
 ) -> bool | None:
-    """Whether the poses in a log are those of the zeros before S-V1.6-3; ``None``: who knows."""
+    """Tell whether poses in a log have the zeros before S-V1.6-3; ``None``: unknown."""
     return _agreed(session, channel, generation, feedback_offset, lambda arm: arm.older_zeros)
 
 
@@ -69,7 +69,7 @@ def _agreed(
     feedback_offset: int,
     says: Callable[[FittingArm], _Said],
 ) -> _Said | None:
-    """What the arms that fit say alike, at the first place where they do."""
+    """Return what the arms that fit say alike, at the first place where they do."""
     codec = Codec(generation, Addressing(feedback_offset))
     for place in _PLACES:
         at_s = session.start_s + place * (session.end_s - session.start_s)
@@ -80,14 +80,14 @@ def _agreed(
 
 
 def told_model(lines: Iterable[Mapping[str, Any]]) -> PiperModel | None:
-    """What the lines of a sidecar say last; ``None`` where they say nothing that is understood."""
+    """Return the model the lines of a sidecar say last; ``None``: none is understood."""
     told = [line.get("model") for line in lines if line.get("kind") == "arm"]
     known = [PiperModel(each) for each in told if each in list(PiperModel)]
     return known[-1] if known else None
 
 
 def told_firmware(lines: Iterable[Mapping[str, Any]]) -> str:
-    """The version that the lines of a sidecar name last, "" where they name none."""
+    """Return the version that the lines of a sidecar name last, "" where they name none."""
     told = [line.get("firmware") for line in lines if line.get("kind") == "arm"]
     known = [each for each in told if isinstance(each, str) and each]
     return known[-1] if known else ""
@@ -96,7 +96,7 @@ def told_firmware(lines: Iterable[Mapping[str, Any]]) -> str:
 def _fitting(
     session: Session, channel: Channel, codec: Codec, at_s: float
 ) -> frozenset[FittingArm]:
-    """The arms that fit the angles and the pose heard last at a moment."""
+    """Return the arms that fit the angles and the pose heard last at a moment."""
     last = session.snapshot_at(at_s)
     if channel not in last.channel_names:
         return frozenset()

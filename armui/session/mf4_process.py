@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 import can
 
-from armui.system.helper_process import settle_in
+from armui.system.helper_process import configure_process
 
 if TYPE_CHECKING:
     from collections.abc import Generator
@@ -40,7 +40,7 @@ class Mf4ProcessError(Exception):
 
 
 def rows_of(path: Path) -> Generator[Rows]:
-    """The frames of a file; the first answer is empty, once it is opened.
+    """Return the frames of a file; the first answer is empty, once it is opened.
 
     Raises:
         Mf4ProcessError: It cannot be read from here on.
@@ -60,7 +60,7 @@ def rows_of(path: Path) -> Generator[Rows]:
 
 
 def _answer(ours: Connection) -> Rows | None:
-    """What the process has read; ``None``: that was all."""
+    """Return what the process has read; ``None``: that was all."""
     if not ours.poll(_ANSWERS_WITHIN_S):
         raise Mf4ProcessError(f"asammdf reads nothing more within {_ANSWERS_WITHIN_S:g} s")
     try:
@@ -74,7 +74,7 @@ def _answer(ours: Connection) -> Rows | None:
 
 def _read(path: Path, its: Connection) -> None:
     """In the new process: send what it reads, and what goes wrong."""
-    settle_in()
+    configure_process()
     logging.disable()
     with contextlib.redirect_stdout(None), contextlib.redirect_stderr(None):
         try:

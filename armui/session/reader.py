@@ -102,7 +102,7 @@ class LogFile:
         return self._builder.frames
 
     def batches(self) -> Iterator[FrameBatch]:
-        """The frames, in the order of the file; only once."""
+        """Return the frames, in the order of the file; only once."""
         if self._first is not None:
             first, self._first = self._first, None
             yield first
@@ -148,7 +148,7 @@ class LogFile:
 
 
 def _looks_like(path: Path) -> str:
-    """The suffix that a file's beginning speaks for, "" if none."""
+    """Return the suffix that a file's beginning speaks for, "" if none."""
     try:
         with open_file(path) as stream:
             beginning = stream.read(_BEGINNING)
@@ -158,7 +158,7 @@ def _looks_like(path: Path) -> str:
 
 
 def is_known_kind(path: Path) -> bool:
-    """Whether a file is a log by its name."""
+    """Tell whether a file is a log by its name."""
     try:
         _log_suffix(path)
     except NotALogError:

@@ -87,13 +87,13 @@ class Session(Protocol):
     def reversed_times(self) -> int: ...  # noqa: D102 - said above
 
     def frames_between(self, t0_s: float, t1_s: float) -> Iterator[FrameBatch]:
-        """The frames with t0_s <= time < t1_s, in the order of time.
+        """Return the frames with t0_s <= time < t1_s, in the order of time.
 
         A batch's `first` is the number of its first frame within the whole session.
         """
 
     def snapshot_at(self, t_s: float) -> FrameBatch:
-        """The last frame of each identifier and channel at or before a time, in the order of time.
+        """Return the last frame of each identifier and channel up to a time, in order.
 
         Of those in `REMEMBERED_IDS` the last `REMEMBERED`. Its rows are no neighbours in the log:
         `first` is 0 and means nothing.
@@ -141,4 +141,4 @@ class HasDataRows(Protocol):
     """A `Session` that has the frames of each identifier at hand."""
 
     def data_rows(self, channel: Channel, arbitration_id: int) -> DataRows | None:
-        """The frames with 11-bit identifiers that carry data; ``None`` where there are none."""
+        """Return frames with 11-bit identifiers that carry data; ``None``: there are none."""

@@ -63,7 +63,7 @@ class LogSource:
         return self.taken if self._is_pipe else self._raw.tell()
 
     def read(self, size: int) -> bytes:
-        """The next bytes, fewer at the end or where the file breaks."""
+        """Return the next bytes, fewer at the end or where the file breaks."""
         if self.broken or size <= 0:
             return b""
         try:

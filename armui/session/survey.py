@@ -154,7 +154,7 @@ def _look_at(
 
 
 def _offset(last: FrameBatch, rows: list[int]) -> int:
-    """The offset under which 0x2A1 came last."""
+    """Return the offset under which 0x2A1 came last."""
     found = [
         (float(last.times_s[row]), int(last.ids[row]) - _STATUS_ID)
         for row in rows

@@ -94,7 +94,7 @@ def _complete_candump(message: can.Message, line: str) -> None:
 
 
 def _rewrite_candump(line: str) -> str | None:
-    """A line of candump's screen output with times, or with a length code (-8), as -L has it."""
+    """Return a line of candump's screen output, or one with a length code, as -L has it."""
     without_code = _CANDUMP_LENGTH_CODE.sub(r"\1", line)
     if without_code != line:
         return without_code
@@ -150,7 +150,7 @@ _HEX_BYTES: Final = 2 * CLASSIC_BYTES
 
 
 def quick_batch(lines: list[str], builder: BatchBuilder) -> FrameBatch | None:
-    """The frames of a block of lines.
+    """Return the frames of a block of lines.
 
     Args:
         lines: Stripped lines; empty ones are passed over.
@@ -247,7 +247,7 @@ class _Lines:
         self._blocks = blocks
 
     def __iter__(self) -> Iterator[str]:
-        """Lines that are not blank, once each, and lines given back.
+        """Return lines that are not blank, once each, and lines given back.
 
         Raises:
             NonsenseError: The file begins with too much that is no frame.
@@ -348,7 +348,7 @@ class _Lines:
 def read_text_log(
     source: LogSource, log_format: TextFormat, builder: BatchBuilder
 ) -> Iterator[FrameBatch]:
-    """Frames of a log in order.
+    """Return frames of a log in order.
 
     Args:
         source: The file.

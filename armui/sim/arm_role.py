@@ -46,7 +46,7 @@ class LinkedInput:
         self._cache = FrameCache(Codec(generation, Addressing(control_offset=target_offset)))
 
     def frames(self, joints_deg: SixValues, gripper: SimulatedGripper) -> list[Frame]:
-        """The frames that send the follower to where this arm is."""
+        """Return the frames that send the follower to where this arm is."""
         cache = self._cache
         return [
             cache.frame(
@@ -159,7 +159,7 @@ class ArmRole:
         )
 
     def told(self, gripper: SimulatedGripper) -> list[Frame]:
-        """What a leader sends to its follower now."""
+        """Return what a leader sends to its follower now."""
         if self.leader is None or self._is_quiet:
             return []
         return self.leader.frames(self._mechanics.positions_deg, gripper)

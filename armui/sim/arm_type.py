@@ -34,7 +34,7 @@ class ArmType:
 
     @classmethod
     def of(cls, model: PiperModel, version: str) -> ArmType:
-        """A model with a version as ``S-V1.8-9``; one that cannot be read counts as today's."""
+        """Return a model with a version as ``S-V1.8-9``; an unreadable one counts as today's."""
         parsed = FirmwareVersion.parse(version) or RECOMMENDED
         return cls(model_data(model), version, quirks_of(parsed, model))
 

@@ -50,7 +50,7 @@ class Alarms:
         self.collision = False
 
     def of(self, index: int) -> set[Alarm]:
-        """The alarms that the driver of a joint (0–5) reports."""
+        """Return the alarms that the driver of a joint (0–5) reports."""
         return self._causes[index] | self._kept[index]
 
     def set(self, index: int, alarm: Alarm, *, present: bool) -> bool:
@@ -140,7 +140,7 @@ class Condition:
         return self.activity
 
     def obeys(self, *move_modes: MoveMode) -> bool:
-        """Whether a target of one of these kinds of motion starts it as it arrives."""
+        """Tell whether a target of one of these kinds of motion starts it as it arrives."""
         return self.control_mode is ControlMode.CAN_CONTROL and self.move_mode in move_modes
 
     def accept_target(self) -> None:

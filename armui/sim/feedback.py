@@ -43,7 +43,7 @@ class FrameCache:
         self._known: dict[str, frozenset[str]] = {}
 
     def frame(self, name: str, **signals: float) -> Frame:
-        """The frame of a message; signals its generation does not have are left out."""
+        """Return the frame of a message; signals its generation does not have are left out."""
         kept = self._kept.get(name)
         if kept is None:
             kept = self._kept[name] = {}
@@ -111,7 +111,7 @@ class FeedbackSchedule:
         }
 
     def pop(self) -> list[str]:
-        """The names of the frames due at `next_ns`, in the order of the bus; moves on."""
+        """Return the names of the frames due at `next_ns`, in the order of the bus; moves on."""
         now_ns = self.next_ns
         names: list[str] = []
         for slot in self._slots:
@@ -125,7 +125,7 @@ class FeedbackSchedule:
 
 @cache
 def _slots(generation: Generation) -> tuple[tuple[int, int, tuple[str, ...], str], ...]:
-    """When each burst of a generation is first due, its period, its frames and their option."""
+    """Return when each burst is first due, its period, its frames and their option."""
     database = load_database(generation)
     groups: dict[tuple[int, int, str], list[str]] = {}
 
@@ -185,7 +185,7 @@ class Feedback:
             self._makers[f"EndMotion{joint}"] = partial(self._end_motion, joint)
 
     def frames(self, names: Iterable[str]) -> list[Frame]:
-        """The messages of these names, in their order, as of now."""
+        """Return the messages of these names, in their order, as of now."""
         positions = self._arm.mechanics.positions_deg
         if positions != self._posed_at:
             self._posed_at = positions
@@ -277,7 +277,7 @@ class Feedback:
         return bits
 
     def _end_motion(self, joint: int) -> Frame:
-        """What a joint contributes to the motion of the flange (0x481–0x486).
+        """Return what a joint contributes to the motion of the flange (0x481–0x486).
 
         The protocol names the fields «speed and acceleration of the end, joint 1–6» and says no
         more. Here they are the flange's speed and tangential acceleration as the joint alone would
@@ -296,7 +296,7 @@ class Feedback:
         )
 
     def _lever_m(self, index: int) -> float:
-        """How far the flange is from a joint's axis, by turning the joint a little both ways."""
+        """Return how far, in m, the flange is from a joint's axis, by turning it a little."""
         ends = []
         for nudge_deg in (-_NUDGE_DEG, _NUDGE_DEG):
             nudged = list(self._arm.mechanics.positions_deg)

@@ -350,7 +350,7 @@ class Firmware:
         self.bugs.time_passed(dt_s)
 
     def _periodic(self, names: list[str]) -> list[Frame]:
-        """What is due under these names; a teaching input leads instead of telling of itself."""
+        """Return what is due under these names; a teaching input leads instead."""
         if not self.leads:
             return self.bugs.told(names, self._feedback.frames(names))
         drivers = [name for name in names if self.drivers_tell and name.startswith("Driver")]

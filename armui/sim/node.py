@@ -158,7 +158,7 @@ class Node:
         return frames
 
     def _is_worth_hearing(self, message: can.Message) -> bool:
-        """Whether it is a classic data frame, and not the arm's own (udp_multicast echoes)."""
+        """Tell whether it is a classic data frame, and not the arm's own (udp_multicast echoes)."""
         return not (
             message.arbitration_id in self._feedback_ids
             or message.is_error_frame

@@ -205,7 +205,7 @@ def _version(text: str) -> str:
 
 
 def _bugs(text: str) -> frozenset[FirmwareBug] | str:
-    """The bugs named; the words that stand for no name are handed on."""
+    """Return the bugs named; the words that stand for no name are handed on."""
     if text == _OF_THE_VERSION:
         return text
     if text == "all":
@@ -268,7 +268,7 @@ def _report(node: Node, ending: threading.Event, bitrate: int) -> None:
 
 
 def status_line(node: Node, sent: int, received: int, load_percent: float) -> str:
-    """One line for the terminal: what went over the bus in the last second, how the arm is.
+    """Return one line for the terminal: what went over the bus in the last second, how the arm is.
 
     Args:
         node: The running arm.

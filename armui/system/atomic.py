@@ -123,7 +123,7 @@ def _exists(path: Path) -> FileExistsError:
 
 
 def unfinished_name(path: Path) -> Path:
-    """A name of its own, beside a file or folder, for what is to take its place."""
+    """Return a name of its own, beside a file or folder, for what is to take its place."""
     return path.with_name(f".{os.urandom(8).hex()}{UNFINISHED}")
 
 

@@ -54,7 +54,7 @@ def in_calendar_s(unix_s: float) -> float:
 
 
 def wall_clock(clock: Callable[[], float]) -> Callable[[float], datetime]:
-    """What the clock on the wall showed at a moment of another clock, with its time zone.
+    """Return what the clock on the wall showed at a moment of another clock, with its time zone.
 
     Args:
         clock: Seconds; the moments asked for are its own.

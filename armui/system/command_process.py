@@ -18,7 +18,7 @@ _WITHOUT_CONSOLE: Final = "armui-window"
 
 
 def this_program() -> list[str]:
-    """How this program is started once more; the name of a command follows.
+    """Return how this program is started once more; the name of a command follows.
 
     A packaged program is its own interpreter, and knows none of an interpreter's options. On
     Windows the one without a console lies beside the one whose output can be read.
@@ -65,7 +65,7 @@ class CommandProcess:
                 self._process.kill()
 
     def wait(self, within_s: float = _END_S) -> bool:
-        """Whether it has ended and was listened to, after a time at most."""
+        """Tell whether it has ended and was listened to, after a time at most."""
         self._thread.join(within_s)
         return not self._thread.is_alive()
 

@@ -43,7 +43,7 @@ class Failure:
 
 
 def key_of(error: BaseException) -> Key:
-    """What two exceptions have in common that are the same failure: kind and place."""
+    """Return what two exceptions have in common that are the same failure: kind and place."""
     file, line = "", 0
     for frame, at in traceback.walk_tb(error.__traceback__):
         file, line = frame.f_code.co_filename, at or 0
@@ -51,7 +51,7 @@ def key_of(error: BaseException) -> Key:
 
 
 def is_our_own(error: BaseException) -> bool:
-    """Whether an exception was raised by this program's code, and not by a library or a driver."""
+    """Tell whether an exception was raised by this program, not by a library or driver."""
     last = None
     for frame, _line in traceback.walk_tb(error.__traceback__):
         last = frame.f_globals.get("__name__", "")
@@ -99,7 +99,7 @@ class Repeats(logging.Filter):
         self._counts: Counter[Key] = Counter()
 
     def filter(self, record: logging.LogRecord) -> bool:
-        """Whether a record is logged; one that stands for others says for how many."""
+        """Tell whether a record is logged; one that stands for others says for how many."""
         error = record.exc_info[1] if record.exc_info else None
         if error is None:
             return True

@@ -96,7 +96,7 @@ def pack(value: object, folder: Path) -> Packed:
 
 
 def unpack(packed: Packed) -> Any:
-    """The value. Changes of its arrays are seen by nobody else.
+    """Return the value. Changes of its arrays are seen by nobody else.
 
     Raises:
         OSError: The file of its large arrays is gone.
@@ -192,7 +192,7 @@ class HelperProcess(Executor):
         if self._pool is None:
             # a fork would inherit Qt, its threads and every lock they hold
             context = multiprocessing.get_context("spawn")
-            self._pool = ProcessPoolExecutor(1, mp_context=context, initializer=settle_in)
+            self._pool = ProcessPoolExecutor(1, mp_context=context, initializer=configure_process)
         future = self._pool.submit(call_packed, packed, folder)
         future.add_done_callback(partial(_log_failure, self._called_off))
         self._children |= set(multiprocessing.active_children()) - before
@@ -440,7 +440,7 @@ def _log_failure(called_off: threading.Event, future: Future[Any]) -> None:
         _LOG.warning("Work in the helper process has failed\n%s", trace)
 
 
-def settle_in() -> None:
+def configure_process() -> None:
     """In the new process: leave Ctrl-C to the program, stand back, do not outlive it."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     if hasattr(os, "nice"):

@@ -27,7 +27,7 @@ URDF = _data_folder("urdf")
 
 
 def runtime() -> Path:
-    """Where running programs of one user meet: locks, which mean nothing after the program ends.
+    """Return where running programs of one user meet: locks, void when they have ended.
 
     The system's folder for that where it is the user's own, also where the environment does not
     name it; else one among the user's files, for this computer alone.
@@ -72,15 +72,15 @@ def make_private(folder: Path) -> None:
 
 
 def logs() -> Path:
-    """Where the operating system keeps the logs of a user's programs."""
+    """Return where the operating system keeps the logs of a user's programs."""
     return platformdirs.user_log_path("armui", appauthor=False)
 
 
 def trajectories() -> Path:
-    """Where the operator's trajectories are kept: the user's folder for data of programs."""
+    """Return where the operator's trajectories are kept: the user's folder for data of programs."""
     return platformdirs.user_data_path("armui", appauthor=False) / "trajectories"
 
 
 def sessions() -> Path:
-    """Where recordings of sessions are kept, unless the operator chooses another folder."""
+    """Return where recordings of sessions are kept, unless the operator chooses another folder."""
     return platformdirs.user_data_path("armui", appauthor=False) / "sessions"

@@ -48,7 +48,7 @@ class Presence:
             raise OSError(errno.ENOLCK, os.strerror(errno.ENOLCK), str(self._path)) from error
 
     def others(self) -> int:
-        """How many others are there; what killed programs left is removed.
+        """Return how many others are there; what killed programs left is removed.
 
         Raises:
             OSError: The folder cannot be read.

@@ -29,7 +29,7 @@ _ACCESS_DENIED: Final = 5
 
 
 def make_folder(purpose: str) -> Path:
-    """A new folder whose name tells what for, and which process it belongs to.
+    """Return a new folder whose name tells what for, and which process it belongs to.
 
     Args:
         purpose: ``replay`` or ``work``.
@@ -79,7 +79,7 @@ if sys.platform == "win32":
 else:
 
     def _is_living(process: int) -> bool:
-        """Whether there is a process of this number; where nobody can tell, there is."""
+        """Tell whether there is a process of this number; where nobody can tell, there is."""
         try:
             os.kill(process, 0)
         except ProcessLookupError:
@@ -90,7 +90,7 @@ else:
 
 
 def lives_on_windows(kernel: Any, process: int, last_error: Any) -> bool:
-    """Whether there is a process of this number; `os.kill` would end it there.
+    """Tell whether there is a process of this number; `os.kill` would end it there.
 
     Args:
         kernel: The library kernel32.

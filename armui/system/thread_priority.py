@@ -18,8 +18,9 @@ import os
 import sys
 import threading
 from collections.abc import Iterable
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Final, NamedTuple
+from typing import Final
 
 _LOG: Final = logging.getLogger(__name__)
 
@@ -43,7 +44,8 @@ class RaisedBy(enum.Enum):
     """The system puts the thread of a window first by itself."""
 
 
-class Rise(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Rise:
     """What came of asking.
 
     Attributes:

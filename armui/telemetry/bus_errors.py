@@ -52,7 +52,7 @@ _CONTROLLER_KINDS: Final = (
 
 
 def errors_of(arbitration_id: int, data: bytes, interface: str) -> tuple[BusError, ...]:
-    """What an error frame says, the gravest first; nothing where the adapter tells no more.
+    """Return what an error frame says, the gravest first; nothing where the adapter tells no more.
 
     Args:
         arbitration_id: Its identifier.

@@ -96,7 +96,7 @@ class FrameRow:
         return cycle_of(self.times_s)
 
     def is_silent(self, now_s: float) -> bool:
-        """Whether frames that came regularly come no more."""
+        """Tell whether frames that came regularly come no more."""
         away_s = now_s - self.last_s
         if away_s <= SILENT_S or len(self.times_s) < 3:
             return False
@@ -104,7 +104,7 @@ class FrameRow:
         return cycle is not None and away_s * cycle.rate_hz > _SILENT_CYCLES
 
     def changed_since(self, at_s: float) -> bool:
-        """Whether a byte was seen to change after a time."""
+        """Tell whether a byte was seen to change after a time."""
         return max(self.changed_s) > at_s
 
 
@@ -132,7 +132,7 @@ class BusSnapshot:
 
 
 def cycle_of(times_s: Sequence[float]) -> Cycle | None:
-    """How regularly frames came at these times; ``None`` if it can't be told.
+    """Return how regularly frames came at these times; ``None`` if it can't be told.
 
     Of those within 3 s before the last one, or of the last nine.
     """
@@ -335,7 +335,7 @@ class BusStatistics(Listener):
         return not self._waiting
 
     def snapshot(self) -> BusSnapshot:
-        """What was counted, to be kept as it is."""
+        """Return what was counted, to be kept as it is."""
         now_s = self._clock()
         rows = sorted((each.shown(now_s) for each in self._series.values()), key=FrameRow.order)
         return BusSnapshot(
@@ -413,5 +413,5 @@ class BusStatistics(Listener):
 
 
 def _word(data: bytes) -> int:
-    """The first eight bytes as one number, zeros behind the end of shorter payloads."""
+    """Return the first eight bytes as one number, zeros behind the end of shorter payloads."""
     return int.from_bytes(data[:_BYTES].ljust(_BYTES, b"\0"), "big")

@@ -90,7 +90,7 @@ class TraceSnapshot:
         )
 
     def frame(self, place: int) -> TracedFrame:
-        """One of them."""
+        """Return one of them."""
         arbitration_id, flags, sender = self.names[int(self.numbers[place])]
         length = int(self.lengths[place])
         data = int(self.words[place]).to_bytes(_BYTES, "big")[:length]
@@ -148,7 +148,7 @@ class BusTrace:
         self._count += count
 
     def snapshot(self) -> TraceSnapshot:
-        """A copy of the trace."""
+        """Return a copy of the trace."""
         places = np.arange(max(0, self._count - self._most), self._count) % self._most
         # frames that were sent are told a little later than those that were heard
         places = places[np.argsort(self._times_s[places], kind="stable")]

@@ -26,7 +26,7 @@ LATEST_S: Final = 1e10
 
 
 def to_json(entry: EventEntry) -> str:
-    """One line without its end; times are seconds of the clock that does not go back."""
+    """Return one line without its end; times are seconds of the clock that does not go back."""
     fields: dict[str, object] = {
         "number": entry.number,
         "wall": entry.wall.isoformat(timespec="milliseconds"),
@@ -54,7 +54,7 @@ def to_json(entry: EventEntry) -> str:
 
 
 def from_json(text: str) -> EventEntry:
-    """An event from its line.
+    """Return an event from its line.
 
     Raises:
         ValueError: It is none, or says something impossible.
@@ -68,7 +68,7 @@ def from_json(text: str) -> EventEntry:
 
 
 def from_record(record: Mapping[str, Any]) -> EventEntry:
-    """An event from the JSON values of its line.
+    """Return an event from the JSON values of its line.
 
     Raises:
         ValueError: It is none, or says something impossible.

@@ -285,7 +285,7 @@ _SOURCES: Final = {
 
 
 def quantity_key(sender: Sender, message: str, signal: str) -> str | None:
-    """The key of a signal's quantity (`armui.telemetry.quantities`); ``None``: it is not kept."""
+    """Return the key of a signal's quantity; ``None``: it is not kept."""
     source = _SOURCES.get(sender)
     return None if source is None else _keys().get((source, message, signal))
 

@@ -22,7 +22,7 @@ _WORTH_PAGES = 65_536
 
 
 def zeros(shape: tuple[int, ...], kind: np.dtype[Any] | str) -> NDArray[Any]:
-    """An array of zeros like `numpy.zeros`, whose memory goes back to the system with it.
+    """Return an array of zeros like `numpy.zeros`, whose memory goes back to the system with it.
 
     The heap of the C library keeps what large arrays have freed, in pieces.
     """
@@ -59,7 +59,7 @@ class _Level:
 
 
 def firsts(numbers: NDArray[np.int64]) -> NDArray[np.intp]:
-    """Where each run of equal numbers begins; there must be one."""
+    """Return where each run of equal numbers begins; there must be one."""
     begins = np.empty(numbers.size, np.bool_)
     begins[0] = True
     np.not_equal(numbers[1:], numbers[:-1], out=begins[1:])
@@ -128,7 +128,7 @@ class Pyramid:
     def read(
         self, exponent: int, begin: int, end: int, block: int, rows: Sequence[int]
     ) -> tuple[NDArray[np.bool_], Extremes]:
-        """The buckets from one number up to another.
+        """Return the buckets from one number up to another.
 
         Args:
             exponent: Buckets are 2^exponent seconds wide, no finer than the finest level.
@@ -166,7 +166,7 @@ def _merged(
     lows: Sequence[NDArray[Any]],
     highs: Sequence[NDArray[Any]],
 ) -> tuple[NDArray[np.int64], Sequence[NDArray[Any]], Sequence[NDArray[Any]]]:
-    """What is to be stored: the first bucket may be one that is there already, and has grown."""
+    """Return what is to be stored: the first bucket may be there already, and has grown."""
     if numbers.size > level.numbers.size:  # more than the ring holds
         newest = slice(-level.numbers.size, None)
         numbers = numbers[newest]
@@ -379,7 +379,7 @@ class Series:
     def _extremes(
         self, samples: NDArray[Any], numbers: NDArray[np.int64]
     ) -> tuple[NDArray[np.int64], list[NDArray[Any]], list[NDArray[Any]]]:
-        """The extremes of each bucket, for each block of signals."""
+        """Return the extremes of each bucket, for each block of signals."""
         first = firsts(numbers)
         lows, highs = [], []
         for names, kind in ((self.shape.figures, "f4"), (self.shape.codes, "u1")):
@@ -415,7 +415,7 @@ class Series:
         return self._capacity * self._size + Pyramid(self._blocks(), self._keep_s).bytes_kept
 
     def latest(self, field: str) -> tuple[float, float] | None:
-        """When the last sample came, and one value of it; ``None`` before the first."""
+        """Return when the last sample came, and one value of it; ``None`` before the first."""
         for _ in range(_LATEST_TRIES):
             count = self._count
             if count == 0:
@@ -426,7 +426,7 @@ class Series:
         return float(sample["time_s"]), float(sample[field])
 
     def samples(self, begin_s: float, end_s: float, *, around: bool = False) -> NDArray[Any]:
-        """The samples from one time to another, both included.
+        """Return the samples from one time to another, both included.
 
         Args:
             begin_s: Monotonic time.
@@ -443,11 +443,11 @@ class Series:
         return self._span(first, last)
 
     def count_between(self, begin_s: float, end_s: float) -> int:
-        """How many samples there are from one time up to another."""
+        """Return how many samples there are from one time up to another."""
         return self._place(end_s) - self._place(begin_s)
 
     def value_at(self, field: str, at_s: float) -> tuple[float, float] | None:
-        """The last sample up to a time, as `latest`; ``None`` where there is none any more."""
+        """Return the last sample up to a time, as `latest`; ``None``: there is none any more."""
         place = self._place(np.nextafter(at_s, np.inf)) - 1
         found = self._span(place, place + 1)
         return (float(found["time_s"][0]), float(found[field][0])) if found.size else None
@@ -513,7 +513,7 @@ class Series:
             into.heard[first:behind] = not np.isnan(before[fields[0]][0])
 
     def _place(self, time_s: float) -> int:
-        """The first sample that is not before a time, counted from the first there ever was."""
+        """Return the number of the first sample not before a time, counted from the first ever."""
         count, capacity, times_s = self._count, self._capacity, self._times_s
         oldest = max(0, count + self._ahead - capacity + 1)
         return oldest + bisect_left(
@@ -521,7 +521,7 @@ class Series:
         )
 
     def _span(self, first: int, behind: int) -> NDArray[Any]:
-        """A copy of the samples from one place up to another, as far as they are still there."""
+        """Return a copy of the samples between two places, as far as they are still there."""
         first = max(first, self._count + self._ahead - self._capacity + 1, 0)
         behind = min(behind, self._count)
         if behind <= first:
@@ -540,7 +540,7 @@ class Series:
 def _layout(
     figures: tuple[str, ...], codes: tuple[str, ...]
 ) -> tuple[struct.Struct, np.dtype[np.void]]:
-    """How a sample lies in memory, as it is written and as it is read."""
+    """Return how a sample lies in memory, as it is written and as it is read."""
     fields: list[tuple[str, str]] = [("time_s", "<f8")]
     fields += [(name, "<f4") for name in figures]
     fields += [(name, "u1") for name in codes]

@@ -41,7 +41,7 @@ _UNPROVEN: Final = frozenset(
 
 
 def row_of(record: Record, codec: Codec, *, proven: bool) -> Callable[[_Signals], Row] | None:
-    """What makes a row of a message's signals; ``None`` if nothing of it can be understood.
+    """Return what makes a row of a message's signals; ``None`` if nothing of it can be understood.
 
     Args:
         record: What is kept of the message.
@@ -62,7 +62,7 @@ def row_of(record: Record, codec: Codec, *, proven: bool) -> Callable[[_Signals]
 
 
 def told_signals(record: Record, codec: Codec, *, proven: bool) -> frozenset[str] | None:
-    """The signals of a message that are understood; ``None`` if there are none; see `row_of`."""
+    """Return the signals of a message that are understood; ``None``: none; see `row_of`."""
     if not (proven or record.common):
         return None
     try:
@@ -75,7 +75,7 @@ def told_signals(record: Record, codec: Codec, *, proven: bool) -> frozenset[str
 
 
 def _plain(names: list[str], factors: list[float]) -> Callable[[_Signals], Row]:
-    """Two signals and more, each as it is or in another unit."""
+    """Return two signals and more, each as it is or in another unit."""
     values: Callable[[_Signals], Row] = itemgetter(*names)
     if all(factor == 1 for factor in factors):
         return values
@@ -83,14 +83,14 @@ def _plain(names: list[str], factors: list[float]) -> Callable[[_Signals], Row]:
 
 
 def factor_of(record: Record, field: Field, codec: Codec) -> float:
-    """What a signal is multiplied by to have the field's unit."""
+    """Return what a signal is multiplied by to have the field's unit."""
     if not field.is_angle:
         return 1
     return DEGREES_PER.get(codec.unit(record.message, field.signals[0]), _NAN)
 
 
 def _figure_maker(record: Record, field: Field, codec: Codec, told: frozenset[str]) -> _FigureMaker:
-    """One figure or code of a row."""
+    """Return one figure or code of a row."""
     bits = tuple((1 << place, name) for place, name in enumerate(field.signals) if name in told)
     if not bits:
         missing: float = 0 if field.is_code else _NAN
@@ -207,7 +207,7 @@ def _writer(
 def _maker(
     record: Record, field: Field, codec: Codec, layout: MessageLayout, told: frozenset[str]
 ) -> Callable[[NDArray[np.uint64]], NDArray[Any]]:
-    """What makes one figure or code of every row; as `_figure_maker` for one."""
+    """Return what makes one figure or code of every row; as `_figure_maker` for one."""
     bits = [(1 << place, name) for place, name in enumerate(field.signals) if name in told]
     if not bits:
         missing = 0 if field.is_code else np.nan

@@ -130,7 +130,7 @@ class Telemetry(Listener):
         self._counted_s = -math.inf
 
     def now_s(self) -> float:
-        """The present, by the clock of the samples."""
+        """Return the present, by the clock of the samples."""
         return self._clock()
 
     @property
@@ -150,9 +150,17 @@ class Telemetry(Listener):
         self._counted_s = -math.inf
         self._standing = {space: (None, set()) for space in Space}
 
-    def alike(self) -> Telemetry:
-        """One without samples, that takes in frames as this one does."""
-        other = Telemetry(self._clock, self._keep_s)
+    def alike(
+        self, clock: Callable[[], float] | None = None, keep_s: float | None = None
+    ) -> Telemetry:
+        """Return one without samples, that takes in frames as this one does.
+
+        Args:
+            clock: Its clock, in seconds; by default this one's.
+            keep_s: How long it keeps every sample; by default as long as this one.
+        """
+        other = Telemetry(clock or self._clock, self._keep_s if keep_s is None else keep_s)
+        other.wall_time = self.wall_time
         with self._choosing:
             other._generation = self._generation
             codec, other._bitrate = self._codec, self._bitrate
@@ -166,7 +174,7 @@ class Telemetry(Listener):
             series.adopt(other.series[name])
 
     def find(self, key: str) -> tuple[Quantity, Series]:
-        """A quantity and where it is kept.
+        """Return a quantity and where it is kept.
 
         Raises:
             KeyError: There is none of this name.
@@ -175,7 +183,7 @@ class Telemetry(Listener):
         return quantity, self.series[quantity.series]
 
     def latest(self, key: str) -> tuple[float, float] | None:
-        """When a quantity was last told, and its value; ``None`` if it never was."""
+        """Return when a quantity was last told, and its value; ``None`` if it never was."""
         quantity, series = self.find(key)
         return series.latest(quantity.field)
 

@@ -9,8 +9,9 @@ from __future__ import annotations
 import enum
 import string
 from collections.abc import Sequence
+from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Final, NamedTuple
+from typing import Final
 
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QColor, QFont, QFontDatabase, QPalette
@@ -29,7 +30,8 @@ class Theme(enum.StrEnum):
     SYSTEM = "system"
 
 
-class Colors(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Colors:
     """The colours of one theme, as ``#rrggbb``.
 
     Attributes:
@@ -281,4 +283,4 @@ def palette(colors: Colors) -> QPalette:
 def style_sheet(colors: Colors) -> str:
     """The style sheet ``theme.qss`` with the colours of a theme in it."""
     template = string.Template(read_file(_HERE / "theme.qss").decode())
-    return template.substitute(colors._asdict(), icons=(_HERE / "icons").as_posix())
+    return template.substitute(asdict(colors), icons=(_HERE / "icons").as_posix())

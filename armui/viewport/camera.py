@@ -51,7 +51,7 @@ class OrbitCamera:
     orthographic: bool = False
 
     def orbit(self, dx_px: float, dy_px: float) -> OrbitCamera:
-        """The camera after a drag that turns: the scene follows the pointer."""
+        """Return the camera after a drag that turns: the scene follows the pointer."""
         lowest_deg = 0.0 if self.elevation_deg >= 0.0 else -_STEEPEST_DEG
         elevation_deg = self.elevation_deg + dy_px * _DEG_PER_PIXEL
         turned = replace(
@@ -62,7 +62,7 @@ class OrbitCamera:
         return self._kept_above_floor(turned)
 
     def pan(self, dx_px: float, dy_px: float, shorter_side_px: float) -> OrbitCamera:
-        """The camera after a drag that moves: what is under the pointer stays under it."""
+        """Return the camera after a drag that moves: what is under the pointer stays under it."""
         visible_m = 2.0 * self.distance_m * math.tan(math.radians(VIEW_ANGLE_DEG / 2.0))
         metres_per_px = visible_m / max(shorter_side_px, 1.0)
         _, right, up = self.axes()
@@ -71,7 +71,7 @@ class OrbitCamera:
         return self._kept_above_floor(replace(self, focus_m=focus_m))
 
     def zoom(self, steps: float) -> OrbitCamera:
-        """The camera nearer (steps above zero) or farther, within sensible distances."""
+        """Return the camera nearer (steps above zero) or farther, within sensible distances."""
         distance_m = self.distance_m * _ZOOM_PER_STEP**steps
         distance_m = min(_FARTHEST_M, max(_NEAREST_M, distance_m))
         return self._kept_above_floor(replace(self, distance_m=distance_m))
@@ -84,7 +84,7 @@ class OrbitCamera:
         return replace(moved, focus_m=plus(moved.focus_m, (0.0, 0.0, 1.0), below_m))
 
     def turned_to(self, direction: ViewDirection) -> OrbitCamera:
-        """The camera with its eye in another direction from the same point."""
+        """Return the camera with its eye in another direction from the same point."""
         azimuth_deg, elevation_deg = _DIRECTIONS_DEG[direction]
         return replace(self, azimuth_deg=azimuth_deg, elevation_deg=elevation_deg)
 

@@ -81,7 +81,7 @@ class Drag:
 
 
 def turn_wheel(event: QWheelEvent, camera: OrbitCamera) -> OrbitCamera:
-    """The camera nearer or farther, by the notches of the wheel."""
+    """Return the camera nearer or farther, by the notches of the wheel."""
     return camera.zoom(event.angleDelta().y() / _WHEEL_STEP)
 
 

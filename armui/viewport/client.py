@@ -176,7 +176,7 @@ class PictureClient(QObject):
             self.shape = news.shape
             self.robot_shown.emit(news.shape)
         elif isinstance(news, messages.LoadFailed):
-            self.load_failed.emit(news.reason)
+            self.load_failed.emit(news.refusal)
         elif isinstance(news, Lost):
             self.lost.emit(news)
 

@@ -95,7 +95,7 @@ class Ball:
 
 
 def ball_around(places: Sequence[Vector]) -> Ball:
-    """A ball that all places are in."""
+    """Return a ball that all places are in."""
     sides = [(min(axis) + max(axis)) / 2.0 for axis in zip(*places, strict=True)]
     centre = (sides[0], sides[1], sides[2])
     return Ball(centre, max(math.dist(centre, place) for place in places))
@@ -130,7 +130,7 @@ def _is_free(box: Box | None, room: Room, slack_px: float) -> bool:
 
 
 def fitted(camera: OrbitCamera, groups: Groups, room: Room, grown: float = 1.0) -> OrbitCamera:
-    """The camera as near as it can be, looking from where it does.
+    """Return the camera as near as it can be, looking from where it does.
 
     Args:
         camera: From where to look.
@@ -185,7 +185,7 @@ def _free_boxes(room: Room) -> Iterable[Box]:
 
 
 def _middle(groups: Groups) -> Vector:
-    """The middle of the box around everything."""
+    """Return the middle of the box around everything."""
     axes = zip(*(place for group in groups for place in group), strict=True)
     x, y, z = ((min(axis) + max(axis)) / 2.0 for axis in axes)
     return x, y, z
@@ -199,7 +199,7 @@ def _seen(camera: OrbitCamera, groups: Groups, room: Room) -> list[Vector]:
 
 
 def _deciding(seen: Sequence[Vector], camera: OrbitCamera, room: Room) -> list[Vector]:
-    """Those of many places that can be the outermost in some rectangle of the picture.
+    """Return those of many places that can be the outermost in some rectangle of the picture.
 
     What counts at an edge is how far aside a place is, and a share of how near; the share lies
     between those of the picture's own edges, and whatever two places differ by is linear in it.
@@ -219,7 +219,7 @@ def _deciding(seen: Sequence[Vector], camera: OrbitCamera, room: Room) -> list[V
 
 
 def _within(camera: OrbitCamera, seen: Sequence[Vector], box: Box, room: Room) -> OrbitCamera:
-    """The nearest camera that shows everything in a rectangle.
+    """Return the nearest camera that shows everything in a rectangle.
 
     What is seen at the edge of the rectangle is a plane through the eye; each of the four gives a
     condition that is linear in the place and the distance of the camera.

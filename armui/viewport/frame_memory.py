@@ -52,7 +52,7 @@ class FrameMemory:
 
     @classmethod
     def attach(cls, named: MemoryName) -> FrameMemory:
-        """The memory that another process has created."""
+        """Return the memory that another process has created."""
         return cls(SharedMemory(named.name), named.slot_bytes)
 
     @property
@@ -66,7 +66,7 @@ class FrameMemory:
         return enough and self.slot_bytes <= max(_TOO_LARGE * image_bytes, _ROUND_UP_BYTES)
 
     def slot(self, number: int, image_bytes: int) -> memoryview:
-        """The bytes of one image; to be let go before the memory is."""
+        """Return the bytes of one image; to be let go before the memory is."""
         start = number * self.slot_bytes
         whole = self._memory.buf
         if whole is None:

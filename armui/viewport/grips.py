@@ -77,7 +77,7 @@ class Grip:
 def tool_grips(
     tool: Rows, frame: Rows | None, projection: Projection, palette: ScenePalette
 ) -> list[Grip]:
-    """The handles at a tool, always as large on the screen.
+    """Return the handles at a tool, always as large on the screen.
 
     Args:
         tool: Of the tool centre point, in the base frame.
@@ -108,7 +108,7 @@ def tool_grips(
 def joint_grips(
     shape: RobotShape, angles_deg: Sequence[float], projection: Projection, palette: ScenePalette
 ) -> list[Grip]:
-    """An arc at each joint, about its axis, beside what it moves."""
+    """Return an arc at each joint, about its axis, beside what it moves."""
     links = shape.links(angles_deg)
     grips = []
     for number in range(1, len(angles_deg) + 1):
@@ -124,7 +124,7 @@ def joint_grips(
 
 
 def grip_at(grips: Iterable[Grip], projection: Projection, x_px: float, y_px: float) -> Grip | None:
-    """The handle under the pointer; of several the nearest."""
+    """Return the handle under the pointer; of several the nearest."""
     nearest: tuple[float, Grip] | None = None
     for grip in grips:
         away_px = _away_px(grip, projection, x_px, y_px)
@@ -134,7 +134,7 @@ def grip_at(grips: Iterable[Grip], projection: Projection, x_px: float, y_px: fl
 
 
 def snapped(value: float, step: float) -> float:
-    """The nearest multiple of a step."""
+    """Return the nearest multiple of a step."""
     return round(value / step) * step
 
 
@@ -162,7 +162,7 @@ def from_segment_px(
 
 
 def sight(projection: Projection, place: Vector) -> Vector:
-    """A unit vector from the eye to a place."""
+    """Return a unit vector from the eye to a place."""
     outward, _, _ = projection.camera.axes()
     if projection.camera.orthographic:
         return (-outward[0], -outward[1], -outward[2])
@@ -170,7 +170,7 @@ def sight(projection: Projection, place: Vector) -> Vector:
 
 
 def _arrow(origin: Vector, axis: Vector, sight: Vector, length: float) -> tuple[Vector, ...]:
-    """A line with a head, seen from its side."""
+    """Return a line with a head, seen from its side."""
     aside = unit(cross(axis, sight))
     tip = plus(origin, axis, length)
     neck = plus(origin, axis, length * (1.0 - 1.6 * _ARROW_SHARE))

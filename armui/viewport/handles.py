@@ -84,7 +84,7 @@ class Handles:
     def grips(
         self, shape: RobotShape, tool: Rows, projection: Projection, palette: ScenePalette
     ) -> list[Grip]:
-        """All that can be taken hold of now."""
+        """Return all that can be taken hold of now."""
         place = self._place
         if place is None:
             return []
@@ -104,7 +104,7 @@ class Handles:
         return self._hovered if self._drag is None else _name(self._drag.grip)
 
     def strokes(self, grips: list[Grip]) -> list[Stroke]:
-        """The lines to be drawn; the one that is held, or under the pointer, stands out."""
+        """Return the lines to be drawn; the one that is held, or under the pointer, stands out."""
         held = self._outstanding
         return [
             Stroke(grip.places, grip.color, _HELD_PX if _name(grip) == held else _PLAIN_PX)

@@ -62,14 +62,14 @@ class HudValues:
 
 
 def hud_font(base: QFont) -> QFont:
-    """The figures' font: all digits equally wide, so that nothing dances at 60 Hz."""
+    """Return the figures' font: all digits equally wide, so that nothing dances at 60 Hz."""
     font = QFont(base)
     font.setFeature(QFont.Tag("tnum"), 1)
     return font
 
 
 def figures(values: Sequence[float] | None) -> list[str]:
-    """Six figures with three decimals, or six dashes."""
+    """Return six figures with three decimals, or six dashes."""
     if values is None:
         return [_NOT_HEARD] * 6
     # Adding zero turns the "-0.000" of tiny negative values into "0.000".
@@ -94,7 +94,7 @@ class Hud:
         self._figures_end_px = self._column_px = 0.0
 
     def frame(self, base_font: QFont) -> QRectF:
-        """The rectangle the figures take, at the top left."""
+        """Return the rectangle the figures take, at the top left."""
         if self._base_font != base_font:
             self._measure(base_font)
         metrics = self._metrics
@@ -222,8 +222,8 @@ _PLATE_OPACITY: Final = 0.85
 
 def lost_text(lost: Lost) -> str:
     """Say why there is no picture, and what comes next."""
-    reason = lost.reason.reason
-    text = QCoreApplication.translate("Refusal", reason.source).format_map(lost.reason.params)
+    reason = lost.refusal.reason
+    text = QCoreApplication.translate("Refusal", reason.source).format_map(lost.refusal.params)
     if reason == NO_OPENGL:
         return text
     if lost.comes_back:
@@ -238,7 +238,7 @@ def lost_text(lost: Lost) -> str:
 
 
 def add_again_button(view: QWidget, start_again: Callable[[], object]) -> QPushButton:
-    """A button over the picture's place, for when it does not come back by itself; hidden."""
+    """Add a hidden button in the picture's place, for when it does not come back."""
     button = QPushButton(view)
     button.setObjectName("picture_again_button")
     button.setAutoDefault(False)

@@ -181,7 +181,7 @@ class MarkPicked:
 class LoadFailed:
     """A robot description can't be shown, and why; the one before stays."""
 
-    reason: Refusal
+    refusal: Refusal
 
 
 @dataclass(frozen=True, slots=True)
@@ -189,11 +189,11 @@ class Failed:
     """The process ends, and why: this computer can't draw, or an unexpected error.
 
     Attributes:
-        reason: For the operator.
+        refusal: For the operator.
         traceback: For the log.
     """
 
-    reason: Refusal
+    refusal: Refusal
     traceback: str = ""
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QPainter, QPen, QPolygonF
@@ -27,7 +27,8 @@ _MOST: Final = 120
 _NEAR_PX: Final = 13.0
 
 
-class _Rim(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class _Rim:
     """The least distance of a sign from each edge of the picture."""
 
     left: float
@@ -73,7 +74,7 @@ class Sign:
 def tags(
     path: PathPicture, projection: Projection, first: frozenset[int] = frozenset()
 ) -> list[Tag]:
-    """The numbers that can be read.
+    """Return the numbers that can be read.
 
     Args:
         path: Its points.
@@ -100,7 +101,7 @@ def tags(
 
 
 def signs(path: PathPicture, projection: Projection) -> list[Sign]:
-    """The findings, errors last, so that they lie on top.
+    """Return the findings, errors last, so that they lie on top.
 
     One that happens outside of the picture stands at its rim, where one would have to look for it.
     """
@@ -120,7 +121,7 @@ def signs(path: PathPicture, projection: Projection) -> list[Sign]:
 def finding_at(
     path: PathPicture, projection: Projection, x_px: float, y_px: float
 ) -> FindingMark | None:
-    """The finding whose sign is at a pixel; of several the one that matters most."""
+    """Return the finding whose sign is at a pixel; of several the one that matters most."""
     near = [
         sign
         for sign in signs(path, projection)
@@ -217,7 +218,7 @@ class PathOverlay:
 
     @staticmethod
     def finding_at(preview: Preview, projection: Projection, at: QPointF) -> FindingMark | None:
-        """The finding whose sign is at a place of the widget."""
+        """Return the finding whose sign is at a place of the widget."""
         path = preview.path
         if path is None or not path.findings:
             return None

@@ -55,7 +55,7 @@ class PathPicture:
     is_numbered: bool = True
 
     def outermost_m(self) -> tuple[tuple[float, float, float], ...]:
-        """The places that reach furthest in each direction, for a view that shows all of it.
+        """Return the places that reach furthest in each direction, for a view that shows all of it.
 
         Points that a check found to be wrong are left out: one that can't be reached may be
         anywhere, and the arm would be small beside it. Its sign stands at the picture's rim then.

@@ -113,7 +113,7 @@ class UpToDate:
 class Lost:
     """The process is gone; unless it comes back by itself, no pictures follow."""
 
-    reason: Refusal
+    refusal: Refusal
     comes_back: bool
 
 
@@ -186,7 +186,7 @@ class ChildProcess:
             limit.cancel()
 
     def receive(self, limit_s: float) -> Answer | None:
-        """The next message; None: there was none within the limit.
+        """Return the next message; None: there was none within the limit.
 
         Raises:
             EOFError, OSError: the process has ended.
@@ -252,9 +252,9 @@ A = TypeVar("A", Ready, Drawn)
 class ProcessLostError(Exception):
     """The process is of no use any more."""
 
-    def __init__(self, reason: Refusal) -> None:
-        self.reason = reason
-        super().__init__(str(reason))
+    def __init__(self, refusal: Refusal) -> None:
+        self.refusal = refusal
+        super().__init__(str(refusal))
 
 
 T = TypeVar("T")
@@ -494,7 +494,7 @@ class RenderSession:
             self._robots[read] = content
 
     def _unasked(self, state: ViewState) -> ViewState:
-        """The state without questions that an earlier process was asked."""
+        """Return the state without questions that an earlier process was asked."""
 
         def fresh(question: PickRequest | None) -> PickRequest | None:
             if question is None or question.serial <= self._answered_serial:
@@ -505,7 +505,7 @@ class RenderSession:
         return replace(state, pick=fresh(state.pick), mark_pick=fresh(state.mark_pick))
 
     def _receive(self) -> Answer | None:
-        """The next message; None: it hangs, for it is silent though it had its turns."""
+        """Return the next message; None: it hangs, for it is silent though it had its turns."""
         message = self._child.receive(LIMITS[self.phase].silent_s)
         if message is not None:
             return message
@@ -526,7 +526,7 @@ class RenderSession:
         return {each: had for each, had in turns.items() if each != self._heartbeat_thread}
 
     def _await(self, kind: type[A]) -> A:
-        """The next answer of a kind; what comes before it is told, or noted."""
+        """Return the next answer of a kind; what comes before it is told, or noted."""
         since_s = looked_s = time.monotonic()
         turns: dict[int, ThreadTurns] = {}
         while True:
@@ -549,7 +549,7 @@ class RenderSession:
                 self._keep(message.content)
             elif isinstance(message, Failed):
                 _LOG.error("The 3D view stopped\n%s", message.traceback)
-                raise ProcessLostError(message.reason)
+                raise ProcessLostError(message.refusal)
             else:
                 self._forward(message)
 
@@ -659,7 +659,7 @@ class ProcessLink:
             while not self._mailbox.is_closed:
                 self._draw_one(session)
         except ProcessLostError as error:
-            reason = error.reason
+            reason = error.refusal
             child.kill()
         except (OSError, EOFError):
             reason = None

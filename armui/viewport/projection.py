@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from typing import Final, NamedTuple
+from dataclasses import dataclass
+from typing import Final
 
 from armui.viewport.camera import VIEW_ANGLE_DEG, OrbitCamera
 from armui.viewport.vectors import Vector, minus, plus, unit
@@ -14,14 +15,15 @@ _NEAREST_SHARE: Final = 0.05
 """As in the picture: what is nearer to the eye than this share of the distance is not seen."""
 
 
-class Ray(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Ray:
     """A line of sight: `start_m` in the base frame and a unit vector away from the eye."""
 
     start_m: Vector
     direction: Vector
 
     def at(self, distance_m: float) -> Vector:
-        """The place so far along it."""
+        """Return the place so far along it."""
         return plus(self.start_m, self.direction, distance_m)
 
 
@@ -58,7 +60,7 @@ class Projection:
         return self.scale_px(self.relative(place_m)[2]) or 0.0
 
     def ray(self, x_px: float, y_px: float) -> Ray:
-        """The line of everything that is seen at a pixel."""
+        """Return the line of everything that is seen at a pixel."""
         across = (x_px - self.width_px / 2.0) / self._size_px
         up = (self.height_px / 2.0 - y_px) / self._size_px
         camera = self.camera

@@ -54,7 +54,7 @@ class RobotShape:
     points: tuple[tuple[Vector, ...], ...]
 
     def links(self, angles_deg: Sequence[float], opening_mm: float = 0.0) -> list[Rows]:
-        """The transforms of all links in the base frame.
+        """Return the transforms of all links in the base frame.
 
         Args:
             angles_deg: Six joint angles as on the bus.
@@ -72,7 +72,7 @@ class RobotShape:
         return poses
 
     def outline(self, links: Sequence[Rows]) -> list[list[Vector]]:
-        """The outermost points of each link that has any, in the base frame."""
+        """Return the outermost points of each link that has any, in the base frame."""
         return [
             [moved(rows, point) for point in points]
             for rows, points in zip(links, self.points, strict=True)
@@ -80,7 +80,7 @@ class RobotShape:
         ]
 
     def flange(self, links: Sequence[Rows]) -> Rows:
-        """The transform of the link that joint 6 moves."""
+        """Return the transform of the link that joint 6 moves."""
         return links[next(joint.child for joint in self.joints if joint.number == 6)]
 
     def joint_frame(self, number: int, links: Sequence[Rows]) -> tuple[Vector, Vector]:
@@ -91,7 +91,7 @@ class RobotShape:
         return (rows[3], rows[7], rows[11]), turned(rows, axis)
 
     def joint_pointer(self, number: int, links: Sequence[Rows]) -> Vector:
-        """A unit vector square to a joint's axis that turns with the joint: along what it moves."""
+        """Return a unit vector square to a joint's axis, along what the joint moves."""
         place, axis = self.joint_frame(number, links)
         following = next((each for each in self.joints if each.number == number + 1), None)
         if following is not None:
@@ -135,7 +135,7 @@ def _motion(joint: JointShape, value: float) -> Rows:
 
 
 def rotation(axis: Vector, angle_rad: float) -> Rows:
-    """A rotation about a unit axis through the origin."""
+    """Return a rotation about a unit axis through the origin."""
     x, y, z = axis
     c, s = math.cos(angle_rad), math.sin(angle_rad)
     t = 1.0 - c
@@ -147,7 +147,7 @@ def rotation(axis: Vector, angle_rad: float) -> Rows:
 
 
 def composed(one: Rows, other: Rows) -> Rows:
-    """The transform that does the other, then the one."""
+    """Return the transform that does the other, then the one."""
     a, b, c, x, d, e, f, y, g, h, i, z = one
     A, B, C, X, D, E, F, Y, G, H, I, Z = other  # noqa: N806, E741 - the same places
     return (
@@ -161,7 +161,7 @@ def composed(one: Rows, other: Rows) -> Rows:
 
 
 def moved(rows: Rows, point: Vector) -> Vector:
-    """A point of a frame in the frame above."""
+    """Return a point of a frame in the frame above."""
     x, y, z = point
     return (
         rows[0] * x + rows[1] * y + rows[2] * z + rows[3],
@@ -171,7 +171,7 @@ def moved(rows: Rows, point: Vector) -> Vector:
 
 
 def turned(rows: Rows, vector: Vector) -> Vector:
-    """A direction of a frame in the frame above."""
+    """Return a direction of a frame in the frame above."""
     x, y, z = vector
     return (
         rows[0] * x + rows[1] * y + rows[2] * z,
@@ -181,7 +181,7 @@ def turned(rows: Rows, vector: Vector) -> Vector:
 
 
 def pose_rows(pose: Sequence[float]) -> Rows:
-    """The transform of a pose: X, Y, Z in mm, RX, RY, RZ in degrees, R = Rz·Ry·Rx."""
+    """Return the transform of a pose: X, Y, Z in mm, RX, RY, RZ in degrees, R = Rz·Ry·Rx."""
     cx, cy, cz = (math.cos(math.radians(angle)) for angle in pose[3:])
     sx, sy, sz = (math.sin(math.radians(angle)) for angle in pose[3:])
     x, y, z = (length / 1000.0 for length in pose[:3])

@@ -205,7 +205,7 @@ class StrokeLayer:
 
 
 def room_around(pixels: Iterable[tuple[float, float] | None], projection: Projection) -> QRectF:
-    """The part of a picture that pixels and what is written beside them take."""
+    """Return the part of a picture that pixels and what is written beside them take."""
     points = QPolygonF([QPointF(*pixel) for pixel in pixels if pixel is not None])
     if points.isEmpty():
         return QRectF()

@@ -41,7 +41,7 @@ class Stroke:
 
 
 def tool_frame(rows: Rows, palette: ScenePalette) -> list[Stroke]:
-    """The axes of the tool centre point."""
+    """Return the axes of the tool centre point."""
     start = (rows[3], rows[7], rows[11])
     ends = ((FRAME_M, 0.0, 0.0), (0.0, FRAME_M, 0.0), (0.0, 0.0, FRAME_M))
     return [
@@ -59,7 +59,7 @@ def joint_range(
     *,
     measured_deg: float | None = None,
 ) -> list[Stroke]:
-    """The range of a joint as an arc about its axis, with a needle at its angle.
+    """Return the range of a joint as an arc about its axis, with a needle at its angle.
 
     Args:
         shape: The robot.

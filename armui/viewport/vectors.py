@@ -8,12 +8,12 @@ Vector = tuple[float, float, float]
 
 
 def dot(one: Vector, other: Vector) -> float:
-    """The scalar product."""
+    """Return the scalar product."""
     return one[0] * other[0] + one[1] * other[1] + one[2] * other[2]
 
 
 def cross(one: Vector, other: Vector) -> Vector:
-    """The vector product."""
+    """Return the vector product."""
     return (
         one[1] * other[2] - one[2] * other[1],
         one[2] * other[0] - one[0] * other[2],
@@ -27,7 +27,7 @@ def minus(one: Vector, other: Vector) -> Vector:
 
 
 def plus(start: Vector, direction: Vector, distance: float) -> Vector:
-    """The place so far from a start in a direction."""
+    """Return the place so far from a start in a direction."""
     return (
         start[0] + direction[0] * distance,
         start[1] + direction[1] * distance,
@@ -36,7 +36,7 @@ def plus(start: Vector, direction: Vector, distance: float) -> Vector:
 
 
 def square_to(axis: Vector) -> Vector:
-    """A unit vector square to another."""
+    """Return a unit vector square to another."""
     plain = (1.0, 0.0, 0.0) if abs(axis[0]) < 0.7 else (0.0, 1.0, 0.0)
     return unit(without_part_along(plain, axis))
 

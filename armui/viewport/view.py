@@ -212,7 +212,7 @@ class ArmView(QWidget):
         return self._client.looks_old or self._lost is not None
 
     def grab_picture(self) -> QImage | None:
-        """A copy of the picture with the figures, as it is on the screen; None without one."""
+        """Return a copy of the picture with the figures, as on the screen; None without one."""
         return None if self._picture is None else self.grab().toImage()
 
     def shutdown(self) -> None:
@@ -541,7 +541,7 @@ class ArmView(QWidget):
         self._again_button.setText(QCoreApplication.translate("ArmView", "Start the 3D view again"))
 
     def quantities_at(self, place: QPoint) -> list[str]:
-        """The key of the figure at a place; see `armui.telemetry.quantities`."""
+        """Return the key of the figure at a place; see `armui.telemetry.quantities`."""
         key = self._hud_painter.quantity_at(QPointF(place), self.font(), of_tool=self._hud.of_tool)
         return [] if key is None else [key]
 

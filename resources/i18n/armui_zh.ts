@@ -6478,16 +6478,16 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>为此机械臂保存，不运动。</translation>
     </message>
     <message>
-        <source>This arm tells no number of its own: another one without a number at this adapter would be taken for it.</source>
-        <translation>此机械臂不报自己的编号：同一适配器上另一台不报编号的机械臂会被当作它。</translation>
-    </message>
-    <message>
         <source>The measured angles</source>
         <translation>当前测得的角度</translation>
     </message>
     <message>
         <source>The targets in the fields</source>
         <translation>输入框中的目标</translation>
+    </message>
+    <message>
+        <source>This arm tells no number of its own: another one without a number at this adapter would be taken for it.</source>
+        <translation>此机械臂不报自己的编号：同一适配器上另一台不报编号的机械臂会被当作它。</translation>
     </message>
 </context>
 <context>
@@ -7255,6 +7255,30 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>末端 RZ</translation>
     </message>
     <message>
+        <source>Tool centre point X</source>
+        <translation>工具中心点 X</translation>
+    </message>
+    <message>
+        <source>Tool centre point Y</source>
+        <translation>工具中心点 Y</translation>
+    </message>
+    <message>
+        <source>Tool centre point Z</source>
+        <translation>工具中心点 Z</translation>
+    </message>
+    <message>
+        <source>Tool centre point RX</source>
+        <translation>工具中心点 RX</translation>
+    </message>
+    <message>
+        <source>Tool centre point RY</source>
+        <translation>工具中心点 RY</translation>
+    </message>
+    <message>
+        <source>Tool centre point RZ</source>
+        <translation>工具中心点 RZ</translation>
+    </message>
+    <message>
         <source>Speed percentage</source>
         <translation>速度百分比</translation>
     </message>
@@ -7482,30 +7506,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <source>no</source>
         <translation>否</translation>
     </message>
-    <message>
-        <source>Tool centre point X</source>
-        <translation>工具中心点 X</translation>
-    </message>
-    <message>
-        <source>Tool centre point Y</source>
-        <translation>工具中心点 Y</translation>
-    </message>
-    <message>
-        <source>Tool centre point Z</source>
-        <translation>工具中心点 Z</translation>
-    </message>
-    <message>
-        <source>Tool centre point RX</source>
-        <translation>工具中心点 RX</translation>
-    </message>
-    <message>
-        <source>Tool centre point RY</source>
-        <translation>工具中心点 RY</translation>
-    </message>
-    <message>
-        <source>Tool centre point RZ</source>
-        <translation>工具中心点 RZ</translation>
-    </message>
 </context>
 <context>
     <name>QuantityList</name>
@@ -7649,6 +7649,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>没有剩余数据：请修正标记的输入框。</translation>
     </message>
     <message>
+        <source>Keeps {kept} of {count} samples, {time}, {size}</source>
+        <translation>保留 {count} 个采样中的 {kept} 个，{time}，{size}</translation>
+    </message>
+    <message>
         <source>The path is shown in the 3D view.</source>
         <translation>路径已显示在三维视图中。</translation>
     </message>
@@ -7679,6 +7683,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Recording anew takes the place of what is not saved</source>
         <translation>重新录制将覆盖未保存的内容</translation>
+    </message>
+    <message>
+        <source>Trim samples</source>
+        <translation>裁剪采样</translation>
     </message>
     <message>
         <source>Name</source>
@@ -7717,28 +7725,20 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>保存为轨迹点</translation>
     </message>
     <message>
-        <source>The arm comes to rest in every point</source>
-        <translation>机械臂会在每个点停下</translation>
-    </message>
-    <message>
-        <source>It is in memory alone until it is saved. {reason}</source>
-        <translation>保存前数据只在内存中。{reason}</translation>
-    </message>
-    <message>
-        <source>Keeps {kept} of {count} samples, {time}, {size}</source>
-        <translation>保留 {count} 个采样中的 {kept} 个，{time}，{size}</translation>
-    </message>
-    <message>
-        <source>Trim samples</source>
-        <translation>裁剪采样</translation>
-    </message>
-    <message>
         <source>Imported file, or of an unknown arm: {time}, {count} samples, {size}</source>
         <translation>导入的文件，或所属机械臂未知：{time}，{count} 个采样，{size}</translation>
     </message>
     <message>
         <source>Recorded: {time}, {count} samples, {size}</source>
         <translation>已录制：{time}，{count} 个采样，{size}</translation>
+    </message>
+    <message>
+        <source>The arm comes to rest in every point</source>
+        <translation>机械臂会在每个点停下</translation>
+    </message>
+    <message>
+        <source>It is in memory alone until it is saved. {reason}</source>
+        <translation>保存前数据只在内存中。{reason}</translation>
     </message>
 </context>
 <context>
@@ -7756,16 +7756,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>恢复…</translation>
     </message>
     <message>
-        <source>Resume after the emergency stop</source>
-        <translation>从急停恢复</translation>
-    </message>
-    <message>
-        <source>Resuming cuts the power of the motors: the arm will drop. Hold the arm.
-Afterwards the motors must be enabled again.</source>
-        <translation>恢复时会切断电机电源：机械臂会下落，请扶住机械臂。
-之后需要重新使能电机。</translation>
-    </message>
-    <message>
         <source>Enable</source>
         <translation>使能</translation>
     </message>
@@ -7778,14 +7768,6 @@ Afterwards the motors must be enabled again.</source>
         <translation>复位…</translation>
     </message>
     <message>
-        <source>Reset the arm</source>
-        <translation>复位机械臂</translation>
-    </message>
-    <message>
-        <source>First the emergency stop: the motors go limp and the arm sinks. Then Resume cuts their power: the arm will drop. Hold the arm from now on.</source>
-        <translation>先急停：电机失去保持力，机械臂会缓慢下沉；随后恢复会断电：机械臂会下落，请扶住机械臂。</translation>
-    </message>
-    <message>
         <source>Stop recording</source>
         <translation>结束示教记录</translation>
     </message>
@@ -7796,6 +7778,52 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>Lead by hand…</source>
         <translation>拖动…</translation>
+    </message>
+    <message>
+        <source>Take command…</source>
+        <translation>待机…</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>急停</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>继续</translation>
+    </message>
+    <message>
+        <source>Give up</source>
+        <translation>放弃</translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation>接管</translation>
+    </message>
+    <message>
+        <source>Withdraw…</source>
+        <translation>撤回…</translation>
+    </message>
+    <message>
+        <source>Take back…</source>
+        <translation>收回控制…</translation>
+    </message>
+    <message>
+        <source>Resume after the emergency stop</source>
+        <translation>从急停恢复</translation>
+    </message>
+    <message>
+        <source>Resuming cuts the power of the motors: the arm will drop. Hold the arm.
+Afterwards the motors must be enabled again.</source>
+        <translation>恢复时会切断电机电源：机械臂会下落，请扶住机械臂。
+之后需要重新使能电机。</translation>
+    </message>
+    <message>
+        <source>Reset the arm</source>
+        <translation>复位机械臂</translation>
+    </message>
+    <message>
+        <source>First the emergency stop: the motors go limp and the arm sinks. Then Resume cuts their power: the arm will drop. Hold the arm from now on.</source>
+        <translation>先急停：电机失去保持力，机械臂会缓慢下沉；随后恢复会断电：机械臂会下落，请扶住机械臂。</translation>
     </message>
     <message>
         <source>Lead the arm by hand</source>
@@ -7818,10 +7846,6 @@ The other program must have ended.</source>
 另一程序必须已经结束。</translation>
     </message>
     <message>
-        <source>Take command…</source>
-        <translation>待机…</translation>
-    </message>
-    <message>
         <source>Withdraw the stop</source>
         <translation>撤回急停</translation>
     </message>
@@ -7830,36 +7854,12 @@ The other program must have ended.</source>
         <translation>机械臂不会停止：它将继续正在做的动作，并重新服从指令。请先看清机械臂。</translation>
     </message>
     <message>
-        <source>Emergency stop</source>
-        <translation>急停</translation>
-    </message>
-    <message>
-        <source>Continue</source>
-        <translation>继续</translation>
-    </message>
-    <message>
-        <source>Give up</source>
-        <translation>放弃</translation>
-    </message>
-    <message>
-        <source>Take over</source>
-        <translation>接管</translation>
-    </message>
-    <message>
         <source>Take the command</source>
         <translation>切换到待机模式</translation>
     </message>
     <message>
         <source>The arm will no longer follow the other control; a motion under way ends. Make sure that nobody relies on it.</source>
         <translation>机械臂将不再由其他方式控制，正在进行的运动会停止。请确认无人正在使用。</translation>
-    </message>
-    <message>
-        <source>Withdraw…</source>
-        <translation>撤回…</translation>
-    </message>
-    <message>
-        <source>Take back…</source>
-        <translation>收回控制…</translation>
     </message>
 </context>
 <context>
@@ -9325,6 +9325,17 @@ The other program must have ended.</source>
     </message>
 </context>
 <context>
+    <name>ReplayFrames</name>
+    <message>
+        <source>Frames around the moment that is shown</source>
+        <translation>所示时刻前后的报文</translation>
+    </message>
+    <message>
+        <source>Click: show this moment</source>
+        <translation>单击：跳到该时刻</translation>
+    </message>
+</context>
+<context>
     <name>ReplayView</name>
     <message>
         <source>arm</source>
@@ -9357,6 +9368,14 @@ The other program must have ended.</source>
     <message>
         <source>Curves</source>
         <translation>曲线</translation>
+    </message>
+    <message>
+        <source>Whole recording</source>
+        <translation>全程曲线</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>报文</translation>
     </message>
     <message>
         <source>Channel</source>
@@ -9436,6 +9455,14 @@ The other program must have ended.</source>
     <message>
         <source>Open another recording…</source>
         <translation>打开其他记录…</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>导出…</translation>
+    </message>
+    <message>
+        <source>As ROS 2 messages in MCAP, as CSV or as Parquet.</source>
+        <translation>导出为 MCAP（ROS 2 消息）、CSV 或 Parquet。</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -11823,6 +11850,17 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>Record everything on the bus, save what just happened, replay what was recorded, here or by another program.</source>
         <translation>记录总线上的一切，保存刚才发生的事，回放本程序或其他程序的记录。</translation>
+    </message>
+</context>
+<context>
+    <name>WholeCurves</name>
+    <message>
+        <source>The recording is long: its last hour is shown.</source>
+        <translation>记录较长：显示最后一小时。</translation>
+    </message>
+    <message>
+        <source>Loading: {percent} %</source>
+        <translation>正在载入：{percent} %</translation>
     </message>
 </context>
 <context>

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from typing import Final
 
 _WHAT: Final = (
-    (".deb", "Debian 12, where it was tried, or later"),
+    (".deb", "Debian 12 and 13, where it was tried, or later"),
     (".rpm", "other distributions with RPM; untried"),
     ("-setup.exe", "Windows 10 and later, installer for one user; untried"),
     (".zip", "Windows, unpacked anywhere; untried"),

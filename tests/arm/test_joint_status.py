@@ -64,7 +64,7 @@ class Arm:
         frame = Frame(arbitration_id, bytes.fromhex(payload))
         self.tracker.update(self.codec.decode(frame), at_s)
         self.state = self.tracker.snapshot()
-        return self.history.follow(self.state, self.generation, self.at)
+        return self.history.add_state(self.state, self.generation, self.at)
 
     def driver(self, joint, code, at_s=1.0):
         # 24.0 V, driver 31 °C, motor 29 °C
@@ -211,10 +211,10 @@ def test_a_word_began_when_it_changed_and_not_when_it_was_repeated(arm):
 
 def test_a_table_that_is_forgotten_begins_anew(arm):
     arm.driver(1, ENABLED)
-    arm.history.follow(ArmState(), None, NOON)
+    arm.history.add_state(ArmState(), None, NOON)
     assert arm.history.since(Item.SUPPLY_VOLTAGE, 1) is None
     arm.at = NOON + timedelta(minutes=1)
-    arm.history.follow(arm.state, arm.generation, arm.at)
+    arm.history.add_state(arm.state, arm.generation, arm.at)
     assert arm.cell(Item.SUPPLY_VOLTAGE, 1).since == arm.at
 
 

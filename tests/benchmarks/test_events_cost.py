@@ -44,9 +44,9 @@ def timed_ticks(rig, moving):
     """The processor time of a tick in µs, without and with the events, turn by turn."""
     event_collector = rig.controller.event_collector
     spent: tuple[list[float], list[float]] = ([], [])
-    act, tick = event_collector.advance, rig.controller.tick
+    act, tick = event_collector.follow_arm, rig.controller.tick
     for number in range(TICKS):
-        event_collector.advance = act if number % 2 else lambda: None
+        event_collector.follow_arm = act if number % 2 else lambda: None
 
         def timed(into=spent[number % 2]):
             began_ns = time.thread_time_ns()
@@ -57,7 +57,7 @@ def timed_ticks(rig, moving):
         if moving and number % 100 == 0:
             rig.controller.motion.send_joints(ENDS_DEG[number // 100 % 2])
         rig.step()
-    rig.controller.tick, event_collector.advance = tick, act
+    rig.controller.tick, event_collector.follow_arm = tick, act
     return [statistics.median(each) for each in spent]
 
 

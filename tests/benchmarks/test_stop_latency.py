@@ -149,7 +149,7 @@ def press_again_and_again(qapp, program, sent_s):
     for button in (stop_button, bare):
         button.pressed.connect(mouse.seen.set)
     # no repeats: each stop frame is a press's own
-    stop_button.pressed.connect(controller._stop.emergency_stop.forget)
+    stop_button.pressed.connect(controller._stop.emergency_stop.reset)
     sent_s.clear()
     mouse.start()
     raise_threads()  # a mouse of the window system's waits for no turn of this process

@@ -36,8 +36,8 @@ def nobody_told(controller):
     connection, event_collector = controller._connection, controller.event_collector
     worker, listeners = connection._worker, connection._listeners
     worker.set_listeners(())
-    advance = event_collector.advance
-    event_collector.advance = lambda: None
+    advance = event_collector.follow_arm
+    event_collector.follow_arm = lambda: None
     sessions = controller.sessions
     sessions._timer.stop()
     collector = sessions._collector
@@ -47,7 +47,7 @@ def nobody_told(controller):
     finally:
         collector.start()
         sessions._timer.start()
-        event_collector.advance = advance
+        event_collector.follow_arm = advance
         worker.set_listeners((connection.telemetry, *listeners))
 
 

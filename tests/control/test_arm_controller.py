@@ -133,12 +133,14 @@ def test_a_held_button_waits_for_an_arm_that_lags(rig):
     assert not rig.controller.motion.jog_lagging(1, 5.0)
 
 
-@pytest.mark.parametrize("delta_deg", [-0.001, 181.0])
-def test_a_jog_beyond_the_limits_is_refused_and_nothing_is_sent(rig, delta_deg):
+@pytest.mark.parametrize(
+    ("delta_deg", "code"), [(-0.001, "jog_at_limit"), (181.0, "step_beyond_limit")]
+)
+def test_a_jog_beyond_the_limits_is_refused_and_nothing_is_sent(rig, delta_deg, code):
     rig.ready()
     rig.heard()
     refusal = rig.controller.motion.jog(2, delta_deg)
-    assert (refusal.code, refusal.params["joint"]) == ("joint_out_of_limits", 2)
+    assert (refusal.code, refusal.params["joint"]) == (code, 2)
     rig.step()
     assert rig.heard() == []
 

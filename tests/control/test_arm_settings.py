@@ -57,7 +57,7 @@ def states(rig, *parameters):
 
 
 def reason(rig, parameter):
-    return rig.controller.settings.cell(parameter).reason
+    return rig.controller.settings.cell(parameter).refusal
 
 
 def settings_heard(rig):

@@ -80,7 +80,7 @@ class Console:
 
     def does(self, **fields) -> None:
         """What the program does to the arm."""
-        self.given(tasks=self.inputs.tasks._replace(**fields))
+        self.given(tasks=replace(self.inputs.tasks, **fields))
 
     def assess(self):
         """What the operator can do."""

@@ -88,8 +88,8 @@ ENDS = {
     "pushed away": (_push, End.MOVED_AWAY),
     "limits changed": (_change_limits, End.LIMITS_CHANGED),
     "cancel": (lambda arm: arm.authority.cancelled(arm.now_s), End.CANCELLED),
-    "zero": (lambda arm: arm.authority.end(End.ZERO_CHANGED), End.ZERO_CHANGED),
-    "new connection": (lambda arm: arm.authority.end(End.FORGOTTEN), End.FORGOTTEN),
+    "zero": (lambda arm: arm.authority.end_command(End.ZERO_CHANGED), End.ZERO_CHANGED),
+    "new connection": (lambda arm: arm.authority.end_command(End.FORGOTTEN), End.FORGOTTEN),
 }
 """The table: what ends a command of ours that has arrived, and what it is called."""
 
@@ -165,7 +165,7 @@ def test_a_moving_arm_is_measured_by_fresh_angles_or_not_at_all(arm):
 def test_another_host_is_remembered_over_a_new_connection(arm):
     arm.other()
     arm.wait(0.2)
-    arm.authority.end(End.FORGOTTEN)
+    arm.authority.end_command(End.FORGOTTEN)
     arm.hosts = OtherHosts()
     arm.wait(0.5)
     assert arm.authority.why_not().reason == OTHER_HOST
@@ -287,7 +287,7 @@ def test_a_motion_that_had_arrived_is_not_held_back_at_zero_percent(arm):
         (_mute_joints, True),
         (lambda arm: arm.authority.cancelled(arm.now_s), False),
         (lambda arm: arm.authority.went_on(arm.now_s), False),
-        (lambda arm: arm.authority.end(End.FORGOTTEN), False),
+        (lambda arm: arm.authority.end_command(End.FORGOTTEN), False),
         (lambda arm: arm.authority.told_percent(50), True),
     ],
     ids=[

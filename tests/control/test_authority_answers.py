@@ -240,7 +240,7 @@ def test_what_we_sent_last_is_not_in_force_any_more(arm, how):
     if how == "another host":
         arm.other()
     else:
-        arm.authority.end(End.FORGOTTEN)
+        arm.authority.end_command(End.FORGOTTEN)
     arm.look()
     assert arm.authority.arm_percent is None
     assert arm.authority.mode_in_force() == (ControlMode.CAN_CONTROL, MoveMode.MOVE_J)
@@ -273,7 +273,7 @@ def test_the_next_takes_its_place(arm):
 
 def test_a_command_that_has_ended_is_none_to_go_on_with(arm):
     command = arm.send()
-    arm.authority.end(End.NOT_SENT)
+    arm.authority.end_command(End.NOT_SENT)
     assert not arm.authority.is_current(command)
     assert arm.authority.extend(command, NOWHERE, arm.now_s) is None
     assert arm.authority.number > command.number
@@ -282,9 +282,9 @@ def test_a_command_that_has_ended_is_none_to_go_on_with(arm):
 
 def test_what_ended_first_is_what_ended_it(arm):
     arm.send()
-    arm.authority.end(End.STOPPED)
+    arm.authority.end_command(End.STOPPED)
     number = arm.authority.number
-    arm.authority.end(End.ZERO_CHANGED)
+    arm.authority.end_command(End.ZERO_CHANGED)
     assert arm.authority.ended is End.STOPPED
     assert arm.authority.number == number
 

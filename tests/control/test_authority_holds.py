@@ -148,7 +148,7 @@ CLEARS = {End.STOPPED, End.DISABLED, End.FORGOTTEN}
 def test_which_ends_leave_nothing_held_back(arm, reason):
     arm.send()
     arm.authority.paused()
-    arm.authority.end(reason)
+    arm.authority.end_command(reason)
     assert bool(arm.authority.holds) is (reason not in CLEARS)
     assert arm.authority.ended is reason
     assert (arm.authority.mover is Mover.UNKNOWN) is (reason is End.FORGOTTEN)
@@ -160,7 +160,7 @@ def test_over_a_new_connection_everything_is_heard_anew(arm):
     arm.wait(0.1)
     assert arm.authority.why_not().reason == OTHER_MODE
     assert arm.authority.at_rest
-    arm.authority.end(End.FORGOTTEN)
+    arm.authority.end_command(End.FORGOTTEN)
     assert not arm.authority.at_rest
     assert arm.authority.measured_deg() is None
     assert arm.authority.mode_in_force() is None
@@ -205,9 +205,9 @@ def test_rest_four_tenths_of_a_second_after_the_cancel_is_its_doing(arm):
 
 ENDS_A_CANCEL = {
     "another host": Arm.other,
-    "stop": lambda arm: arm.authority.end(End.STOPPED),
-    "disable": lambda arm: arm.authority.end(End.DISABLED),
-    "new connection": lambda arm: arm.authority.end(End.FORGOTTEN),
+    "stop": lambda arm: arm.authority.end_command(End.STOPPED),
+    "disable": lambda arm: arm.authority.end_command(End.DISABLED),
+    "new connection": lambda arm: arm.authority.end_command(End.FORGOTTEN),
     "a motion": Arm.send,
     "another cancel": lambda arm: arm.authority.cancelled(arm.now_s),
 }
@@ -229,7 +229,7 @@ def test_what_ends_the_following_of_a_cancel(arm, what, when):
 @pytest.mark.parametrize("reason", [End.ZERO_CHANGED, End.NOT_SENT])
 def test_other_ends_leave_a_cancel_to_be_followed(arm, reason):
     cancel_a_motion(arm)
-    arm.authority.end(reason)
+    arm.authority.end_command(reason)
     arm.turn(55)
     assert arm.authority.cancel_unheeded
 

@@ -90,7 +90,7 @@ class Program:
             self.now_s += STEP_S
             joints_deg = self.connection.joints_deg
             self.connection.joints_deg = (joints_deg[0] + deg, *joints_deg[1:])
-            self.watch.advance(self.now_s)
+            self.watch.follow_arm(self.now_s)
 
     def other(self, *identifiers: int) -> None:
         """Another host sends frames now."""
@@ -270,7 +270,7 @@ def test_another_host_is_reported_while_it_stands_against_a_motion(program):
     report = program.watch.report()
     assert report.frames == "0x155"
     assert report.rate_hz == 60
-    assert report.reason.reason == OTHER_HOST
+    assert report.refusal.reason == OTHER_HOST
     assert report.may_be_taken_over is False
     program.wait(0.6)
     later = program.watch.report()
@@ -289,7 +289,7 @@ def test_the_next_one_has_a_time_of_its_own(program, between):
         program.wait(2.0)
         assert program.watch.report() is None
     elif between == "forgotten":
-        program.watch.forget(program.now_s)
+        program.watch.reset(program.now_s)
     else:
         assert program.watch.take_over(program.now_s) is None
     program.other(0x155)
@@ -301,7 +301,7 @@ def test_a_mode_without_frames_is_reported_too(program):
     program.connection.status = status(move_mode=MoveMode.MOVE_M)
     program.wait(STEP_S)
     report = program.watch.report()
-    assert report.reason.reason == OTHER_MODE
+    assert report.refusal.reason == OTHER_MODE
     assert report.since is program.watch.report().since
     program.connection.status = status()
     program.wait(STEP_S)
@@ -314,7 +314,7 @@ def test_a_mode_without_frames_is_reported_too(program):
 def test_over_another_connection_it_is_told_anew(program):
     program.other(0x155)
     program.wait(0.2)
-    program.watch.forget(program.now_s)
+    program.watch.reset(program.now_s)
     program.wait(STEP_S)
     assert program.codes == [EventCode.OTHER_HOST_MOVES] * 2
 
@@ -322,6 +322,6 @@ def test_over_another_connection_it_is_told_anew(program):
 def test_over_another_connection_a_cancel_is_told_anew(program):
     program.authority.cancelled(program.now_s)
     program.wait(1.5, deg=1.0)
-    program.watch.forget(program.now_s)
+    program.watch.reset(program.now_s)
     program.wait(STEP_S, deg=1.0)
     assert program.codes == [EventCode.CANCEL_UNHEEDED] * 2

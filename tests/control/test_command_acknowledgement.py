@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from armui.arm.state import ArmState, Reading
@@ -83,7 +85,7 @@ def test_an_arm_that_leaves_the_mode_by_itself_has_not_taken_it(arm, command):
 
 @pytest.mark.parametrize(("by_deg", "seen"), [(0.49, False), (0.51, True)])
 def test_one_that_stands_elsewhere_has_not(arm, by_deg, seen):
-    command = JOINTS._replace(joints_deg=turned(by_deg))
+    command = replace(JOINTS, joints_deg=turned(by_deg))
     arm.look(command)
     assert arm.look(None, End.MOVED_AWAY) is seen
 
@@ -99,57 +101,57 @@ def test_nothing_is_seen_of_what_somebody_has_ended(arm, end):
 
 @pytest.mark.parametrize("kind", [CommandKind.RUN, CommandKind.REPLAY])
 def test_runs_say_it_themselves(arm, kind):
-    assert arm.looks(JOINTS._replace(kind=kind), 5.0) == 0
+    assert arm.looks(replace(JOINTS, kind=kind), 5.0) == 0
     assert not arm.look(None, End.OTHER_MODE)
 
 
 def test_a_motion_that_leads_nowhere_shows_nothing(arm):
-    assert arm.looks(JOINTS._replace(joints_deg=HERE), 5.0) == 0
-    assert arm.looks(POSE._replace(number=2, leads_away=False), 5.0) == 0
+    assert arm.looks(replace(JOINTS, joints_deg=HERE), 5.0) == 0
+    assert arm.looks(replace(POSE, number=2, leads_away=False), 5.0) == 0
     assert not arm.look(None, End.MOVED_AWAY)
 
 
 def test_a_pose_counts_as_it_was_sent_whatever_angles_it_is_given(arm):
     assert arm.looks(POSE, 0.5) == 0
-    assert arm.looks(POSE._replace(joints_deg=HERE), 1.0) == 1
+    assert arm.looks(replace(POSE, joints_deg=HERE), 1.0) == 1
 
 
 def test_the_time_runs_from_when_the_frames_were_out(arm):
     assert arm.looks(JOINTS, 0.5) == 0
-    late = JOINTS._replace(sent_s=arm.now_s)
+    late = replace(JOINTS, sent_s=arm.now_s)
     assert arm.looks(late, 1.0) == 0
     assert arm.look(late)
 
 
 def test_the_setpoints_of_a_jog_do_not_put_it_off(arm):
-    assert not any(arm.look(JOG._replace(sent_s=arm.now_s)) for _ in range(16))
-    assert arm.look(JOG._replace(sent_s=arm.now_s))
+    assert not any(arm.look(replace(JOG, sent_s=arm.now_s)) for _ in range(16))
+    assert arm.look(replace(JOG, sent_s=arm.now_s))
 
 
 def test_a_jog_that_has_not_got_far_is_waited_for(arm):
-    slow = JOG._replace(joints_deg=turned(0.3))
+    slow = replace(JOG, joints_deg=turned(0.3))
     assert arm.looks(slow, 2.0) == 0
-    assert arm.look(slow._replace(joints_deg=turned(0.6)))
+    assert arm.look(replace(slow, joints_deg=turned(0.6)))
 
 
 def test_each_command_is_followed_anew(arm):
     assert arm.looks(JOINTS, 2.0) == 1
-    assert arm.looks(JOINTS._replace(number=2), 2.0) == 1
-    arm.look(JOINTS._replace(number=3))
+    assert arm.looks(replace(JOINTS, number=2), 2.0) == 1
+    arm.look(replace(JOINTS, number=3))
     arm.joints_deg = THERE
-    assert arm.looks(JOINTS._replace(number=3), 2.0) == 0
-    assert arm.looks(JOINTS._replace(number=4, joints_deg=HERE), 2.0) == 1
+    assert arm.looks(replace(JOINTS, number=3), 2.0) == 0
+    assert arm.looks(replace(JOINTS, number=4, joints_deg=HERE), 2.0) == 1
 
 
 def test_nothing_is_seen_where_the_angles_are_not_heard(arm):
     arm.joints_deg = None
     assert arm.looks(JOINTS, 2.0) == 0
     arm.joints_deg = HERE
-    assert arm.looks(JOINTS._replace(number=2), 0.5) == 0
+    assert arm.looks(replace(JOINTS, number=2), 0.5) == 0
     arm.joints_deg = None
-    arm.look(JOINTS._replace(number=2))
+    arm.look(replace(JOINTS, number=2))
     arm.joints_deg = HERE
-    assert arm.looks(JOINTS._replace(number=2), 1.0) == 1
+    assert arm.looks(replace(JOINTS, number=2), 1.0) == 1
 
 
 def test_what_is_forgotten_is_not_taken_up_again(arm):
@@ -159,6 +161,6 @@ def test_what_is_forgotten_is_not_taken_up_again(arm):
 
 
 def test_the_setpoint_a_jog_has_come_to_counts_when_it_ends(arm):
-    arm.look(JOG._replace(joints_deg=turned(0.3)))
-    arm.look(JOG._replace(joints_deg=turned(0.6)))
+    arm.look(replace(JOG, joints_deg=turned(0.3)))
+    arm.look(replace(JOG, joints_deg=turned(0.6)))
     assert arm.look(None, End.MOVED_AWAY)

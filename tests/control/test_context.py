@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any, cast
 
 import pytest
@@ -156,7 +157,7 @@ def test_the_next_setpoint_goes_out_alone_under_the_same_number(part):
     part.connection.happened.clear()
     part.arm.now_s += 0.02
     further = go_on(part, command, 0.0625)
-    assert further == command._replace(joints_deg=NOWHERE, sent_s=part.arm.now_s)
+    assert further == replace(command, joints_deg=NOWHERE, sent_s=part.arm.now_s)
     assert further is part.arm.authority.command
     assert part.connection.happened == [([TARGET], 0.0625, command.number)]
 

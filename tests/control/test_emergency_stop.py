@@ -51,7 +51,7 @@ class Arm:
         while self.now_s < end_s:
             self.now_s += STEP_S
             state = told(arm_status, self.now_s) if online else ArmState()
-            confirmed |= self.emergency_stop.advance(state, self.now_s, online=online)
+            confirmed |= self.emergency_stop.follow_arm(state, self.now_s, online=online)
         return confirmed
 
 
@@ -91,7 +91,7 @@ def test_and_again_every_tenth_of_a_second_until_it_is_confirmed(arm):
 def test_a_repeat_of_exactly_a_tenth_of_a_second():
     arm = Arm()
     arm.emergency_stop.request(STOP, 0.0)
-    arm.emergency_stop.advance(ArmState(), 0.1, online=True)
+    arm.emergency_stop.follow_arm(ArmState(), 0.1, online=True)
     assert len(arm.sent) == 2
 
 
@@ -99,9 +99,9 @@ def test_a_repeat_of_exactly_a_tenth_of_a_second():
 def test_a_word_of_before_the_stop_confirms_nothing(arm, earlier_s):
     before = told(STOPPED, arm.now_s - earlier_s)
     arm.emergency_stop.request(STOP, arm.now_s)
-    assert not arm.emergency_stop.advance(before, arm.now_s + STEP_S, online=True)
+    assert not arm.emergency_stop.follow_arm(before, arm.now_s + STEP_S, online=True)
     assert arm.emergency_stop.requested
-    assert arm.emergency_stop.advance(
+    assert arm.emergency_stop.follow_arm(
         told(STOPPED, arm.now_s + STEP_S), arm.now_s + STEP_S, online=True
     )
 
@@ -119,7 +119,7 @@ def test_asked_for_again_it_is_still_due_since_the_first_time(arm):
     arm.wait(0.25)
     assert arm.sent[-1][1] == OTHER
     # the arm's word may be of the first
-    assert arm.emergency_stop.advance(told(STOPPED, BEGIN_S + 0.5), arm.now_s, online=True)
+    assert arm.emergency_stop.follow_arm(told(STOPPED, BEGIN_S + 0.5), arm.now_s, online=True)
 
 
 def test_confirmed_it_is_not_overdue(arm):
@@ -205,7 +205,7 @@ def test_what_has_lapsed_is_confirmed_by_an_arm_that_says_so(arm):
 def test_withdrawn_it_is_sent_no_more(arm):
     arm.emergency_stop.request(STOP, arm.now_s)
     arm.wait(11.0, online=False)
-    arm.emergency_stop.forget()
+    arm.emergency_stop.reset()
     assert not arm.emergency_stop.requested
     assert not arm.emergency_stop.lapsed
     count = len(arm.sent)
@@ -290,6 +290,6 @@ def test_our_own_resume_is_no_fault(watch):
 
 
 def test_over_a_new_connection_it_is_forgotten(watch):
-    watch.forget()
+    watch.reset()
     assert not watch.holds
     assert not undone(watch, told(RUNNING, FRESH))

@@ -67,7 +67,7 @@ class Talk:
         end_s = self.now_s + seconds
         while self.now_s < end_s:
             self.now_s += STEP_S
-            self.handshake.advance(state, self.now_s)
+            self.handshake.follow_arm(state, self.now_s)
 
     def settle(self) -> None:
         """The arm names its version."""
@@ -103,7 +103,7 @@ def test_a_version_settles_generation_2(talk):
 
 
 def test_the_question_is_asked_at_once_and_once_again_after_half_a_second(talk):
-    talk.handshake.advance(NOTHING, BEGIN_S)
+    talk.handshake.follow_arm(NOTHING, BEGIN_S)
     assert talk.wire.take() == [VERSION]
     talk.wait(0.484375)
     assert talk.wire.take() == []
@@ -180,7 +180,7 @@ def test_a_log_may_have_told_the_version_elsewhere():
     wire = Wire()
     handshake = Handshake(wire, 0.0, Addressing(), Generation.TWO, "S-V1.8-5")
     assert handshake.codec.quirks.mit_layout is MitLayout.A
-    handshake.advance(NOTHING._replace(firmware="S-V1.8-5"), 0.1)
+    handshake.follow_arm(NOTHING._replace(firmware="S-V1.8-5"), 0.1)
     assert wire.refined == []
 
 
@@ -210,7 +210,7 @@ def test_an_arm_that_was_asked_once_is_not_told_by_its_pace(talk, asked):
 
 def test_the_limits_of_all_joints_are_asked_for(talk):
     talk.settle()
-    talk.handshake.advance(NOTHING, talk.now_s)
+    talk.handshake.follow_arm(NOTHING, talk.now_s)
     assert talk.wire.take() == questions(1, 2, 3, 4, 5, 6)
     assert not talk.handshake.done
 
@@ -236,10 +236,10 @@ def test_what_is_missing_is_asked_for_again_after_a_fifth_of_a_second(talk):
 def test_a_further_question_after_exactly_a_fifth_of_a_second():
     talk = Talk()
     talk.handshake = Handshake(talk.wire, 0.0)
-    talk.handshake.advance(NOTHING._replace(firmware="S-V1.8-8"), 0.0)
-    talk.handshake.advance(NOTHING, 0.0)
+    talk.handshake.follow_arm(NOTHING._replace(firmware="S-V1.8-8"), 0.0)
+    talk.handshake.follow_arm(NOTHING, 0.0)
     talk.wire.take()
-    talk.handshake.advance(NOTHING, 0.2)
+    talk.handshake.follow_arm(NOTHING, 0.2)
     assert talk.wire.take() == questions(1, 2, 3, 4, 5, 6)
 
 

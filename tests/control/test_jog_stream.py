@@ -65,7 +65,7 @@ def test_an_arm_left_alone_rests_in_time(
     now = pace(percent, limits, arm.accelerations)
     for tick_ms in ticks_ms:
         arm.pass_time(tick_ms)
-        assert stream.advance(arm.measured_deg, tick_ms / 1e3, now) is None
+        assert stream.advance_setpoint(arm.measured_deg, tick_ms / 1e3, now) is None
         arm.hear(stream.setpoint_deg, now.arm_percent)
     assert arm.rest_ms() <= 1e3 * REST_S + 1
     ahead = direction * (stream.setpoint_deg[joint - 1] - BASE_DEG[joint - 1])
@@ -76,7 +76,7 @@ def test_the_setpoint_waits_for_an_arm_that_stands():
     limits = (JointLimits(-100.0, 100.0, 170.0),) * 6
     now = pace(100, limits, (200.0,) * 6)
     stream = JogStream(JointJogPath(JointJog(1, 1).rates, BASE_DEG, limits), BASE_DEG, BASE_DEG)
-    reasons = [stream.advance(BASE_DEG, 0.01, now) for _ in range(70)]
+    reasons = [stream.advance_setpoint(BASE_DEG, 0.01, now) for _ in range(70)]
     assert 0.9 * now.leads_deg[0] < stream.setpoint_deg[0] <= now.leads_deg[0]
     assert reasons[:40] == [None] * 40
     assert reasons[-1].reason == JOG_NOT_FOLLOWING
@@ -87,7 +87,7 @@ def test_a_joint_that_sags_under_load_is_not_pulled_back():
     now = pace(10, limits, (200.0,) * 6)
     sagging_deg = (-0.3, *BASE_DEG[1:])
     stream = JogStream(JointJogPath(JointJog(1, 1).rates, BASE_DEG, limits), BASE_DEG, sagging_deg)
-    assert stream.advance(sagging_deg, 0.01, now) is None
+    assert stream.advance_setpoint(sagging_deg, 0.01, now) is None
     assert stream.setpoint_deg[0] > BASE_DEG[0]
 
 

@@ -359,7 +359,7 @@ def test_a_record_that_cannot_be_closed_holds_no_jog(rig, monkeypatch):
 
     monkeypatch.setattr(Started, "close", fail)
     jogging = rig.controller.jogging
-    for let_go in (jogging.stop, jogging.halt, lambda: jogging.end(BUSY())):
+    for let_go in (jogging.stop, jogging.halt, lambda: jogging.end_jog(BUSY())):
         assert jogging.start(JointJog(1, 1)) is None
         with suppress(RuntimeError):
             let_go()

@@ -39,7 +39,7 @@ class Arm:
             status=None if own_s is None else Reading(status(**self.status), own_s),
             status_heard_s=tuple(self._heard_s.get(each) for each in OFFSETS),
         )
-        moved = self.follower.advance(state, self.now_s, came=came)
+        moved = self.follower.follow_arm(state, self.now_s, came=came)
         if moved:
             self.moved.append(self.now_s)
         return moved
@@ -112,7 +112,7 @@ def test_a_status_of_exactly_a_twentieth_of_a_second_later_was_made_after_it():
     follower.answered(0.0)
     heard = Reading(status(control_mode=ControlMode.STANDBY), 0.05)
     state = ArmState(status=heard, status_heard_s=(0.05, None, None))
-    assert follower.advance(state, 0.05, came=False)
+    assert follower.follow_arm(state, 0.05, came=False)
 
 
 @pytest.mark.parametrize(
@@ -196,7 +196,7 @@ def test_without_a_status_nothing_is_taken():
     follower.request(COMMANDS_MOVE, BEGIN_S)
     follower.answered(BEGIN_S)
     state = ArmState(status_heard_s=(BEGIN_S + 1.0, None, None))
-    assert not follower.advance(state, BEGIN_S + 1.0, came=False)
+    assert not follower.follow_arm(state, BEGIN_S + 1.0, came=False)
 
 
 def test_what_is_in_use_already_needs_no_proof(arm):

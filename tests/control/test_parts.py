@@ -15,7 +15,7 @@ def fail(*_args, **_kwargs):
     raise RuntimeError("on purpose")
 
 
-@pytest.mark.parametrize("act", ["halt", "advance"])
+@pytest.mark.parametrize("act", ["halt", "follow_arm"])
 @pytest.mark.parametrize(
     "part", ["motors", "motion", "gripper", "recorder", "transactions", "settings"]
 )
@@ -37,7 +37,7 @@ def test_a_stop_ends_a_jog_whatever_else_fails(rig, monkeypatch, part, act):
 def test_a_stop_ends_a_run_when_its_own_part_fails(rig, monkeypatch):
     rig.ready()
     run_moving(rig)
-    monkeypatch.setattr(rig.controller.player, "advance", fail)
+    monkeypatch.setattr(rig.controller.player, "follow_arm", fail)
     rig.run(0.1)
     assert phase(rig).name == "FAILED"
     rig.controller.emergency_stop()
@@ -50,7 +50,7 @@ def test_a_stop_is_repeated_while_the_link_itself_fails(rig, monkeypatch):
     rig.ear.deaf_to = {STOP.arbitration_id}
     rig.controller.emergency_stop()
     rig.controller._timer.stop()  # on a slow computer it would tick meanwhile
-    monkeypatch.setattr(rig.controller._connection, "advance", fail)
+    monkeypatch.setattr(rig.controller._connection, "follow_arm", fail)
     rig._settle()
     rig.heard()
     rig.time_s += 0.2

@@ -6,11 +6,11 @@ import can
 import pytest
 
 from armui.control.motion.point_frames import GRIPPER_OTHER_GENERATION
+from armui.control.motion_end import RUN_STOPPED
 from armui.control.operating_state import LINK_LOST, OFFLINE, RUN_UNDER_WAY
 from armui.control.run.arrival import RUN_ELSEWHERE
 from armui.control.run.player import NOT_PAUSED, NOT_RUNNING, RUN_TOO_SLOW
 from armui.control.run.progress import ENDLESS, Run, RunPhase
-from armui.control.run.run_end import RUN_STOPPED
 from armui.control.safety.interlocks import ARM_FAULT, NOT_ENABLED
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codes import MoveMode
@@ -200,7 +200,7 @@ def test_lines_and_arcs_are_run(ready):
     )
     ready.controller.player.start(run_of(*points))
     ready.run_until(over(ready), seconds=60.0)
-    assert ready.controller.player.progress.reason is None
+    assert ready.controller.player.progress.refusal is None
     assert ready.controller.state.end_pose() == pytest.approx(end, abs=0.1)
 
 
@@ -224,7 +224,7 @@ def test_a_point_beyond_the_limits_ends_the_run_with_the_arms_word(ready):
     ready.run_until(over(ready))
     progress = ready.controller.player.progress
     assert (progress.phase, progress.index) == (RunPhase.FAILED, 1)
-    assert progress.reason.reason == ARM_FAULT
+    assert progress.refusal.reason == ARM_FAULT
     assert _near(ready.firmware.joints_deg, OUT)
 
 
@@ -233,7 +233,7 @@ def test_an_emergency_stop_ends_the_run(ready):
     ready.run(0.4)
     ready.controller.emergency_stop()
     assert phase(ready) is RunPhase.FAILED
-    assert ready.controller.player.progress.reason.reason == RUN_STOPPED
+    assert ready.controller.player.progress.refusal.reason == RUN_STOPPED
     ready.run(1.0)
     assert not ready.controller.player.running
 
@@ -243,7 +243,7 @@ def test_a_lost_cable_ends_the_run(ready, qtbot):
     ready.run(0.4)
     ready.unplug(can.CanOperationError("gone"))
     qtbot.waitUntil(lambda: "link_lost" in ready.codes())
-    assert ready.controller.player.progress.reason.reason == LINK_LOST
+    assert ready.controller.player.progress.refusal.reason == LINK_LOST
 
 
 def test_a_silent_arm_ends_the_run(ready):
@@ -251,7 +251,7 @@ def test_a_silent_arm_ends_the_run(ready):
     ready.run(0.4)
     ready.powered = False
     ready.run_until(over(ready))
-    assert ready.controller.player.progress.reason.reason == OFFLINE
+    assert ready.controller.player.progress.refusal.reason == OFFLINE
 
 
 def test_a_collision_ends_the_run(ready):
@@ -261,7 +261,7 @@ def test_a_collision_ends_the_run(ready):
     ready.run_until(over(ready))
     progress = ready.controller.player.progress
     assert progress.phase is RunPhase.FAILED
-    assert progress.reason.reason in {ARM_FAULT, NOT_ENABLED}
+    assert progress.refusal.reason in {ARM_FAULT, NOT_ENABLED}
 
 
 def test_a_blocked_arm_does_not_run_for_ever(ready):
@@ -269,7 +269,7 @@ def test_a_blocked_arm_does_not_run_for_ever(ready):
     ear.deaf_to = {0x156}  # a whole target never comes
     ready.controller.player.start(run_of(to(OUT)))
     ready.run_until(over(ready), seconds=60.0)
-    assert ready.controller.player.progress.reason.reason in {
+    assert ready.controller.player.progress.refusal.reason in {
         RUN_ELSEWHERE,
         RUN_TOO_SLOW,
     }

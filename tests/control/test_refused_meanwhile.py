@@ -171,7 +171,7 @@ def test_motors_can_always_be_disabled_and_the_run_says_so(ready, begin, joint):
     ready.step()
     assert [ready.ear.heard[0], ready.ear.heard[1].arbitration_id] == [ABORT, DISABLE]
     progress = ready.controller.player.progress
-    assert (progress.phase, progress.reason.code) == (RunPhase.FAILED, "run_disabled")
+    assert (progress.phase, progress.refusal.code) == (RunPhase.FAILED, "run_disabled")
     ready.run(0.5)  # it brakes
     here = ready.firmware.joints_deg[0]
     ready.run(1.0)
@@ -184,7 +184,7 @@ def test_the_gripper_can_always_let_go_and_the_run_says_so(ready):
     assert ready.controller.gripper.disable() is None
     ready.step()
     assert [frame.arbitration_id for frame in ready.ear.heard][:2] == [0x150, 0x159]
-    assert ready.controller.player.progress.reason.reason == RUN_LET_GO
+    assert ready.controller.player.progress.refusal.reason == RUN_LET_GO
 
 
 @pytest.mark.parametrize("begin", RUNS.values(), ids=RUNS)
@@ -248,7 +248,7 @@ def test_an_arm_held_up_does_not_set_out_for_the_point_of_a_run_that_is_over(rea
     ready.run(0.2)
     ready.firmware.on_frame(frame(mode(0)))
     ready.run_until(lambda: not ready.controller.player.running, seconds=60.0)
-    assert ready.controller.player.progress.reason.reason == RUN_TOO_SLOW
+    assert ready.controller.player.progress.refusal.reason == RUN_TOO_SLOW
     here = tuple(ready.firmware.joints_deg)
     ready.firmware.on_frame(frame(mode(100)))
     ready.run(2.0)

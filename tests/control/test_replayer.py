@@ -54,7 +54,7 @@ def test_the_arm_follows_the_recording(ready):
         return over(ready)()
 
     ready.run_until(followed)
-    assert (phase(ready), ready.controller.replayer.progress.reason) == (RunPhase.DONE, None)
+    assert (phase(ready), ready.controller.replayer.progress.refusal) == (RunPhase.DONE, None)
     assert 4.0 <= ready.time_s - began_s <= 5.0
     assert ready.firmware.joints_deg == pytest.approx(recording.joints_deg[-1], abs=0.1)
     first = [joints[0] for joints in path]
@@ -116,7 +116,7 @@ def test_an_emergency_stop_ends_the_replay(ready):
     replayer.start(Replay(wave()))
     ready.run_until(lambda: replayer.progress.done > 0.2)
     ready.controller.emergency_stop()
-    assert (phase(ready), replayer.progress.reason.code) == (RunPhase.FAILED, "run_stopped")
+    assert (phase(ready), replayer.progress.refusal.code) == (RunPhase.FAILED, "run_stopped")
     ready.run(0.5)
     assert ready.firmware.stopped
 
@@ -127,7 +127,7 @@ def test_an_arm_that_does_not_follow_is_noticed(ready):
     ready.run_until(lambda: replayer.progress.done > 0.05)
     ready.firmware.on_frame = lambda _frame: []
     ready.run_until(over(ready))
-    assert replayer.progress.reason.reason == REPLAY_LAGGING
+    assert replayer.progress.refusal.reason == REPLAY_LAGGING
 
 
 def test_a_joint_may_be_as_late_as_the_one_that_brakes_longest(ready):
@@ -138,7 +138,7 @@ def test_a_joint_may_be_as_late_as_the_one_that_brakes_longest(ready):
     replayer = ready.controller.replayer
     assert replayer.start(Replay(fast)) is None
     ready.run_until(over(ready))
-    assert (phase(ready), replayer.progress.reason) == (RunPhase.DONE, None)
+    assert (phase(ready), replayer.progress.refusal) == (RunPhase.DONE, None)
 
 
 @pytest.mark.parametrize(
@@ -163,7 +163,7 @@ def test_the_speed_named_as_possible_is_possible(ready):
     factor = refusal.params["percent"] / 100.0
     assert ready.controller.replayer.start(Replay(fast, factor=factor)) is None
     ready.run_until(over(ready))
-    assert (phase(ready), ready.controller.replayer.progress.reason) == (RunPhase.DONE, None)
+    assert (phase(ready), ready.controller.replayer.progress.refusal) == (RunPhase.DONE, None)
 
 
 def test_the_gripper_follows_where_it_was_recorded(rig):

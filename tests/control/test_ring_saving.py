@@ -40,5 +40,5 @@ def test_faults_one_after_another_are_all_in_some_save_and_the_disk_is_not_fille
 def test_a_wish_that_is_withdrawn_saves_nothing():
     saving = SaveAtFaults(KEEP_S)
     saving.happened(MarkKind.FAULT, 1.0)
-    saving.forget()
+    saving.reset()
     assert saving.take_due(100.0) is None

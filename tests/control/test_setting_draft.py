@@ -26,7 +26,7 @@ HELD = arm(JointLimits(-150.0, 150.0, 171.887))
 @pytest.fixture
 def draft():
     draft = SettingDraft([MAX_J1, MIN_J1, SPEED_J1])
-    draft.begin()
+    draft.begin_editing()
     return draft
 
 
@@ -86,5 +86,5 @@ def test_every_state_has_its_status(draft, cell, entered, state, status):
 
 def test_giving_up_forgets_everything(draft):
     draft.enter(HELD, MAX_J1, "140", 140.0)
-    draft.end()
+    draft.end_editing()
     assert (draft.changed, draft.editing, draft.entry(MAX_J1)) == (False, False, None)

@@ -41,7 +41,7 @@ def settings():
 @pytest.fixture
 def draft():
     draft = SettingDraft([MAX_J1, SPEED_J1])
-    draft.begin()
+    draft.begin_editing()
     draft.enter(HELD, MAX_J1, "140", 140.0)
     draft.enter(HELD, SPEED_J1, "90", 90.0)
     return draft

@@ -127,7 +127,7 @@ def test_rest_is_forgotten_when_the_angles_are_not_heard(joints, heard):
 
 def test_forget(joints):
     assert joints.look(0.5)
-    joints.watch.forget()
+    joints.watch.reset()
     assert not joints.watch.at_rest
 
 

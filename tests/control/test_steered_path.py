@@ -68,8 +68,8 @@ def test_it_ends_at_the_first_limit(rates, joint, limit, room):
     path = JointJogPath(rates, BENT_DEG, FACTORY_LIMITS)
     expected = 2 * (FACTORY_LIMITS[4].max_deg - BENT_DEG[4]) if room is None else room
     assert path.room() == pytest.approx(expected)
-    assert path.end().reason == JOG_AT_LIMIT
-    assert path.end().params == {"joint": joint, "limit": limit}
+    assert path.why_no_further().reason == JOG_AT_LIMIT
+    assert path.why_no_further().params == {"joint": joint, "limit": limit}
     assert path.joints_at(path.room(), BENT_DEG)[joint - 1] == pytest.approx(limit)
 
 
@@ -127,11 +127,11 @@ def test_another_way_begins_where_the_setpoint_is():
     stream = JogStream(
         JointJogPath((1.0, 0, 0, 0, 0, 0), BENT_DEG, FACTORY_LIMITS), BENT_DEG, BENT_DEG
     )
-    assert stream.advance(BENT_DEG, 0.01, PACE) is None
+    assert stream.advance_setpoint(BENT_DEG, 0.01, PACE) is None
     before = stream.setpoint_deg
-    stream.follow(JointJogPath((0, -1.0, 0, 0, 0, 0), before, FACTORY_LIMITS))
+    stream.follow_path(JointJogPath((0, -1.0, 0, 0, 0, 0), before, FACTORY_LIMITS))
     assert stream.setpoint_deg == before
-    assert stream.advance(BENT_DEG, 0.01, PACE) is None
+    assert stream.advance_setpoint(BENT_DEG, 0.01, PACE) is None
     assert stream.setpoint_deg[0] == before[0]
     assert stream.setpoint_deg[1] < before[1]
 

@@ -88,7 +88,7 @@ class Console:
         """The arm says something now."""
         self.now_s += seconds
         state = told(arm_status, self.now_s)
-        self.stopping.advance(state, self.now_s, resuming=resuming, still=still)
+        self.stopping.follow_arm(state, self.now_s, resuming=resuming, still=still)
 
     def stop_and_confirm(self) -> None:
         """A stop, and the arm's word."""

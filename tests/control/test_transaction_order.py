@@ -305,13 +305,13 @@ def test_a_question_that_a_stop_ends_is_not_asked_afterwards(program):
 
 def test_a_stop_with_nothing_under_way(program):
     program.line.halt()
-    program.line.advance()
+    program.line.follow_arm()
     assert program.done == []
 
 
 def test_over_a_lost_link_nothing_survives(program):
     program.line.submit(program.order("a", 1), program.order("b", 2), program.question("c"))
-    program.line.forget()
+    program.line.forget_arm()
     assert program.done == [
         ("a", LINK_LOST),
         ("b", LINK_LOST),

@@ -88,7 +88,7 @@ def test_a_repeat_may_wait_no_longer_than_until_then(program):
     """Sent again 0.625 s after the press it has 0.375 s left."""
     program.line.submit(program.order("a", 1))
     program.now_s += 0.625
-    program.line.advance()
+    program.line.follow_arm()
     assert program.sent[1] == (0.625, (frame(1),), 0.375)
 
 

@@ -112,7 +112,7 @@ class Program:
         end_s = self.now_s + seconds
         while self.now_s < end_s:
             self.now_s += STEP_S
-            self.line.advance()
+            self.line.follow_arm()
 
     @property
     def frames(self) -> list[Any]:

@@ -136,6 +136,8 @@ DIALOG_SCENES = (
     DialogScene("replay-curves", "online", replay.curves),
     DialogScene("replay-jumped", "online", replay.jumped),
     DialogScene("replay-small", "online", replay.small),
+    DialogScene("replay-whole", "online", replay.whole),
+    DialogScene("replay-frames", "online", replay.listed),
     DialogScene("replay-events-foreign", "refused", replay.events),
     DialogScene("replay-events", "online", replay.own_events),
     DialogScene("confirm-disable", "refused", dialogs.confirm_disable),

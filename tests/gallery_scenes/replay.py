@@ -108,6 +108,30 @@ def events(app_driver: AppDriver) -> QDialog:
     return window
 
 
+def whole(app_driver: AppDriver) -> QDialog:
+    """The curves from beginning to end, with the cursor where the replay is."""
+    window = _window(app_driver, 3, _HIT_S + 0.01)
+    view = window.view
+    assert view is not None
+    curves = view.whole
+    app_driver.wait(lambda: curves.area is not None and curves.area.board.built)
+    app_driver.wait(lambda: not curves.is_loading)
+    curves.show_position(view.replay.position_s)
+    assert curves.area is not None
+    curves.area.board.draw(curves.area.board.now_s())
+    return window
+
+
+def listed(app_driver: AppDriver) -> QDialog:
+    """The frames around the moment that is shown."""
+    window = _window(app_driver, 4, _HIT_S + 0.01)
+    view = window.view
+    assert view is not None
+    frames = view.frames
+    app_driver.wait(lambda: frames.table.currentIndex().row() > 0)
+    return window
+
+
 def _own_recording(app_driver: AppDriver) -> Path:
     """An arm that moves, has a fault, is recovered, and is stopped; recorded once for all looks."""
     controller, sessions = app_driver.controller, app_driver.controller.sessions

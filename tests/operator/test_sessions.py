@@ -203,7 +203,7 @@ class Making:
     def call_off(self):
         self.is_called_off = True
 
-    def take(self):
+    def take_done(self):
         return []
 
     def end(self):

@@ -174,6 +174,8 @@ class Screen:
 
     def command(self, name: str, pause_s: float) -> None:
         """Find a command by its name and press Enter."""
+        self.hand("key", "Escape")
+        self.focus("armui")
         self.hand("key", "ctrl+k")
         time.sleep(pause_s)
         self.hand("type", "--delay", "50", name)

@@ -75,7 +75,7 @@ def test_the_page_of_a_release_has_its_own_changes_only():
     with pytest.raises(ValueError, match=r"no section «## 3\.0\.0 – date»"):
         pages.changes_of(log, "3.0.0")
     text = pages.page("2.0.0", "2026-01-02", "- new", [("armui_2.deb", 12_300_000, "ab" * 32)])
-    assert "| armui_2.deb | 12.3 MB | Debian 12, where it was tried, or later |" in text
+    assert "| armui_2.deb | 12.3 MB | Debian 12 and 13, where it was tried, or later |" in text
     assert "ab" * 32 in text
 
 

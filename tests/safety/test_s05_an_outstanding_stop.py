@@ -154,7 +154,7 @@ def test_it_outlives_a_part_that_fails(rig, monkeypatch):
         raise RuntimeError("on purpose")
 
     for part in (rig.controller.motion, rig.controller.player, rig.controller.recovery):
-        monkeypatch.setattr(part, "advance", fail)
+        monkeypatch.setattr(part, "follow_arm", fail)
         monkeypatch.setattr(part, "halt", fail)
     rig.controller.emergency_stop()
     rig.run(0.5)

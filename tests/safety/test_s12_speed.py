@@ -235,7 +235,7 @@ def test_a_line_or_an_arc_whose_mode_words_are_lost_is_ended(percent, direction,
     At 50 % it is ended only where the way is long enough to be too fast on it.
     """
     driver, shown_mm_s, speeds = lost_mode_word(percent, DIRECTIONS[direction], arc)
-    reason = driver.player.progress.reason
+    reason = driver.player.progress.refusal
     fast = too_fast(speeds, shown_mm_s)
     assert len(fast) <= MOST_FAST
     if percent < 50 or fast:
@@ -253,7 +253,7 @@ def test_a_line_or_an_arc_whose_mode_words_are_lost_is_ended(percent, direction,
 def test_what_a_percentage_means_for_the_tool_is_what_the_arm_does(direction, arc):
     """A line of 120 mm may be too short to come to its speed; an arc is slower, and comes to it."""
     driver, shown_mm_s, speeds = lost_mode_word(100, DIRECTIONS[direction], arc)
-    assert driver.player.progress.reason is None
+    assert driver.player.progress.refusal is None
     assert max(speeds) <= 1.01 * shown_mm_s
     if arc or direction == "Y":
         assert max(speeds) >= 0.99 * shown_mm_s
@@ -264,7 +264,7 @@ def test_what_a_percentage_means_for_the_tool_is_what_the_arm_does(direction, ar
 @pytest.mark.parametrize("generation", Generation)
 def test_so_it_is_with_each_arm(model, generation):
     driver, shown_mm_s, speeds = lost_mode_word(20, (0, 150, 0), False, generation, model)
-    assert driver.player.progress.reason.code in {"tool_too_fast", "too_fast"}
+    assert driver.player.progress.refusal.code in {"tool_too_fast", "too_fast"}
     assert 1 <= len(too_fast(speeds, shown_mm_s)) <= MOST_FAST
 
 
@@ -279,7 +279,7 @@ def test_a_way_at_its_own_speed_is_left_alone(seed):
     )
     checked = check(request)
     assert not [each for each in checked.findings if each.severity is Severity.ERROR]
-    assert driver.run(replace(way, cycles=1), checked).reason is None
+    assert driver.run(replace(way, cycles=1), checked).refusal is None
 
 
 def test_what_a_line_is_compared_with_is_how_the_arm_goes_there():
@@ -322,7 +322,7 @@ def test_a_line_slowed_on_its_way_is_given_the_time_to_brake(known, slower, monk
             driver.step()
     for _ in range(100):
         driver.step()
-    assert driver.player.progress.reason is None
+    assert driver.player.progress.refusal is None
     assert driver.player.running
 
 

@@ -530,7 +530,7 @@ def test_joints_of_low_acceleration_are_given_their_time(any_rig, percents):
         override(ready, percent)
         ready.run(0.3)
     ready.run(3.0)
-    assert player.progress.reason is None
+    assert player.progress.refusal is None
     assert player.running
 
 

@@ -139,7 +139,7 @@ def test_a_run_cut_off_by_another_host_leaves_its_motion_alone(ready, other_host
     rig.run(4.0)
 
     assert controller.player.progress.phase is RunPhase.FAILED
-    assert controller.player.progress.reason.reason == OTHER_HOST
+    assert controller.player.progress.refusal.reason == OTHER_HOST
     assert rig.firmware.mechanics.positions_deg == pytest.approx((60.0, *A[1:]), abs=0.05)
     assert not [frame for frame in rig.heard() if frame.arbitration_id == 0x150]
 

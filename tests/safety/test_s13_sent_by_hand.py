@@ -101,7 +101,7 @@ def test_a_run_ends_and_cuts_nothing_off(ready):
     rig.run(5.0)
 
     assert controller.player.progress.phase is RunPhase.FAILED
-    assert controller.player.progress.reason.reason == OTHER_HOST
+    assert controller.player.progress.refusal.reason == OTHER_HOST
     assert rig.firmware.mechanics.positions_deg == pytest.approx((60.0, *A[1:]), abs=0.05)
     assert not [each for each in rig.heard() if each.arbitration_id == 0x150]
 

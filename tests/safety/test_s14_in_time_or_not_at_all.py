@@ -128,7 +128,7 @@ def test_a_command_meant_for_one_arm_is_not_given_to_the_next(arm):
     connection._start_anew(connection._worker, arm.time_s)  # it was silent, and an arm came
     arm.run(3.0)
     assert len([each for each in arm.ear.heard if each.arbitration_id == 0x479]) == 1
-    assert arm.controller.settings.cell(LINEAR_SPEED).reason.reason in {
+    assert arm.controller.settings.cell(LINEAR_SPEED).refusal.reason in {
         ARM_CHANGED,
         OFFLINE,
     }

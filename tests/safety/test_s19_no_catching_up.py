@@ -83,8 +83,8 @@ def test_a_long_pause_ends_the_replay_and_says_why(ready, pause_s):
     ready.time_s += pause_s - PERIOD_S
     ready.step()
     progress = replayer.progress
-    assert (progress.phase, progress.reason.code) == (RunPhase.FAILED, "replay_gap")
-    assert progress.reason.params == {"seconds": round(pause_s, 1)}
+    assert (progress.phase, progress.refusal.code) == (RunPhase.FAILED, "replay_gap")
+    assert progress.refusal.params == {"seconds": round(pause_s, 1)}
     told = [event for event in ready.events if event.code == EventCode.REPLAY_FAILED]
     assert told[-1].params["reason"].reason == REPLAY_GAP
     ready.run(0.5)

@@ -178,7 +178,7 @@ def test_a_jog_that_cannot_be_ended_does_not_keep_the_program_open(rig):
     rig.ready()
     assert rig.controller.jogging.start(JointJog(1, 1)) is None
     rig.run(0.5)
-    with failing(*(each for each in functions_of(Jogging) if each.__name__ == "end")):
+    with failing(*(each for each in functions_of(Jogging) if each.__name__ == "end_jog")):
         assert rig.controller.shutdown()
     assert rig.controller.operating_state.link is LinkState.NO_DEVICE
     assert max(map(abs, rig.firmware.mechanics.speeds_deg_s)) < 1.0

@@ -129,22 +129,22 @@ def rests_for_good(rig, seconds=0.7):
 # What is called at each tick ----------------------------------------------------------------------
 
 EACH_TICK: dict[str, Callable[..., Any]] = {
-    "Connection.advance": Connection.advance,
+    "Connection.follow_arm": Connection.follow_arm,
     "Connection.offsets": Connection._another_answers,
     "LinkWatch.follow_online": LinkWatch.follow_online,
-    "Stopping.advance": Stopping.advance,
-    "AuthorityWatch.advance": AuthorityWatch.advance,
+    "Stopping.follow_arm": Stopping.follow_arm,
+    "AuthorityWatch.follow_arm": AuthorityWatch.follow_arm,
     "AuthorityWatch.observe": AuthorityWatch.observe,
     "Assessor.assess": Assessor.assess,
     "Authority.observe": Authority.observe,
     "Authority.under_way": getter(Authority, "under_way"),
     "LinkWatch.follow_handshake": LinkWatch.follow_handshake,
-    "Jogging.advance": Jogging.advance,
-    "Player.advance": Player.advance,
-    "Replayer.advance": Replayer.advance,
-    "Recorder.advance": Recorder.advance,
-    "GripperControl.advance": GripperControl.advance,
-    "Recovery.advance": Recovery.advance,
+    "Jogging.follow_arm": Jogging.follow_arm,
+    "Player.follow_arm": Player.follow_arm,
+    "Replayer.follow_arm": Replayer.follow_arm,
+    "Recorder.follow_arm": Recorder.follow_arm,
+    "GripperControl.follow_arm": GripperControl.follow_arm,
+    "Recovery.follow_arm": Recovery.follow_arm,
 }
 
 
@@ -185,7 +185,7 @@ def test_in_generation_1_as_well(qapp, request):
     for begin in sample(MOTIONS.values(), 2):
         begin(rig)
         rig.heard()
-        with failing(Connection.advance):
+        with failing(Connection.follow_arm):
             rig.run(0.3)
             assert len(aborts(rig.heard())) == 1
             assert rests_for_good(rig)
@@ -195,15 +195,15 @@ def test_in_generation_1_as_well(qapp, request):
 
 ENDS: dict[str, Callable[..., Any]] = {
     "Jogging.stop": Jogging.stop,
-    "Jogging.end": Jogging.end,
+    "Jogging.end_jog": Jogging.end_jog,
     "Jogging._let_go": Jogging._let_go,
     "Jogging.active": getter(Jogging, "active"),
-    "Execution.end": Execution.end,
+    "Execution.end_run": Execution.end_run,
     "Execution._fail": Execution._fail,
     "Execution.running": getter(Execution, "running"),
     "Authority.cancelled": Authority.cancelled,
     "Authority.number": getter(Authority, "number"),
-    "GripperControl.end": GripperControl.end,
+    "GripperControl.end_travel": GripperControl.end_travel,
     "GamepadPilot.lose": GamepadPilot.lose,
     "MotionEnd._end_single_motion": MotionEnd._end_single_motion,
 }

@@ -146,7 +146,7 @@ def test_a_jog_whose_part_fails_ends_and_the_stop_still_stops(any_driver, told, 
     def breaks():
         raise ArithmeticError("of a jog")
 
-    monkeypatch.setattr(jogging, "advance", breaks)
+    monkeypatch.setattr(jogging, "follow_arm", breaks)
     arm.step()
     assert not jogging.active
     assert "ArithmeticError: of a jog" in arm.find("failure_line").text()

@@ -187,9 +187,9 @@ class Driver:
             self._tracker.update(self._codec.decode(frame), self.now_s)
         self._observe()
         if self.authority.overspeed is not None:
-            self.player.end(self.authority.overspeed)
-        self.player.advance()
-        self.replayer.advance()
+            self.player.end_run(self.authority.overspeed)
+        self.player.follow_arm()
+        self.replayer.follow_arm()
 
     def arm_model(self) -> ArmModel:
         """What the check is told of it."""
@@ -298,7 +298,7 @@ def judge(way: Way) -> Judged:
         return Judged(findings, cycles, None)
     progress = driver.run(way, checked)
     faulty = progress.phase is RunPhase.FAILED
-    at = (progress.cycle, progress.index + 1, _text(progress.reason))
+    at = (progress.cycle, progress.index + 1, _text(progress.refusal))
     if not errors:
         return Judged(findings, cycles, progress, f"passed, but {at}" if faulty else "")
     order = [(each.cycle, each.row) for each in errors if each.kind in REFUSED_BY_THE_ARM]

@@ -85,7 +85,7 @@ def test_what_stands_before_the_table_is_passed_over():
 def test_what_holds_no_table_says_so(text):
     with pytest.raises(TrajectoryFileError) as caught:
         columns.sniff(text)
-    assert caught.value.reason.reason == FILE_NO_TABLE
+    assert caught.value.refusal.reason == FILE_NO_TABLE
 
 
 @pytest.mark.parametrize(
@@ -232,7 +232,7 @@ def test_a_row_that_does_not_fit_is_named(bad, line, column, code):
     with pytest.raises(TrajectoryFileError) as caught:
         applied(text, mapping("time s", *joints("°")))
     error = caught.value
-    assert (error.line, error.column, error.reason.code) == (line, column, code)
+    assert (error.line, error.column, error.refusal.code) == (line, column, code)
 
 
 def test_trailing_delimiters_and_comments_are_no_cells():
@@ -269,6 +269,6 @@ def test_any_text_is_read_or_refused(text):
         names = ["time s", *joints("°"), *"-" * result.width][: result.width]
         result = outcome(columns.apply, text, result, mapping(*names), "x")
     if isinstance(result, TrajectoryFileError):
-        assert result.reason.reason.source
+        assert result.refusal.reason.source
     else:
         assert isinstance(result, Recording)

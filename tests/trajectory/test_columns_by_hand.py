@@ -121,7 +121,7 @@ def test_a_file_is_read_anew_as_the_operator_says(tmp_path):
         table.read_anew(Encoding.UTF_8, Dialect())
     error = caught.value
     assert (error.file, error.line, error.column) == ("表.txt", 1, 1)
-    assert (error.reason.code, error.reason.params) == ("file_not_encoding", {"value": "UTF-8"})
+    assert (error.refusal.code, error.refusal.params) == ("file_not_encoding", {"value": "UTF-8"})
 
 
 def test_the_odd_character_is_found():
@@ -153,7 +153,7 @@ def test_any_bytes_in_any_dialect_are_read_or_refused(data, encoding, dialect):
     table = columns.TableFile("x", data, Encoding.UTF_8, "", columns.sniff("1,2"))
     table = outcome(table.read_anew, encoding, dialect)
     if isinstance(table, TrajectoryFileError):
-        assert table.reason.reason.source
+        assert table.refusal.reason.source
         return
     sheet = table.sheet
     assert len(sheet.guesses) == sheet.width >= 1

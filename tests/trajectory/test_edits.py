@@ -188,7 +188,7 @@ def test_what_is_no_point_is_told_by_line_and_cell(text, line, column, code):
     with pytest.raises(TrajectoryFileError) as caught:
         from_text(text)
     error = caught.value
-    assert (error.line, error.column, error.reason.code) == (line, column, code)
+    assert (error.line, error.column, error.refusal.code) == (line, column, code)
 
 
 @given(st.text(max_size=80))

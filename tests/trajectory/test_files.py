@@ -148,7 +148,7 @@ def test_a_broken_file_says_where_and_why(tmp_path, text, line, column, code):
     with pytest.raises(TrajectoryFileError) as caught:
         files.load(path)
     error = caught.value
-    assert (error.line, error.column, error.reason.code) == (line, column, code)
+    assert (error.line, error.column, error.refusal.code) == (line, column, code)
     assert error.file == "broken.log"
     assert str(error).startswith("broken.log")
     assert "?" not in str(error)
@@ -191,8 +191,8 @@ def survives(data: bytes) -> None:
     except TrajectoryFileError as caught:
         error = caught
     if error is not None:
-        assert error.reason.reason.source
-        assert error.reason.code not in str(error)
+        assert error.refusal.reason.source
+        assert error.refusal.code not in str(error)
 
 
 @settings(max_examples=examples(100))

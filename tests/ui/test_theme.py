@@ -2,6 +2,7 @@ import os
 import re
 import subprocess
 import sys
+from dataclasses import asdict
 from pathlib import Path
 
 import pytest
@@ -90,7 +91,7 @@ def test_the_style_sheet_writes_only_in_pairs_that_are_checked():
 
 def test_only_stop_colours_are_red():
     for colors in (LIGHT, DARK):
-        for name in colors._fields:
+        for name in asdict(colors):
             color = QColor(getattr(colors, name))
             red = color.hslHue() in {*range(18), *range(342, 360)} and color.hslSaturationF() > 0.35
             assert red == (name.startswith("stop")), name

@@ -89,7 +89,7 @@ def test_a_killed_process_comes_back_with_everything_as_it_was(view, losses, tmp
     kill(pid)
     wait_until(lambda: losses)
     assert losses[0].comes_back
-    assert losses[0].reason == PICTURE_PROCESS_ENDED(text="SIGKILL")
+    assert losses[0].refusal == PICTURE_PROCESS_ENDED(text="SIGKILL")
     assert "SIGKILL" in view._notice()
     assert not view._again_button.isVisible()
     wait_until(lambda: view._lost is None and view.is_settled)
@@ -131,7 +131,7 @@ def test_a_process_that_stands_still_looks_old_at_once_and_is_replaced(view, los
     assert view._notice() == "Picture delayed"
     wait_until(lambda: losses)
     assert losses[0].comes_back
-    assert losses[0].reason == PICTURE_PROCESS_HUNG()
+    assert losses[0].refusal == PICTURE_PROCESS_HUNG()
     wait_until(lambda: view._lost is None)
     assert view._client.pid != pid
     moving.stop()
@@ -184,7 +184,7 @@ def test_after_three_times_in_a_minute_a_button_is_offered(view, losses, qtbot):
     view._show(replace(good, angles_deg=(0.0,)))
     wait_until(lambda: len(losses) == 3)
     assert [lost.comes_back for lost in losses] == [True, True, False]
-    assert {lost.reason.reason for lost in losses} == {DRAWING_STOPPED}
+    assert {lost.refusal.reason for lost in losses} == {DRAWING_STOPPED}
     assert "ValueError" in view._notice()
     assert view._again_button.isVisible()
     assert view._client.pid is None
@@ -242,7 +242,7 @@ def test_without_shared_memory_the_view_says_so(view, losses, monkeypatch):
     monkeypatch.setattr("armui.viewport.frame_memory._check_room", full)
     view.resize(1900, 1500)
     wait_until(lambda: losses)
-    assert "no room" in losses[0].reason.params["text"]
+    assert "no room" in losses[0].refusal.params["text"]
     monkeypatch.undo()
     wait_until(lambda: view._lost is None and view.is_settled)
 
@@ -254,7 +254,7 @@ def test_without_opengl_the_widget_says_so(qtbot):
     loading_text = view._notice()
     with qtbot.waitSignal(client.lost, timeout=LIMIT_MS) as lost:
         view.show()
-    assert (lost.args[0].reason, lost.args[0].comes_back) == (NO_OPENGL(), False)
+    assert (lost.args[0].refusal, lost.args[0].comes_back) == (NO_OPENGL(), False)
     assert "OpenGL" in view._notice() != loading_text
     assert view._again_button.isVisible()
     view.shutdown()

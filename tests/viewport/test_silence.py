@@ -76,7 +76,7 @@ def test_one_that_stands_in_line_is_waited_for():
 def test_one_that_hangs_is_not(child):
     with pytest.raises(ProcessLostError) as lost:
         draw(child)
-    assert lost.value.reason.reason == PICTURE_PROCESS_HUNG
+    assert lost.value.refusal.reason == PICTURE_PROCESS_HUNG
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="/proc")

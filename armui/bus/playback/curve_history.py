@@ -35,7 +35,7 @@ _COMMAND_IDS = np.array(sorted(COMMAND_IDS), np.uint32)
 
 
 def is_own_command(arbitration_id: int, flags: int) -> bool:
-    """Whether the program that recorded a frame has sent it to the arm."""
+    """Tell whether the program that recorded a frame has sent it to the arm."""
     return arbitration_id in COMMAND_IDS and bool(flags & FrameFlag.TRANSMITTED)
 
 

@@ -32,7 +32,7 @@ class LogClock:
         return self._at_s
 
     def set(self, at_s: float) -> None:
-        """The replay has come to this place."""
+        """Note the place that the replay has come to."""
         self._at_s = at_s
 
 
@@ -75,18 +75,18 @@ class LogCursor:
         self._place = 0
 
     def go_behind(self, at_s: float) -> None:
-        """What comes next is the first frame after a time."""
+        """Go to the first frame after a time."""
         self._batches = self._session.frames_between(math.nextafter(at_s, math.inf), math.inf)
         self._batch = None
         self._rows, self._place = np.empty(0, np.int64), 0
 
     def snapshot(self, at_s: float) -> list[ReplayedFrame]:
-        """What was last said of everything at or before a time, in order."""
+        """Return what was last said of everything at or before a time, in order."""
         batch = self._session.snapshot_at(at_s)
         return [_timed(batch, row)._replace(number=-1) for row in self._own_rows(batch).tolist()]
 
     def next_frame(self) -> ReplayedFrame | None:
-        """The next frame, ``None`` at the end."""
+        """Return the next frame, ``None`` at the end."""
         if not self._fill() or self._batch is None:
             return None
         row = int(self._rows[self._place])
@@ -94,7 +94,7 @@ class LogCursor:
         return _timed(self._batch, row)
 
     def frames_until(self, end_s: float, most: int) -> list[ReplayedFrame]:
-        """The next frames up to a time, included, and no more than so many."""
+        """Return the next frames up to a time, included, and no more than so many."""
         found: list[ReplayedFrame] = []
         while len(found) < most and self._fill() and self._batch is not None:
             rows = self._rows_until(end_s, most - len(found))
@@ -104,7 +104,7 @@ class LogCursor:
         return found
 
     def columns_until(self, end_s: float) -> FrameColumns:
-        """The next frames up to a time, included, as columns."""
+        """Return the next frames up to a time, included, as columns."""
         pieces = []
         while self._fill() and self._batch is not None:
             batch, rows = self._batch, self._rows_until(end_s, self._rows.size)
@@ -114,7 +114,7 @@ class LogCursor:
         return joined(pieces) if pieces else _NONE
 
     def columns_between(self, begin_s: float, end_s: float) -> Iterator[FrameColumns]:
-        """The frames from one time to another, the latter included; this changes no place."""
+        """Return the frames from one time to another, the latter included; no place changes."""
         until_s = math.nextafter(end_s, math.inf)
         for batch in self._session.frames_between(begin_s, until_s):
             rows = self._own_rows(batch)
@@ -122,7 +122,7 @@ class LogCursor:
                 yield _columns(batch, rows)
 
     def _fill(self) -> bool:
-        """Whether there is a next frame."""
+        """Tell whether there is a next frame."""
         while self._place >= self._rows.size:
             self._batch = next(self._batches, None)
             if self._batch is None:

@@ -65,7 +65,7 @@ class Folding:
                 self._masks[wire_id] = np.uint64(bit_mask(codes))
 
     def rows(self, frames: FrameColumns) -> NDArray[np.int64]:
-        """The rows to be taken in, in order.
+        """Return the rows to be taken in, in order.
 
         The first row is one of them: the time between it and what came before is a silence or none.
         """
@@ -149,7 +149,7 @@ class LogPlayer:
         self.curves_from_s = math.inf
 
     def _for_log(self, listeners: Sequence[Listener]) -> list[Listener]:
-        """The same listeners; the series of the curves can take in many frames at once."""
+        """Return the same listeners; the series of the curves takes many frames at once."""
         found: list[Listener] = []
         for listener in listeners:
             if isinstance(listener, Telemetry):
@@ -182,7 +182,7 @@ class LogPlayer:
     # Another place ----------------------------------------------------------------------------
 
     def look_up(self, at_s: float) -> list[ReplayedFrame]:
-        """What was last said of everything before a place: it may have to be read from a disk."""
+        """Return what was last said of everything before a place; it may be read from a disk."""
         return self._look_up.snapshot(at_s)
 
     def enter(self, at_s: float, recalled: Sequence[ReplayedFrame]) -> None:

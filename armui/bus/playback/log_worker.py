@@ -126,14 +126,14 @@ class LogWorker(QThread):
         keep_s: float | None = None,  # noqa: ARG002
         command: int | None = None,  # noqa: ARG002
     ) -> bool:
-        """Nothing can be sent to a log: always false."""
+        """Return false: nothing can be sent to a log."""
         return False
 
     def void(self, newest: int) -> None:
-        """Nothing waits."""
+        """Do nothing: no frame waits."""
 
     def send_urgent(self, frames: Sequence[Frame]) -> bool:  # noqa: ARG002 - as a bus worker
-        """Nothing can be sent to a log: always false."""
+        """Return false: nothing can be sent to a log."""
         return False
 
     def set_listeners(self, listeners: Sequence[Listener]) -> None:
@@ -241,7 +241,7 @@ class LogWorker(QThread):
         return self._player.curves_from_s
 
     def _drop_history(self) -> None:
-        """Nothing more is read of another place: whoever looks up the next one goes first."""
+        """Stop reading of another place: whoever looks up the next one goes first."""
         with self._wake:
             history, self._history, self._history_due = self._history, None, False
         if history is not None:

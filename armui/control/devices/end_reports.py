@@ -10,7 +10,7 @@ from armui.arm.state import ArmState
 from armui.control.context import GENERATION_UNKNOWN, Context
 from armui.control.events import EventCode
 from armui.control.operating_state import OperatingState
-from armui.control.operations.operation import begun, operation
+from armui.control.operations.operation import operation, record_start
 from armui.control.operations.started import Ending, Started, ending_of
 from armui.control.requests.transactions import ReadBack, Transaction, TransactionQueue
 from armui.protocol import commands
@@ -75,7 +75,7 @@ class EndReports:
         if refusal is not None:
             return context.refuse(refusal)
         self.busy = True
-        started = begun(self.set_load)
+        started = record_start(self.set_load)
         context.tell(EventCode.LOAD_SENT, started, load=int(load))
         self._transactions.submit(
             Transaction(
@@ -98,7 +98,7 @@ class EndReports:
         if refusal is not None:
             return context.refuse(refusal)
         self.busy = True
-        started = begun(self.switch)
+        started = record_start(self.switch)
         context.tell(EventCode.END_FEEDBACK_SENT, started)
         self._transactions.submit(
             Transaction(
@@ -132,7 +132,7 @@ class EndReports:
 
 
 def is_reporting(state: ArmState) -> bool:
-    """Whether all six of 0x481–0x486 arrive, measured against the arm's other feedback."""
+    """Tell whether all six of 0x481–0x486 arrive, measured against the arm's other feedback."""
     now_s = state.last_feedback_s
     return now_s is not None and all(
         heard is not None and now_s - heard.at_s < _SILENT_S for heard in state.end_motion

@@ -14,7 +14,7 @@ from armui.control.context import GENERATION_UNKNOWN, Context, ControllerPart
 from armui.control.devices.gripper_ranges import Figures, check, figures_of
 from armui.control.events import EventCode
 from armui.control.operating_state import LINK_LOST, RUN_UNDER_WAY, OperatingState
-from armui.control.operations.operation import Consent, begun, operation
+from armui.control.operations.operation import Consent, operation, record_start
 from armui.control.operations.started import Ending, Started
 from armui.control.parameters.arm_settings import SETTING_NOT_KEPT, ArmSettings
 from armui.control.parameters.setting_cell import CellState
@@ -158,7 +158,7 @@ class GripperControl(ControllerPart):
         return self.by_angle and self.why_no_angle() is None
 
     def why_no_angle(self) -> Refusal | None:
-        """Why this arm's gripper cannot be told an angle in the place of an opening."""
+        """Tell why this arm's gripper cannot be told an angle in the place of an opening."""
         generation = self._context.connection.generation
         if generation is None:
             return GENERATION_UNKNOWN()
@@ -207,8 +207,8 @@ class GripperControl(ControllerPart):
         by_angle = self.tells_angle
         if not self._context.connection.send(self._hold(travel, effort, by_angle=by_angle)):
             return self._context.refuse(LINK_LOST())
-        self.forget()
-        unit, started = figures.travel.unit, begun(self.move)
+        self._drop_request()
+        unit, started = figures.travel.unit, record_start(self.move)
         self._travel = _Travel(travel, heard.travel, self._context.clock(), unit, effort, started)
         self._context.tell(EventCode.GRIPPER_SENT, started, value=travel, unit=unit)
         return None
@@ -321,14 +321,14 @@ class GripperControl(ControllerPart):
             gripper = state.gripper
             return gripper is not None and gripper.at_s > since_s and seen(gripper.value)
 
-        self.forget()
-        self._action, self._started = action, begun(method)
+        self._drop_request()
+        self._action, self._started = action, record_start(method)
         self._request = Request(context, frames, shows)
         context.tell(EventCode.GRIPPER_ACT_SENT, self._started, act=action)
         self._request.advance()
 
-    def follow(self, target: float, effort: float) -> None:
-        """A run has sent it there; it is to be known whether it moves when the run is ended."""
+    def note_travel(self, target: float, effort: float) -> None:
+        """Note where a run has sent it: whether it moves must be known when the run is ended."""
         heard = self._heard()
         if heard is not None:
             now_s = self._context.clock()
@@ -336,7 +336,7 @@ class GripperControl(ControllerPart):
 
     # A part of the controller -----------------------------------------------------------------
 
-    def advance(self) -> None:
+    def follow_arm(self) -> None:
         """See what the gripper has done, or that it has not."""
         if self._travel is not None:
             self._follow(self._travel)
@@ -349,7 +349,7 @@ class GripperControl(ControllerPart):
         code = EventCode.GRIPPER_ACT_DONE if done else EventCode.GRIPPER_ACT_FAILED
         started, action = self._started, self._action
         self._started = None
-        self.forget()
+        self._drop_request()
         self._context.close(started, Ending.DONE if done else Ending.FAILED, code, act=action)
 
     def _follow(self, travel: _Travel) -> None:
@@ -387,13 +387,13 @@ class GripperControl(ControllerPart):
         if travel.started is not None:
             travel.started.close(Ending.FAILED)
 
-    def end(self) -> None:
+    def end_travel(self) -> None:
         """End a motion of it that is under way: it is sent to where it is, there is no other way.
 
         What it grips by then it goes on gripping.
         """
         travel, context = self._travel, self._context
-        self.forget()
+        self._drop_request()
         heard = context.connection.newest.gripper
         if travel is None or heard is None or not heard.fresh(context.clock()):
             return
@@ -403,11 +403,14 @@ class GripperControl(ControllerPart):
             context.connection.send(here)
 
     def halt(self) -> None:
-        """The arm is to stop: nothing is sent again, nothing more is expected."""
-        self.forget()
+        """Send nothing again and expect nothing more: the arm is to stop."""
+        self._drop_request()
 
-    def forget(self) -> None:
-        """Nothing is awaited."""
+    def forget_arm(self) -> None:
+        """Await nothing more: the arm is gone."""
+        self._drop_request()
+
+    def _drop_request(self) -> None:
         for started in (self._started, None if self._travel is None else self._travel.started):
             if started is not None:
                 started.close(Ending.CUT_OFF)

@@ -70,7 +70,7 @@ class Figures:
 def figures_of(
     generation: Generation | None, state: ArmState, *, by_angle: bool = False
 ) -> Figures:
-    """What can be asked of the gripper of an arm; generation 2 while that is not known.
+    """Return what can be asked of the gripper of an arm; generation 2 while that is not known.
 
     The stroke is that of the arm (0x47E) where it was read and is not 0, «no limit». How far the
     grippers turn is not published: the arm's own feedback shows where it ends.
@@ -107,7 +107,7 @@ def figures_of(
 
 
 def check(figure: Figure, value: float) -> Refusal | None:
-    """Whether a figure may be sent: ``None``, or the reason against it."""
+    """Tell why a figure may not be sent; ``None``: it may."""
     params: dict[str, float | int | str] = {
         "gripper": figure.name,
         "value": value,

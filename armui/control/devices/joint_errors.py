@@ -8,7 +8,7 @@ from armui.arm.refusal import Refusal
 from armui.control.context import Context
 from armui.control.events import EventCode
 from armui.control.operating_state import BUSY, OperatingState
-from armui.control.operations.operation import begun, operation
+from armui.control.operations.operation import operation, record_start
 from armui.control.operations.started import SETTING_UNANSWERED, Ending, Started, ending_of
 from armui.control.requests.transactions import Transaction, TransactionQueue
 from armui.protocol import commands
@@ -52,7 +52,7 @@ class JointErrors:
         if refusal is not None:
             return context.refuse(refusal)
         self._joint = joint
-        started = begun(self.clear)
+        started = record_start(self.clear)
         context.tell(EventCode.CLEAR_ERROR_SENT, started, joint=joint)
         self._transactions.submit(
             Transaction(

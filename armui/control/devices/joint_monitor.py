@@ -71,7 +71,7 @@ class JointMonitor(QObject):
         return list(self._faults)
 
     def cell(self, item: Item, joint: int) -> StatusCell:
-        """One cell of the table; all are stale while nothing is heard."""
+        """Return one cell of the table; all are stale while nothing is heard."""
         cell = self._history.cell(self._controller.state, self.generation, item, joint)
         if self._controller.operating_state.link is LinkState.ONLINE:
             return cell
@@ -80,7 +80,7 @@ class JointMonitor(QObject):
     def _follow(self, _news: ArmState | OperatingState | None = None) -> None:
         state, generation = self._controller.state, self.generation
         faults = self._faults
-        if self._history.follow(state, generation, self._wall_clock()):
+        if self._history.add_state(state, generation, self._wall_clock()):
             faults = joint_status.faults(state, generation)
         if self._controller.operating_state.link in _SILENT:
             worst = Worst(StatusVerdict.OFFLINE)

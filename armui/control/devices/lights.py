@@ -10,7 +10,7 @@ from armui.arm.refusal import Reason, Refusal
 from armui.control.context import Context
 from armui.control.events import EventCode
 from armui.control.operating_state import LINK_LOST, OperatingState
-from armui.control.operations.operation import begun, operation
+from armui.control.operations.operation import operation, record_start
 from armui.control.operations.started import Ending
 from armui.protocol import commands
 from armui.protocol.codes import ALL_LAMPS
@@ -90,7 +90,7 @@ class Lights:
             return self._context.refuse(refusal)
         self._counter = (self._counter + 1) % _COUNTS
         code = EventCode.SENT_LAMPS if lamp == ALL_LAMPS else EventCode.SENT_LAMP
-        started = begun(self.set_light)
+        started = record_start(self.set_light)
         started.close(Ending.SENT)
         color = f"#{red:02X}{green:02X}{blue:02X}"
         self._context.tell(code, started, joint=joint, lamp=lamp, color=color)
@@ -98,7 +98,7 @@ class Lights:
 
 
 def check_light(**figures: int) -> Refusal | None:
-    """Whether figures may be sent to a lamp: ``None``, or the first reason against it.
+    """Tell why figures may not be sent to a lamp; ``None``: they may.
 
     Args:
         **figures: Any of those in :data:`RANGES`.

@@ -14,7 +14,7 @@ from armui.control.operating_state import (
     why_only_heard,
     why_unreachable,
 )
-from armui.control.operations.operation import Consent, begun, operation
+from armui.control.operations.operation import Consent, operation, record_start
 from armui.control.operations.started import Ending, Started, ending_of
 from armui.control.requests.transactions import Transaction, TransactionQueue
 from armui.protocol import commands
@@ -114,7 +114,7 @@ class LinkageControl(ControllerPart):
             ends_input=context.operating_state().teaching_input,
         )
         self._cut_off()
-        started = self._started = begun(self.set)
+        started = self._started = record_start(self.set)
         context.tell(EventCode.LINKAGE_SENT, started)
         self._transactions.submit(
             Transaction(
@@ -130,7 +130,7 @@ class LinkageControl(ControllerPart):
         return None
 
     def release(self) -> Refusal | None:
-        """The way back: a motion output arm without offsets (0xFC)."""
+        """Make the arm a motion output arm without offsets again (0xFC)."""
         return self.set(LinkageRole.MOTION_OUTPUT)
 
     def _on_finished(self, started: Started, role: LinkageRole, refusal: Refusal | None) -> None:
@@ -153,7 +153,7 @@ class LinkageControl(ControllerPart):
 
     # A part of the controller -----------------------------------------------------------------
 
-    def advance(self) -> None:
+    def follow_arm(self) -> None:
         """Tell when the arm is heard under other identifiers."""
         offsets = self._context.connection.offsets
         if (offsets.addressing, offsets.control_known) == (self._used, self._was_known):
@@ -167,7 +167,7 @@ class LinkageControl(ControllerPart):
         in_use = EventCode.LINKAGE_IN_USE
         self._context.close(self._started, Ending.DONE, in_use, feedback=feedback, control=command)
 
-    def forget(self) -> None:
-        """The next device begins without offsets."""
+    def forget_arm(self) -> None:
+        """Begin without offsets with the next device."""
         self._cut_off()
         self._used, self._was_known = _NO_OFFSET, True

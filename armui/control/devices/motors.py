@@ -12,7 +12,7 @@ from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import End
 from armui.control.operating_state import Busy, OperatingState, StopState, why_only_heard
-from armui.control.operations.operation import Consent, begun, operation, operation_of
+from armui.control.operations.operation import Consent, operation, operation_of, record_start
 from armui.control.operations.started import Ending, Started
 from armui.control.requests import reports
 from armui.control.requests.request import Request, RequestOutcome
@@ -98,7 +98,7 @@ class Motors(ControllerPart):
         refusal = why_not_resume(context.refresh())
         if refusal is not None:
             return context.refuse(refusal)
-        started = begun(self.resume)
+        started = record_start(self.resume)
         context.tell(EventCode.RESUME_SENT, started)
         self._start(
             started,
@@ -109,7 +109,7 @@ class Motors(ControllerPart):
         )
         return None
 
-    def advance(self) -> None:
+    def follow_arm(self) -> None:
         """See whether the arm has done it, or time is up."""
         if self._request is None or self._busy is None:
             return
@@ -123,11 +123,14 @@ class Motors(ControllerPart):
         self._context.close(self._started, ending, code, **figures)
 
     def halt(self) -> None:
-        """The arm is to stop: nothing is switched on any more."""
-        self.forget()
+        """Switch nothing on any more: the arm is to stop."""
+        self._drop_request()
 
-    def forget(self) -> None:
-        """No answer is awaited."""
+    def forget_arm(self) -> None:
+        """Await nothing more: the arm is gone."""
+        self._drop_request()
+
+    def _drop_request(self) -> None:
         self._busy = None
         self._request = None
         if self._started is not None:
@@ -151,10 +154,10 @@ class Motors(ControllerPart):
             return context.refuse(refusal)
         if not on:
             self._end_run(RUN_DISABLED())
-        context.authority.end(End.DISABLED)
+        context.authority.end_command(End.DISABLED)
         joints = JOINTS if joint == ALL_JOINTS else (joint,)
         command = commands.enable_motors if on else commands.disable_motors
-        started = begun(self.enable if on else self.disable)
+        started = record_start(self.enable if on else self.disable)
         if joint == ALL_JOINTS:
             context.tell(EventCode.ENABLE_SENT if on else EventCode.DISABLE_SENT, started)
         else:
@@ -178,7 +181,7 @@ class Motors(ControllerPart):
         seen: Callable[[ArmState], bool],
     ) -> None:
         context = self._context
-        self.forget()
+        self._drop_request()
         self._started, self._busy, self._joints = started, busy, joints
         self._request = Request(context, frames, seen)
         self._request.advance()

@@ -9,7 +9,7 @@ from armui.arm.refusal import Reason, Refusal
 from armui.control.context import GENERATION_UNKNOWN
 from armui.control.events import EventCode
 from armui.control.operating_state import LINK_LOST
-from armui.control.operations.operation import begun, operation
+from armui.control.operations.operation import operation, record_start
 from armui.control.operations.started import Ending
 from armui.control.parameters.arm_settings import SETTING_NOT_KEPT
 from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN
@@ -80,14 +80,14 @@ class MountingControl:
         if not context.connection.send(frames):
             return context.refuse(LINK_LOST())
         context.authority.told_percent(percent)
-        started = begun(self.tell)
+        started = record_start(self.tell)
         started.close(Ending.SENT)
         context.tell(EventCode.MOUNTING_SENT, started, mounting=int(mounting))
         context.refresh()
         return None
 
     def why_not(self, mounting: Mounting) -> Refusal | None:
-        """The reason against telling it now, or ``None``."""
+        """Return the reason against telling it now, or ``None``."""
         context = self._context
         return (
             why_not_mount(context.operating_state())
@@ -96,7 +96,7 @@ class MountingControl:
         )
 
     def why_not_by_firmware(self, mounting: Mounting) -> Refusal | None:
-        """The reason that lies in the arm's firmware against a mounting, or ``None``."""
+        """Return the reason that lies in the arm's firmware against a mounting, or ``None``."""
         if mounting is not Mounting.UPSIDE_DOWN:
             return None
         return why_not_by_firmware(self._context.state(), "has_upside_down")

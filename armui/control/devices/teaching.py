@@ -10,7 +10,7 @@ from armui.arm.state import ArmState
 from armui.control.context import Context, ControllerPart
 from armui.control.devices.teaching_phase import TeachingPhase, phase_of, why_not_teach
 from armui.control.events import EventCode
-from armui.control.operations.operation import begun, operation
+from armui.control.operations.operation import operation, record_start
 from armui.control.operations.started import Ending, Started
 from armui.control.requests.request import Request, RequestOutcome
 from armui.protocol import commands
@@ -60,8 +60,8 @@ class TeachingControl(ControllerPart):
         refusal = why_not_teach(context.refresh(), command)
         if refusal is not None:
             return context.refuse(refusal)
-        self.forget()
-        started = begun(self.command)
+        self._drop_request()
+        started = record_start(self.command)
         context.tell(EventCode.TEACHING_SENT, started, command=int(command))
         self._pending, self._started = command, started
         frames = commands.teaching_command(context.connection.codec, command)
@@ -74,7 +74,7 @@ class TeachingControl(ControllerPart):
         context.refresh()
         return None
 
-    def advance(self) -> None:
+    def follow_arm(self) -> None:
         """See whether the arm does it, or time is up."""
         if self._request is None or self._pending is None:
             return
@@ -89,11 +89,14 @@ class TeachingControl(ControllerPart):
         self._context.close(self._started, ending, code, command=int(command))
 
     def halt(self) -> None:
-        """A stop ends whatever was asked for."""
-        self.forget()
+        """Give up whatever was asked for: the arm is to stop."""
+        self._drop_request()
 
-    def forget(self) -> None:
-        """No answer is awaited."""
+    def forget_arm(self) -> None:
+        """Await nothing more: the arm is gone."""
+        self._drop_request()
+
+    def _drop_request(self) -> None:
         self._pending = None
         self._request = None
         if self._started is not None:

@@ -103,7 +103,7 @@ _UNSUITED: Final[Mapping[TeachingPhase, Reason]] = {
 
 
 def phase_of(status: Status) -> TeachingPhase:
-    """What drag teaching does, from bytes 0, 1, 3 and 4 of 0x2A1.
+    """Return what drag teaching does, from bytes 0, 1, 3 and 4 of 0x2A1.
 
     Byte 1 has room for one code only, so that a fault hides what drag teaching does: then byte 3
     tells. It names the last command, which says nothing of a replay that has arrived, nor of an
@@ -124,12 +124,12 @@ def phase_of(status: Status) -> TeachingPhase:
 
 
 def why_under_way(phase: TeachingPhase) -> Refusal | None:
-    """What drag teaching is in the middle of, as a reason against what would spoil it."""
+    """Return what drag teaching is in the middle of, as a reason against what would spoil it."""
     return None if phase in {TeachingPhase.OFF, TeachingPhase.IDLE} else Refusal(_UNSUITED[phase])
 
 
 def farthest_from_rest(state: ArmState) -> tuple[int, float] | None:
-    """The joint (1–6) farthest from its zero and its angle in degrees; ``None``: not all heard."""
+    """Return the joint (1–6) farthest from its zero and its angle in °; ``None``: not heard."""
     angles_deg = state.angles_deg()
     if angles_deg is None:
         return None

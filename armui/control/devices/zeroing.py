@@ -16,7 +16,7 @@ from armui.arm.state import ArmState
 from armui.control.devices import teaching_phase
 from armui.control.events import EventCode
 from armui.control.operating_state import BUSY
-from armui.control.operations.operation import Consent, begun, operation
+from armui.control.operations.operation import Consent, operation, record_start
 from armui.control.operations.started import Ending, Started, ending_of
 from armui.control.requests.transactions import ReadBack, Transaction, TransactionQueue
 from armui.control.safety.interlocks import JOINTS_UNKNOWN, joint_list, why_no_command
@@ -112,7 +112,7 @@ class Zeroing:
             return context.refuse(refusal)
         self._before_zeroing()
         self._busy = True
-        started = begun(self.set_zero)
+        started = record_start(self.set_zero)
         code = EventCode.ZERO_SENT if joint == ALL_JOINTS else EventCode.ZERO_SENT_JOINT
         context.tell(code, started, joint=joint)
         self._transactions.submit(
@@ -139,14 +139,14 @@ class Zeroing:
         return None
 
     def _why_unheard(self, joints: Sequence[int]) -> Refusal | None:
-        """The angles of the joints are not heard: what became of the zero could not be seen."""
+        """Tell that the angles are not heard: what became of the zero could not be seen."""
         state, now_s = self._context.state(), self._context.clock()
         heard = [state.joints_deg[joint - 1] for joint in joints]
         known = all(each is not None and each.fresh(now_s) for each in heard)
         return None if known else JOINTS_UNKNOWN()
 
     def _why_not_any_more(self, joints: Sequence[int], pressed: ArmState) -> Refusal | None:
-        """What has come up since the press: a stop, a motion, a joint that stands elsewhere."""
+        """Tell what came up since the press: a stop, a motion, a joint that stands elsewhere."""
         operating_state, state = self._context.operating_state(), self._context.state()
         refusal = why_no_command(operating_state.unreachable, operating_state.stop, None)
         refusal = refusal or operating_state.occupied or why_not_still(state)
@@ -170,7 +170,7 @@ def _against_answer(joints: str, answer: Message) -> Refusal | None:
 
 
 def _why_elsewhere(joints: Sequence[int], before: ArmState, now: ArmState) -> Refusal | None:
-    """The joints that do not stand where they stood, as a reason."""
+    """Return the joints that do not stand where they stood, as a reason."""
     moved = [
         joint
         for joint in joints
@@ -189,7 +189,7 @@ def _off_zero(joints: Sequence[int], state: ArmState) -> list[int]:
 
 
 def _shown(joints: Sequence[int], state: ArmState, since_s: float) -> bool:
-    """Whether the angles tell of the zero: they are at it, or have had time to be."""
+    """Tell whether the angles tell of the zero: they are at it, or have had time to be."""
     heard = [state.joints_deg[joint - 1] for joint in joints]
     times = [each.at_s for each in heard if each is not None and each.at_s > since_s]
     if len(times) < len(joints):

@@ -101,13 +101,13 @@ class EventCollector(ControllerPart):
 
     # A part of the controller -----------------------------------------------------------------
 
-    def advance(self) -> None:
+    def follow_arm(self) -> None:
         """Take in what was heard, and what has become of the commands."""
         self._take_in()
         self._take_results()
         self._note_point()
 
-    def forget(self) -> None:
+    def forget_arm(self) -> None:
         """The arm is gone: what went on was not heard to end."""
         self._take_in()
         for change in self._observer.forget(self._context.clock()):

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import fields
+from dataclasses import dataclass, fields
 from datetime import datetime
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, Final
 
 from armui.arm.joint_status import Item, Word
 from armui.arm.other_hosts import OtherTraffic
@@ -45,7 +45,8 @@ _LINK: Final = EventKind.LINK, Asker.PROGRAM
 _BY_PROGRAM: Final = EventKind.PROGRAM, Asker.PROGRAM
 
 
-class LoggedEvents(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class LoggedEvents:
     """What happened in a log.
 
     Attributes:

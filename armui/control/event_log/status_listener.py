@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Final, NamedTuple
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Final
 
 from armui.arm.limits import JOINTS
 from armui.arm.state import FRESH_FOR_S
@@ -50,7 +51,8 @@ _COMMON: Final = WATCHED[STATUS][: len(_STATUS_CODES) + len(JOINTS)]
 """What of the status both generations say alike."""
 
 
-class StatusChange(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class StatusChange:
     """A status that differs from the one before.
 
     Attributes:
@@ -64,7 +66,8 @@ class StatusChange(NamedTuple):
     values: Mapping[str, float]
 
 
-class InvalidFrames(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class InvalidFrames:
     """Frames of one sort that were not understood.
 
     Attributes:

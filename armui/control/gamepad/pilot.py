@@ -63,7 +63,7 @@ class PilotView:
         phase: How far the hold has come.
         device: The one whose dead-man button is held; None: none.
         axes: What moves, as J1+ J3−.
-        reason: Why the last hold was taken away, while the button is still held.
+        refusal: Why the last hold was taken away, while the button is still held.
         unusable: Names of what was found and cannot be used.
         missing: The packages that are not installed.
         problems: What a library says of what does not work.
@@ -75,7 +75,7 @@ class PilotView:
     phase: HoldPhase = HoldPhase.UP
     device: DeviceInfo | None = None
     axes: str = ""
-    reason: Refusal | None = None
+    refusal: Refusal | None = None
     unusable: tuple[str, ...] = ()
     missing: tuple[str, ...] = ()
     problems: tuple[str, ...] = ()
@@ -169,12 +169,12 @@ class GamepadPilot(QObject):
         return self._leaving is None or self._leaving.end()
 
     def buttons_of(self, info: DeviceInfo) -> Assignment:
-        """What the buttons of a device do."""
+        """Return what the buttons of a device do."""
         kept = None if self._settings is None else self._settings.gamepad_buttons.get(info.name)
         return assignment(info.kind, kept)
 
     def set_mode(self, mode: JogMode) -> None:
-        """What the axes move from now on; what is held ends."""
+        """Set what the axes move from now on; what is held ends."""
         if mode is not self._mode:
             self._take_away(None)
             self._mode = mode
@@ -228,7 +228,7 @@ class GamepadPilot(QObject):
             self._take_away(reason)
 
     def _on_pressed(self, key: str) -> None:
-        """A dead-man button goes down; a second one beside another takes both away."""
+        """Begin a hold as a dead-man button goes down; a second one takes both away."""
         if self._holder is None:
             self._holder, self._reason = key, None
         elif self._holder != key:
@@ -275,14 +275,14 @@ class GamepadPilot(QObject):
             self._take_away(Refusal(code, {"name": self._infos[self._holder].name}))
 
     def _take_away(self, reason: Refusal | None) -> None:
-        """Nothing is held any more, whatever fingers are still down."""
+        """Take every hold away, whatever fingers are still down."""
         for hand in self._hands.values():
             hand.spend()
         self._reason = reason
         if self._driving:
             self._driving = False
             if reason is not None and self._controller.jogging.steered is not None:
-                self._controller.jogging.end(reason)
+                self._controller.jogging.end_jog(reason)
             else:
                 self._stop_ours()
 
@@ -300,7 +300,7 @@ class GamepadPilot(QObject):
     # Buttons ----------------------------------------------------------------------------------
 
     def _on_buttons(self, info: DeviceInfo, down: frozenset[str], up: frozenset[str]) -> None:
-        """The reader has seen buttons go down or come up: none is missed, however short."""
+        """Take in that buttons went down or came up: none is missed, however short."""
         if self._reader is None:
             return
         buttons = self.buttons_of(info)
@@ -333,7 +333,7 @@ class GamepadPilot(QObject):
             phase=HoldPhase.UP if hand is None else hand.hold.phase,
             device=self._infos.get(self._holder) if self._holder is not None else None,
             axes="" if steered is None else axes_text(steered),
-            reason=self._reason,
+            refusal=self._reason,
             unusable=snapshot.unusable,
             missing=snapshot.missing,
             problems=snapshot.problems,

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
 
 from armui.protocol.addressing import Addressing
 from armui.protocol.generation import PiperModel
@@ -11,7 +12,8 @@ if TYPE_CHECKING:
     from armui.protocol.firmware_version import ArmIdentity
 
 
-class ArmMark(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class ArmMark:
     """What tells one arm on one connection from another, as far as it was heard.
 
     A question, a check and a press keep the mark of their moment and are carried out only while
@@ -30,11 +32,12 @@ class ArmMark(NamedTuple):
     arms: int = 0
     heard: bool = False
     model: PiperModel = PiperModel.PIPER
-    addressing: Addressing = Addressing()
+    addressing: Addressing = field(default_factory=Addressing)
     identity: ArmIdentity | None = None
 
     def is_still(self, now: ArmMark) -> bool:
         """Tell whether ``now`` is the same arm on the same connection; it may have said more."""
         before, after = self.identity, now.identity
         told_otherwise = before is not None and (after is None or before.contradicts(after))
-        return self[:-1] == now[:-1] and not told_otherwise
+        same = replace(self, identity=None) == replace(now, identity=None)
+        return same and not told_otherwise

@@ -69,7 +69,7 @@ class BusAccess:
         self._context.connection.remove_listener(listener)
 
     def why_not_send(self, frame: Frame | None = None) -> Refusal | None:
-        """The reason against sending a frame by hand now, or ``None``.
+        """Return the reason against sending a frame by hand now, or ``None``.
 
         Args:
             frame: Which one; ``None``: any at all.

@@ -283,7 +283,7 @@ class Connection(QObject):
         return self.heard_traffic.joined(self._by_hand.traffic())
 
     def note_by_hand(self, frame: Frame) -> None:
-        """A frame that the operator wrote is about to be sent to this device."""
+        """Note that a frame the operator wrote is about to be sent to this device."""
         self._by_hand.note(frame.arbitration_id, frame.data, self._clock())
 
     def send(
@@ -307,7 +307,7 @@ class Connection(QObject):
         """Send at once, past everything that waits."""
         return self._worker is not None and self._worker.send_urgent(frames)
 
-    def advance(self, now_s: float) -> ArmState:
+    def follow_arm(self, now_s: float) -> ArmState:
         """Look at what was heard; called regularly while a device is open."""
         if self._worker is None:
             return ArmState()
@@ -321,7 +321,7 @@ class Connection(QObject):
         is_open = self._bus_state in _IS_OPEN
         online = is_open and is_fresh(self._last_feedback_s, now_s)
         came = online and not self._online
-        moved = is_open and self.offsets.advance(state, now_s, came=came)
+        moved = is_open and self.offsets.follow_arm(state, now_s, came=came)
         self._online = online
         if came or moved:
             self._begin_handshake(self._worker, now_s)
@@ -329,7 +329,7 @@ class Connection(QObject):
             self._arms += 1
             self.arm_came.emit()
         if self.handshake is not None and online:
-            self.handshake.advance(self._worker.state, now_s)
+            self.handshake.follow_arm(self._worker.state, now_s)
             self._codec = self.handshake.codec
         self._tell_generation()
         return self.newest
@@ -339,11 +339,11 @@ class Connection(QObject):
             listener.know_generation(self.generation)
 
     def _understood(self, state: ArmState) -> ArmState:
-        """What can be told of the arm as long as it is not known which protocol it speaks."""
+        """Return what can be told of the arm while its protocol is not known."""
         return state if self.generation is not None else common_to_generations(state)
 
     def _another_answers(self, state: ArmState) -> bool:
-        """Whether an arm has said something else of itself than the one of the handshake."""
+        """Tell whether an arm has said something else of itself than the one of the handshake."""
         known = None if self.handshake is None else self.handshake.identity
         return (
             known is not None and state.identity is not None and known.contradicts(state.identity)

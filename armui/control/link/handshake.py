@@ -97,7 +97,7 @@ class Handshake:
         """Whether the arm has answered everything, or as much as it will."""
         return self.phase is HandshakePhase.DONE
 
-    def advance(self, state: ArmState, now_s: float) -> None:
+    def follow_arm(self, state: ArmState, now_s: float) -> None:
         """Ask what is due, and take in what was heard."""
         self._take_firmware(state)
         if self.phase is HandshakePhase.GENERATION:
@@ -108,7 +108,7 @@ class Handshake:
             self._ask_after_a_pause(state, now_s)
 
     def _take_firmware(self, state: ArmState) -> None:
-        """The version, whenever it is named: it says how frames of other hosts are read."""
+        """Take the version over, whenever it is named: it says how other hosts' frames are read."""
         if state.firmware is None or self.generation is Generation.ONE:
             return
         if self.identity is None or (
@@ -167,11 +167,11 @@ class Handshake:
         return _VERSION_ROUNDS if state.version_heard_s is None else _TORN_ROUNDS
 
     def _leads(self, state: ArmState, now_s: float) -> bool:
-        """Whether it is a teaching input that leads and tells no status."""
+        """Tell whether it is a teaching input that leads and tells no status."""
         return state.status is None and is_fresh(state.foreign_targets_s, now_s)
 
     def _speaks_fast(self, state: ArmState, now_s: float) -> bool:
-        """Whether an arm that must not be asked speaks as often as generation 2.
+        """Tell whether an arm that must not be asked speaks as often as generation 2.
 
         On a connection that only listens its silence says nothing.
         """

@@ -31,7 +31,7 @@ class InstanceRegistry(QObject):
     file each keep their own choices and find the other's at the next start.
 
     Args:
-        controller: Tells which device is open, and gets the notices.
+        controller: Tells which device is open, and gets the events.
         settings: The settings file.
         folder: Where running programs meet.
         look_s: How often to look.

@@ -1,9 +1,10 @@
-"""Tells the operator when the arm comes and goes, and what it answered when it came."""
+"""Tells the operator of the connection: the arm comes, goes and answers; frames are lost."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
+from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
 from armui.control.operating_state import LinkState
 from armui.control.requests import reports
@@ -13,13 +14,15 @@ if TYPE_CHECKING:
     from armui.control.link.connection import Connection
     from armui.control.operations.started import Tell
 
+_EVERY_S: Final = 10.0
+
 
 class LinkWatch:
     """Reports events of the connection; it is told when another begins.
 
     Args:
         connection: The way to the arm.
-        tell: Takes the notices.
+        tell: Takes the events.
     """
 
     def __init__(self, connection: Connection, tell: Tell) -> None:
@@ -50,9 +53,36 @@ class LinkWatch:
             self._tell(code, **figures)
 
     def arm_came(self) -> None:
-        """The arm that answers may be another one: it is asked anew."""
+        """Tell its answers once more: the arm that came may be another one."""
         self._answers_told = False
 
-    def forget(self) -> None:
-        """Another connection begins."""
+    def reset(self) -> None:
+        """Take the arm for away: another connection begins."""
         self._was_online = False
+
+
+class DroppedFrames(ControllerPart):
+    """Tells the first loss at once, and of those that follow no more often than every 10 s.
+
+    Args:
+        context: What the parts of the controller share.
+    """
+
+    def __init__(self, context: Context) -> None:
+        self._context = context
+        self._told = 0
+        self._told_s: float | None = None
+
+    def follow_arm(self) -> None:
+        """Look at the count; called regularly while a device is open."""
+        dropped = self._context.connection.frames_dropped
+        if dropped <= self._told:
+            return
+        now_s = self._context.clock()
+        if self._told_s is None or now_s - self._told_s >= _EVERY_S:
+            self._context.tell(EventCode.FRAMES_DROPPED, count=dropped - self._told, total=dropped)
+            self._told, self._told_s = dropped, now_s
+
+    def forget_arm(self) -> None:
+        """Count from 0: the next device counts anew."""
+        self._told, self._told_s = 0, None

@@ -49,7 +49,7 @@ class ModelWatch(ControllerPart):
         self._zeros: tuple[Device, PiperModel, bool] | None = None
 
     def fit(self) -> ModelFit:
-        """What is known of the model that was chosen."""
+        """Return what is known of the model that was chosen."""
         connection = self._context.connection
         arm = connection.device, connection.model
         older_zeros = self._zeros is not None and self._zeros == (*arm, True)
@@ -57,7 +57,7 @@ class ModelWatch(ControllerPart):
         return ModelFit(connection.model, self.fitting, older_zeros, before)
 
     def recall(self, model: PiperModel, node: str) -> None:
-        """What this very arm was connected as the last time is known, now that it has named itself.
+        """Take over what this very arm was connected as the last time; it has named itself.
 
         It is taken in the place of a model that was only offered, while nothing is under way. What
         the operator has chosen this time stays, and is asked about.
@@ -85,7 +85,7 @@ class ModelWatch(ControllerPart):
             self._context.refresh()
             return
         connection.model = model
-        self.forget()
+        self.forget_arm()
         self._context.tell(EventCode.MODEL_RECALLED, **names)
         self._context.refresh()
 
@@ -96,7 +96,7 @@ class ModelWatch(ControllerPart):
             connection.model = model
             self._context.refresh()
 
-    def advance(self) -> None:
+    def follow_arm(self) -> None:
         """Look at the arm, if it stands."""
         now_s = self._context.clock()
         self._look_for_zeros()
@@ -112,14 +112,14 @@ class ModelWatch(ControllerPart):
         self._look_for_zeros()
         self._take(frozenset(arm.model for arm in found))
 
-    def forget(self) -> None:
+    def forget_arm(self) -> None:
         """Another arm may be another model."""
         self.fitting = self._seen = self._warned = None
         self._looks = 0
         self._pose_tells = self._before = None
 
     def _look_for_zeros(self) -> None:
-        """Where the arm counts from; as it was last in this connection while nothing tells."""
+        """Find where the arm counts from; it stays as it was while nothing tells."""
         connection = self._context.connection
         device = connection.device
         firmware = _version(self._context.state(), device)
@@ -134,7 +134,7 @@ class ModelWatch(ControllerPart):
             self._zeros = device, model, model_data(model).older_zeros(firmware)
 
     def _take_zeros(self, found: frozenset[FittingArm]) -> None:
-        """The pose says it, if it fits the chosen model with one of the two."""
+        """Take the zeros that the pose tells, if it fits the chosen model with one of the two."""
         chosen = self._context.connection.model
         zeros = {arm.older_zeros for arm in found if arm.model is chosen}
         if len(zeros) == 1:
@@ -170,6 +170,6 @@ def _version(state: ArmState, device: Device | None) -> str | None:
 def _told(
     state: ArmState, now_s: float
 ) -> tuple[tuple[float, ...] | None, tuple[float, ...] | None]:
-    """Angles and pose of late, each whole or ``None``."""
+    """Return angles and pose of late, each whole or ``None``."""
     fresh = all(each is not None and each.fresh(now_s) for each in (*state.joints_deg, *state.pose))
     return (state.angles_deg(), state.end_pose()) if fresh else (None, None)

@@ -6,7 +6,8 @@ commands cannot be heard or asked for, so it is known only from what was set and
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple
+from dataclasses import dataclass, replace
+from typing import Final
 
 from armui.arm.state import ArmState, is_fresh
 from armui.protocol.addressing import OFFSETS, Addressing
@@ -18,7 +19,8 @@ _SETTLED_S: Final = 0.05
 """A status this much after the setting was made after it."""
 
 
-class RequestedOffset(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class RequestedOffset:
     """Offsets that were sent to the arm and have not been seen in use.
 
     Attributes:
@@ -68,22 +70,22 @@ class OffsetFollower:
         return self.control_known and not moves_unseen
 
     def request(self, addressing: Addressing, now_s: float, *, ends_input: bool = False) -> None:
-        """Offsets have been sent to the arm: it may use them from now on, or later."""
+        """Note offsets that were sent to the arm: it may use them from now on, or later."""
         same = addressing == self.addressing and self.control_known
         requested = RequestedOffset(addressing, now_s, ends_input=ends_input)
         self.requested = None if same and self.requested is None else requested
 
     def answered(self, now_s: float) -> None:
-        """The arm has answered that it keeps what was sent to it last (0x476)."""
+        """Note that the arm keeps what was sent to it last: it has answered (0x476)."""
         if self.requested is not None:
-            self.requested = self.requested._replace(answered_s=now_s)
+            self.requested = replace(self.requested, answered_s=now_s)
 
     def listen_anew(self, now_s: float) -> None:
-        """What was heard before is forgotten: give the known feedback time to be heard again."""
+        """Give the known feedback time to be heard again, whatever was heard before."""
         self._listening_since_s = now_s
 
-    def advance(self, state: ArmState, now_s: float, *, came: bool) -> bool:
-        """Take in what was heard; whether other identifiers are in use from now on.
+    def follow_arm(self, state: ArmState, now_s: float, *, came: bool) -> bool:
+        """Take in what was heard; tell whether other identifiers are in use from now on.
 
         Args:
             state: The arm as heard.
@@ -114,7 +116,7 @@ class OffsetFollower:
         return self._use(Addressing(heard[0], self.addressing.control_offset), now_s, known=False)
 
     def _taken_unseen(self, requested: RequestedOffset, state: ArmState, *, came: bool) -> bool:
-        """Only the commands move: the arm takes that in standby, or when it is switched on.
+        """Tell whether commands alone moved: an arm takes that in standby, or at its next start.
 
         Nothing it sends shows that it has, so it must have said that it keeps it: a setting that
         got lost would be taken for one in use, and every motion after it would vanish.

@@ -10,7 +10,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.model_check import MODEL_DIFFERS
+from armui.arm.model_check import MODEL_DIFFERS, ModelFit, fitting_models
+from armui.arm.models import all_models
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.control.context import Context, ControllerPart
@@ -18,9 +19,12 @@ from armui.control.events import EventCode
 from armui.control.motion.joint_motion import why_not_move
 from armui.control.motion.motion_command import CommandKind
 from armui.control.motion.point_frames import leading_mode
-from armui.control.operations.operation import begun, operation
+from armui.control.operations.operation import operation, record_start
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
+from armui.kinematics import poses
+from armui.kinematics.arm_kinematics import Kinematics
 from armui.kinematics.axes import AXES, LINEAR_AXES, JogFrame
+from armui.kinematics.poses import Pose, apart, flange_pose, matrix_to_pose, pose_to_matrix
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode
 
@@ -30,8 +34,7 @@ if TYPE_CHECKING:
     from armui.control.motion.jog_floor import JogFloor
     from armui.control.motion.joint_motion import Motion
     from armui.control.operations.started import Started
-    from armui.kinematics.arm_kinematics import Kinematics
-    from armui.kinematics.poses import Matrix, Pose
+    from armui.kinematics.poses import Matrix
     from armui.protocol.frame import Frame
 
 POSE_UNKNOWN = Reason(
@@ -94,32 +97,27 @@ class Cartesian(ControllerPart):
 
     def prepare(self) -> None:
         """Load what computes with poses, before there is an arm that must not wait for it."""
-        from armui.arm.models import all_models  # noqa: PLC0415 - see above
-        from armui.trajectory.planning import planning  # noqa: F401, PLC0415 - the pace of a line
+        from armui.trajectory.planning import planning  # noqa: F401, PLC0415 - scipy, for a line
 
         all_models()  # an arm is compared with each of them: files, which are read now
         self.kinematics()
 
     def kinematics(self) -> Kinematics:
-        """Of the chosen model, with the zeros this arm counts from: as the picture shows it."""
-        from armui.kinematics.arm_kinematics import Kinematics  # noqa: PLC0415 - see above
-
+        """Return those of the chosen model, with the zeros this arm counts from."""
         geometry = self._context.operating_state().model_fit.geometry
         if self._model is None or self._model.geometry != geometry:
             self._model = Kinematics(geometry)
         return self._model
 
     def tool_pose(self, state: ArmState) -> Pose | None:
-        """Where the tool centre point is measured, or ``None`` while the pose is not known."""
+        """Return where the tool centre point is measured; ``None``: the pose is not known."""
         flange = state.end_pose()
         if flange is None:
             return None
-        from armui.kinematics import poses  # noqa: PLC0415 - see above
-
         return poses.tool_pose(flange, self.tool) if any(self.tool) else poses.Pose(*flange)
 
     def why_unknown(self) -> Refusal | None:
-        """The reason against computing with poses: not heard, or not those of this kind of arm."""
+        """Tell why poses cannot be computed: not heard, or not those of this kind of arm."""
         state = self._context.state()
         if state.angles_deg() is None:
             return JOINTS_UNKNOWN()
@@ -133,9 +131,7 @@ class Cartesian(ControllerPart):
         return self._other_model(state) or MODEL_DIFFERS()
 
     def _other_model(self, state: ArmState) -> Refusal | None:
-        """That another model fits, as a reason."""
-        from armui.arm.model_check import ModelFit, fitting_models  # noqa: PLC0415 - see above
-
+        """Return as a reason that another model fits; ``None``: none does."""
         joints_deg, pose = state.angles_deg(), state.end_pose()
         if joints_deg is None or pose is None:
             return None
@@ -144,8 +140,6 @@ class Cartesian(ControllerPart):
 
     @staticmethod
     def _fits(model: Kinematics, state: ArmState) -> bool:
-        from armui.kinematics.poses import Pose, apart  # noqa: PLC0415 - see above
-
         joints_deg, pose = state.angles_deg(), state.end_pose()
         if joints_deg is None or pose is None:
             return True
@@ -155,7 +149,7 @@ class Cartesian(ControllerPart):
     # Motions --------------------------------------------------------------------------------
 
     def check(self, target: Sequence[float], move_mode: MoveMode) -> Refusal | None:
-        """Whether the tool centre point can go from where it is to a pose.
+        """Tell whether the tool centre point can go from where it is to a pose.
 
         Args:
             target: X, Y, Z in mm and RX, RY, RZ in degrees.
@@ -164,9 +158,8 @@ class Cartesian(ControllerPart):
         unknown = self.why_unknown()
         if unknown is not None:
             return unknown
-        from armui.arm.reach import check_path, check_pose  # noqa: PLC0415 - see above
-        from armui.kinematics import poses  # noqa: PLC0415 - see above
-        from armui.kinematics.tool_path import Line  # noqa: PLC0415 - see above
+        from armui.arm.reach import check_path, check_pose  # noqa: PLC0415 - scipy
+        from armui.kinematics.tool_path import Line  # noqa: PLC0415 - scipy
 
         model, start_deg = self.kinematics(), self._start_deg()
         limits = self._context.operating_state().limits
@@ -184,7 +177,7 @@ class Cartesian(ControllerPart):
         """Send the tool centre point to a pose, with MOVE P or on a straight line with MOVE L."""
         code = EventCode.SENT_LINE if move_mode is MoveMode.MOVE_L else EventCode.SENT_POSE
         figures: dict[str, object] = dict(zip(map(str.lower, AXES), target, strict=True))
-        return self._move(begun(self.move), target, move_mode, code, figures)
+        return self._move(record_start(self.move), target, move_mode, code, figures)
 
     @operation("tool.step", "Move the tool by a step", why_not_move, moves=True)
     def step(self, axis: int, amount: float, frame: JogFrame) -> Refusal | None:
@@ -201,8 +194,6 @@ class Cartesian(ControllerPart):
         unknown = self._context.refresh().cannot_move or self.why_unknown()
         if unknown is not None:
             return self._context.refuse(unknown)
-        from armui.kinematics import poses  # noqa: PLC0415 - see above
-
         measured_deg = self._context.authority.measured_deg()
         if measured_deg is None:
             return self._context.refuse(JOINTS_UNKNOWN())
@@ -216,7 +207,7 @@ class Cartesian(ControllerPart):
         unit = " mm" if axis < LINEAR_AXES else "°"
         figures: dict[str, object] = {"axis": AXES[axis], "step": f"{amount:+g}{unit}"}
         pose, code = poses.matrix_to_pose(target), EventCode.STEPPED_TOOL
-        return self._move(begun(self.step), pose, MoveMode.MOVE_L, code, figures)
+        return self._move(record_start(self.step), pose, MoveMode.MOVE_L, code, figures)
 
     @operation("tool.arc", "Move the tool along an arc", why_not_move, moves=True, shown_first=True)
     def move_arc(self, *points: Sequence[float]) -> Refusal | None:
@@ -231,21 +222,18 @@ class Cartesian(ControllerPart):
         refusal = context.refresh().cannot_move or self.why_unknown() or self.check_arc(*points)
         if refusal is not None:
             return context.refuse(refusal)
-        from armui.kinematics.poses import flange_pose  # noqa: PLC0415 - see above
-
         start, middle, end = (flange_pose(point, self.tool) for point in points)
         codec, percent = context.connection.codec, self._motion.speed_percent
         frames = leading_mode(codec, context.state(), MoveMode.MOVE_C, percent)
         frames += commands.move_arc(codec, start, middle, end, speed_percent=percent)
         way = (start, middle, end)
-        started, code = begun(self.move_arc), EventCode.SENT_ARC
+        started, code = record_start(self.move_arc), EventCode.SENT_ARC
         return self._send(frames, MoveMode.MOVE_C, points[-1], code, {}, started=started, way=way)
 
     def check_arc(self, *points: Sequence[float]) -> Refusal | None:
-        """Whether the arm stands at the start of an arc and can follow it to its end."""
-        from armui.arm.reach import check_path  # noqa: PLC0415 - see above
-        from armui.kinematics import poses  # noqa: PLC0415 - see above
-        from armui.kinematics.tool_path import Arc, ArcError  # noqa: PLC0415 - see above
+        """Tell whether the arm stands at the start of an arc and can follow it to its end."""
+        from armui.arm.reach import check_path  # noqa: PLC0415 - scipy
+        from armui.kinematics.tool_path import Arc, ArcError  # noqa: PLC0415 - scipy
 
         model, start_deg = self.kinematics(), self._start_deg()
         flanges = [poses.flange_pose(point, self.tool) for point in points]
@@ -270,8 +258,6 @@ class Cartesian(ControllerPart):
         refusal = context.refresh().cannot_move or self.check(target, move_mode)
         if refusal is not None:
             return context.refuse(refusal)
-        from armui.kinematics.poses import flange_pose  # noqa: PLC0415 - see above
-
         codec, percent = context.connection.codec, self._motion.speed_percent
         frames = leading_mode(codec, context.state(), move_mode, percent)
         flange = flange_pose(target, self.tool)
@@ -290,8 +276,6 @@ class Cartesian(ControllerPart):
         started: Started,
         way: Sequence[Sequence[float]],
     ) -> Refusal | None:
-        from armui.kinematics.poses import pose_to_matrix  # noqa: PLC0415 - see above
-
         context = self._context
         sent = context.send_motion(
             CommandKind.POSE,
@@ -309,9 +293,7 @@ class Cartesian(ControllerPart):
         return None
 
     def _leads_away(self, target: Sequence[float]) -> bool:
-        """Whether the tool is measured elsewhere than at a pose."""
-        from armui.kinematics.poses import Pose, apart  # noqa: PLC0415 - see above
-
+        """Tell whether the tool is measured elsewhere than at a pose."""
         here = self.tool_pose(self._context.state())
         if here is None:
             return False
@@ -319,9 +301,7 @@ class Cartesian(ControllerPart):
         return off_mm > _AWAY_MM or off_deg > _ARRIVED_DEG
 
     def _base(self, measured: Matrix) -> Matrix:
-        """Where a step of the tool starts from."""
-        from armui.kinematics.poses import apart, matrix_to_pose  # noqa: PLC0415 - see above
-
+        """Return where a step of the tool starts from."""
         authority = self._context.authority
         asked = authority.tool_base()
         if asked is None or authority.under_way:
@@ -333,6 +313,6 @@ class Cartesian(ControllerPart):
     def _start_deg(self) -> Sequence[float]:
         return self._context.state().angles_deg() or _NO_TOOL
 
-    def forget(self) -> None:
-        """Nothing is known of an arm that is gone; another one may be of another geometry."""
+    def forget_arm(self) -> None:
+        """Forget the geometry of an arm that is gone; another one may have another."""
         self._model = None

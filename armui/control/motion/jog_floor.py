@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.models import model_data
 from armui.arm.refusal import Reason, Refusal
+from armui.kinematics.forward import flange_rows
 
 if TYPE_CHECKING:
     from armui.arm.state import ArmState
@@ -49,8 +50,6 @@ class JogFloor:
 
     def height_mm(self, joints_deg: Sequence[float]) -> float:
         """Return the height of flange or fingertip at six angles, whichever is lower."""
-        from armui.kinematics.forward import flange_rows  # noqa: PLC0415 - numpy, loaded when asked for
-
         fit = self._context.operating_state().model_fit
         rows = flange_rows(fit.geometry, joints_deg)
         return self._lowest(rows[11], rows[10])

@@ -58,7 +58,7 @@ class Pace:
 def pace(
     percent: float, limits: Sequence[JointLimits], accelerations_deg_s2: Sequence[float]
 ) -> Pace:
-    """The pace at a speed percentage.
+    """Return the pace at a speed percentage.
 
     Args:
         percent: 0–100, of the highest jog speed.
@@ -86,7 +86,7 @@ def pace(
 def accelerations(
     heard: Sequence[Reading[float] | None], factory: Sequence[float]
 ) -> tuple[float, ...]:
-    """What to rely on for braking: as read from the arm, and never more than the factory's.
+    """Return what to rely on for braking: as read from the arm, and never more than the factory's.
 
     A corrupted flash answers with far too much; an arm that brakes harder than this only rests
     sooner.

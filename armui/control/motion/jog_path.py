@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING, Final, Protocol
 
 from armui.arm.limits import JOINTS, JointLimits, check_joints
 from armui.arm.refusal import Reason, Refusal
+from armui.kinematics import poses
 from armui.kinematics.axes import LINEAR_AXES, JogFrame
+from armui.kinematics.poses import shifted, tool_matrix
 
 if TYPE_CHECKING:
     from armui.control.motion.jog_pace import Pace
@@ -57,19 +59,19 @@ class JogPath(Protocol):
     """The way of a jog, by how far it has gone, in mm or degrees."""
 
     def speed(self, pace: Pace) -> float:
-        """How fast to go along it, in mm/s or °/s."""
+        """Return how fast to go along it, in mm/s or °/s."""
         ...
 
     def room(self) -> float:
-        """How far it leads."""
+        """Return how far it leads."""
         ...
 
     def joints_at(self, gone: float, near_deg: Sequence[float]) -> tuple[float, ...] | Refusal:
-        """Six angles at a place of the way, or why it cannot be gone so far."""
+        """Return six angles at a place of the way, or why it cannot be gone so far."""
         ...
 
-    def end(self) -> Refusal:
-        """What to say at its end."""
+    def why_no_further(self) -> Refusal:
+        """Return what to say at its end."""
         ...
 
 
@@ -91,22 +93,22 @@ class JointJogPath:
         self._ways = tuple(rate / self._most for rate in rates)
 
     def speed(self, pace: Pace) -> float:
-        """That of the joint with the highest rate; the others keep their share of it."""
+        """Return the speed of the joint of highest rate; the others keep their share of it."""
         speeds = zip(pace.speeds_deg_s, self._ways, strict=True)
         return self._most * min(speed for speed, way in speeds if way)
 
     def room(self) -> float:
-        """To the first limit."""
+        """Return how far it is to the first limit, in degrees of the fastest joint."""
         return min(self._room_of(place) for place in range(len(self._ways)))
 
     def joints_at(self, gone: float, near_deg: Sequence[float]) -> tuple[float, ...]:  # noqa: ARG002 - one way only
-        """The joints turned so far."""
+        """Return six angles when the fastest joint has turned so far, in degrees."""
         return tuple(
             base + way * gone for base, way in zip(self._base_deg, self._ways, strict=True)
         )
 
-    def end(self) -> Refusal:
-        """The limit that is nearest."""
+    def why_no_further(self) -> Refusal:
+        """Return the limit that is nearest."""
         place = min(range(len(self._ways)), key=self._room_of)
         return JOG_AT_LIMIT(joint=place + 1, limit=self._bound_deg(place))
 
@@ -138,7 +140,6 @@ class HeldToolPath:
         tool: Sequence[float],
         limits: Sequence[JointLimits],
     ) -> None:
-        from armui.kinematics.poses import tool_matrix  # noqa: PLC0415 - numpy, loaded when asked for
 
         self._kinematics = kinematics
         self._tool = tuple(tool)
@@ -146,21 +147,19 @@ class HeldToolPath:
         self._start: Matrix = tool_matrix(kinematics.matrix(base_deg), self._tool)
 
     def room(self) -> float:
-        """As far as the arm reaches: that is found out on the way."""
+        """Return no end: how far the arm reaches is found out on the way."""
         return float("inf")
 
-    def end(self) -> Refusal:
-        """The edge of the arm's reach."""
+    def why_no_further(self) -> Refusal:
+        """Return the edge of the arm's reach."""
         return JOG_OUT_OF_REACH()
 
     def _joints_of(self, target: Matrix, near_deg: Sequence[float]) -> tuple[float, ...] | Refusal:
-        """The solution nearest to ``near_deg``, or why there is none."""
-        from armui.kinematics import poses  # noqa: PLC0415 - see above
-
+        """Return the solution nearest to ``near_deg``, or why there is none."""
         pose = poses.matrix_to_pose(poses.flange_matrix(target, self._tool))
         solutions = self._kinematics.inverse(pose, near_deg)
         if not solutions:
-            return self.end()
+            return self.why_no_further()
         beyond = check_joints(solutions[0], self._limits)
         return solutions[0] if beyond is None else at_limit(beyond)
 
@@ -184,19 +183,17 @@ class ToolJogPath(HeldToolPath):
         self._jog = jog
 
     def speed(self, pace: Pace) -> float:
-        """The tool's, at the present speed percentage."""
+        """Return the tool's, at the present speed percentage."""
         return pace.share * (TOOL_MM_S if self._jog.axis < LINEAR_AXES else TOOL_DEG_S)
 
     def joints_at(self, gone: float, near_deg: Sequence[float]) -> tuple[float, ...] | Refusal:
-        """The solution nearest to ``near_deg``, or why there is none."""
-        from armui.kinematics.poses import shifted  # noqa: PLC0415 - see above
-
+        """Return the solution nearest to ``near_deg``, or why there is none."""
         jog = self._jog
         target = shifted(self._start, jog.axis, jog.direction * gone, jog.frame)
         return self._joints_of(target, near_deg)
 
 
 def at_limit(beyond: Refusal) -> Refusal:
-    """What to say of a jog at the limit that six angles would be beyond."""
+    """Return what to say of a jog at the limit that six angles would be beyond."""
     bound = "minimum" if beyond.params["value"] < beyond.params["minimum"] else "maximum"  # type: ignore[operator]  # both are angles
     return JOG_AT_LIMIT(joint=beyond.params["joint"], limit=beyond.params[bound])

@@ -63,12 +63,14 @@ class JogStream:
         self._gone = 0.0
         self._stalled_s = 0.0
 
-    def follow(self, way: JogPath) -> None:
+    def follow_path(self, way: JogPath) -> None:
         """Go on along another way, which begins at the setpoint of now."""
         self._way = way
         self._gone = 0.0
 
-    def advance(self, measured_deg: Sequence[float], dt_s: float, pace: Pace) -> Refusal | None:
+    def advance_setpoint(
+        self, measured_deg: Sequence[float], dt_s: float, pace: Pace
+    ) -> Refusal | None:
         """Put the setpoint on for the time gone by, as far as the arm has followed.
 
         Args:
@@ -81,7 +83,7 @@ class JogStream:
         """
         room = self._way.room() - self._gone
         if room <= _CLOSE:
-            return self._way.end()
+            return self._way.why_no_further()
         before = self._gone
         way = min(self._way.speed(pace) * dt_s, room)
         reason = self._go(way, measured_deg, dt_s, pace)
@@ -117,7 +119,7 @@ class JogStream:
     def _share_by_speed(
         self, ahead_deg: Sequence[float], dt_s: float, pace: Pace
     ) -> tuple[int, float]:
-        """The joint that holds the step up most, and how much of it that joint can do in time."""
+        """Return the joint that holds the step up most, and the share it can do in time."""
         worst, least = 1, math.inf
         steps = zip(ahead_deg, self.setpoint_deg, pace.speeds_deg_s, strict=True)
         for joint, (ahead, now, speed) in enumerate(steps, start=1):
@@ -129,7 +131,7 @@ class JogStream:
     def _share_by_lead(
         self, ahead_deg: Sequence[float], measured_deg: Sequence[float], pace: Pace
     ) -> float:
-        """How much of the step leaves every joint within its lead of where it is measured."""
+        """Return the share of the step that leaves every joint within its lead."""
         least = math.inf
         for ahead, now, measured, sag, lead in zip(
             ahead_deg, self.setpoint_deg, measured_deg, self._sag_deg, pace.leads_deg, strict=True
@@ -142,7 +144,7 @@ class JogStream:
 
 
 def _why_too_fast(joint: int) -> Refusal:
-    """What a pose in which a joint would have to turn without end means to the operator."""
+    """Return what a pose in which a joint would have to turn without end means to the operator."""
     if joint in _STRETCHES:
         return JOG_OUT_OF_REACH()
     return JOG_SINGULAR(joint=joint)

@@ -26,7 +26,7 @@ from armui.control.motion.jog_stream import JogStream
 from armui.control.motion.joint_motion import why_not_move
 from armui.control.motion.motion_command import CommandKind, MotionCommand
 from armui.control.motion.steered_path import SteeredJog, SteeredToolPath
-from armui.control.operations.operation import Consent, begun, operation
+from armui.control.operations.operation import Consent, operation, record_start
 from armui.control.operations.started import Ending, Started
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.control.safety.standstill import QUIET_DEG, QUIET_S, RestWatch
@@ -152,7 +152,7 @@ class Jogging(ControllerPart):
         if refusal is not None:
             return context.refuse(refusal)
         now_s = context.clock()
-        started, before = begun(self.start), context.authority.command
+        started, before = record_start(self.start), context.authority.command
         self._hold = _Hold(jog, now_s, now_s, now_s, started, before=before)
         self._timer.start()
         context.refresh()
@@ -182,10 +182,10 @@ class Jogging(ControllerPart):
         if jog.rates != before.rates:
             hold.jog = jog
             if hold.stream is not None:
-                hold.stream.follow(self._way(jog, hold.stream.setpoint_deg))
+                hold.stream.follow_path(self._way(jog, hold.stream.setpoint_deg))
         return True
 
-    def end(self, reason: Refusal) -> None:
+    def end_jog(self, reason: Refusal) -> None:
         """Stop, and say why."""
         if self._hold is not None:
             self._end(reason)
@@ -231,7 +231,7 @@ class Jogging(ControllerPart):
             self._go_on(hold, hold.stream, measured_deg, dt_s)
 
     def _is_replaced(self, hold: _Hold) -> bool:
-        """Whether a command that is not this jog's has been given since it began."""
+        """Tell whether a command that is not this jog's has been given since it began."""
         ours = self._context.authority.command
         if hold.command is not None:
             return ours is None or ours.number != hold.command.number
@@ -241,7 +241,7 @@ class Jogging(ControllerPart):
     def _begin(
         self, hold: _Hold, state: ArmState, measured_deg: Sequence[float], now_s: float
     ) -> None:
-        """Only an arm at rest is sure to rest in time again; one that moves is waited for."""
+        """Begin a jog once the arm rests: only then it is sure to rest in time again."""
         self._rest.observe(state, now_s)
         if not self._rest.at_rest:
             if now_s - hold.began_s >= _SETTLE_S:
@@ -280,14 +280,14 @@ class Jogging(ControllerPart):
                 model_data(operating_state.model).accelerations_deg_s2,
             ),
         )
-        reason = stream.advance(measured_deg, dt_s, present)
+        reason = stream.advance_setpoint(measured_deg, dt_s, present)
         target_deg = tuple(round(angle, 3) for angle in stream.setpoint_deg)
         refusal = self._send(hold, target_deg, present.arm_percent)
         if refusal is not None or reason is not None:
             self._end(refusal or reason)
 
     def _send(self, hold: _Hold, target_deg: Sequence[float], percent: int) -> Refusal | None:
-        """The next setpoint: the first with the mode word, the others alone."""
+        """Send the next setpoint: the first with the mode word, the others alone."""
         context = self._context
         codec, command = context.connection.codec, hold.command
         if command is None or command.speed_percent != percent:
@@ -321,23 +321,23 @@ class Jogging(ControllerPart):
 
     # The controller's tick ------------------------------------------------------------------
 
-    def advance(self) -> None:
+    def follow_arm(self) -> None:
         """Watch the arm."""
         self._rest.observe(self._context.connection.newest, self._context.clock())
         self.tick()
 
     def halt(self) -> None:
-        """The arm is to stop, or has stopped."""
+        """End the jog: the arm is to stop, or has stopped."""
         self._let_go()
 
-    def forget(self) -> None:
+    def forget_arm(self) -> None:
         """The arm is gone."""
         self.halt()
-        self._rest.forget()
+        self._rest.reset()
 
 
 def _why_blind(state: ArmState, dt_s: float, now_s: float) -> Refusal | None:
-    """Why the program cannot know where the arm is, or whether the operator still holds on."""
+    """Tell why the program cannot know where the arm is, or whether the operator still holds on."""
     if dt_s > _HELD_UP_S:
         return JOG_HELD_UP(value=round(1000 * dt_s))
     if any(heard is None or now_s - heard.at_s > _FEEDBACK_S for heard in state.joints_deg):
@@ -361,7 +361,7 @@ def _by_joints(jog: Jog) -> bool:
 
 
 def axes_text(jog: SteeredJog) -> str:
-    """The axes that move and their directions, as J1+ J3−."""
+    """Return the axes that move and their directions, as J1+ J3−."""
     names = tuple(f"J{joint}" for joint in JOINTS) if jog.frame is None else AXES
     moving = zip(names, jog.rates, strict=True)
     return " ".join(f"{name}{'+' if rate > 0 else '−'}" for name, rate in moving if rate)

@@ -13,7 +13,7 @@ from armui.control.motion.jog_floor import JogFloor
 from armui.control.motion.jog_path import JOG_AT_LIMIT
 from armui.control.motion.motion_command import CommandKind
 from armui.control.operating_state import RUN_UNDER_WAY, OperatingState
-from armui.control.operations.operation import begun, operation
+from armui.control.operations.operation import operation, record_start
 from armui.control.operations.started import Ending, Started
 from armui.control.requests import reports
 from armui.control.safety import interlocks
@@ -97,7 +97,7 @@ class Motion(ControllerPart):
             interlocks.why_no_command(operating_state.unreachable, operating_state.stop, None)
             is None
         )
-        started = begun(self.set_speed_percent)
+        started = record_start(self.set_speed_percent)
         started.close(Ending.SENT)
         if tellable and self.tell_speed():
             context.tell(EventCode.SENT_SPEED, started, percent=self.speed_percent)
@@ -130,10 +130,10 @@ class Motion(ControllerPart):
         if refusal is not None:
             return context.refuse(refusal)
         figures = {"joint": joint, "target": target_deg[joint - 1]}
-        return self._move(begun(self.jog), target_deg, EventCode.JOGGED, **figures)
+        return self._move(record_start(self.jog), target_deg, EventCode.JOGGED, **figures)
 
     def jog_lagging(self, joint: int, step_deg: float) -> bool:
-        """Whether the arm is so far behind that a held button should not step on."""
+        """Tell whether the arm is so far behind that a held button should not step on."""
         asked_deg, heard = self.setpoint_deg, self._context.state().joints_deg[joint - 1]
         if asked_deg is None or heard is None:
             return False
@@ -145,12 +145,14 @@ class Motion(ControllerPart):
     def send_joints(self, angles_deg: Sequence[float]) -> Refusal | None:
         """Move to six angles in degrees (MOVE J, 0x155–0x157 and 0x151)."""
         figures = reports.numbered(angles_deg)
-        return self._move(begun(self.send_joints), angles_deg, EventCode.SENT_JOINTS, **figures)
+        return self._move(
+            record_start(self.send_joints), angles_deg, EventCode.SENT_JOINTS, **figures
+        )
 
     @operation("motion.home", "Move to the factory zero angles", why_not_move, moves=True)
     def go_home(self) -> Refusal | None:
         """Move to the factory zero angles."""
-        return self._move(begun(self.go_home), _HOME_DEG, EventCode.WENT_HOME)
+        return self._move(record_start(self.go_home), _HOME_DEG, EventCode.WENT_HOME)
 
     def _move(
         self, started: Started, angles_deg: Sequence[float], code: EventCode, **figures: object
@@ -176,7 +178,7 @@ class Motion(ControllerPart):
         context.tell(code, started, **figures)
         return None
 
-    def advance(self) -> None:
+    def follow_arm(self) -> None:
         """A motion goes on by itself; afterwards the arm gets the operator's speed back.
 
         A lower speed that could not be told, as while the arm was not heard, does not wait for the

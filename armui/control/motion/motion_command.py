@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Collection
-from typing import TYPE_CHECKING, NamedTuple
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from armui.arm.models import model_data
 from armui.arm.refusal import Reason, Refusal
@@ -94,7 +95,8 @@ def why_held(holds: Collection[Hold]) -> Refusal | None:
     return HELD_AT_ZERO() if holds else None
 
 
-class MotionCommand(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class MotionCommand:
     """A command of ours that moves the joints.
 
     Attributes:
@@ -121,7 +123,8 @@ class MotionCommand(NamedTuple):
     started: Started | None = None
 
 
-class Observation(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Observation:
     """What is known of the arm at one moment.
 
     Attributes:

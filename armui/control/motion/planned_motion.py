@@ -9,7 +9,7 @@ from armui.control.context import Context
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import Hold
 from armui.control.operating_state import LINK_LOST
-from armui.control.operations.operation import begun, operation
+from armui.control.operations.operation import operation, record_start
 from armui.control.operations.started import Ending
 from armui.control.safety import interlocks
 from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN, SPEED_ZERO
@@ -96,7 +96,7 @@ class PlannedMotion:
             refusal = None if sent else LINK_LOST()
         if refusal is not None:
             return context.refuse(refusal)
-        started = begun(self.command)
+        started = record_start(self.command)
         started.close(Ending.SENT)
         context.tell(EventCode.PLAN_SENT, started, plan=int(command))
         return None

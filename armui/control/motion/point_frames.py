@@ -33,7 +33,7 @@ _POSE_MODES: Final = frozenset({MoveMode.MOVE_P, MoveMode.MOVE_L, MoveMode.MOVE_
 def point_frames(
     codec: Codec, point: Waypoint, state: ArmState, speed_percent: int
 ) -> list[Frame] | Refusal:
-    """The frames that send the arm to a point, or why there are none.
+    """Return the frames that send the arm to a point, or why there are none.
 
     An arc begins where the arm says that it is.
     """
@@ -53,7 +53,7 @@ def point_frames(
 
 
 def tool_way(point: Waypoint, state: ArmState) -> tuple[Sequence[float], ...]:
-    """The poses of the flange that a line or an arc is told by; none for other motions."""
+    """Return the poses of the flange that a line or an arc is told by; none for other motions."""
     if point.move is MoveMode.MOVE_L:
         return (point.target,)
     start = state.end_pose()
@@ -83,7 +83,7 @@ def leading_mode(
 
 
 def action_frames(codec: Codec, point: Waypoint) -> list[Frame]:
-    """The frames for what a point does on arrival."""
+    """Return the frames for what a point does on arrival."""
     frames: list[Frame] = []
     gripper, light = point.gripper, point.light
     if isinstance(gripper, GripperOpening):
@@ -101,7 +101,7 @@ def action_frames(codec: Codec, point: Waypoint) -> list[Frame]:
 
 
 def why_not_possible(generation: Generation | None, points: Sequence[Waypoint]) -> Refusal | None:
-    """The first point this arm's protocol has no frame for: the gripper differs."""
+    """Return the first point this arm's protocol has no frame for: the gripper differs."""
     for row, point in enumerate(points, start=1):
         angle = isinstance(point.gripper, GripperAngle)
         opening = isinstance(point.gripper, GripperOpening)

@@ -10,6 +10,7 @@ from armui.arm.limits import JointLimits
 from armui.arm.refusal import Refusal
 from armui.control.motion.jog_path import TOOL_DEG_S, TOOL_MM_S, HeldToolPath
 from armui.kinematics.axes import LINEAR_AXES, JogFrame
+from armui.kinematics.poses import moved
 
 if TYPE_CHECKING:
     from armui.control.motion.jog_pace import Pace
@@ -58,19 +59,17 @@ class SteeredToolPath(HeldToolPath):
         self._frame = frame
 
     def speed(self, pace: Pace) -> float:
-        """The present share of full speed."""
+        """Return the present share of full speed."""
         return pace.share
 
     def joints_at(self, gone: float, near_deg: Sequence[float]) -> tuple[float, ...] | Refusal:
-        """The solution nearest to ``near_deg``, or why there is none."""
-        from armui.kinematics.poses import moved  # noqa: PLC0415 - numpy, loaded when asked for
-
+        """Return the solution nearest to ``near_deg``, or why there is none."""
         way_mm = [gone * each for each in self._mm_s]
         turn_deg = [gone * each for each in self._deg_s]
         return self._joints_of(moved(self._start, way_mm, turn_deg, self._frame), near_deg)
 
 
 def _within_one(rates: Sequence[float]) -> tuple[float, ...]:
-    """The same direction, no longer than 1."""
+    """Return the same direction, no longer than 1."""
     length = sum(rate * rate for rate in rates) ** 0.5
     return tuple(rate / max(1.0, length) for rate in rates)

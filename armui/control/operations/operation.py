@@ -81,7 +81,7 @@ def operation_of(method: Callable[..., object]) -> Operation:
     return declared
 
 
-def begun(method: Callable[..., object]) -> Started:
+def record_start(method: Callable[..., object]) -> Started:
     """Return a record for a declared method that begins now; the part that follows it closes it."""
     return Started(operation_of(method).id)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.models import ArmModel, model_data
+from armui.kinematics.arm_kinematics import Kinematics
 
 if TYPE_CHECKING:
     from armui.arm.state import ArmState
@@ -15,16 +16,14 @@ HOME_DEG: Final = (0.0,) * 6
 
 
 def arm_model(controller: ArmController) -> ArmModel:
-    """What is known of the arm that is connected, or of one as it leaves the factory."""
+    """Return what is known of the arm that is connected, or of one as it leaves the factory."""
     return planning_model(
         controller.state, controller.operating_state, controller.cartesian.tool[2]
     )
 
 
 def planning_model(state: ArmState, now: OperatingState, tool_z_mm: float = 0.0) -> ArmModel:
-    """The same of an arm as heard, with a tool that reaches so far beyond the flange."""
-    from armui.kinematics.arm_kinematics import Kinematics  # noqa: PLC0415 - numpy, scipy
-
+    """Return the model of an arm as heard, with a tool that reaches beyond the flange."""
     handle, data = state.teaching_handle, model_data(now.model)
     return ArmModel(
         limits=now.limits,
@@ -44,5 +43,5 @@ def planning_model(state: ArmState, now: OperatingState, tool_z_mm: float = 0.0)
 
 
 def start_deg(controller: ArmController) -> tuple[float, ...]:
-    """Where a run would begin: the measured angles, the home position while there are none."""
+    """Return where a run would begin: measured angles, or home while there are none."""
     return tuple(controller.state.angles_deg() or HOME_DEG)

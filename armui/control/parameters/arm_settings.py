@@ -16,7 +16,7 @@ from armui.arm.state import ArmState
 from armui.control.context import GENERATION_UNKNOWN, Context, ControllerPart
 from armui.control.events import EventCode
 from armui.control.operating_state import OperatingState
-from armui.control.operations.operation import Consent, begun, operation
+from armui.control.operations.operation import Consent, operation, record_start
 from armui.control.operations.started import Ending, Started, ending_of
 from armui.control.parameters.setting_cell import CellState, SettingCellState
 from armui.control.parameters.setting_checks import (
@@ -105,7 +105,7 @@ class ArmSettings(QObject, ControllerPart):
         return self._open > 0
 
     def cell(self, parameter: Parameter) -> SettingCellState:
-        """How a parameter stands."""
+        """Return how a parameter stands."""
         cell = self._cells.get(parameter, _UNREAD)
         if cell.state not in {CellState.READ, CellState.SAVED}:
             return cell
@@ -113,7 +113,7 @@ class ArmSettings(QObject, ControllerPart):
         return _UNREAD if heard(self._context.state(), parameter) is None else cell
 
     def everything(self) -> list[Batch] | Refusal:
-        """All that a backup holds of this arm, or why that is not known now."""
+        """Return all that a backup holds of this arm, or why that is not known now."""
         refusal = self._context.why_unknown()
         if refusal is not None:
             return refusal
@@ -123,7 +123,7 @@ class ArmSettings(QObject, ControllerPart):
         return list(all_batches(teaching=second, drag_assistance=assistance))
 
     def holds(self, parameter: Parameter, value: float) -> bool:
-        """Whether what the arm said last is a value, as far as its frames can tell the two apart.
+        """Tell whether the arm's last word is a value, as far as its frames can tell.
 
         Only while a device is open.
         """
@@ -134,7 +134,7 @@ class ArmSettings(QObject, ControllerPart):
         )
 
     def why_not_kept(self, batches: Iterable[Batch]) -> Refusal | None:
-        """Why this arm has no such parameters: its generation, or its firmware, has none."""
+        """Tell why this arm has no such parameters: its generation, or its firmware, has none."""
         generation = self._context.connection.generation
         groups = {batch.group for batch in batches}
         if generation is Generation.ONE and groups & _SECOND_ONLY:
@@ -187,7 +187,7 @@ class ArmSettings(QObject, ControllerPart):
         if refusal is not None:
             return self._context.refuse(refusal)
         values = tuple((each.name, each.joint, value) for each, value in changes.items())
-        started = begun(self.save)
+        started = record_start(self.save)
         self._context.tell(EventCode.SETTINGS_SENT, started, count=len(changes), values=values)
         self._saving, self._started = list(changes), started
         batches = batches_of(changes)
@@ -203,7 +203,7 @@ class ArmSettings(QObject, ControllerPart):
     )
     def reset_end_limits(self) -> Refusal | None:
         """【初始化】: the end's limits as they left the factory (0x477), then read back."""
-        started = begun(self.reset_end_limits)
+        started = record_start(self.reset_end_limits)
         return self._reset(started, commands.reset_end_limits, [Batch(Group.END_LIMITS)])
 
     @operation(
@@ -214,7 +214,7 @@ class ArmSettings(QObject, ControllerPart):
     )
     def reset_joint_limits(self) -> Refusal | None:
         """Limits, speeds and accelerations of all joints as they left the factory (0x477)."""
-        started = begun(self.reset_joint_limits)
+        started = record_start(self.reset_joint_limits)
         return self._reset(started, commands.reset_joint_limits, _JOINT_BATCHES)
 
     def settle(self, parameters: Iterable[Parameter]) -> None:
@@ -230,7 +230,7 @@ class ArmSettings(QObject, ControllerPart):
     # How it is carried out --------------------------------------------------------------------
 
     def _codec(self) -> Codec | Refusal:
-        """What to speak, or why nothing can be set now."""
+        """Return what to speak, or why nothing can be set now."""
         refusal = why_no_settings(self._context.refresh()) or why_moving(self._context.state())
         return self._context.connection.codec if refusal is None else self._context.refuse(refusal)
 
@@ -293,7 +293,7 @@ class ArmSettings(QObject, ControllerPart):
         return None
 
     def _why_not_any_more(self) -> Refusal | None:
-        """What has come up since the press against setting parameters."""
+        """Return what has come up since the press against setting parameters."""
         return self._context.operating_state().occupied or why_moving(self._context.state())
 
     def _submit(self, *transactions: Transaction) -> None:
@@ -336,7 +336,7 @@ class ArmSettings(QObject, ControllerPart):
 
     def _tell_saved(self) -> None:
         reasons = [
-            cell.reason for each in self._saving if (cell := self.cell(each)).reason is not None
+            cell.refusal for each in self._saving if (cell := self.cell(each)).refusal is not None
         ]
         count = len(self._saving)
         self._saving = []
@@ -359,7 +359,7 @@ class ArmSettings(QObject, ControllerPart):
 
     # A part of the controller -----------------------------------------------------------------
 
-    def forget(self) -> None:
+    def forget_arm(self) -> None:
         """Another arm may come: only what was refused is kept, so that it can be read."""
         self._cells = {
             parameter: cell

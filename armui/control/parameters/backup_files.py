@@ -31,7 +31,7 @@ _LARGEST_BYTES: Final = 1_000_000
 
 
 def read_backup(path: Path) -> Backup | Refusal:
-    """The backup in a file, or why it is none."""
+    """Return the backup in a file, or why it is none."""
     try:
         return from_text(read_file(path, _LARGEST_BYTES).decode("utf-8-sig"))
     except UnicodeDecodeError:
@@ -62,7 +62,7 @@ def backup_of(
     *,
     model: PiperModel | None = None,
 ) -> Backup:
-    """What is known of an arm now; what has not been read is not in it."""
+    """Return what is known of an arm now; what has not been read is not in it."""
     return Backup(
         saved_at=now,
         program=f"armui {__version__}",

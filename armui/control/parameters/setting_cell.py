@@ -26,4 +26,4 @@ class SettingCellState:
     """A parameter's state, and the reason if it was refused."""
 
     state: CellState = CellState.UNREAD
-    reason: Refusal | None = None
+    refusal: Refusal | None = None

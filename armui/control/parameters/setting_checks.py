@@ -43,12 +43,12 @@ Changes = Mapping[Parameter, float]
 
 
 def batches_of(parameters: Iterable[Parameter]) -> list[Batch]:
-    """The frames that parameters need, each once, in their order."""
+    """Return the frames that parameters need, each once, in their order."""
     return list(dict.fromkeys(parameter.batch for parameter in parameters))
 
 
 def why_not(codec: Codec, state: ArmState, changes: Changes) -> Refusal | None:
-    """The first reason against sending changes, or ``None``."""
+    """Return the first reason against sending changes, or ``None``."""
     for parameter, value in changes.items():
         refusal = check_value(parameter, value)
         if refusal is not None:
@@ -63,7 +63,7 @@ def why_not(codec: Codec, state: ArmState, changes: Changes) -> Refusal | None:
 def frame_values(
     codec: Codec, state: ArmState, batch: Batch, changes: Changes
 ) -> dict[Parameter, float | None]:
-    """What the frame of a batch carries: the changes; the rest unchanged, or as it was read."""
+    """Return what the frame of a batch carries: the changes, and the rest as it is."""
     leaves = can_leave_unchanged(codec, batch)
     values: dict[Parameter, float | None] = {}
     for parameter in batch.parameters():
@@ -74,7 +74,7 @@ def frame_values(
 
 
 def not_taken(codec: Codec, state: ArmState, wanted: Changes) -> dict[Parameter, Refusal]:
-    """Which of the parameters asked for the arm does not hold, by what was read back."""
+    """Return the parameters asked for that the arm does not hold, by what was read back."""
     return {
         parameter: SETTING_NOT_TAKEN(
             parameter=parameter.name, joint=parameter.joint, value=value, held=known.value
@@ -87,7 +87,7 @@ def not_taken(codec: Codec, state: ArmState, wanted: Changes) -> dict[Parameter,
 
 
 def crossed(state: ArmState, batch: Batch, changes: Changes) -> Refusal | None:
-    """A joint whose smallest angle would not be below its greatest."""
+    """Return a joint whose smallest angle would not be below its greatest."""
     if batch.group is not Group.JOINT_LIMITS:
         return None
     ends = [Parameter(name, batch.joint) for name in ("min_angle_deg", "max_angle_deg")]
@@ -108,7 +108,7 @@ def crossed(state: ArmState, batch: Batch, changes: Changes) -> Refusal | None:
 def _unknown_neighbour(
     codec: Codec, state: ArmState, batch: Batch, changes: Changes
 ) -> Refusal | None:
-    """A value that is to stay as it is, and is not known.
+    """Return a value that is to stay as it is, and is not known.
 
     Generation 2 can be told to leave it. Even so it must have been read from this very arm: to one
     of generation 1 the mark for «leave it» is a value (0x7FFF, 32.767).

@@ -59,11 +59,11 @@ class SettingDraft:
         self.editing = False
         self._entries: dict[Parameter, DraftEntry] = {}
 
-    def begin(self) -> None:
+    def begin_editing(self) -> None:
         """Let entries be made."""
         self.editing = True
 
-    def end(self) -> None:
+    def end_editing(self) -> None:
         """Forget every entry; what the arm holds is shown again."""
         self.editing = False
         self._entries.clear()
@@ -75,13 +75,13 @@ class SettingDraft:
         else:
             self._entries.pop(parameter, None)
 
-    def forget(self, parameters: Iterable[Parameter]) -> None:
-        """These entries are in the arm, or not wanted any more."""
+    def drop_entries(self, parameters: Iterable[Parameter]) -> None:
+        """Drop entries that are in the arm, or not wanted any more."""
         for parameter in parameters:
             self._entries.pop(parameter, None)
 
     def entry(self, parameter: Parameter) -> DraftEntry | None:
-        """What was entered for a parameter."""
+        """Return what was entered for a parameter."""
         return self._entries.get(parameter)
 
     @property
@@ -90,7 +90,7 @@ class SettingDraft:
         return bool(self._entries)
 
     def changes(self) -> Changes:
-        """The figures entered, in the order of the panel."""
+        """Return the figures entered, in the order of the panel."""
         return {
             parameter: entry.value
             for parameter in self.parameters
@@ -98,7 +98,7 @@ class SettingDraft:
         }
 
     def why_wrong(self, state: ArmState, parameter: Parameter) -> Refusal | None:
-        """What speaks against an entry, by itself and beside its neighbours."""
+        """Return what speaks against an entry, by itself and beside its neighbours."""
         entry = self._entries.get(parameter)
         if entry is None:
             return None
@@ -110,12 +110,12 @@ class SettingDraft:
         return refusal
 
     def first_wrong(self, state: ArmState) -> Refusal | None:
-        """The first reason against saving, or ``None``."""
+        """Return the first reason against saving, or ``None``."""
         reasons = (self.why_wrong(state, parameter) for parameter in self.parameters)
         return next((reason for reason in reasons if reason is not None), None)
 
     def status(self, state: ArmState, parameter: Parameter, cell: SettingCellState) -> CellStatus:
-        """How a parameter is to be shown.
+        """Return how a parameter is to be shown.
 
         Args:
             state: The arm as last heard.
@@ -137,7 +137,7 @@ class SettingDraft:
 
 
 def shown_as(parameter: Parameter, value: float) -> float:
-    """A value to the last decimal the operator sees."""
+    """Return a value to the last decimal the operator sees."""
     return round(value, parameter.kind.decimals)
 
 

@@ -28,7 +28,7 @@ Values = Mapping[Parameter, float | None]
 
 
 def query_frames(codec: Codec, batch: Batch) -> list[Frame]:
-    """The question that reads a batch."""
+    """Return the question that reads a batch."""
     match batch.group:
         case Group.JOINT_LIMITS:
             return commands.query_limits(codec, batch.joint)
@@ -45,7 +45,7 @@ def query_frames(codec: Codec, batch: Batch) -> list[Frame]:
 
 
 def setting_frames(codec: Codec, batch: Batch, values: Values) -> list[Frame]:
-    """The frame that sets a batch.
+    """Return the frame that sets a batch.
 
     Args:
         codec: The arm's codec.
@@ -61,14 +61,14 @@ def setting_frames(codec: Codec, batch: Batch, values: Values) -> list[Frame]:
 
 
 def can_leave_unchanged(codec: Codec, batch: Batch) -> bool:
-    """Whether single values of a batch can be left out of its frame (0x7FFF, generation 2)."""
+    """Tell whether single values of a batch can be left out of its frame (0x7FFF, generation 2)."""
     first = batch.parameters()[0]
     signal = first.kind.signal.format(joint=first.joint)
     return codec.can_leave(first.kind.message, signal)
 
 
 def to_wire(codec: Codec, parameter: Parameter, value: float | None) -> float | None:
-    """A value in the unit of the frame, rounded to what the frame can carry."""
+    """Return a value in the unit of the frame, rounded to what the frame can carry."""
     if value is None:
         return None
     kind = parameter.kind
@@ -78,20 +78,20 @@ def to_wire(codec: Codec, parameter: Parameter, value: float | None) -> float | 
 
 
 def as_carried(codec: Codec, parameter: Parameter, value: float) -> float:
-    """The value nearest to one asked for that a frame can carry, in the operator's unit."""
+    """Return the value nearest to one asked for that a frame can carry, in the operator's unit."""
     wire = to_wire(codec, parameter, value)
     return value if wire is None else wire * _factor(codec, parameter)
 
 
 def step_of(codec: Codec, parameter: Parameter) -> float:
-    """The smallest difference a frame can carry, in the operator's unit."""
+    """Return the smallest difference a frame can carry, in the operator's unit."""
     kind = parameter.kind
     signal = kind.signal.format(joint=parameter.joint)
     return codec.step(kind.message, signal) * _factor(codec, parameter)
 
 
 def _factor(codec: Codec, parameter: Parameter) -> float:
-    """How many of the operator's units one of the frame's is."""
+    """Return how many of the operator's units one of the frame's is."""
     kind = parameter.kind
     if not kind.unit.startswith("°"):
         return 1.0

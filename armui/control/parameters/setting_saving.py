@@ -20,7 +20,7 @@ class Saves(Protocol):
         """Set parameters: ``None`` if they are on their way, or why nothing was sent."""
 
     def cell(self, parameter: Parameter) -> SettingCellState:
-        """How a parameter stands between the program and the arm."""
+        """Return how a parameter stands between the program and the arm."""
 
 
 class SettingSaving:
@@ -63,22 +63,22 @@ class SettingSaving:
             refusal = self._settings.save(changes)
         if refusal is not None:
             self._running = False
-            self.forget()
+            self.forget_outcome()
         return refusal
 
     def ended(self) -> bool:
-        """Look at how the parameters stand; whether the saving has come to its end just now."""
+        """Look at how the parameters stand; tell whether the saving has just come to its end."""
         if not self._running or any(self._stands(each) is CellState.SAVING for each in self._asked):
             return False
         self._running = False
         taken = [each for each in self._asked if self._stands(each) is CellState.SAVED]
-        self._draft.forget(taken)
+        self._draft.drop_entries(taken)
         if len(taken) == len(self._asked) and not self._draft.changed:
-            self._draft.end()
+            self._draft.end_editing()
         return True
 
-    def forget(self) -> None:
-        """The operator has gone on: how it ended is not told any more."""
+    def forget_outcome(self) -> None:
+        """Tell no more how it ended: the operator has gone on."""
         self._asked = {}
 
     def _stands(self, parameter: Parameter) -> CellState:

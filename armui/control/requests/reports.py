@@ -16,12 +16,12 @@ Report = tuple[EventCode, Mapping[str, object]]
 
 
 def numbered(angles_deg: Sequence[float]) -> dict[str, float]:
-    """Six angles as figures of a sentence: ``j1`` … ``j6``."""
+    """Return six angles as figures of a sentence: ``j1`` … ``j6``."""
     return {f"j{number}": angle for number, angle in enumerate(angles_deg, start=1)}
 
 
 def on_handshake(state: ArmState, generation: Generation | None) -> Iterator[Report]:
-    """What an arm has answered to the first questions."""
+    """Return what an arm has answered to the first questions."""
     yield (
         EventCode.GENERATION,
         {"generation": int(generation or 0), "firmware": state.firmware or ""},
@@ -37,7 +37,7 @@ def on_handshake(state: ArmState, generation: Generation | None) -> Iterator[Rep
 
 
 def on_motors(busy: Busy, state: ArmState, joints: Sequence[int], *, done: bool) -> Report:
-    """How switching motors, or recovering from a stop, ended."""
+    """Return how switching motors, or recovering from a stop, ended."""
     if busy is Busy.RESUMING:
         return (EventCode.RESUMED if done else EventCode.RESUME_FAILED), {}
     wanted = busy is Busy.ENABLING

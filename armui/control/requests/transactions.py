@@ -169,7 +169,7 @@ class TransactionQueue(ControllerPart):
         self._set_reading_aside()
         self._begin_next()
 
-    def advance(self) -> None:
+    def follow_arm(self) -> None:
         """See whether something was read, or is overdue."""
         self._drop_late()
         task = self._task
@@ -188,13 +188,13 @@ class TransactionQueue(ControllerPart):
             self._on_overdue(task)
 
     def halt(self) -> None:
-        """Settings move nothing: a stop leaves them be, but for those that say otherwise."""
+        """Drop the transactions that end with a stop; settings move nothing and stay."""
         self._drop(lambda task: task.transaction.ends_with_stop, ENDED_BY_STOP())
         if self._task is not None and self._task.transaction.ends_with_stop:
             self._end(ENDED_BY_STOP())
 
-    def forget(self) -> None:
-        """The arm is gone: whatever waits will not be done."""
+    def forget_arm(self) -> None:
+        """Drop whatever waits: the arm is gone."""
         tasks = self._all()
         self._task = None
         self._commands.clear()
@@ -277,7 +277,7 @@ class TransactionQueue(ControllerPart):
             self._after_answer(task)
 
     def _why_another_arm(self, task: _Task) -> Refusal | None:
-        """Why the arm it was meant for is not the one to be spoken to now."""
+        """Tell why the arm it was meant for is not the one to be spoken to now."""
         connection = self._context.connection
         if task.arm is None or task.arm == connection.arm:
             return None

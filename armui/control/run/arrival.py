@@ -50,7 +50,7 @@ class ArrivalWatch:
         self._elsewhere_since_s: float | None = None
 
     def look(self, state: ArmState, now_s: float) -> Arrival | Refusal:
-        """How the motion stands, or why it will not be carried out."""
+        """Return how the motion stands, or why it will not be carried out."""
         status = state.status
         if status is None or status.at_s < self._sent_s + _TAKEN_IN_S:
             return Arrival.UNDER_WAY
@@ -72,7 +72,7 @@ class ArrivalWatch:
 
 
 def distance(point: Waypoint, state: ArmState) -> float | None:
-    """How far the arm is from a point, 1 being as far as it may be; ``None`` if not known."""
+    """Return how far the arm is from a point, 1 being as far as it may be; ``None``: unknown."""
     if point.is_joint:
         angles_deg = state.angles_deg()
         if angles_deg is None:

@@ -10,10 +10,10 @@ from PySide6.QtCore import QObject, Signal
 from armui.arm.refusal import Refusal
 from armui.control.context import Context, ControllerPart
 from armui.control.motion.motion_command import Hold
+from armui.control.motion_end import RUN_STOPPED, abort_motion, abort_motion_for
 from armui.control.operating_state import LINK_LOST
 from armui.control.operations.started import Ending
 from armui.control.run.progress import OVER, Progress, RunPhase
-from armui.control.run.run_end import RUN_STOPPED, abort_motion, abort_motion_for
 from armui.control.safety.standstill import RestWatch
 from armui.protocol import commands
 from armui.protocol.codes import TrajectoryCommand
@@ -69,19 +69,19 @@ class Execution(QObject, ControllerPart):
         """What it is doing now, or how it ended."""
         return self._phase
 
-    def end(self, reason: Refusal) -> None:
+    def end_run(self, reason: Refusal) -> None:
         """End it at once, because something else happens that it cannot go on beside."""
         if self.running:
             self._fail(reason, Ending.CUT_OFF)
             self._publish()
 
     def halt(self) -> None:
-        """An emergency stop ends it."""
-        self.end(RUN_STOPPED())
+        """End the run: an emergency stop was asked for."""
+        self.end_run(RUN_STOPPED())
 
-    def forget(self) -> None:
-        """The loss of the arm ends it."""
-        self.end(LINK_LOST())
+    def forget_arm(self) -> None:
+        """End the run: the arm is lost."""
+        self.end_run(LINK_LOST())
 
     # What each of the two does its own way ----------------------------------------------------
 
@@ -100,7 +100,7 @@ class Execution(QObject, ControllerPart):
         raise NotImplementedError
 
     def _snapshot(self, reason: Refusal | None) -> Progress:
-        """How far it has come by now.
+        """Return how far it has come by now.
 
         Args:
             reason: Why it failed, if it has.
@@ -112,7 +112,7 @@ class Execution(QObject, ControllerPart):
         raise NotImplementedError
 
     def _end(self, phase: RunPhase) -> None:
-        """Nothing more is sent."""
+        """Send nothing more."""
         self._phase = phase
 
     # What both do the same way ----------------------------------------------------------------
@@ -135,7 +135,9 @@ class Execution(QObject, ControllerPart):
         self._phase = RunPhase.STOPPING
 
     def _publish(self) -> None:
-        progress = self._snapshot(self._progress.reason if self._phase is RunPhase.FAILED else None)
+        progress = self._snapshot(
+            self._progress.refusal if self._phase is RunPhase.FAILED else None
+        )
         if progress != self._progress:
             self._progress = progress
             self.progressed.emit(progress)
@@ -179,7 +181,7 @@ class Execution(QObject, ControllerPart):
         return self._send(commands.trajectory_command(self._codec, TrajectoryCommand.CONTINUE))
 
     def _rests(self) -> bool:
-        """Whether the arm is measured to have come to rest since the motion was ended."""
+        """Tell whether the arm is measured to have come to rest since the motion was ended."""
         self._rest.observe(self._context.state(), self._context.clock())
         return self._rest.at_rest
 

@@ -18,7 +18,7 @@ from armui.control.motion.point_frames import (
     why_not_possible,
 )
 from armui.control.operating_state import LINK_LOST, OperatingState
-from armui.control.operations.operation import Consent, begun, operation
+from armui.control.operations.operation import Consent, operation, record_start
 from armui.control.operations.started import Ending
 from armui.control.run.arrival import Arrival, ArrivalWatch
 from armui.control.run.execution import Execution
@@ -121,7 +121,7 @@ class Player(Execution):
         # once: the question is asked at every look at the arm, and there may be 10,000 points
         self._has_lights = any(point.light for point in run.points)
         self._index, self._cycle = run.first, 1
-        self._started = begun(self.start)
+        self._started = record_start(self.start)
         context.tell(EventCode.RUN_STARTED, self._started, name=run.name)
         self._send_point()
         return None
@@ -135,7 +135,7 @@ class Player(Execution):
             self._hold_back()
         self._paused_phase, self._phase = self._phase, RunPhase.PAUSED
         self._paused_s = self._context.clock()
-        started = begun(self.pause)
+        started = record_start(self.pause)
         started.close(Ending.SENT)
         self._context.tell(EventCode.RUN_PAUSED, started, row=self._index + 1)
         self._publish()
@@ -158,7 +158,7 @@ class Player(Execution):
         self._phase = self._paused_phase
         self._since_s += self._context.clock() - self._paused_s
         self._looked_s = self._context.clock()
-        started = begun(self.go_on)
+        started = record_start(self.go_on)
         started.close(Ending.SENT)
         self._context.tell(EventCode.RUN_CONTINUED, started, row=self._index + 1)
         self._publish()
@@ -205,7 +205,7 @@ class Player(Execution):
 
     # What time and the arm bring --------------------------------------------------------------
 
-    def advance(self) -> None:
+    def follow_arm(self) -> None:
         """Move on with the run; the controller's tick calls it."""
         if not self.running:
             return
@@ -225,7 +225,7 @@ class Player(Execution):
         self._publish()
 
     def _reason(self) -> Refusal | None:
-        """Why the run cannot go on; what is not known for a moment is waited for."""
+        """Tell why the run cannot go on; what is not known for a moment is waited for."""
         reason = self._context.operating_state().cannot_run
         now_s = self._context.clock()
         self._known = reason is None
@@ -251,7 +251,7 @@ class Player(Execution):
             self._fail(RUN_TOO_SLOW(seconds=round(limit_s)))
 
     def _keep_time(self) -> None:
-        """The time that a motion is expected to take goes by as slowly as the arm goes."""
+        """Count the time that a motion is expected to take as slowly as the arm goes."""
         now_s = self._context.clock()
         if self._phase is RunPhase.MOVING:
             self._since_s += (now_s - self._looked_s) * (1.0 - self._share)
@@ -307,7 +307,7 @@ class Player(Execution):
         sent = self._context.send_motion(
             CommandKind.RUN,
             frames,
-            started=begun(self.start),
+            started=record_start(self.start),
             move_mode=point.move,
             speed_percent=percent,
             joints_deg=point.target if point.is_joint else None,
@@ -356,7 +356,7 @@ class Player(Execution):
             remaining_s=0.0
             if over
             else schedule.remaining_s(self._index, self._cycle, elapsed_s, self._share),
-            reason=reason,
+            refusal=reason,
         )
 
     def _elapsed_s(self, run: Run) -> float:

@@ -78,7 +78,7 @@ class Progress:
         done: Share of the cycle that is done, 0–1.
         remaining_s: Of the whole run at the override of now; ``None`` if it has no end, or is held
             back at 0 %.
-        reason: Why it failed.
+        refusal: Why it failed.
     """
 
     phase: RunPhase = RunPhase.IDLE
@@ -89,7 +89,7 @@ class Progress:
     cycles: int = 1
     done: float = 0.0
     remaining_s: float | None = None
-    reason: Refusal | None = None
+    refusal: Refusal | None = None
 
 
 class RunSchedule:
@@ -117,7 +117,7 @@ class RunSchedule:
         return 5.0 + 3.0 * self._lengths_s[index]
 
     def in_cycle_s(self, index: int, elapsed_s: float) -> float:
-        """How far a cycle is, so long after a point was sent."""
+        """Return how far a cycle is, so long after a point was sent."""
         length_s = self._lengths_s[index]
         return self._ends_s[index] - length_s + min(elapsed_s, length_s)
 

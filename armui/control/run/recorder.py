@@ -10,11 +10,12 @@ from armui.arm.refusal import Refusal
 from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
 from armui.control.operating_state import BUSY, OperatingState, why_unreachable
-from armui.control.operations.operation import begun, operation
+from armui.control.operations.operation import operation, record_start
 from armui.control.operations.started import Ending, Started
+from armui.control.run.sample_store import SampleStore
 
 if TYPE_CHECKING:
-    from armui.control.run.sample_store import Recorded, SampleStore
+    from armui.control.run.sample_store import Recorded
     from armui.trajectory.samples.recording import Array
 
 
@@ -68,7 +69,6 @@ class Recorder(QObject, ControllerPart):
         refusal = why_not_record(self._context.refresh())
         if refusal is not None:
             return self._context.refuse(refusal)
-        from armui.control.run.sample_store import SampleStore  # noqa: PLC0415 - numpy
 
         self._samples = SampleStore(self._context.operating_state().model_fit.taught_on)
         self.dropped = 0
@@ -76,7 +76,7 @@ class Recorder(QObject, ControllerPart):
         ring.take_samples()
         ring.dropped = 0
         ring.wanted = self._recording = True
-        self._started = begun(self.start)
+        self._started = record_start(self.start)
         self._context.tell(EventCode.RECORDING_STARTED, self._started)
         self.changed.emit()
         return None
@@ -99,7 +99,7 @@ class Recorder(QObject, ControllerPart):
             self._end()
         return None if self._samples is None else self._samples.recorded(name)
 
-    def advance(self) -> None:
+    def follow_arm(self) -> None:
         """Take in what has come; the controller's tick calls it."""
         if not self._recording:
             return
@@ -109,13 +109,13 @@ class Recorder(QObject, ControllerPart):
             self.dropped = self._context.connection.samples.dropped
             self.changed.emit()
 
-    def forget(self) -> None:
-        """The arm is gone: recording ends, what there is is kept."""
+    def forget_arm(self) -> None:
+        """End the recording and keep what there is: the arm is gone."""
         if self._recording:
             self._end()
 
     def _end(self) -> None:
-        self.advance()
+        self.follow_arm()
         self._recording = False
         self._context.connection.samples.wanted = False
         figures = {"count": self.count, "seconds": round(self.duration_s, 1)}

@@ -78,16 +78,16 @@ class Replay:
         return SampleCursor(self.recording)
 
     def joints_deg_at(self, at_s: float) -> tuple[float, ...]:
-        """Where the joints shall be, so long after the first sample of a cycle."""
+        """Return where the joints shall be, so long after the first sample of a cycle."""
         return self._cursor.joints_deg_at(at_s * self.factor)
 
     def gripper_mm_at(self, at_s: float) -> float | None:
-        """How far open the gripper shall be, ``None`` where that was not recorded."""
+        """Return how far open the gripper shall be, ``None`` where that was not recorded."""
         opening_mm = self._cursor.gripper_mm_at(at_s * self.factor)
         return None if math.isnan(opening_mm) else opening_mm
 
     def braking_s(self, at_s: float, state: ArmState) -> float:
-        """How long the joint takes that takes longest to brake from how fast it went of late."""
+        """Return how long the slowest joint takes to brake from how fast it went of late."""
         speeds = self._speeds_deg_s(at_s)
         return max(
             speed / (heard.value if heard is not None else _ACCELERATION_DEG_S2)
@@ -95,14 +95,14 @@ class Replay:
         )
 
     def _speeds_deg_s(self, at_s: float) -> list[float]:
-        """The fastest of each joint in the last second."""
+        """Return the fastest of each joint in the last second."""
         last = self._cursor.index_at(at_s * self.factor)
         first = self._cursor_behind.index_at((at_s - _LAG_MEMORY_S) * self.factor)
         highest = self.known.speeds_deg_s[first : last + 1].max(axis=0)
         return [float(speed) for speed in self.factor * highest]
 
     def lag_allowed_deg(self, at_s: float, state: ArmState) -> tuple[float, ...]:
-        """How far an arm that follows may be behind: what its own braking explains, and a bit.
+        """Return how far an arm may be behind: what its own braking explains, and a bit.
 
         An arm that brakes late for a target that has turned round already is no obstacle's work:
         the fastest of the last second counts. Joints arrive together: all take as long to brake as
@@ -116,7 +116,7 @@ class Replay:
 
 
 def why_not(replay: Replay, operating_state: OperatingState) -> Refusal | None:
-    """What speaks against a replay: too little of it, limits, speeds the joints cannot do."""
+    """Tell what is against a replay: too little of it, limits, speeds out of reach."""
     recording = replay.recording
     if len(recording.samples) < 2 or recording.duration_s <= 0.0:
         return RUN_EMPTY(name=recording.name)
@@ -146,7 +146,7 @@ def why_not(replay: Replay, operating_state: OperatingState) -> Refusal | None:
 
 
 def why_behind(replay: Replay, at_s: float, state: ArmState) -> Refusal | None:
-    """Whether an arm does not follow: ``None``, or which joint is how far behind."""
+    """Tell which joint is too far behind, and how far; ``None``: the arm follows."""
     measured_deg = state.angles_deg()
     if measured_deg is None:
         return None

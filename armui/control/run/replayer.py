@@ -11,7 +11,7 @@ from armui.control.context import Context
 from armui.control.events import EventCode
 from armui.control.motion.motion_command import CommandKind, MotionCommand
 from armui.control.operating_state import LINK_LOST
-from armui.control.operations.operation import Consent, begun, operation
+from armui.control.operations.operation import Consent, operation, record_start
 from armui.control.operations.started import Ending
 from armui.control.run.arrival import Arrival, ArrivalWatch
 from armui.control.run.execution import Execution
@@ -25,6 +25,7 @@ from armui.control.run.player import (
     why_not_run,
 )
 from armui.control.run.progress import ENDLESS, Progress, RunPhase, sent_percent
+from armui.control.run.replay import why_behind, why_not
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode
 from armui.trajectory.points.program import Waypoint
@@ -82,15 +83,13 @@ class Replayer(Execution):
         self._timer = QTimer(self)
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
         self._timer.setInterval(PERIOD_MS)
-        self._timer.timeout.connect(self.advance)
+        self._timer.timeout.connect(self.follow_arm)
 
     # What the operator wants ------------------------------------------------------------------
 
     @operation("replay.start", "Replay a recording", why_not_run, moves=True, shown_first=True)
     def start(self, replay: Replay) -> Refusal | None:
         """Begin a replay: ``None`` if the arm is on its way to the first sample, or why not."""
-        from armui.control.run.replay import why_not  # noqa: PLC0415 - numpy, loaded with the first
-
         context = self._context
         operating_state = context.refresh()
         refusal = why_not_run(operating_state) or why_not(replay, operating_state)
@@ -98,7 +97,7 @@ class Replayer(Execution):
             return context.refuse(refusal)
         self._replay, self._cycle, self._at_s = replay, 1, 0.0
         self._gripper_mm = None
-        self._started = begun(self.start)
+        self._started = record_start(self.start)
         context.tell(EventCode.RUN_STARTED, self._started, name=replay.recording.name)
         self._timer.start()
         self._approach(replay)
@@ -117,7 +116,7 @@ class Replayer(Execution):
         if self._watch is not None:
             self._hold_back()
         self._phase = RunPhase.PAUSED
-        started = begun(self.pause)
+        started = record_start(self.pause)
         started.close(Ending.SENT)
         self._context.tell(EventCode.REPLAY_PAUSED, started)
         self._publish()
@@ -136,7 +135,7 @@ class Replayer(Execution):
             return self._context.refuse(LINK_LOST())
         self._phase = RunPhase.MOVING
         self._since_s = self._looked_s = self._context.clock()
-        started = begun(self.go_on)
+        started = record_start(self.go_on)
         started.close(Ending.SENT)
         self._context.tell(EventCode.REPLAY_CONTINUED, started)
         self._publish()
@@ -171,7 +170,7 @@ class Replayer(Execution):
 
     # What time and the arm bring --------------------------------------------------------------
 
-    def advance(self) -> None:
+    def follow_arm(self) -> None:
         """Send what is due; called at each tick and by a timer of its own."""
         replay = self._replay
         if replay is None or not self.running:
@@ -190,7 +189,7 @@ class Replayer(Execution):
         self._publish()
 
     def _comes_to_a_stand(self, replay: Replay) -> bool:
-        """Whether it has been paused by 0 %, and the recorded time still slows down.
+        """Tell whether it has been paused by 0 %, and the recorded time still slows down.
 
         After a long pause of the program it does so no more: the arm rests at the last target.
         """
@@ -227,7 +226,7 @@ class Replayer(Execution):
             self._fail(RUN_TOO_SLOW(seconds=round(_APPROACH_WITHIN_S)))
 
     def _begin_stream(self, now_s: float) -> None:
-        """Targets from now on are followed at full speed: the recording says how fast."""
+        """Have targets followed at full speed from now on: the recording says how fast."""
         replay = self._replay
         if replay is None:
             return
@@ -241,18 +240,18 @@ class Replayer(Execution):
     def _send_first(
         self, replay: Replay, kind: CommandKind, speed_percent: int
     ) -> MotionCommand | Refusal:
-        """The first sample as a target of all joints."""
+        """Send the first sample as a target of all joints."""
         return self._context.send_motion(
             kind,
             commands.move_joints(self._codec, replay.first_deg, speed_percent=speed_percent),
-            started=begun(self.start),
+            started=record_start(self.start),
             move_mode=MoveMode.MOVE_J,
             speed_percent=speed_percent,
             joints_deg=replay.first_deg,
         )
 
     def _why_late(self) -> Refusal | None:
-        """Why a stream of targets does not go on after a long pause of the program."""
+        """Tell why a stream of targets does not go on after a long pause of the program."""
         if self._phase is not RunPhase.MOVING or self._watch is not None:
             return None
         gap_s = self._context.clock() - self._since_s
@@ -261,8 +260,6 @@ class Replayer(Execution):
         return REPLAY_GAP(seconds=round(gap_s, 1))
 
     def _stream(self, replay: Replay) -> None:
-        from armui.control.run.replay import why_behind  # noqa: PLC0415 - loaded by start()
-
         now_s = self._context.clock()
         if now_s <= self._since_s:
             return
@@ -365,5 +362,5 @@ class Replayer(Execution):
             cycles=replay.cycles,
             done=done,
             remaining_s=None if endless else rest_s / self._share,
-            reason=reason,
+            refusal=reason,
         )

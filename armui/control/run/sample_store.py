@@ -41,7 +41,7 @@ class Recorded:
         return sum(len(chunk) for chunk in self.chunks)
 
     def joined(self, name: str | None = None) -> Recording:
-        """The recording: two hours at 200 Hz are 92 MB, so this belongs in another thread.
+        """Return the recording: two hours at 200 Hz are 92 MB, so this belongs in another thread.
 
         Args:
             name: Another name for it.
@@ -92,7 +92,7 @@ class SampleStore:
         return np.concatenate((chunks[0][rest:], *chunks[1:]))
 
     def recorded(self, name: str) -> Recorded | None:
-        """What there is; ``None`` if that is nothing."""
+        """Return what there is; ``None`` if that is nothing."""
         if not len(self):
             return None
         chunks = (*self._full, self._chunk[: self._used])

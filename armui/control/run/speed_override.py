@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final
 from armui.arm.refusal import Refusal
 from armui.control.context import Context, ControllerPart
 from armui.control.events import EventCode
-from armui.control.operations.operation import begun, operation
+from armui.control.operations.operation import operation, record_start
 from armui.control.operations.started import Ending
 from armui.control.run.player import NOT_RUNNING
 from armui.trajectory.files.errors import SPEED_OUT_OF_RANGE
@@ -79,7 +79,7 @@ class SpeedOverride(ControllerPart):
             self._before_zero = wanted
         self.percent = wanted
         self._again_s = context.clock() + _AGAIN_S if 0 < wanted < before else None
-        started = begun(self.set_percent)
+        started = record_start(self.set_percent)
         started.close(Ending.SENT)
         context.tell(EventCode.OVERRIDE_SET, started, percent=wanted)
         for run in self._runs:
@@ -100,7 +100,7 @@ class SpeedOverride(ControllerPart):
             return None
         return self.set_percent(wanted) if running else self._motion.set_speed_percent(wanted)
 
-    def advance(self) -> None:
+    def follow_arm(self) -> None:
         """Tell a lower speed once more; forget 0 % when nothing is left to hold back."""
         running = any(run.running for run in self._runs)
         if self.percent == 0 and not running:

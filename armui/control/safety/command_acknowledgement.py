@@ -81,7 +81,7 @@ class AcknowledgementMonitor:
         self._command = None
 
     def _shows(self, state: ArmState, angles_deg: tuple[float, ...] | None) -> bool:
-        """Whether the arm has begun to move, or has said why it does not."""
+        """Tell whether the arm has begun to move, or has said why it does not."""
         status = state.status
         if status is not None and status.value.arm_status != ArmStatusCode.NORMAL:
             return True

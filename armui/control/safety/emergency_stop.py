@@ -66,7 +66,7 @@ class EmergencyStop:
         return self._stop is not None and self._stop.lapsed
 
     def unconfirmed(self, now_s: float) -> bool:
-        """Whether the confirmation is overdue."""
+        """Tell whether the confirmation is overdue."""
         return self._stop is not None and now_s - self._stop.since_s > _UNCONFIRMED_S
 
     def request(self, frames: Sequence[Frame], now_s: float) -> bool:
@@ -76,8 +76,8 @@ class EmergencyStop:
         self._stop = _Outstanding(frames, since_s, asked_s=now_s, sent_s=now_s, reached_s=now_s)
         return self._send(frames)
 
-    def advance(self, state: ArmState, now_s: float, *, online: bool) -> bool:
-        """Take in what was heard, repeat the stop if due; whether it was confirmed just now."""
+    def follow_arm(self, state: ArmState, now_s: float, *, online: bool) -> bool:
+        """Take in what was heard, repeat the stop if due; tell whether it was just confirmed."""
         stop = self._stop
         if stop is None:
             return False
@@ -93,12 +93,12 @@ class EmergencyStop:
             self._send(stop.frames)
         return False
 
-    def forget(self) -> None:
-        """It is withdrawn, or another arm is connected."""
+    def reset(self) -> None:
+        """Ask for no stop any more: it is withdrawn, or another arm is connected."""
         self._stop = None
 
     def state(self, state: ArmState, now_s: float, *, online: bool, resuming: bool) -> StopState:
-        """Where the stop stands.
+        """Return where the stop stands.
 
         Of an arm whose status is not heard nobody knows whether it still is stopped: the button
         that recovers a stopped arm must be one that stops it.
@@ -112,13 +112,13 @@ class EmergencyStop:
 
 
 def is_stopped(state: ArmState) -> bool:
-    """Whether the last status heard says that the arm is stopped."""
+    """Tell whether the last status heard says that the arm is stopped."""
     status = state.status
     return status is not None and status.value.arm_status == ArmStatusCode.EMERGENCY_STOP
 
 
 def status_is_fresh(state: ArmState, now_s: float) -> bool:
-    """Whether the status was heard within the last half second."""
+    """Tell whether the status was heard within the last half second."""
     return state.status is not None and state.status.fresh(now_s)
 
 
@@ -133,11 +133,11 @@ class StopWatch:
         self.holds = False
 
     def confirmed(self) -> None:
-        """The arm has confirmed a stop of the operator."""
+        """Note that the arm has confirmed a stop of the operator."""
         self.holds = True
 
     def undone(self, state: ArmState, now_s: float, *, resuming: bool) -> bool:
-        """Whether somebody else has just undone the stop.
+        """Tell whether somebody else has just undone the stop.
 
         Args:
             state: The arm as heard.
@@ -149,6 +149,6 @@ class StopWatch:
         self.holds = False
         return not resuming
 
-    def forget(self) -> None:
+    def reset(self) -> None:
         """Another connection: what it was is over."""
         self.holds = False

@@ -129,7 +129,7 @@ _BETWEEN: Final = re.compile(r"[\s,.:_-]+")
 
 
 def parse_frame(identifier: str, data: str) -> Frame | Refusal:
-    """The frame that two fields hold in hexadecimal figures, or what is wrong with them.
+    """Return the frame that two fields hold in hexadecimal figures, or what is wrong with them.
 
     Args:
         identifier: ``155``, ``0x155``.
@@ -152,7 +152,7 @@ def parse_frame(identifier: str, data: str) -> Frame | Refusal:
 
 
 def why_never(frame: Frame) -> Refusal | None:
-    """The reason against ever sending a frame by hand, or ``None``."""
+    """Return the reason against ever sending a frame by hand, or ``None``."""
     name = {"frame": f"0x{frame.arbitration_id:03X}"}
     if speaks_for_arm(frame.arbitration_id):
         return FRAME_IS_THE_ARMS(**name)
@@ -165,17 +165,17 @@ def why_never(frame: Frame) -> Refusal | None:
 
 
 def is_upgrade(arbitration_id: int) -> bool:
-    """Whether an identifier is kept for firmware upgrades."""
+    """Tell whether an identifier is kept for firmware upgrades."""
     return arbitration_id != VERSION_ID and any(arbitration_id in each for each in _UPGRADE)
 
 
 def sets_mode(frame: Frame) -> bool:
-    """Whether it is a mode word (0x151) for any arm."""
+    """Tell whether it is a mode word (0x151) for any arm."""
     return command_id(frame.arbitration_id) == _MODE_ID
 
 
 def command_id(arbitration_id: int) -> int | None:
-    """The identifier 0x150–0x15F without its offset (0x470); ``None`` for any other."""
+    """Return the identifier 0x150–0x15F without its offset (0x470); ``None`` for any other."""
     for offset in OFFSETS:
         if 0x150 <= arbitration_id - offset <= 0x15F:
             return arbitration_id - offset
@@ -183,7 +183,7 @@ def command_id(arbitration_id: int) -> int | None:
 
 
 def effect_of(frame: Frame) -> FrameEffect:
-    """What a frame does, on any arm: whichever offset it listens to (0x470)."""
+    """Return what a frame does, on any arm: whichever offset it listens to (0x470)."""
     arbitration_id = frame.arbitration_id
     base = command_id(arbitration_id)
     if base is not None:

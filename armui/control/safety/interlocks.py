@@ -66,7 +66,7 @@ MOVABLE_STATUSES: Final = frozenset(
 def why_no_command(
     unreachable: Refusal | None, stop: StopState, busy: Busy | None
 ) -> Refusal | None:
-    """The reason against any command but the stop.
+    """Return the reason against any command but the stop.
 
     Args:
         unreachable: Why nothing can be sent at all.
@@ -85,7 +85,7 @@ def why_no_command(
 
 
 def why_not_enabled(enabled: Six[bool | None]) -> Refusal | None:
-    """The reason motors give against a motion: some are off, or were not heard."""
+    """Return the reason motors give against a motion: some are off, or were not heard."""
     off = [joint for joint, on in enumerate(enabled, start=1) if on is False]
     if off:
         return NOT_ENABLED(joints=joint_list(off))
@@ -93,7 +93,7 @@ def why_not_enabled(enabled: Six[bool | None]) -> Refusal | None:
 
 
 def why_not_ready(state: ArmState) -> Refusal | None:
-    """The reason the arm itself gives against a motion: who controls it, and its status."""
+    """Return the reason the arm itself gives against a motion: who controls it, and its status."""
     if state.status is None or state.angles_deg() is None:
         return JOINTS_UNKNOWN()
     status = state.status.value

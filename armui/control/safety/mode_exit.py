@@ -95,10 +95,10 @@ class ModeExitCommand(ControllerPart):
             return context.refuse(refusal)
         connection, now_s = context.connection, context.clock()
         self._question = _Question(connection.mark, connection.newest.pauses, now_s, now_s)
-        self.advance()
+        self.follow_arm()
         return None
 
-    def advance(self) -> None:
+    def follow_arm(self) -> None:
         """Ask for the version, and act on the answer."""
         question, context = self._question, self._context
         if question is None:
@@ -126,11 +126,11 @@ class ModeExitCommand(ControllerPart):
                 self._give_up(LINK_LOST())
 
     def halt(self) -> None:
-        """A stop was asked for: the arm is left as it is."""
+        """Leave the arm as it is: a stop was asked for."""
         self._question = None
 
-    def forget(self) -> None:
-        """The arm is gone: no answer will come."""
+    def forget_arm(self) -> None:
+        """Await no answer: the arm is gone."""
         self._question = None
 
     def _give_up(self, reason: Refusal) -> None:
@@ -178,7 +178,7 @@ class ModeExitCommand(ControllerPart):
         return None
 
     def why_not(self) -> Refusal | None:
-        """The reason against it now, or ``None``; against a stream only the stop wins."""
+        """Return the reason against it now, or ``None``; against a stream only the stop wins."""
         authority = self._context.authority
         if (silent := authority.why_silent()) is not None:
             return silent

@@ -136,7 +136,7 @@ class OtherCommand:
         self._void_before_s = self._left_s = -math.inf
 
     def leave_mode(self, now_s: float) -> None:
-        """The operator takes the arm out of the mode with a mode word of ours, which goes out now.
+        """Note that the operator takes the arm out of the mode by a mode word, which goes out now.
 
         If the arm stays in it, it counts again soon.
         """
@@ -151,7 +151,7 @@ class OtherCommand:
     def _mode_of(
         self, traffic: OtherTraffic, offsets: tuple[int, ...], state: ArmState
     ) -> OtherMode | None:
-        """The mode in 0x2A1 byte 2, or in a mode word that the arm cannot report, or not yet.
+        """Return the mode in 0x2A1 byte 2, or in a mode word the arm has not reported.
 
         0x2A1 shows high-follow as MOVE J: it lasts until the arm is seen to have left it. A stop
         ends any of them, though 0x2A1 goes on showing the mode that was asked for last.
@@ -189,7 +189,7 @@ class OtherCommand:
         return self._now_s - self.last_s >= _TAKE_OVER_AFTER_S
 
     def take_over(self) -> Refusal | None:
-        """The operator takes the arm: ``None``, or why not."""
+        """Take the arm for the operator: ``None``, or why not."""
         if not self.commands:
             return NOBODY_ELSE()
         if not self.may_be_taken_over:
@@ -209,7 +209,7 @@ class OtherCommand:
         return 10 * round(rate_hz / 10.0) if rate_hz >= 20.0 else round(rate_hz)
 
     def why_not(self) -> Refusal | None:
-        """The reason against a motion of ours, or ``None``."""
+        """Return the reason against a motion of ours, or ``None``."""
         if self.mode is not None:
             return OTHER_MODE(other_mode=self.mode.value)
         if not self.commands:
@@ -226,5 +226,5 @@ def _shown(state: ArmState, now_s: float) -> OtherMode | None:
 
 
 def _has_left(status: Status) -> bool:
-    """Whether the arm is seen to have left the mode that a mode word with MOVE J put it in."""
+    """Tell whether the arm is seen to have left the mode that a mode word with MOVE J put it in."""
     return status.control_mode != ControlMode.CAN_CONTROL or status.move_mode != MoveMode.MOVE_J

@@ -5,11 +5,13 @@ from __future__ import annotations
 import math
 from collections import deque
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Final, NamedTuple
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Final
 
 from armui.arm.limits import JointLimits, plausible
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
+from armui.kinematics.poses import apart
 
 if TYPE_CHECKING:
     from armui.arm.models import ArmModel
@@ -47,7 +49,8 @@ _BRAKING: Final = 0.95
 """A joint that gets this much slower in 0.05 s is on its way to the speed it was told."""
 
 
-class ToolPace(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class ToolPace:
     """How fast a line or an arc leads the flange at 100 %: the most along its way.
 
     Attributes:
@@ -67,12 +70,14 @@ class ToolPace(NamedTuple):
         return self.ramp_s * percent / 100.0 + _TAKEN_UP_S
 
 
-class _Sample(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class _Sample:
     at_s: float
     joints_deg: tuple[float, ...]
 
 
-class _SpeedChange(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class _SpeedChange:
     """How fast the joints were measured when another speed was told.
 
     Attributes:
@@ -172,7 +177,8 @@ class OverspeedWatch:
         return refusal
 
 
-class _Window(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class _Window:
     """What was measured a tenth of a second ago, half of that ago, and last."""
 
     first: _Sample
@@ -197,7 +203,7 @@ def tool_pace(
     if limits is not None:
         angular_deg_s = math.degrees(limits.max_angular_speed_rad_s)
         linear_mm_s = 1e3 * limits.max_linear_speed_m_s
-        most = most._replace(linear_mm_s=linear_mm_s, angular_deg_s=angular_deg_s)
+        most = replace(most, linear_mm_s=linear_mm_s, angular_deg_s=angular_deg_s)
     if start_deg is None:
         return most
     from armui.trajectory.planning.planning import single_pace  # noqa: PLC0415 - numpy, scipy
@@ -250,8 +256,6 @@ def _tool_too_fast(window: _Window, share: float, pace: ToolPace) -> Refusal | N
 
 def _tool_speeds(first: _Sample, last: _Sample, pace: ToolPace) -> tuple[float, float]:
     """Return the flange's speeds in mm/s and °/s between two measurements."""
-    from armui.kinematics.poses import apart  # noqa: PLC0415 - numpy, scipy
-
     span_s = last.at_s - first.at_s
     if span_s <= 0.0:
         return math.inf, math.inf

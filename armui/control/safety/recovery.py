@@ -203,11 +203,11 @@ class Recovery(ControllerPart):
         if refusal is None and wanted not in _AT_ONCE:
             self._attempt = _PendingAction(now)
         self._context.refresh()
-        self.advance()
+        self.follow_arm()
         return refusal
 
     def why_not(self, step: Step, action: Action | None = None) -> Refusal | None:
-        """The reason against taking a step now that does not lie in the step, or ``None``.
+        """Return the reason against taking a step now that does not lie in the step, or ``None``.
 
         Args:
             step: What is shown.
@@ -231,7 +231,7 @@ class Recovery(ControllerPart):
             return None
         return OTHER_HOST_STREAMS(frames=other.frames)
 
-    def advance(self) -> None:
+    def follow_arm(self) -> None:
         """Look at what was heard; called regularly while a device is open."""
         now_s = self._context.clock()
         if self._request is not None:
@@ -252,11 +252,11 @@ class Recovery(ControllerPart):
             self._announce(step)
 
     def halt(self) -> None:
-        """A stop was asked for: it changes everything."""
+        """Take back what was begun: a stop was asked for."""
         self._give_up()
 
-    def forget(self) -> None:
-        """The arm is gone: no answer will come."""
+    def forget_arm(self) -> None:
+        """Await no answer: the arm is gone."""
         self._give_up()
 
     def _look(self) -> Step:
@@ -273,7 +273,7 @@ class Recovery(ControllerPart):
     # How an action fares --------------------------------------------------------------------------
 
     def _follow(self, step: Step, now_s: float) -> Step:
-        """The step with what has become of the action taken against it."""
+        """Return the step with what has become of the action taken against it."""
         attempt = self._attempt
         if attempt is None:
             return step
@@ -307,7 +307,7 @@ class Recovery(ControllerPart):
         )
 
     def _holds(self, step: Step, now_s: float) -> bool:
-        """Whether a step is to be shown: some states are passed through in a moment."""
+        """Tell whether a step is to be shown: some states are passed through in a moment."""
         if step.kind not in _MAY_BE_BRIEF or step.kind is self.step.kind:
             self._brief_since_s = None
             return True

@@ -99,14 +99,14 @@ def joints_flagged(
 
 
 def drivers(fault: Callable[[DriverSlow], bool | None]) -> Callable[[RecoveryView], list[bool]]:
-    """Which joints' drivers report a fault (0x261–0x266)."""
+    """Return the joints whose drivers report a fault (0x261–0x266)."""
     return lambda view: [each is not None and bool(fault(each)) for each in view.drivers]
 
 
 def status_flags(
     flags: Callable[[Status], tuple[bool, ...]],
 ) -> Callable[[RecoveryView], list[bool]]:
-    """Which joints the status flags (0x2A1 bytes 6–7)."""
+    """Return the joints that the status flags (0x2A1 bytes 6–7)."""
     return lambda view: [False] * len(JOINTS) if view.status is None else list(flags(view.status))
 
 
@@ -161,9 +161,9 @@ def not_heard(view: RecoveryView) -> bool:
 def other_mode(view: RecoveryView) -> Params | None:
     """Another host has put the joints into MIT, CPV or high-follow."""
     other = view.operating_state.other_host
-    if other is None or other.reason.reason != OTHER_MODE:
+    if other is None or other.refusal.reason != OTHER_MODE:
         return None
-    return {"other_mode": other.reason.params["other_mode"]}
+    return {"other_mode": other.refusal.params["other_mode"]}
 
 
 def other_mode_that_ends(view: RecoveryView) -> Params | None:
@@ -176,7 +176,7 @@ def other_host_is(code: Reason) -> Applies:
 
     def applies(view: RecoveryView) -> Params | None:
         other = view.operating_state.other_host
-        if other is None or other.reason.reason != code:
+        if other is None or other.refusal.reason != code:
             return None
         since = f"{other.since:%H:%M:%S}"
         return {"frames": other.frames, "since": since, "rate": other.rate_hz}
@@ -232,7 +232,7 @@ def far_from_rest(condition: Callable[[RecoveryView], bool]) -> Applies:
 
 
 def motors_mixed(view: RecoveryView) -> list[bool]:
-    """Which motors are off while others are on."""
+    """Return the motors that are off while others are on."""
     enabled = view.operating_state.enabled
     return [on is False and any(enabled) for on in enabled]
 

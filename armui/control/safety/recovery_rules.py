@@ -115,7 +115,7 @@ def next_step(
 
 
 def _latched(kind: StepKind, applies: Applies) -> _Rule:
-    """A fault that stays until it is cleared, even when its cause is gone."""
+    """Return the rule of a fault that stays until it is cleared."""
     return _Rule(kind, Level.FAULT, Action.CLEAR_ERRORS, applies, escalation=Action.RESET)
 
 

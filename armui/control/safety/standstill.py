@@ -61,7 +61,7 @@ class RestWatch:
         # the angle heard longest ago tells when the arm was measured
         measured_s = min((each.at_s for each in state.joints_deg if each is not None), default=None)
         if angles_deg is None or measured_s is None or not is_fresh(measured_s, now_s):
-            self.forget()
+            self.reset()
             return
         standing = self._standing
         if standing is None or _apart(angles_deg, standing.angles_deg, self._within_deg):
@@ -75,8 +75,8 @@ class RestWatch:
         standing = self._standing
         return standing is not None and standing.measured_s - standing.since_s >= self._for_s
 
-    def forget(self) -> None:
-        """Nothing is known any more."""
+    def reset(self) -> None:
+        """Forget what was measured."""
         self._standing = None
 
 
@@ -85,7 +85,7 @@ def _apart(angles_deg: Sequence[float], others_deg: Sequence[float], within_deg:
 
 
 def why_moving(state: ArmState) -> Refusal | None:
-    """The joints that are measured to move, as a reason; one that tells nothing is no reason."""
+    """Return the joints measured to move, as a reason; silent ones are no reason."""
     moving = [
         joint
         for joint, speed in zip(JOINTS, _speeds_deg_s(state), strict=True)
@@ -95,7 +95,7 @@ def why_moving(state: ArmState) -> Refusal | None:
 
 
 def why_not_still(state: ArmState) -> Refusal | None:
-    """The same, and for each joint its speed must be known."""
+    """As :func:`why_moving`, and the speed of each joint must be known."""
     speeds = zip(JOINTS, _speeds_deg_s(state), strict=True)
     unknown = [joint for joint, speed in speeds if speed is None]
     if unknown:
@@ -104,7 +104,7 @@ def why_not_still(state: ArmState) -> Refusal | None:
 
 
 def _speeds_deg_s(state: ArmState) -> list[float | None]:
-    """Of each joint; ``None`` where its driver has not been heard beside the newest feedback."""
+    """Return each joint's speed; ``None``: its driver was not heard beside the feedback."""
     return [
         heard.value.speed_deg_s
         if heard is not None

@@ -50,7 +50,7 @@ class Stopping:
 
     Args:
         connection: The way to the arm.
-        tell: Takes the notices.
+        tell: Takes the events.
         clock: Monotonic time in seconds.
         end_all: Has every part of the program give up what would move the arm.
 
@@ -101,27 +101,27 @@ class Stopping:
     def withdraw(self) -> None:
         """Withdraw a stop that the arm has not confirmed."""
         if self.emergency_stop.requested:
-            self.emergency_stop.forget()
+            self.emergency_stop.reset()
             self._close(self._stop_started, Ending.CUT_OFF, EventCode.STOP_WITHDRAWN)
 
     def on_connecting(self, device: Device) -> None:
-        """A stop that is outstanding holds for the device it was asked of, and no other."""
-        self._watch.forget()
+        """Drop a stop that is outstanding, unless it was asked of this very device."""
+        self._watch.reset()
         self._halted_s = None
         if (
             self.emergency_stop.requested
             and self._asked_of is not None
             and not device.same(self._asked_of)
         ):
-            self.emergency_stop.forget()
+            self.emergency_stop.reset()
             abandoned = EventCode.STOP_ABANDONED
             self._close(self._stop_started, Ending.CUT_OFF, abandoned, device=self._asked_of)
 
-    def advance(self, state: ArmState, now_s: float, *, resuming: bool, still: bool) -> None:
+    def follow_arm(self, state: ArmState, now_s: float, *, resuming: bool, still: bool) -> None:
         """Take in what was heard; called at each tick, whatever else fails."""
         emergency_stop = self.emergency_stop
         online = self._connection.link is LinkState.ONLINE
-        if emergency_stop.advance(state, now_s, online=online):
+        if emergency_stop.follow_arm(state, now_s, online=online):
             self._watch.confirmed()
             self._close(self._stop_started, Ending.DONE, EventCode.STOP_CONFIRMED)
         unconfirmed = emergency_stop.unconfirmed(now_s)
@@ -137,7 +137,7 @@ class Stopping:
         self._follow_halt(now_s, still=still)
 
     def state(self, state: ArmState, now_s: float, *, resuming: bool) -> StopState:
-        """Where the stop stands; see :meth:`EmergencyStop.state`."""
+        """Return where the stop stands; see :meth:`EmergencyStop.state`."""
         online = self._connection.link is LinkState.ONLINE
         return self.emergency_stop.state(state, now_s, online=online, resuming=resuming)
 
@@ -150,7 +150,7 @@ class Stopping:
                 self._tell(EventCode.STOP_REACHES_OTHER, feedback=f"0x{0x2A1 + offset:03X}")
 
     def _on_every_offset(self, frames: Sequence[Frame]) -> list[Frame]:
-        """The frames on this arm's own identifier first, the two others directly behind."""
+        """Return the frames on this arm's own identifier first, the two others directly behind."""
         addressing = self._connection.codec.addressing
         return [
             Frame(shifted, frame.data)
@@ -161,7 +161,7 @@ class Stopping:
     # Halt and hold ----------------------------------------------------------------------------
 
     def why_no_halt(self) -> Refusal | None:
-        """The reason against a halt: no arm is heard, or it may only be listened to."""
+        """Return the reason against a halt: no arm is heard, or it may only be listened to."""
         device = self._connection.device
         if device is not None and device.listen_only and device.recorded is None:
             return HALT_LISTEN_ONLY()
@@ -196,7 +196,7 @@ class Stopping:
         return None
 
     def _replays_teaching(self) -> bool:
-        """Whether the arm says that it runs a recording of its own: that has its own abort."""
+        """Tell whether the arm says that it runs a recording of its own: that has its own abort."""
         status = self._connection.newest.status
         return status is not None and phase_of(status.value) in {
             TeachingPhase.REPLAYING,

@@ -33,7 +33,7 @@ class SessionChoices:
 
 
 def choices_of(settings: Settings) -> SessionChoices:
-    """As they stand in the settings."""
+    """Return the choices as they stand in the settings."""
     as_mf4 = settings.session_format == MF4_SUFFIX
     return SessionChoices(
         folder=Path(settings.session_folder) if settings.session_folder else paths.sessions(),

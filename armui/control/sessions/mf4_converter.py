@@ -9,12 +9,13 @@ from concurrent.futures import wait as wait_for
 from dataclasses import dataclass, field
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Reason, Refusal
 from armui.session.recording.kinds import MF4_SUFFIX, SESSION_NO_MF4, why_not_written
 from armui.system.atomic import unfinished_name
 from armui.system.files import read_file
+from armui.system.helper_process import HelperProcess
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -33,16 +34,17 @@ _LOOK_S: Final = 0.1
 _END_S: Final = 1.0
 
 
-class Mf4Made(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Mf4Made:
     """What became of one.
 
     Attributes:
         name: Of the recording.
-        reason: Why there is no .mf4 file of it; ``None``: there is.
+        refusal: Why there is no .mf4 file of it; ``None``: there is.
     """
 
     name: str
-    reason: Refusal | None
+    refusal: Refusal | None
 
 
 @dataclass(slots=True, eq=False)
@@ -68,8 +70,6 @@ def _make(folder: Path, name: str, told: Path, unfinished: Path) -> None:
 
 
 def _helper() -> Executor:
-    from armui.system.helper_process import HelperProcess  # noqa: PLC0415 - for those who want it
-
     return HelperProcess()
 
 
@@ -108,7 +108,7 @@ class Mf4Converter:
             conversion.called_off.set()
 
     def take_done(self) -> list[Mf4Made]:
-        """Those that are done since the last call."""
+        """Return those that are done since the last call."""
         done = [each for each in self._conversions.values() if each[1].done()]
         for conversion, _future in done:
             del self._conversions[conversion.name]

@@ -37,12 +37,12 @@ class SaveAtFaults:
             self._due_s = max(self._due_s, self._saved_s + self._keep_s - 2 * AFTER_S)
 
     def take_due(self, now_s: float) -> MarkKind | None:
-        """What it is to be saved for now; ``None``: not now."""
+        """Return what it is to be saved for now; ``None``: not now."""
         if self._due_s is None or now_s < self._due_s:
             return None
         self._due_s, self._saved_s = None, now_s
         return self._kind
 
-    def forget(self) -> None:
-        """The operator does not want it any more."""
+    def reset(self) -> None:
+        """Save nothing by itself: the operator does not want it any more."""
         self._due_s = None

@@ -16,21 +16,21 @@ from armui.arm.refusal import Reason, Refusal
 from armui.control.events import EventCode
 from armui.control.operations.started import Ending, Started
 from armui.control.sessions.choices import SessionChoices
-from armui.control.sessions.event_feed import EventFeed
 from armui.control.sessions.mf4_converter import Mf4Converter
 from armui.control.sessions.progress import RecordingProgress, RingContent
 from armui.control.sessions.ring_saving import SaveAtFaults
-from armui.control.sessions.sidecar_lines import SidecarLines
+from armui.control.sessions.sidecar_lines import EventFeed, SidecarLines
+from armui.session.recording.collector import Collector, FrameRing
 from armui.session.recording.kinds import MF4_SUFFIX, is_name, name_for, why_not_written
 from armui.session.recording.lane import FrameLane
+from armui.session.recording.sidecar import event_line
 from armui.session.session import MarkKind
 from armui.system import paths
 
 if TYPE_CHECKING:
     from armui.bus.link import BusReport
     from armui.control.context import Context
-    from armui.control.sessions.event_feed import FedEvent
-    from armui.session.recording.collector import Collector, FrameRing
+    from armui.control.sessions.sidecar_lines import FedEvent
     from armui.session.recording.session_recording import SessionRecording
     from armui.session.recording.sidecar import Line
     from armui.session.recording.writer import RecordingPlan
@@ -121,7 +121,7 @@ class SessionRecorder(QObject):
         return self._saving is not None
 
     def busy_names(self) -> frozenset[str]:
-        """The recordings whose files are being written: they must not be moved."""
+        """Return the recordings whose files are being written: they must not be moved."""
         writing = [*self._ending] + ([self._recording] if self._recording is not None else [])
         names = {each.name for each in writing if each.name is not None}
         if self._saving_plan is not None:
@@ -129,7 +129,7 @@ class SessionRecorder(QObject):
         return self.mf4.names | names
 
     def progress(self) -> RecordingProgress | None:
-        """The recording under way, if any."""
+        """Return the recording under way, if any."""
         recording = self._recording
         if recording is None:
             return None
@@ -143,7 +143,7 @@ class SessionRecorder(QObject):
         )
 
     def ring(self) -> RingContent:
-        """What the ring holds now."""
+        """Return what the ring holds now."""
         if self._ring is None:
             return RingContent()
         frames, span_s = self._ring.span()
@@ -155,10 +155,10 @@ class SessionRecorder(QObject):
     # What the operator asks for ---------------------------------------------------------------
 
     def choose(self, choices: SessionChoices) -> None:
-        """Where and how from now on; a recording under way goes on as it was begun."""
+        """Set where and how to record; a recording under way goes on as it was begun."""
         self.choices = choices
         if not choices.save_at_faults:
-            self._at_faults.forget()
+            self._at_faults.reset()
 
     def start(self, name: str | None = None) -> Refusal | None:
         """Record to the disk: ``None``, it is under way, or why not.
@@ -173,10 +173,10 @@ class SessionRecorder(QObject):
             refusal = SESSION_NAME_BAD(name=name)
         if refusal is not None:
             return self._context.refuse(refusal)
-        from armui.session.recording.session_recording import SessionRecording  # noqa: PLC0415 - numpy
+        from armui.session.recording.session_recording import SessionRecording  # noqa: PLC0415 - python-can
 
         collector = self._begin_collecting()
-        self._facts.forget()
+        self._facts.reset()
         self._dropped_before, self._lost_told = self._lane.dropped, 0
         plan = self._plan(name or name_for(datetime.now().astimezone()), "operator")
         self._recording = SessionRecording(plan, self._context.clock)
@@ -212,7 +212,7 @@ class SessionRecorder(QObject):
         if refusal is not None or self._ring is None or self._collector is None:
             return None if refusal is None else self._context.refuse(refusal)
         self.look()
-        self._facts.forget()
+        self._facts.reset()
         lines = self._facts.news()
         name = f"{name_for(datetime.now().astimezone())}-{_WORDS.get(reason, reason)}"
         plan = self._plan(name, "ring" if reason == "operator" else reason)
@@ -249,7 +249,7 @@ class SessionRecorder(QObject):
                 ended = _is_done(self._saving, max(0.0, until_s - time.monotonic())) and ended
             self._saver.shutdown(wait=ended)
         if self._ring is not None:
-            self._ring.forget()
+            self._ring.clear()
         return ended
 
     # What happens -----------------------------------------------------------------------------
@@ -275,14 +275,13 @@ class SessionRecorder(QObject):
             return
         self._begin_collecting()
         if self._device is not None and self._device != report.device and self._ring is not None:
-            self._ring.forget()  # another bus: its frames do not belong to those
+            self._ring.clear()  # another bus: its frames do not belong to those
         self._device = report.device
         self._timer.start()
 
     def _begin_collecting(self) -> Collector:
-        """From the first device, or the first wish, on."""
+        """Collect frames from the first device, or the first wish, on."""
         # numpy comes with the first device: the window starts without it
-        from armui.session.recording.collector import Collector, FrameRing  # noqa: PLC0415
 
         if self._collector is None or self._ring is None:
             self._ring = FrameRing(KEPT_S)
@@ -345,10 +344,10 @@ class SessionRecorder(QObject):
 
     def _follow_mf4(self) -> None:
         for made in self.mf4.take_done():
-            if made.reason is None:
+            if made.refusal is None:
                 self._context.tell(EventCode.MF4_SAVED, name=made.name)
             else:
-                self._context.tell(EventCode.MF4_NOT_SAVED, name=made.name, reason=made.reason)
+                self._context.tell(EventCode.MF4_NOT_SAVED, name=made.name, reason=made.refusal)
             self.changed.emit()
 
     def _end(self, recording: SessionRecording, reason: str) -> None:
@@ -362,7 +361,7 @@ class SessionRecorder(QObject):
         self.changed.emit()
 
     def _plan(self, name: str, reason: str) -> RecordingPlan:
-        from armui.session.recording.writer import RecordingPlan, TimeBase  # noqa: PLC0415 - numpy
+        from armui.session.recording.writer import RecordingPlan, TimeBase  # noqa: PLC0415 - as above
 
         device = self._context.connection.device
         channel = "can" if device is None else str(device.channel)
@@ -386,8 +385,6 @@ _WORDS: Final = {"operator": "saved"}
 
 
 def _line(each: FedEvent, shift_s: float) -> Line:
-    from armui.session.recording.sidecar import event_line  # noqa: PLC0415 - numpy
-
     return event_line(each.at_s + shift_s, each.mark, each.entry)
 
 
@@ -403,7 +400,7 @@ def _save(
     Raises:
         OSError: It could not be written.
     """
-    from armui.session.recording.session_recording import write_at_once  # noqa: PLC0415 - numpy
+    from armui.session.recording.session_recording import write_at_once  # noqa: PLC0415 - as above
 
     collector.collect(everything=True)
     return write_at_once(plan, ring.snapshot(), lines, {"reason": plan.name}, clock)

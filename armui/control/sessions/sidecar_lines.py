@@ -1,16 +1,81 @@
-"""What a recording keeps of the arm beside its frames: who it is, and what was read from it."""
+"""What a recording keeps beside its frames: what happened, and what is known of the arm."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
 
 from armui.arm.backup import parameter_row
 from armui.arm.parameters import all_batches, heard
+from armui.control.events import EventCode, Level
+from armui.session.session import MarkKind
+from armui.telemetry.event_json import to_json
+from armui.telemetry.events import EventKind
 
 if TYPE_CHECKING:
     from armui.arm.state import ArmState
     from armui.control.context import Context
     from armui.session.recording.sidecar import Line
+    from armui.telemetry.events import EventEntry, EventLog
+
+_STOPS: Final = frozenset(
+    {
+        EventCode.STOP_SENT.value,
+        EventCode.STOP_CONFIRMED.value,
+        EventCode.STOP_UNDONE.value,
+        EventCode.STOP_UNCONFIRMED.value,
+        EventCode.HALT_SENT.value,
+    }
+)
+
+
+@dataclass(frozen=True, slots=True)
+class FedEvent:
+    """Something that happened.
+
+    Attributes:
+        at_s: By the program's clock.
+        mark: What sort of moment it is.
+        entry: JSON values, as a line of the sidecar has them.
+        is_new: It has just happened; not so if only its end, or a repeat, was noted.
+    """
+
+    at_s: float
+    mark: MarkKind
+    entry: Mapping[str, object]
+    is_new: bool
+
+
+class EventFeed:
+    """Follows the log of events.
+
+    Args:
+        log: What happens.
+    """
+
+    def __init__(self, log: EventLog) -> None:
+        self._log = log
+        self._revision = self._newest = 0
+
+    def take_events(self) -> list[FedEvent]:
+        """Return what has happened, or has changed, since the last call."""
+        self._revision, entries = self._log.since(self._revision)
+        newest = self._newest
+        self._newest = self._log.newest
+        return [
+            FedEvent(each.at_s, _mark_of(each), json.loads(to_json(each)), each.number > newest)
+            for each in entries
+        ]
+
+
+def _mark_of(entry: EventEntry) -> MarkKind:
+    if entry.code in _STOPS:
+        return MarkKind.STOP
+    if entry.kind is EventKind.FAULT or entry.level is Level.FAULT:
+        return MarkKind.FAULT
+    return MarkKind.COMMAND if entry.kind is EventKind.COMMAND else MarkKind.NOTE
 
 
 class SidecarLines:
@@ -24,12 +89,12 @@ class SidecarLines:
         self._context = context
         self._told: dict[str, Line] = {}
 
-    def forget(self) -> None:
-        """A new recording begins: everything is new to it."""
+    def reset(self) -> None:
+        """Take everything for new: another recording begins."""
         self._told = {}
 
     def news(self) -> list[Line]:
-        """What is known now and was not told."""
+        """Return what is known now and was not told."""
         connection = self._context.connection
         state = self._context.state()
         lines: list[Line] = []
@@ -57,7 +122,7 @@ class SidecarLines:
 
 
 def settings_read(state: ArmState) -> list[dict[str, float | int | str]]:
-    """The parameters that were read from the arm, as the file of a backup names them."""
+    """Return the parameters that were read from the arm, as the file of a backup names them."""
     return [
         parameter_row(parameter, known.value)
         for batch in all_batches(teaching=True, drag_assistance=True)

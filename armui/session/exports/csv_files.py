@@ -73,7 +73,7 @@ class CsvTable:
         """Nothing is held."""
 
     def _texts(self, record: RecordColumns, samples: Samples) -> list[str]:
-        """What stands in the columns of a message, for each of its samples."""
+        """Return what stands in the columns of a message, for each of its samples."""
         template = self._templates[record.message]
         values = [column.values(samples).tolist() for column in record.columns]
         return [template % figures for figures in zip(*values, strict=True)]
@@ -123,7 +123,7 @@ class CsvMessages:
         self.items += int(np.count_nonzero(inside))
 
     def _file(self, layout: MessageLayout) -> BinaryIO:
-        """The file of a message, begun with its first frame."""
+        """Return the file of a message, begun with its first frame."""
         file = self._files.get(layout.name)
         if file is None:
             path = self._folder / f"{layout.arbitration_id:03X}_{layout.name}.csv"

@@ -73,7 +73,7 @@ class FileSource:
         return self._log.damages.count
 
     def batches(self) -> Iterator[FrameBatch]:
-        """The frames; only once."""
+        """Return the frames; only once."""
         return self._log.batches()
 
     def close(self) -> None:
@@ -111,7 +111,7 @@ class SessionSource:
         return self._session.damage_count
 
     def batches(self) -> Iterator[FrameBatch]:
-        """The frames; only once."""
+        """Return the frames; only once."""
         for batch in self._session.frames_between(-math.inf, math.inf):
             self.frames += len(batch)
             self._at_s = float(batch.times_s[-1])

@@ -179,7 +179,7 @@ class RowTimes(NamedTuple):
 
 
 def table_rows(history: History, span: TimeSpan, message: str = TIME_BASE) -> RowTimes | None:
-    """The rows that the newest piece of a log adds; ``None`` if it adds none.
+    """Return the rows that the newest piece of a log adds; ``None`` if it adds none.
 
     Args:
         history: Has taken the piece.

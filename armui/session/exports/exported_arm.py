@@ -108,7 +108,7 @@ def look_at(
 
 
 def _channel(batches: Iterable[FrameBatch], wish: str | None) -> Channel:
-    """The channel with the most frames of an arm's feedback, unless another one is asked for."""
+    """Return the channel asked for, or the one with the most feedback of an arm."""
     counts: Counter[Channel] = Counter()
     names: dict[Channel, None] = {}
     for batch in batches:
@@ -131,7 +131,7 @@ def _shifted_feedback() -> list[int]:
 
 
 def _addressing(pieces: Iterable[ArmFrames]) -> Addressing:
-    """The offset under which most feedback is heard, 0x00 where there is none.
+    """Return the offset under which most feedback is heard, 0x00 where there is none.
 
     The offset of the commands cannot be heard; an arm is given both with one command (0x470), and
     whoever gives it one commonly gives it both.
@@ -146,7 +146,7 @@ def _addressing(pieces: Iterable[ArmFrames]) -> Addressing:
 
 
 def _firmware(pieces: Iterable[ArmFrames]) -> str:
-    """What the arm answered to 0x4AF within the frames looked at, "" if it was not asked."""
+    """Return what the arm answered to 0x4AF within the frames looked at, "" if it was not asked."""
     text = b""
     for frames in pieces:
         found = frames.ids == VERSION_ID
@@ -166,7 +166,7 @@ def _model(
     wish: PiperModel | None,
     told: PiperModel | None,
 ) -> tuple[ModelData, str, str, Geometry]:
-    """The model, why, which other the pose fits, and the geometry.
+    """Return the model, why, which other the pose fits, and the geometry.
 
     It is what is asked for, else what the recording says, else the one whose flange is nearest to
     where the arm itself says it is. Older firmware counts joints 2 and 3 from other zeros, and
@@ -206,7 +206,7 @@ def _model(
 
 
 def _off_mm(one: NDArray[np.float64], other: NDArray[np.float64]) -> float:
-    """How far transforms (n, 4, 4) are apart, all in all."""
+    """Return how far transforms (n, 4, 4) are apart, all in all."""
     apart = np.linalg.norm(one[:, :3, 3] - other[:, :3, 3], axis=1)
     turned = np.linalg.norm(one[:, :3, :3] - other[:, :3, :3], axis=(1, 2))
     return float((apart + _LEVER_MM * turned).sum())

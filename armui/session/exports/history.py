@@ -58,7 +58,7 @@ class ArmFrames:
 
 
 def no_frames() -> ArmFrames:
-    """A piece without any."""
+    """Return a piece without any."""
     return ArmFrames(
         np.empty(0, np.int64),
         np.empty(0, np.float64),
@@ -88,7 +88,7 @@ class ArmFrameReader:
         self.other_channels: dict[Channel, None] = {}
 
     def pieces(self, batches: Iterable[FrameBatch]) -> Iterator[ArmFrames]:
-        """The frames, in the order of the log."""
+        """Return the frames, in the order of the log."""
         waiting: list[ArmFrames] = []
         for batch in batches:
             waiting.append(self._of_the_arm(batch))
@@ -228,7 +228,7 @@ class History:
             self._samples[layout.name] = Samples(layout, rows, times_s, words, old)
 
     def _new_stops(self) -> NDArray[np.int64]:
-        """Where every target that stands is ended: by a stop, an abort or disabled motors."""
+        """Return where every target is ended: by a stop, an abort or disabled motors."""
         stops = []
         commands = self._samples.get("MotionCommand")
         if commands is not None:
@@ -243,17 +243,17 @@ class History:
         return np.sort(np.concatenate(stops)) if stops else np.empty(0, np.int64)
 
     def samples(self, message: str) -> Samples | None:
-        """The frames of a message; ``None`` while none was heard."""
+        """Return the frames of a message; ``None`` while none was heard."""
         return self._samples.get(message)
 
     def heard(self) -> Collection[Samples]:
-        """The frames of every message that was heard so far."""
+        """Return the frames of every message that was heard so far."""
         return self._samples.values()
 
     def ended_at(
         self, rows: NDArray[np.int64], by: tuple[str, ...], *, by_stops: bool
     ) -> NDArray[np.int64]:
-        """The last frame, at frames of the log, that ended a command; -1 where there was none.
+        """Return the last frame, as of some, that ended a command; -1 where none did.
 
         Args:
             rows: Frames of the log.

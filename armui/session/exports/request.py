@@ -43,7 +43,7 @@ class ExportFormat(enum.StrEnum):
         return self is ExportFormat.CSV_MESSAGES
 
     def named(self, path: Path) -> Path:
-        """A file's or folder's name as this format has it."""
+        """Return a file's or folder's name as this format has it."""
         if self.is_folder:
             return path.with_name(f"{path.stem}{_MESSAGES}")
         stem = path.name.removesuffix(_MESSAGES) if path.name.endswith(_MESSAGES) else path.stem

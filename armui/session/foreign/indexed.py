@@ -92,7 +92,7 @@ class ReadingProgress:
 
     @classmethod
     def read_from(cls, memory: bytes | memoryview) -> ReadingProgress:
-        """What another process has left."""
+        """Return what another process has left."""
         return cls(*_PROGRESS.unpack_from(memory, 0))
 
 
@@ -127,7 +127,7 @@ class LogIndex:
 def group_codes(
     ids: NDArray[np.uint32], flags: NDArray[np.uint8], channels: NDArray[np.uint8]
 ) -> NDArray[np.uint64]:
-    """One number for each channel, sort of frame and identifier."""
+    """Return one number for each channel, sort of frame and identifier."""
     kinds = (flags & 0b111).astype(np.uint64)  # extended, remote, error
     high = (channels.astype(np.uint64) << np.uint64(3)) | kinds
     codes: NDArray[np.uint64] = (high << np.uint64(32)) | ids.astype(np.uint64)
@@ -135,7 +135,7 @@ def group_codes(
 
 
 def column_path(folder: Path, name: str) -> Path:
-    """Where a column lies."""
+    """Return where a column lies."""
     return folder / f"{name}.column"
 
 
@@ -225,13 +225,13 @@ class IndexedLog:
         return self._index.cut
 
     def frames_between(self, t0_s: float, t1_s: float) -> Iterator[FrameBatch]:
-        """The frames with t0_s <= time < t1_s, in the order of time."""
+        """Return the frames with t0_s <= time < t1_s, in the order of time."""
         first, behind = (int(each) for each in np.searchsorted(self._times_s, (t0_s, t1_s)))
         for begin in range(first, behind, _ROWS):
             yield self._batch(begin, min(begin + _ROWS, behind))
 
     def snapshot_at(self, t_s: float) -> FrameBatch:
-        """The last frame of each identifier and channel at or before a time; see `Session`."""
+        """Return the last frame of each identifier and channel up to a time; see `Session`."""
         behind = int(np.searchsorted(self._times_s, t_s, side="right"))
         rows: list[int] = []
         ids = self._columns["ids"]
@@ -244,7 +244,7 @@ class IndexedLog:
         return self._chosen(np.array(sorted(rows), np.int64))
 
     def data_rows(self, channel: Channel, arbitration_id: int) -> DataRows | None:
-        """All data frames of one identifier on one channel; ``None`` where there are none."""
+        """Return the data frames of an identifier on a channel; ``None``: there are none."""
         columns, order = self._columns, self._order
         if channel not in self.channels or not order.size:
             return None

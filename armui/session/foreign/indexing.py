@@ -129,7 +129,7 @@ def _without_strays(own: NDArray[np.float64], steps: NDArray[np.float64]) -> NDA
 
 
 def _continued(own: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Where the clock was set back, what follows is moved up to the time of that moment."""
+    """Return where the clock was set back, what follows is moved up to the time of that moment."""
     steps = np.diff(own)
     moved = np.where(steps < -_CLOCK_SET_S, -steps, 0.0)
     if moved.any():
@@ -202,7 +202,7 @@ def index_or_reason(path: Path, folder: Path) -> LogIndex | Refusal:
 
 
 def _why_not(path: Path, error: NotALogError) -> Refusal:
-    """What is wrong with a file that is no log, as far as its beginning tells."""
+    """Return what is wrong with a file that is no log, as far as its beginning tells."""
     name = {"name": path.name}
     if isinstance(error.__cause__, OSError):
         return REPLAY_UNREADABLE(**name, text=str(error))
@@ -279,7 +279,7 @@ class _told_progress:  # noqa: N801 - used as a function is
 
 
 def _is_disk_full(folder: Path, frames: int) -> bool:
-    """Whether what is still to be written for these frames would leave too little to others."""
+    """Tell whether what is still to be written would leave too little to others."""
     return shutil.disk_usage(folder).free < SPARE_BYTES + frames * (4 + 8)
 
 

@@ -110,7 +110,7 @@ class FrameRing:
                 self._bytes -= oldest.size
                 slabs.popleft()
 
-    def forget(self) -> None:
+    def clear(self) -> None:
         """Let go of everything."""
         with self._lock:
             self._slabs.clear()
@@ -133,7 +133,7 @@ class FrameRing:
         return [first.part(begin, len(first)), *parts[1:]]
 
     def span(self) -> tuple[int, float]:
-        """How many frames are kept, and from the first to the last so many seconds."""
+        """Return how many frames are kept, and from the first to the last so many seconds."""
         parts = self.snapshot()
         if not parts:
             return 0, 0.0
@@ -165,7 +165,7 @@ class Sorter:
         self.late = 0
 
     def sort(self, rows: FrameRows, *, everything: bool = False) -> FrameRows:
-        """What can be passed on by now.
+        """Return what can be passed on by now.
 
         Args:
             rows: What has come since the last call.

@@ -70,7 +70,7 @@ def counted(session: Session) -> Counts:
 
 
 def counts_in(lines: Sequence[Mapping[str, Any]]) -> Counts | None:
-    """What a sidecar tells; ``None``: nobody has counted."""
+    """Return what a sidecar tells; ``None``: nobody has counted."""
     told = next((line for line in reversed(lines) if line["kind"] == KIND), None)
     if told is not None:
         figures = told.get("faults"), told.get("stops")
@@ -83,7 +83,7 @@ def counts_in(lines: Sequence[Mapping[str, Any]]) -> Counts | None:
 
 
 def is_over(folder: Path, name: str, lines: Sequence[Mapping[str, Any]]) -> bool:
-    """Whether nobody writes a recording any more; another program may."""
+    """Tell whether nobody writes a recording any more; another program may."""
     if any(line["kind"] == "end" for line in lines):
         return True
     try:

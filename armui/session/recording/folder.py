@@ -55,7 +55,7 @@ class RecordingEntry:
 
 
 def list_recordings(folder: Path) -> list[RecordingEntry]:
-    """The recordings of a folder, the newest first; a folder that does not exist has none.
+    """Return the recordings of a folder, the newest first; a folder that does not exist has none.
 
     One whose sidecar cannot be read costs itself alone, and is among them with its damage.
 
@@ -74,7 +74,7 @@ def list_recordings(folder: Path) -> list[RecordingEntry]:
 
 
 def _entry(folder: Path, name: str) -> RecordingEntry:
-    """One of them.
+    """Return one of them.
 
     Raises:
         OSError: Its files cannot be looked at.
@@ -139,7 +139,7 @@ def _parts(folder: Path, name: str, kind: RecordingFormat | None) -> list[Path]:
 
 
 def files_of(folder: Path, name: str) -> list[Path]:
-    """Every file of a recording, its sidecar last.
+    """Return every file of a recording, its sidecar last.
 
     Raises:
         OSError: The folder cannot be read.

@@ -83,11 +83,11 @@ class BlfFormat:
         self._unpacked = blf.FILE_HEADER_SIZE
 
     def opening(self) -> bytes:
-        """What the file begins with."""
+        """Return what the file begins with."""
         return self.header(blf.FILE_HEADER_SIZE)
 
     def header(self, size: int) -> bytes:
-        """The file's header as it is with so many bytes in it."""
+        """Return the file's header as it is with so many bytes in it."""
         fields: list[Any] = [b"LOGG", blf.FILE_HEADER_SIZE, _APPLICATION, 0, 0, 0, 2, 6, 8, 1]
         fields += [size, self._unpacked, self._objects, 0]
         fields += blf.timestamp_to_systemtime(self.start_s)
@@ -107,7 +107,7 @@ class BlfFormat:
         return np.maximum(ticks, 0.0).astype(np.uint64)
 
     def block(self, rows: FrameRows, at_byte: int) -> bytes:
-        """Frames as a container that stands by itself.
+        """Return frames as a container that stands by itself.
 
         Args:
             rows: With times since 1970.
@@ -168,7 +168,7 @@ class BlfFormat:
         return objects.tobytes()
 
     def _peculiar(self, rows: FrameRows, row: int) -> bytes:
-        """An error frame, or one of CAN FD."""
+        """Return an error frame, or one of CAN FD."""
         flags = int(rows.table["flags"][row])
         arbitration_id = int(rows.table["id"][row])
         if flags & FrameFlag.EXTENDED:
@@ -241,7 +241,7 @@ class CandumpFormat:
         return np.round(times_s, 6)
 
     def block(self, rows: FrameRows, at_byte: int) -> bytes:  # noqa: ARG002 - as others have it
-        """Frames as lines."""
+        """Return frames as lines."""
         return "".join([self._line(rows, row) for row in range(len(rows))]).encode("ascii")
 
     def _line(self, rows: FrameRows, row: int) -> str:
@@ -282,7 +282,7 @@ class AscFormat:
         self._writer = can.ASCWriter(self._text)
 
     def opening(self) -> bytes:
-        """The lines that tell what file it is."""
+        """Return the lines that tell what file it is."""
         return self._taken()
 
     def header(self, size: int) -> bytes:  # noqa: ARG002 - as others have it
@@ -290,7 +290,7 @@ class AscFormat:
         return b""
 
     def closing(self) -> bytes:
-        """The line that ends the file."""
+        """Return the line that ends the file."""
         return b"End TriggerBlock\n"
 
     def rounded(self, times_s: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -298,7 +298,7 @@ class AscFormat:
         return self.start_s + np.round(times_s - self.start_s, 6)
 
     def block(self, rows: FrameRows, at_byte: int) -> bytes:  # noqa: ARG002 - as others have it
-        """Frames as lines."""
+        """Return frames as lines."""
         for row in range(len(rows)):
             self._writer.on_message_received(_message(rows, row))
         return self._taken()
@@ -329,13 +329,13 @@ def _message(rows: FrameRows, row: int) -> can.Message:
 
 
 def candump_channel(channel: str) -> str:
-    """A channel's name as a word of a candump line: without blanks, a number as ``can0``."""
+    """Return a channel's name as a word of a candump line: without blanks, a number as ``can0``."""
     name = _NOT_A_NAME.sub("_", channel) or "can"
     return f"can{name}" if name.isdigit() else name
 
 
 def block_format(kind: RecordingFormat, start_s: float, channel: str) -> BlockFormat:
-    """The format of a new file.
+    """Return the format of a new file.
 
     Args:
         kind: Which.

@@ -116,7 +116,7 @@ class StandingFrames:
 
 
 def read_blocks(data: bytes) -> Iterator[Block]:
-    """The blocks of an index, as far as it is whole."""
+    """Return the blocks of an index, as far as it is whole."""
     if not data.startswith(MAGIC):
         return
     at = len(MAGIC)
@@ -135,7 +135,7 @@ def read_blocks(data: bytes) -> Iterator[Block]:
 
 
 def last_block(end: bytes) -> Block | None:
-    """The last whole block in the last bytes of an index; None if there is none."""
+    """Return the last whole block in the last bytes of an index; None if there is none."""
     at = len(end)
     while (at := end.rfind(_SIGN, 0, at)) >= 0:
         block = next(read_blocks(MAGIC + end[at:]), None)

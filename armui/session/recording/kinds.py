@@ -63,13 +63,13 @@ class BlockFormat(Protocol):
     start_s: float
 
     def opening(self) -> bytes:
-        """What the file begins with."""
+        """Return what the file begins with."""
 
     def header(self, size: int) -> bytes:
-        """What stands at the beginning of the file now that it has so many bytes, if that moves."""
+        """Return the beginning of the file now that it has so many bytes, if that moves."""
 
     def closing(self) -> bytes:
-        """What the file ends with."""
+        """Return what the file ends with."""
 
     def rounded(self, times_s: NDArray[np.float64]) -> NDArray[np.float64]:
         """Times as they will be read back."""
@@ -89,24 +89,24 @@ LONGEST_NAME: Final = 120
 
 
 def file_name(name: str, number: int, suffix: str) -> str:
-    """What the file with a number, from 1, is called."""
+    """Return what the file with a number, from 1, is called."""
     return f"{name}{suffix}" if number == 1 else f"{name}.{number:03}{suffix}"
 
 
 def names_of(path: Path) -> tuple[str, ...]:
-    """What the recording may be called that a file belongs to, the likeliest first."""
+    """Return what the recording may be called that a file belongs to, the likeliest first."""
     stem = path.stem
     found = _PART.fullmatch(stem)
     return (stem,) if found is None else (found["name"], stem)
 
 
 def name_for(at: datetime) -> str:
-    """A name for what is recorded from a moment on."""
+    """Return a name for what is recorded from a moment on."""
     return f"session-{at:%Y%m%d-%H%M%S}"
 
 
 def is_name(text: str) -> bool:
-    """Whether a recording can be called so, on every system."""
+    """Tell whether a recording can be called so, on every system."""
     return (
         0 < len(text) <= LONGEST_NAME
         and text == text.strip()
@@ -133,7 +133,7 @@ _CODES: Final = {
 
 
 def why_not_written(error: BaseException, folder: Path) -> Refusal:
-    """What is wrong with a folder, from what writing into it raised."""
+    """Return what is wrong with a folder, from what writing into it raised."""
     code = error.errno if isinstance(error, OSError) else None
     known = _CODES.get(code or 0)
     if known is not None:

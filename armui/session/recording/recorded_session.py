@@ -47,7 +47,7 @@ _ASC_OPENING: Final = b"base hex  timestamps absolute\nno internal events logged
 def read_block(
     data: bytes, kind: RecordingFormat, start_s: float, damages: DamageList, channel: str
 ) -> list[FrameBatch]:
-    """The frames of a block.
+    """Return the frames of a block.
 
     Args:
         data: The bytes of the block.
@@ -105,7 +105,7 @@ def _batches(
 
 
 def _quick_batch(data: bytes, start_s: float, names: tuple[Channel, ...]) -> FrameBatch | None:
-    """A block that is one whole container of classic data frames; None if it is anything else."""
+    """Return a block that is one container of classic data frames; None: it is not."""
     try:
         sign, _head, _version, size, kind = blf.OBJ_HEADER_BASE_STRUCT.unpack_from(data)
         method, unpacked = _CONTAINER.unpack_from(data, _HEAD)
@@ -237,7 +237,7 @@ class RecordedSession:
             keep(self._folder, self.name, counts)
 
     def frames_between(self, t0_s: float, t1_s: float) -> Iterator[FrameBatch]:
-        """The frames with t0_s <= time < t1_s, in the order of time."""
+        """Return the frames with t0_s <= time < t1_s, in the order of time."""
         place = max(bisect.bisect_right(self._starts_s, t0_s) - 1, 0)
         while place > 0 and self._blocks[place - 1].last_s >= t0_s - _SLACK_S:
             place -= 1
@@ -253,7 +253,7 @@ class RecordedSession:
                     yield _part(batch, begin, end, block.first)
 
     def snapshot_at(self, t_s: float) -> FrameBatch:
-        """The last frame of each identifier at or before a time, in the order of time."""
+        """Return the last frame of each identifier at or before a time, in the order of time."""
         place = bisect.bisect_right(self._starts_s, t_s + _SLACK_S) - 1
         parts: list[FrameBatch] = []
         while place >= 0:
@@ -287,7 +287,7 @@ class RecordedSession:
             return read_block(data, self._kind, block.file_start_s, self._damages, self._channel)
 
     def _present(self, blocks: list[Block]) -> list[Block]:
-        """The blocks whose bytes are there."""
+        """Return the blocks whose bytes are there."""
         sizes: dict[int, int] = {}
         found = []
         for block in blocks:
@@ -323,7 +323,7 @@ class RecordedSession:
             number, byte = number + 1, 0
 
     def _start_of(self, number: int) -> float:
-        """The log time from which a file counts that the index does not know of."""
+        """Return the log time from which a file counts that the index does not know of."""
         for line in self.lines:
             start_s = sidecar.number_in(line, "start_s")
             if start_s is not None and line["kind"] == "file" and line.get("number") == number:

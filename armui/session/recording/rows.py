@@ -51,7 +51,7 @@ class FrameRows:
         return times
 
     def data(self, row: int) -> bytes:
-        """The data of one frame."""
+        """Return the data of one frame."""
         whole = self.long_data.get(row)
         if whole is not None:
             return whole
@@ -65,7 +65,7 @@ class FrameRows:
         return FrameRows(self.table[begin:end], kept)
 
     def shifted(self, by_s: float) -> FrameRows:
-        """A copy with other times."""
+        """Return a copy with other times."""
         table = self.table.copy()
         table["time_s"] += by_s
         return FrameRows(table, self.long_data)
@@ -75,7 +75,7 @@ EMPTY: Final = FrameRows(np.zeros(0, ROW))
 
 
 def rows_of(taken: Sequence[RecordedFrame]) -> FrameRows:
-    """Frames as they were told, in their order."""
+    """Return frames as they were told, in their order."""
     count = len(taken)
     if not count:
         return EMPTY

@@ -117,7 +117,7 @@ class SessionRecording:
         self._urgent.set()
 
     def wait(self, within_s: float) -> bool:
-        """Whether it has ended, within a time."""
+        """Tell whether it has ended, within a time."""
         self._thread.join(within_s)
         return not self._thread.is_alive()
 

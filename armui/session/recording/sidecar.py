@@ -31,12 +31,12 @@ _LONGEST_TEXT: Final = 1_000
 
 
 def path_of(folder: Path, name: str) -> Path:
-    """Where the sidecar of a recording is."""
+    """Return where the sidecar of a recording is."""
     return folder / f"{name}{SUFFIX}"
 
 
 def as_bytes(lines: Sequence[Line]) -> bytes:
-    """Lines as they stand in the file; what is no JSON value is told as text."""
+    """Return lines as they stand in the file; what is no JSON value is told as text."""
     return "".join(
         f"{json.dumps(line, ensure_ascii=False, default=str, allow_nan=False)}\n"
         for line in map(_finite, lines)
@@ -52,7 +52,7 @@ def _finite(line: Line) -> Line:
 
 
 def event_line(at_s: float, mark: MarkKind, entry: Mapping[str, object]) -> Line:
-    """A line for an event.
+    """Return a line for an event.
 
     Args:
         at_s: Log time.
@@ -63,7 +63,7 @@ def event_line(at_s: float, mark: MarkKind, entry: Mapping[str, object]) -> Line
 
 
 def read_lines(data: bytes) -> list[dict[str, Any]]:
-    """The lines of a sidecar that are whole; the others are passed over."""
+    """Return the lines of a sidecar that are whole; the others are passed over."""
     lines = []
     for text in data[:MOST_BYTES].split(b"\n"):
         try:
@@ -96,7 +96,7 @@ def format_in(line: Mapping[str, Any]) -> RecordingFormat | None:
 
 
 def events_of(lines: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
-    """The lines with events; of one that was written again, as it ended, the last."""
+    """Return the lines with events; of one that was written again, as it ended, the last."""
     found: dict[object, Mapping[str, Any]] = {}
     for place, line in enumerate(lines):
         entry = line.get("entry")
@@ -107,7 +107,7 @@ def events_of(lines: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
 
 
 def marks_of(lines: Sequence[Mapping[str, Any]]) -> list[SessionMark]:
-    """The moments worth going to, in the order of time; the times of an event are log times."""
+    """Return the moments worth going to, in the order of time, in log times."""
     marks = []
     shift_s = _shift_s(lines[0]) if lines else 0.0
     for line in events_of(lines):

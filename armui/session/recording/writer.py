@@ -278,7 +278,7 @@ class RecordingWriter:
                 each.close()
 
     def _begin(self) -> tuple[str, DiskFile]:
-        """A name that is free, taken by making its sidecar.
+        """Return a name that is free, taken by making its sidecar.
 
         Raises:
             OSError: The folder cannot be written.
@@ -298,7 +298,7 @@ class RecordingWriter:
         raise AssertionError("count() never ends")
 
     def _begun(self, name: str, first: bytes) -> DiskFile:
-        """A new file with its first bytes; none is left behind that has not got them.
+        """Return a new file with its first bytes; none is left behind that has not got them.
 
         Raises:
             OSError: It cannot be made, or not be written.

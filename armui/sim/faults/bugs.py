@@ -128,7 +128,7 @@ class FirmwareBugs:
             self.silent = True
 
     def told(self, names: list[str], frames: list[Frame]) -> list[Frame]:
-        """What the arm tells instead of these frames of feedback."""
+        """Return what the arm tells instead of these frames of feedback."""
         if FirmwareBug.ZERO_FEEDBACK not in self.present or self._handle_set:
             return frames
         return [

@@ -55,7 +55,7 @@ class FaultyLink:
         return self._delayed(self._coming, kept, now_s)
 
     def to_bus(self, frames: list[Frame], now_s: float, dt_s: float) -> tuple[list[Frame], int]:
-        """The frames that reach the bus now, and how many never will.
+        """Return the frames that reach the bus now, and how many never will.
 
         Args:
             frames: What the arm says.
@@ -100,7 +100,7 @@ class FaultyLink:
 
 
 def _without(frames: list[Frame], never: Collection[int], lost: Counter[int]) -> list[Frame]:
-    """The frames but those that get lost; `lost` counts down how many still will, by identifier."""
+    """Return the frames that get through; `lost` counts down those that will not, by identifier."""
     if not (never or lost):
         return frames
     kept: list[Frame] = []

@@ -210,7 +210,7 @@ def fault(
 
 
 def read_fault(text: str) -> Fault:
-    """A fault from `NAME[:VALUE]@START[-END]`, seconds after the arm was switched on.
+    """Return a fault from `NAME[:VALUE]@START[-END]`, seconds after the arm was switched on.
 
     Raises:
         FaultError: It is not written so, or as for `fault`.

@@ -99,7 +99,7 @@ class DriverLoop:
     def step(
         self, positions_deg: SixValues, stops: Sequence[JointLimits], dt_s: float
     ) -> tuple[SixValues, SixValues]:
-        """Where the joints are some time later, and how fast they turn then.
+        """Return where the joints are some time later, and how fast they turn then.
 
         Args:
             positions_deg: Where they are; those outside the loop stay there.
@@ -166,7 +166,7 @@ class DriverLoop:
         return law
 
     def _with_weight(self, law: DriverLaw, positions_deg: SixValues) -> DriverLaw:
-        """The law with the torque that carries the arm's weight, where the controller adds it."""
+        """Return the law with the torque that carries the weight, where it is added."""
         carrying = [index for index, each in self._setpoints.items() if each.carries_weight]
         if not carrying:
             return law
@@ -176,5 +176,5 @@ class DriverLoop:
 
 
 def _same(one: SixValues, other: SixValues) -> bool:
-    """Whether angles differ by less than the rounding of degrees to radians and back."""
+    """Tell whether angles differ by less than the rounding of degrees to radians and back."""
     return all(abs(a - b) < 1e-9 for a, b in zip(one, other, strict=True))

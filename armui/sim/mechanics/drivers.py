@@ -141,6 +141,6 @@ class Drivers:
         return round(self.supply_v - drop_v + noise_v, _VOLTAGE_DIGITS)
 
     def bus_current_a(self, index: int) -> float:
-        """What one driver draws from the supply."""
+        """Return what one driver draws from the supply."""
         power_w = abs(self._torques_nm[index] * self._speeds_rad_s[index])
         return _IDLE_A + power_w / self.supply_v

@@ -54,7 +54,7 @@ class Weight:
         return [angle + zero for angle, zero in zip(joints_deg, self.zeros_deg, strict=True)]
 
     def torques_nm(self, joints_deg: Sequence[float]) -> tuple[float, ...]:
-        """The torque with which gravity and pushes drive each joint; positive: to larger angles."""
+        """Return the torque of gravity and pushes on each joint; positive: to larger angles."""
         torques_nm = self._gravity_nm(self.payload_kg, joints_deg)
         if not any(self.pushes_nm):
             return torques_nm
@@ -71,7 +71,7 @@ class Weight:
 
 
 def gravity_torques_nm(joints_deg: Sequence[float], payload_kg: float = 0.0) -> tuple[float, ...]:
-    """The torque with which gravity turns each joint of a PiPER that stands level, in N·m."""
+    """Return gravity's torque on each joint of a PiPER that stands level, in N·m."""
     return Weight(payload_kg=payload_kg).torques_nm(joints_deg)
 
 

@@ -101,7 +101,7 @@ class JointDynamics:
         down: Sequence[float] = DOWN,
         pushes_nm: Values | None = None,
     ) -> tuple[Values, Values]:
-        """Where the joints are some time later, and how fast they turn then.
+        """Return where the joints are some time later, and how fast they turn then.
 
         Args:
             body: The masses.
@@ -161,7 +161,7 @@ class JointDynamics:
     def _solve(
         self, interval: _Interval, joints: Values, speeds: Values, stops: tuple[Values, Values]
     ) -> Values:
-        """The speeds after a step, with as much dry friction and stop as they call for.
+        """Return the speeds after a step, with as much dry friction and stop as they call for.
 
         Each joint stands, or slides one way. What turns out not to fit is changed until all fit; a
         joint that cannot decide stands for this step.
@@ -210,17 +210,17 @@ class _Interval:
         self._inverses: dict[bytes, Values] = {}
 
     def right(self, joints: Values, speeds: Values) -> Values:
-        """The right-hand side of the rule, without friction and stops."""
+        """Return the right-hand side of the rule, without friction and stops."""
         push = self._told - self._law.kp * joints + self._load - self._loss * speeds
         side: Values = self._mass @ speeds + self.dt_s * push
         return side
 
     def torques(self, joints: Values, mean_speeds: Values) -> Values:
-        """What the drivers give in a step, from the joints at its start and their mean speeds."""
+        """Return what the drivers give in a step, from its start and the mean speeds."""
         return self._told - self._law.kp * joints - self._braking * mean_speeds
 
     def solve(self, moves: Flags, right: Values) -> Values:
-        """The speeds after a step of the joints that move; the others stand."""
+        """Return the speeds after a step of the joints that move; the others stand."""
         pattern = moves.tobytes()
         inverse = self._inverses.get(pattern)
         if inverse is None:
@@ -249,7 +249,7 @@ class _Interval:
 
 
 def _inverse_of(matrix: Values, rows: Flags) -> Values:
-    """The inverse within some rows and columns, 0 elsewhere."""
+    """Return the inverse within some rows and columns, 0 elsewhere."""
     if rows.all():
         return _inverse(matrix)
     inverse = np.zeros_like(matrix)

@@ -44,7 +44,7 @@ class HandGuiding:
     def step(
         self, positions_deg: SixValues, stops: Sequence[JointLimits], dt_s: float
     ) -> tuple[SixValues, SixValues]:
-        """Where the joints are some time later, and how fast they turned in it.
+        """Return where the joints are some time later, and how fast they turned in it.
 
         Args:
             positions_deg: Where they are.
@@ -219,7 +219,7 @@ class Mechanics:
         self._path = path
 
     def follows(self, path: JointPath) -> bool:
-        """Whether the joints move along this very path."""
+        """Tell whether the joints move along this very path."""
         return self._path is path
 
     def brake(self, accelerations_deg_s2: Sequence[float]) -> None:
@@ -307,7 +307,7 @@ class Mechanics:
         return self.powered[index] and index not in self._limp and index not in self._loop
 
     def _without_sag(self, positions_deg: SixValues) -> SixValues:
-        """The setpoints at which the joints stand there."""
+        """Return the setpoints at which the joints stand there."""
         return self._shifted(positions_deg, -1.0)
 
     def _shifted(self, positions_deg: SixValues, sign: float) -> SixValues:
@@ -320,7 +320,7 @@ class Mechanics:
         )
 
     def _driven_and_limp(self) -> SixValues:
-        """Where the plan has the joints it drives, and where the limp ones are."""
+        """Return where the plan has the joints it drives, and where the limp ones are."""
         driven = self._shifted(self._motion.positions_deg, 1.0)
         return tuple(
             self.positions_deg[i] if i in self._limp else driven[i] for i in range(JOINT_COUNT)

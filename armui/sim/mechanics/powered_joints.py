@@ -131,7 +131,7 @@ class JointMotion:
             self.place(self._end_deg or plan.at_time(plan.duration)[0])
 
     def _request(self, accelerations_deg_s2: Sequence[float]) -> InputParameter:
-        """What any plan starts from.
+        """Return what any plan starts from.
 
         While the joints turn, the acceleration of their plan stays available: with less of it
         they could not stop before a target that lies at a limit.
@@ -155,7 +155,7 @@ class JointMotion:
             self.place(end_deg)
 
     def _first_plan(self, request: InputParameter) -> Trajectory:
-        """The first plan that ruckig finds, with as little extra acceleration as possible.
+        """Return the first plan that ruckig finds, with as little extra acceleration as possible.
 
         A joint that is braking already, and has just the way it needs, has no solution in floating
         point; a trace more acceleration gives it one. A joint that turns very slowly cannot

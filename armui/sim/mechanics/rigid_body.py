@@ -102,7 +102,7 @@ class RigidBody:
         self._moved = np.tril(np.ones((count, count)))[..., None]
 
     def gravity_torques_nm(self, joints_rad: Values, down: Sequence[float] = DOWN) -> Values:
-        """The torque with which gravity turns each joint; positive towards larger angles.
+        """Return the torque with which gravity turns each joint; positive towards larger angles.
 
         Args:
             joints_rad: (6,) joint angles.
@@ -117,7 +117,7 @@ class RigidBody:
     def equation(
         self, joints_rad: Values, speeds_rad_s: Values, down: Sequence[float] = DOWN
     ) -> tuple[Values, Values]:
-        """The mass matrix, and the torques it takes to turn on at these speeds.
+        """Return the mass matrix, and the torques it takes to turn on at these speeds.
 
         Args:
             joints_rad: (6,) joint angles.
@@ -157,12 +157,12 @@ class RigidBody:
         return mass_matrix, bias
 
     def kinetic_energy_j(self, joints_rad: Values, speeds_rad_s: Values) -> float:
-        """The energy of the motion."""
+        """Return the energy of the motion."""
         mass_matrix, _ = self.equation(joints_rad, speeds_rad_s)
         return float(speeds_rad_s @ mass_matrix @ speeds_rad_s) / 2.0
 
     def potential_energy_j(self, joints_rad: Values, down: Sequence[float] = DOWN) -> float:
-        """The energy of the height, counted from the base."""
+        """Return the energy of the height, counted from the base."""
         *_, centres = self._place(joints_rad)
         return -G_M_S2 * float(self._masses @ (centres @ np.asarray(down)))
 
@@ -212,7 +212,7 @@ def _crosses(vectors: Values) -> Values:
 
 
 def _cylinder(mass_kg: float, tip_m: Values) -> Values:
-    """The inertia of a solid cylinder about its own centre, lying along a line in its frame.
+    """Return the inertia of a solid cylinder about its own centre, lying along a line in its frame.
 
     One without length lies along the joint's own axis, z.
     """
@@ -226,7 +226,7 @@ def _cylinder(mass_kg: float, tip_m: Values) -> Values:
 
 
 def rigid_links(model: ModelData, geometry: Geometry) -> tuple[RigidLink, ...]:
-    """The six links that move; the base stands still.
+    """Return the six links that move; the base stands still.
 
     Args:
         model: Has the masses and their centres.
@@ -242,6 +242,6 @@ def rigid_links(model: ModelData, geometry: Geometry) -> tuple[RigidLink, ...]:
 
 @cache
 def piper_links() -> tuple[RigidLink, ...]:
-    """Those of the PiPER with the zeros of today's firmware."""
+    """Return those of the PiPER with the zeros of today's firmware."""
     model = model_data(PiperModel.PIPER)
     return rigid_links(model, model.geometry)

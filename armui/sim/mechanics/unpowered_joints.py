@@ -69,7 +69,7 @@ class LimpJoints:
     def step(
         self, positions_deg: Sequence[float], limits: Sequence[JointLimits], dt_s: float
     ) -> SixValues:
-        """Where all joints are after some time; those not limp stay where they are."""
+        """Return where all joints are after some time; those not limp stay where they are."""
         positions = list(positions_deg)
         while dt_s > 0.0:
             step_s = min(dt_s, _LONGEST_STEP_S)
@@ -99,7 +99,7 @@ class LimpJoints:
 
 
 def _free_speed_deg_s(torque_nm: float, unpowered: UnpoweredJoints) -> float:
-    """The speed at which damping and gravity balance."""
+    """Return the speed at which damping and gravity balance."""
     if abs(torque_nm) < _STICTION_NM:
         return 0.0
     top = _TOP_SPEED_DEG_S[unpowered]

@@ -117,7 +117,7 @@ class JointProfile:
         self.angle = there
 
     def _approach(self, goal: float, top: float, slowing: float, dt_s: float) -> float:
-        """The speed at the end of this step with which it can still stand at the goal."""
+        """Return the speed at the end of this step with which it can still stand at the goal."""
         way = goal - self.angle
         # what is left after this step, at the mean of both speeds, has to be enough to brake in
         left = max(abs(way) - math.copysign(self.speed, self.speed * way) * dt_s / 2.0, 0.0)
@@ -249,7 +249,7 @@ class CpvControl:
         return True
 
     def answers(self, codec: Codec) -> list[Frame]:
-        """The answers to what has been read."""
+        """Return the answers to what has been read."""
         asked, self._asked = self._asked, []
         return [
             codec.encode(

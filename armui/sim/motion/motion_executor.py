@@ -56,11 +56,11 @@ class MotionExecutor:
         return able and all(self._mechanics.powered)
 
     def serves(self, order: Hashable) -> bool:
-        """Whether this very order is under way, or was done or refused just here."""
+        """Tell whether this very order is under way, or was done or refused just here."""
         return self.pursues(order) or (order == self._order and self._settled == self._conditions())
 
     def pursues(self, order: Hashable) -> bool:
-        """Whether this very order is under way."""
+        """Tell whether this very order is under way."""
         return bool(self._legs) and order == self._order
 
     def begin(
@@ -197,7 +197,7 @@ class MotionExecutor:
         self._mechanics.brake(self._settings.accelerations_deg_s2)
 
     def _conditions(self) -> tuple[object, ...]:
-        """What the outcome of an order depends on."""
+        """Return what the outcome of an order depends on."""
         settings = self._settings
         return (
             self._mechanics.positions_deg,

@@ -132,7 +132,7 @@ class ToolMotions:
         self._executor.begin(order, legs, move_mode, end_deg)
 
     def _nearest(self, pose: Pose, joints_deg: SixValues) -> SixValues:
-        """The nearest way to a pose within the joints' limits.
+        """Return the nearest way to a pose within the joints' limits.
 
         Raises:
             PlanningError: None of the ways is within them, or there is none at all.

@@ -78,7 +78,7 @@ class PathProfile:
                     return
 
     def _phase(self) -> tuple[float, float]:
-        """The acceleration of now, and how long it lasts."""
+        """Return the acceleration of now, and how long it lasts."""
         most, speed, top = self._most, self.speed, self._top_speed
         left = self._end - self.position
         if speed > top * (1.0 + _ROUNDING):
@@ -266,6 +266,6 @@ def _joint_demand(way: CubicSpline, places: Values, settings: ArmSettingsRecord)
 
 
 def _pace(*demands: Demand) -> tuple[float, float]:
-    """The highest speed and acceleration along one path."""
+    """Return the highest speed and acceleration along one path."""
     top_speed, acceleration = pace(demands)
     return float(top_speed[0]), float(acceleration[0])

@@ -35,7 +35,7 @@ class SettingsTextError(ValueError):
 
 
 def to_text(settings: ArmSettingsRecord) -> str:
-    """The settings that outlive a power cut, as JSON."""
+    """Return the settings that outlive a power cut, as JSON."""
     record = {
         "format": _FORMAT,
         "limits": [each._asdict() for each in settings.limits],
@@ -52,7 +52,7 @@ def to_text(settings: ArmSettingsRecord) -> str:
 
 
 def from_text(text: str) -> ArmSettingsRecord:
-    """The inverse of `to_text`.
+    """Return the inverse of `to_text`.
 
     Values a real flash can hold but no motor can follow (0xFFFF read back) are accepted.
 
@@ -135,7 +135,7 @@ class Flash(Protocol):
     problem: str
 
     def load(self, model: PiperModel = PiperModel.PIPER) -> ArmSettingsRecord:
-        """What was saved last; a model's factory values when nothing was, or none can be read."""
+        """Return what was saved last; a model's factory values when none can be read."""
         ...
 
     def save(self, settings: ArmSettingsRecord) -> None:
@@ -157,7 +157,7 @@ class MemoryFlash:
         self.writes = 0
 
     def load(self, model: PiperModel = PiperModel.PIPER) -> ArmSettingsRecord:
-        """What was saved last, or factory values."""
+        """Return what was saved last, or factory values."""
         if not self.text:
             return factory_settings(model)
         try:
@@ -187,7 +187,7 @@ class FileFlash:
         self._kept = ""
 
     def load(self, model: PiperModel = PiperModel.PIPER) -> ArmSettingsRecord:
-        """What the file says, or factory values."""
+        """Return what the file says, or factory values."""
         try:
             text = read_file(self.path, _MOST_BYTES).decode()
             settings = from_text(text)

@@ -71,7 +71,7 @@ class ParameterServer:
         }
 
     def handle(self, name: str, signals: Signals) -> list[Frame] | None:
-        """The answers to a message, None when it is not about settings."""
+        """Return the answers to a message, None when it is not about settings."""
         handler = self._handlers.get(name)
         if handler is None:
             return None
@@ -230,7 +230,7 @@ class ParameterServer:
         return []
 
     def _unchanged(self, message: str, signal: str, signals: Signals) -> bool:
-        """Whether a field asks to leave its value: the only word in its value table."""
+        """Tell whether a field asks to leave its value: the only word in its value table."""
         return self._codec.word(message, signal, signals[signal]) is not None
 
     def _outward(self, message: str, signal: str, value_deg: float) -> float:
@@ -240,7 +240,7 @@ class ParameterServer:
         return DEGREES_PER[self._codec.unit(message, signal)]
 
     def _inward(self, message: str, signal: str, signals: Signals, *, most: float) -> float:
-        """A speed or acceleration in degrees; 0 when it is more than the motors can do."""
+        """Return a speed or acceleration in degrees; 0 when it is more than the motors can do."""
         value_deg = signals[signal] * self._degrees_per(message, signal)
         return min(value_deg, most) if value_deg <= most * _ROUNDING_GRACE else 0.0
 
@@ -261,7 +261,7 @@ _NODE_TYPE: Final = "ARM_MC"
 
 
 def identity_text(version: str, model: PiperModel) -> bytes:
-    """The 88 bytes of the answer, padded with zeros."""
+    """Return the 88 bytes of the answer, padded with zeros."""
     text = bytearray(_LENGTH)
     types = model_data(model).node_types
     software = version.ljust(_SOFTWARE_LENGTH, "\0") + _DATE
@@ -280,7 +280,7 @@ def identity_text(version: str, model: PiperModel) -> bytes:
 def version_frames(
     codec: Codec, signals: dict[str, float], version: str, model: PiperModel = PiperModel.PIPER
 ) -> list[Frame]:
-    """The answer cut into frames; a neighbour's answer is no question.
+    """Return the answer cut into frames; a neighbour's answer is no question.
 
     Args:
         codec: The arm's.

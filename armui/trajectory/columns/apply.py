@@ -47,7 +47,7 @@ _MAY_BE_EMPTY: Final = (ColumnQuantity.GRIPPER, ColumnQuantity.SPEED, ColumnQuan
 
 
 def check_mapping(mapping: ColumnMapping) -> Refusal | None:
-    """Whether a mapping says enough, and nothing twice: ``None``, or the reason against it."""
+    """Tell why a mapping says too little, or something twice; ``None``: it does not."""
     columns: dict[ColumnQuantity, int] = {}
     for number, column in enumerate(mapping.columns, start=1):
         if column is None:
@@ -69,7 +69,7 @@ def check_mapping(mapping: ColumnMapping) -> Refusal | None:
 
 
 def apply(text: str, sheet: Sheet, mapping: ColumnMapping, name: str) -> Content:
-    """A recording or trajectory from a table.
+    """Return a recording or trajectory from a table.
 
     Args:
         text: Of the whole file.
@@ -105,7 +105,7 @@ def apply(text: str, sheet: Sheet, mapping: ColumnMapping, name: str) -> Content
 def _read(
     text: str, sheet: Sheet, places: dict[ColumnQuantity, int], note: int | None
 ) -> tuple[Array, list[str], list[int]]:
-    """The figures (n, len(places)) of the rows, their notes, and the line of each."""
+    """Return the figures (n, len(places)) of the rows, their notes, and the line of each."""
     wanted = list(places.values())
     if note is None and sheet.decimal == "." and '"' not in text:
         numbered = list(lines_from(text, sheet.first_line))
@@ -144,7 +144,7 @@ def _read_one_by_one(
 def _figure(
     cell: str, sheet: Sheet, line: int, places: dict[ColumnQuantity, int], place: int
 ) -> float:
-    """The number of a cell; NaN for an empty one where none is needed."""
+    """Return the number of a cell; NaN for an empty one where none is needed."""
     if not cell.strip() and any(places.get(quantity) == place for quantity in _MAY_BE_EMPTY):
         return math.nan
     value = as_number(cell, sheet.decimal)
@@ -173,7 +173,7 @@ def _points(
     lines: Sequence[int],
     mapping: ColumnMapping,
 ) -> tuple[Waypoint, ...]:
-    """A point for each row."""
+    """Return a point for each row."""
     move = MoveMode.MOVE_J if mapping.move is None else mapping.move  # MOVE P is 0
     targets = np.column_stack([found[name] for name in (JOINTS if move.name == "MOVE_J" else POSE)])
     empty = np.full(len(targets), np.nan)

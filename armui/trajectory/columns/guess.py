@@ -72,7 +72,7 @@ _EPOCHS: Final = (("ns", 1e17), ("µs", 1e14), ("ms", 1e11))
 
 
 def guess_columns(header: Sequence[str], figures: Sequence[Figures]) -> tuple[Guess, ...]:
-    """What each column of a table seems to hold.
+    """Return what each column of a table seems to hold.
 
     Args:
         header: The titles; empty where there are none.
@@ -136,14 +136,14 @@ def _by_titles(header: Sequence[str]) -> list[tuple[ColumnQuantity | None, str]]
 
 
 def _of_pose(title: str) -> ColumnQuantity | None:
-    """What a title says of a pose that says first whose it is, as «tool_x» does."""
+    """Return what a title says of a pose that says first whose it is, as «tool_x» does."""
     prefix = _PREFIX.match(title)
     quantity = None if prefix is None else _BY_TITLE.get(title[prefix.end() :])
     return quantity if quantity in POSE else None
 
 
 def _parts(title: str) -> tuple[str, str]:
-    """A title without its unit, in small letters and one word; and the unit, or "".
+    """Return a title without its unit, in small letters and one word; and the unit, or "".
 
     A unit in brackets wins, wherever it stands.
     """
@@ -159,7 +159,7 @@ def _parts(title: str) -> tuple[str, str]:
 
 
 def _by_place(figures: Sequence[Figures]) -> list[ColumnQuantity | None]:
-    """The usual order: perhaps a time, six values, perhaps the gripper."""
+    """Return the usual order: perhaps a time, six values, perhaps the gripper."""
     numeric = [index for index, column in enumerate(figures) if _numbers(column)]
     quantities: list[ColumnQuantity | None] = [None] * len(figures)
     if len(numeric) > len(JOINTS):
@@ -185,7 +185,7 @@ def _unit(
     titled: Sequence[str],
     figures: Sequence[Figures],
 ) -> str:
-    """The unit that the titles of a quantity's kin say, or the figures of all of them speak for."""
+    """Return the unit that the titles of a quantity's kin say, or their figures suggest."""
     group = next((kin for kin in (JOINTS, POSE[:3], POSE[3:]) if quantity in kin), (quantity,))
     said = {
         unit
@@ -219,7 +219,7 @@ def _time_unit(values: Sequence[float], largest: float) -> str:
 
 
 def _numbers(column: Figures) -> list[float]:
-    """The finite figures of a column; none where most of its cells hold something else."""
+    """Return the finite figures of a column; none where most of its cells hold something else."""
     values = [value for value in column if value is not None and math.isfinite(value)]
     return values if 2 * len(values) >= max(1, len(column)) else []
 

@@ -148,14 +148,14 @@ class ColumnMapping:
 
 
 def split(line: str, delimiter: str) -> list[str]:
-    """The cells of one line."""
+    """Return the cells of one line."""
     if delimiter == SPACES:
         return line.split()
     return next(csv.reader([line], delimiter=delimiter), [])
 
 
 def table(text: str, delimiter: str, first_line: int) -> Iterator[Row]:
-    """The rows of a text that are no comments, from a line on.
+    """Return the rows of a text that are no comments, from a line on.
 
     Raises:
         TrajectoryFileError: It cannot be parted into rows.
@@ -171,23 +171,23 @@ def table(text: str, delimiter: str, first_line: int) -> Iterator[Row]:
 
 
 def lines_from(text: str, first_line: int) -> Iterator[tuple[int, str]]:
-    """The lines of a table that are neither empty nor comments, with their numbers."""
+    """Return the lines of a table that are neither empty nor comments, with their numbers."""
     numbered = islice(enumerate(lines_of(text), start=1), first_line - 1, None)
     return ((number, line) for number, line in numbered if line.strip() and not is_comment(line))
 
 
 def lines_of(text: str) -> Iterator[str]:
-    """The lines of a text, whichever way they end; as the csv module counts them."""
+    """Return the lines of a text, whichever way they end; as the csv module counts them."""
     return iter(io.StringIO(text, newline=None))
 
 
 def is_comment(text: str) -> bool:
-    """Whether a line or its first cell begins a comment."""
+    """Tell whether a line or its first cell begins a comment."""
     return text.lstrip().startswith(_COMMENTS)
 
 
 def as_number(cell: str, decimal: str) -> float | None:
-    """The number in a cell, if it is one."""
+    """Return the number in a cell, if it is one."""
     text = cell.strip()
     if decimal != ".":
         if "." in text:

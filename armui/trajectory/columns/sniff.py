@@ -52,7 +52,7 @@ class _Style(NamedTuple):
 
 
 def sniff(text: str, dialect: Dialect = _ALL_GUESSED) -> Sheet:
-    """How a table in a text is built and what its columns seem to hold.
+    """Return how a table in a text is built and what its columns seem to hold.
 
     Args:
         text: Of the whole file; prose and comments may stand before the table.
@@ -92,7 +92,7 @@ def sniff(text: str, dialect: Dialect = _ALL_GUESSED) -> Sheet:
 
 
 def _styles(dialect: Dialect) -> list[tuple[str, str]]:
-    """The delimiters and decimal signs that come into question."""
+    """Return the delimiters and decimal signs that come into question."""
     if dialect.delimiter is None and dialect.decimal is None:
         return list(_STYLES)
     delimiters = DELIMITERS if dialect.delimiter is None else (dialect.delimiter,)
@@ -101,7 +101,7 @@ def _styles(dialect: Dialect) -> list[tuple[str, str]]:
 
 
 def _preview(text: str, style: _Style, first_line: int) -> tuple[tuple[str, ...], ...]:
-    """The first rows, up to one that cannot be parted: whoever reads the whole will say so."""
+    """Return the first rows, up to one that cannot be parted: a full read will say so."""
     shown: list[tuple[str, ...]] = []
     with contextlib.suppress(TrajectoryFileError):
         for _line, cells in islice(table(text, style.delimiter, first_line), _PREVIEW):
@@ -127,7 +127,7 @@ def _spread(lines: Sequence[str]) -> list[str]:
 
 
 def _judge(lines: Sequence[str], delimiter: str, decimal: str) -> _Style:
-    """How much sense lines make when parted so: the share of cells that are numbers."""
+    """Return how much sense lines make when parted so: the share of cells that are numbers."""
     parted = [_parted(line, delimiter) for line in lines]
     widths = Counter(map(len, parted))
     width = max(widths, key=lambda count: (widths[count], count), default=0)
@@ -141,7 +141,7 @@ def _judge(lines: Sequence[str], delimiter: str, decimal: str) -> _Style:
 
 
 def _first_row(lines: Sequence[str], style: _Style) -> int | None:
-    """The index of the first line of figures, also of one with cells too many or too few."""
+    """Return the index of the first line of figures, also of one with cells too many or too few."""
     for index, line in enumerate(lines):
         cells = [] if is_comment(line) else _cells(line, style)
         numbers = sum(as_number(cell, style.decimal) is not None for cell in cells)
@@ -151,7 +151,7 @@ def _first_row(lines: Sequence[str], style: _Style) -> int | None:
 
 
 def _header(lines: Sequence[str], style: _Style) -> tuple[str, ...]:
-    """The titles in the last line before the figures, be it a comment or not; else none."""
+    """Return the titles in the last line before the figures, be it a comment or not; else none."""
     for line in reversed(lines):
         if not line.strip():
             continue

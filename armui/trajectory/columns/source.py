@@ -49,7 +49,7 @@ _MARKS: Final = {codecs.BOM_UTF16_LE: Encoding.UTF_16_LE, codecs.BOM_UTF16_BE: E
 
 
 def guess_encoding(data: bytes) -> Encoding:
-    """The encoding that bytes seem to be in.
+    """Return the encoding that bytes seem to be in.
 
     A mark at the beginning says it; UTF-16 without one is full of zeros, and what is valid UTF-8
     is hardly ever anything else. GBK is what Chinese Windows writes by itself, Windows-1252 what
@@ -73,7 +73,7 @@ def guess_encoding(data: bytes) -> Encoding:
 
 
 def decode_as(data: bytes, encoding: Encoding) -> str:
-    """The text of bytes in an encoding, without the mark at its beginning.
+    """Return the text of bytes in an encoding, without the mark at its beginning.
 
     Raises:
         TrajectoryFileError: They are not in it, with the line and the character in it.
@@ -140,11 +140,11 @@ def _read(file_name: str, data: bytes, encoding: Encoding | None, dialect: Diale
         text = decode_as(data, encoding)
         return TableFile(file_name, data, encoding, text, sniff(text, dialect))
     except TrajectoryFileError as error:
-        raise TrajectoryFileError(error.reason, error.line, error.column, file_name) from error
+        raise TrajectoryFileError(error.refusal, error.line, error.column, file_name) from error
 
 
 def look_closer(path: Path, error: TrajectoryFileError) -> tuple[TrajectoryFileError, bool]:
-    """Whether a file that could not be loaded can be imported by columns.
+    """Tell whether a file that could not be loaded can be imported by columns.
 
     So can one that a format of ours mistook for its own: degrees for the maker's radians.
 
@@ -158,5 +158,5 @@ def look_closer(path: Path, error: TrajectoryFileError) -> tuple[TrajectoryFileE
     try:
         table = open_table(path)
     except TrajectoryFileError as closer:
-        return (closer if error.reason.reason == FILE_KIND_UNKNOWN else error), False
+        return (closer if error.refusal.reason == FILE_KIND_UNKNOWN else error), False
     return error, not files.is_ours(table.text)

@@ -53,7 +53,7 @@ _HEAD_BYTES: Final = 4096
 
 
 def to_bytes(content: Content, suffix: str) -> bytes:
-    """A trajectory or recording in a format.
+    """Return a trajectory or recording in a format.
 
     Args:
         content: What to write.
@@ -72,7 +72,7 @@ def to_bytes(content: Content, suffix: str) -> bytes:
 
 
 def load(path: Path) -> Content:
-    """The trajectory or recording in a file of any of our formats, or of the maker's.
+    """Return the trajectory or recording in a file of any of our formats, or of the maker's.
 
     Raises:
         TrajectoryFileError: It cannot be read or is none; it names the file.
@@ -82,7 +82,7 @@ def load(path: Path) -> Content:
 
 
 def load_bytes(path: Path) -> bytes:
-    """The bytes of a file of any kind, for the import by columns.
+    """Return the bytes of a file of any kind, for the import by columns.
 
     Raises:
         TrajectoryFileError: It cannot be read; it names the file.
@@ -92,7 +92,7 @@ def load_bytes(path: Path) -> bytes:
 
 
 def name_in(path: Path) -> str | None:
-    """The name in a file as the library writes it; only its beginning is read.
+    """Return the name in a file as the library writes it; only its beginning is read.
 
     Raises:
         OSError: It cannot be read.
@@ -105,7 +105,7 @@ def name_in(path: Path) -> str | None:
 
 
 def is_ours(text: str) -> bool:
-    """Whether a text, sound or not, begins as a format that is no mere table of figures."""
+    """Tell whether a text, sound or not, begins as a format that is no mere table of figures."""
     return log_file.is_log(text) or json_file.is_json(text)
 
 
@@ -124,14 +124,14 @@ def _named(path: Path) -> Iterator[None]:
     try:
         yield
     except TrajectoryFileError as error:
-        raise TrajectoryFileError(error.reason, error.line, error.column, path.name) from error
+        raise TrajectoryFileError(error.refusal, error.line, error.column, path.name) from error
     except OSError as error:
-        reason = broken(FILE_UNREADABLE, text=error_text(error)).reason
+        reason = broken(FILE_UNREADABLE, text=error_text(error)).refusal
         raise TrajectoryFileError(reason, file=path.name) from error
 
 
 def read_bytes(data: bytes, name: str) -> Content:
-    """What the bytes of a file hold; what they look like counts, not the file's name.
+    """Return what the bytes of a file hold; what they look like counts, not the file's name.
 
     Args:
         data: The bytes.

@@ -47,13 +47,13 @@ Row = tuple[int, list[str]]
 
 
 def is_csv(text: str) -> bool:
-    """Whether a text has the titles of this format, in any order."""
+    """Tell whether a text has the titles of this format, in any order."""
     titles = _titles(text.partition("\n")[0])
     return "move" in titles or titles >= set(SAMPLE_TITLES[:GRIPPER])
 
 
 def write(content: Content) -> str:
-    """A trajectory or recording as text.
+    """Return a trajectory or recording as text.
 
     Raises:
         UnwritableError: It is not possible.
@@ -81,7 +81,7 @@ def write(content: Content) -> str:
 
 
 def read(text: str, name: str) -> Content:
-    """The trajectory or recording of a text.
+    """Return the trajectory or recording of a text.
 
     Args:
         text: Of the file, line ends as they are.
@@ -102,7 +102,7 @@ def read(text: str, name: str) -> Content:
 
 
 def rows(text: str, delimiter: str = ",", first_line: int = 1) -> Iterator[Row]:
-    """The rows of a table that hold anything.
+    """Return the rows of a table that hold anything.
 
     Args:
         text: Of the whole file.
@@ -140,7 +140,7 @@ def _delimiter(line: str) -> str:
 
 
 def _body(table: Iterator[Row], fields: dict[str, Any]) -> Iterator[Row]:
-    """The rows of points and comments; what belongs to the whole goes into `fields`."""
+    """Return the rows of points and comments; what belongs to the whole goes into `fields`."""
     for line, cells in table:
         key = cells[0]
         if not key.startswith("#") or key == "#":
@@ -216,7 +216,7 @@ _WHOLE_DEFAULT: Final = 30
 
 
 def write_cells(point: Waypoint) -> list[str]:
-    """The cells of a point, in the order of :data:`TITLES`."""
+    """Return the cells of a point, in the order of :data:`TITLES`."""
     cells = {
         "move": f"MOVE {LETTER_OF[point.move]}",
         "speed_percent": str(point.speed_percent),
@@ -255,11 +255,11 @@ class Columns:
         self.count = len(titles)
 
     def column(self, title: str) -> int:
-        """The cell's number, from 1; 0 where there is no such column."""
+        """Return the cell's number, from 1; 0 where there is no such column."""
         return self._places.get(title, -1) + 1
 
     def cell(self, cells: Sequence[str], title: str) -> str:
-        """The cell under a title, "" where there is no such column."""
+        """Return the cell under a title, "" where there is no such column."""
         place = self._places.get(title)
         return "" if place is None else cells[place]
 
@@ -267,7 +267,7 @@ class Columns:
 def read_cells(
     columns: Columns, cells: Sequence[str], line: int, comments: tuple[str, ...]
 ) -> Waypoint:
-    """The point of a row.
+    """Return the point of a row.
 
     Raises:
         TrajectoryFileError: With the cell as column.
@@ -346,7 +346,7 @@ _STEP_DIGITS: Final = 6
 
 
 def is_maker_csv(text: str) -> bool:
-    """Whether the first row holds 7 or 8 numbers and nothing else."""
+    """Tell whether the first row holds 7 or 8 numbers and nothing else."""
     first = text.lstrip().partition("\n")[0].split(",")
     try:
         return len(first) in _COUNTS and all(math.isfinite(float(cell)) for cell in first)
@@ -355,7 +355,7 @@ def is_maker_csv(text: str) -> bool:
 
 
 def read_maker_csv(text: str, name: str) -> Content:
-    """The recording of the maker's own CSV: no titles.
+    """Return the recording of the maker's own CSV: no titles.
 
     Its cells are `wait_s, j1 … j6` in rad, perhaps the gripper in m. The wait of a row is the time
     since the row before it.

@@ -25,13 +25,13 @@ SPEED_OUT_OF_RANGE = Reason(
 
 
 def field_refusal(error: FieldError) -> Refusal:
-    """What is wrong with a field, as a `TrajectoryFileError` says it."""
+    """Return what is wrong with a field, as a `TrajectoryFileError` says it."""
     if error.problem is FieldProblem.MISSING:
         return JSON_FIELD_MISSING(field=error.name)
     if error.problem is FieldProblem.UNKNOWN:
         return JSON_FIELD_UNKNOWN(value=error.name[:60])
     bad = {"field": error.name, "expected": error.expected}
-    return error.reason or JSON_FIELD_BAD(**bad)
+    return error.refusal or JSON_FIELD_BAD(**bad)
 
 
 class TrajectoryFileError(Exception):
@@ -41,19 +41,19 @@ class TrajectoryFileError(Exception):
         file: The file's name, without its folder; "" where it has none.
         line: Where, from 1; 0 where no line is to blame.
         column: Where in the line, from 1: the character, in .csv the cell; 0 where unknown.
-        reason: Why.
+        refusal: Why.
     """
 
-    def __init__(self, reason: Refusal, line: int = 0, column: int = 0, file: str = "") -> None:
-        self.reason = reason
+    def __init__(self, refusal: Refusal, line: int = 0, column: int = 0, file: str = "") -> None:
+        self.refusal = refusal
         self.line = line
         self.column = column
         self.file = file
-        super().__init__(reason, line, column, file)
+        super().__init__(refusal, line, column, file)
 
     def __str__(self) -> str:
-        text = self.reason.reason.source or self.reason.code
-        words = text.format_map({**_NO_FIGURES, **self.reason.params})
+        text = self.refusal.reason.source or self.refusal.code
+        words = text.format_map({**_NO_FIGURES, **self.refusal.params})
         places = [self.file] if self.file else []
         if self.line:
             places.append(f"line {self.line}")
@@ -70,7 +70,7 @@ _NO_FIGURES: Final = dict.fromkeys(
 def broken(
     code: Reason, line: int = 0, column: int = 0, /, **params: float | str
 ) -> TrajectoryFileError:
-    """A `TrajectoryFileError`, in short."""
+    """Return a `TrajectoryFileError`, in short."""
     shown = {key: _short(value) for key, value in params.items()}
     return TrajectoryFileError(Refusal(code, shown), line, column)
 

@@ -35,12 +35,12 @@ _EMPTY: Final = {"note": "", "gripper": None, "light": None, "comments": ()}
 
 
 def is_json(text: str) -> bool:
-    """Whether a text begins as JSON does; nothing else of ours begins so."""
+    """Tell whether a text begins as JSON does; nothing else of ours begins so."""
     return text.lstrip()[:1] in ("{", "[")
 
 
 def write(content: Content) -> str:
-    """A trajectory or recording as text.
+    """Return a trajectory or recording as text.
 
     Raises:
         UnwritableError: It is not possible.
@@ -67,7 +67,7 @@ def write(content: Content) -> str:
 
 
 def read(text: str, name: str) -> Content:
-    """The trajectory or recording of a text.
+    """Return the trajectory or recording of a text.
 
     Args:
         text: Of the file.
@@ -159,7 +159,7 @@ def _point(item: Fields) -> Waypoint:
     item.nothing_else()
     reason = check_point(point)
     if reason is not None:
-        raise FieldError(FieldProblem.BAD, item.path, reason=reason)
+        raise FieldError(FieldProblem.BAD, item.path, refusal=reason)
     return point
 
 
@@ -206,7 +206,7 @@ def place_of(text: str, path: Path) -> tuple[int, int]:
 
 
 def _enter(text: str, position: int, step: str | int, scan: _Scan) -> int | None:
-    """Where the member of an object or list begins; of two with one name the last."""
+    """Return where the member of an object or list begins; of two with one name the last."""
     is_object = isinstance(step, str)
     if text[position : position + 1] != ("{" if is_object else "["):
         return None

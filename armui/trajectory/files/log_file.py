@@ -46,12 +46,12 @@ _ENTRY: Final = re.compile(r"([A-Za-z]\w*):[ \t]*(.*?)[ \t]*")
 
 
 def is_log(text: str) -> bool:
-    """Whether a text begins as this format does."""
+    """Tell whether a text begins as this format does."""
     return _FIRST.match(text) is not None
 
 
 def name_in(beginning: str) -> str | None:
-    """The name of a trajectory or recording as this program writes it: in the second line.
+    """Return the name of a trajectory or recording as this program writes it: in the second line.
 
     Args:
         beginning: Of the text, at least its first two lines.
@@ -67,7 +67,7 @@ def name_in(beginning: str) -> str | None:
 
 
 def write(content: Content) -> str:
-    """A trajectory or recording as text.
+    """Return a trajectory or recording as text.
 
     Raises:
         UnwritableError: It is not possible.
@@ -79,7 +79,7 @@ def write(content: Content) -> str:
 
 
 def lines(trajectory: Trajectory) -> Iterator[str]:
-    """A trajectory as text, point by point: its writer may rest between them.
+    """Return a trajectory as text, point by point: its writer may rest between them.
 
     Yields:
         Lines, their ends included; several at once where they belong together.
@@ -110,7 +110,7 @@ def _header(content: Content) -> Iterator[str]:
 
 
 def read(text: str, name: str) -> Content:
-    """The trajectory or recording of a text.
+    """Return the trajectory or recording of a text.
 
     Args:
         text: Of the file.
@@ -136,7 +136,7 @@ def read(text: str, name: str) -> Content:
 
 
 def _read_header(lines: list[str]) -> tuple[dict[str, Any], int, list[str]]:
-    """The entries, the index of the first line after them, and the comments among them."""
+    """Return the entries, the index of the first line after them, and the comments among them."""
     fields: dict[str, Any] = {}
     comments: list[str] = []
     for index, raw in enumerate(lines[1:], start=1):
@@ -165,7 +165,7 @@ def _read_header(lines: list[str]) -> tuple[dict[str, Any], int, list[str]]:
 def _read_points(
     lines: list[str], begin: int, comments: list[str]
 ) -> tuple[tuple[Waypoint, ...], tuple[str, ...], list[int]]:
-    """The points, the comments after the last, and the number of each point's line."""
+    """Return the points, the comments after the last, and the number of each point's line."""
     points: list[Waypoint] = []
     numbers: list[int] = []
     for line, raw in enumerate(lines[begin:], start=begin + 1):
@@ -195,7 +195,7 @@ _TITLES: Final = "# t_s J1 J2 J3 J4 J5 J6 (deg) gripper_mm"
 
 
 def write_samples(samples: Array) -> str:
-    """Lines of samples; the gripper is left out where it was not recorded."""
+    """Return lines of samples; the gripper is left out where it was not recorded."""
     lines = [_TITLES]
     for row in samples.tolist():
         values = row[:GRIPPER] if math.isnan(row[GRIPPER]) else row
@@ -204,7 +204,7 @@ def write_samples(samples: Array) -> str:
 
 
 def read_samples(lines: list[str], begin: int, fields: dict[str, Any]) -> Content:
-    """The recording of a text.
+    """Return the recording of a text.
 
     Args:
         lines: Of the file.

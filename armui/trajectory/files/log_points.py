@@ -58,7 +58,7 @@ Token = tuple[str, int]
 
 
 def write_point(point: Waypoint) -> str:
-    """The line of a point, without its comments and the end of the line."""
+    """Return the line of a point, without its comments and the end of the line."""
     parts = [LETTER_OF[point.move]]
     if point.middle is not None:
         parts += [*map(number, point.middle), "/"]
@@ -76,7 +76,7 @@ def write_point(point: Waypoint) -> str:
 
 
 def read_point(text: str, line: int, comments: tuple[str, ...]) -> Waypoint:
-    """The point of a line; a comment at its end joins the comments before it.
+    """Return the point of a line; a comment at its end joins the comments before it.
 
     Args:
         text: The line.
@@ -116,7 +116,7 @@ def read_point(text: str, line: int, comments: tuple[str, ...]) -> Waypoint:
 
 
 def _split(text: str, line: int) -> tuple[list[Token], str | None]:
-    """The words of a line and the comment at its end; blanks in quotation marks part nothing."""
+    """Return the words of a line and its comment; blanks in quotation marks part nothing."""
     words: list[Token] = []
     position = 0
     for match in _TOKEN.finditer(text):
@@ -148,7 +148,7 @@ def _read_speed(text: str, line: int, column: int) -> int:
 
 
 def read_gripper(text: str, line: int, column: int) -> GripperAction:
-    """What the gripper does, as in ``35mm@1Nm`` or ``20°@1rad/s``.
+    """Return what the gripper does, as in ``35mm@1Nm`` or ``20°@1rad/s``.
 
     Raises:
         TrajectoryFileError: It is written otherwise; `line` and `column` say where.
@@ -163,14 +163,14 @@ def read_gripper(text: str, line: int, column: int) -> GripperAction:
 
 
 def gripper_text(action: GripperAction) -> str:
-    """What :func:`read_gripper` reads."""
+    """Return what :func:`read_gripper` reads."""
     if isinstance(action, GripperOpening):
         return f"{number(action.opening_mm)}mm@{number(action.torque_nm)}Nm"
     return f"{number(action.angle_deg)}°@{number(action.speed_rad_s)}rad/s"
 
 
 def read_light(text: str, line: int, column: int) -> LightAction:
-    """What the lamps do, as in ``1/all:255,128,0``: joint, lamp, grey values.
+    """Return what the lamps do, as in ``1/all:255,128,0``: joint, lamp, grey values.
 
     Raises:
         TrajectoryFileError: It is written otherwise; `line` and `column` say where.
@@ -185,13 +185,13 @@ def read_light(text: str, line: int, column: int) -> LightAction:
 
 
 def light_text(light: LightAction) -> str:
-    """What :func:`read_light` reads."""
+    """Return what :func:`read_light` reads."""
     lamp = "all" if light.lamp == ALL_LAMPS else str(light.lamp)
     return f"{light.joint}/{lamp}:{light.red},{light.green},{light.blue}"
 
 
 def read_text(text: str, line: int, column: int) -> str:
-    """A text as JSON writes it, in quotation marks; one without them as it is.
+    """Return a text as JSON writes it, in quotation marks; one without them as it is.
 
     Raises:
         TrajectoryFileError: The quotation marks do not close, or an escape is none.

@@ -28,13 +28,13 @@ class UnwritableError(ValueError):
 
     Attributes:
         row: The point or sample to blame, from 1; 0 where it is the whole.
-        reason: Why.
+        refusal: Why.
     """
 
-    def __init__(self, name: str, row: int, reason: Refusal) -> None:
-        super().__init__(f"{name!r} cannot be kept: row {row}, {reason}")
+    def __init__(self, name: str, row: int, refusal: Refusal) -> None:
+        super().__init__(f"{name!r} cannot be kept: row {row}, {refusal}")
         self.row = row
-        self.reason = reason
+        self.refusal = refusal
 
 
 def verify(content: Content) -> None:
@@ -51,7 +51,7 @@ def verify(content: Content) -> None:
 
 
 def verified(content: Content, lines: Sequence[int] = ()) -> Content:
-    """What was read, if it is possible.
+    """Return what was read, if it is possible.
 
     Args:
         content: What was read.
@@ -70,7 +70,7 @@ def verified(content: Content, lines: Sequence[int] = ()) -> Content:
 
 
 def verified_point(point: Waypoint, line: int, column: int = 0) -> Waypoint:
-    """A point that was read, if it is possible.
+    """Return a point that was read, if it is possible.
 
     Raises:
         TrajectoryFileError: It is not.
@@ -82,7 +82,7 @@ def verified_point(point: Waypoint, line: int, column: int = 0) -> Waypoint:
 
 
 def parse_time(text: str, line: int, column: int) -> datetime:
-    """A date and time in ISO 8601; one without a time zone is in UTC.
+    """Return a date and time in ISO 8601; one without a time zone is in UTC.
 
     Raises:
         TrajectoryFileError: It is none.

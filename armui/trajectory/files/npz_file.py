@@ -23,7 +23,7 @@ _HEADER: Final = "header.npy"
 
 
 def write(recording: Recording) -> bytes:
-    """A recording as the bytes of an archive, uncompressed.
+    """Return a recording as the bytes of an archive, uncompressed.
 
     Raises:
         UnwritableError: It is not possible.
@@ -43,7 +43,7 @@ def write(recording: Recording) -> bytes:
 
 
 def read(data: bytes) -> Content:
-    """The recording of an archive.
+    """Return the recording of an archive.
 
     Raises:
         TrajectoryFileError: It is none, or damaged.
@@ -68,7 +68,7 @@ def read(data: bytes) -> Content:
 
 
 def name_in(file: BinaryIO) -> str | None:
-    """The name of the recording in an archive, without its samples; ``None`` in a damaged one."""
+    """Return the recording's name in an archive; ``None``: it is damaged."""
     try:
         with zipfile.ZipFile(file) as archive:
             header = json.loads(str(_array(_member(archive, _HEADER))))
@@ -78,7 +78,7 @@ def name_in(file: BinaryIO) -> str | None:
 
 
 def _member(archive: zipfile.ZipFile, name: str) -> bytes:
-    """A member's bytes, unless they claim to be more than any recording has."""
+    """Return a member's bytes, unless they claim to be more than any recording has."""
     if archive.getinfo(name).file_size > LARGEST_BYTES:
         raise broken(FILE_DAMAGED, text=f"{name} is too large")
     return archive.read(name)

@@ -22,7 +22,7 @@ _UTF_16: Final = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 
 
 def decode(data: bytes) -> str:
-    """The text of a file: UTF-8, with or without a mark; UTF-16 with one; else GBK.
+    """Return the text of a file: UTF-8, with or without a mark; UTF-16 with one; else GBK.
 
     GBK (here with all of GB 18030) is what Chinese Windows writes by itself.
 
@@ -51,13 +51,13 @@ def decode(data: bytes) -> str:
 
 
 def number(value: float) -> str:
-    """A number as short as it can be written without losing anything."""
+    """Return a number as short as it can be written without losing anything."""
     text = repr(float(value))
     return text[:-2] if text.endswith(".0") else text
 
 
 def parse_number(text: str, line: int, column: int) -> float:
-    """A number as written with digits, a decimal point and perhaps an exponent.
+    """Return a number as written with digits, a decimal point and perhaps an exponent.
 
     Raises:
         TrajectoryFileError: It is none, or an infinite one; `line` and `column` say where.
@@ -72,7 +72,7 @@ def parse_number(text: str, line: int, column: int) -> float:
 
 
 def read_figures(lines: Sequence[str], delimiter: str | None) -> Array | None:
-    """The numbers (n, columns) of lines that all hold equally many of them and nothing else.
+    """Return the numbers (n, columns) of lines that all hold equally many of them and nothing else.
 
     Args:
         lines: Without empty ones and comments.

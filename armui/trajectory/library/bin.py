@@ -170,7 +170,7 @@ class Bin:
                     (room / _DUE).unlink(missing_ok=True)
 
     def _rooms(self) -> Iterator[tuple[datetime, Path]]:
-        """What every deletion has left here: its time, and its folder; their order is theirs."""
+        """Return the time and the folder of every deletion, in no order."""
         for room in self._folder.glob("[0-9]*-*"):
             with contextlib.suppress(ValueError, OverflowError):
                 yield datetime.fromtimestamp(int(room.name.partition("-")[0]), UTC), room
@@ -198,7 +198,7 @@ def _due_since(room: Path, now: datetime) -> datetime:
 
 
 def _files(room: Path) -> list[Path]:
-    """What is in a folder; nothing if another program has emptied and removed it meanwhile."""
+    """Return what is in a folder; nothing if another program has removed it meanwhile."""
     try:
         return [path for path in room.iterdir() if path.is_file() and path.name != _DUE]
     except FileNotFoundError:

@@ -44,7 +44,7 @@ class Drafts:
         self._known: dict[Path, tuple[Stamp, IndexEntry]] = {}
 
     def paths(self) -> dict[str, Path]:
-        """All of them; only their beginnings are read."""
+        """Return all of them; only their beginnings are read."""
         found: dict[str, Path] = {}
         for path in sorted(self._folder.glob(f"[!.]*{_SUFFIX}")):
             if path.is_file():
@@ -52,11 +52,11 @@ class Drafts:
         return found
 
     def names(self) -> list[str]:
-        """What they belong to."""
+        """Return what they belong to."""
         return sorted(self.paths())
 
     def entries(self, but: Container[str]) -> list[IndexEntry]:
-        """What they hold; only those that are new or changed are opened.
+        """Return what they hold; only those that are new or changed are opened.
 
         Args:
             but: The names of those that are not wanted.
@@ -146,5 +146,5 @@ class Drafts:
 
 
 def is_draft(path: Path) -> bool:
-    """Whether a file holds a draft, by its name."""
+    """Tell whether a file holds a draft, by its name."""
     return path.suffix == _SUFFIX

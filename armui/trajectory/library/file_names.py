@@ -16,7 +16,7 @@ _LONGEST_BYTES: Final = 120
 
 
 def file_stem(name: str) -> str:
-    """What a file may be called, close to what the operator called its content.
+    """Return what a file may be called, close to what the operator called its content.
 
     Args:
         name: Any text.
@@ -32,7 +32,7 @@ def file_stem(name: str) -> str:
 
 
 def folded(stem: str) -> str:
-    """What two names share that are one to a file system blind to case or composition."""
+    """Return what two names share that are one to a file system blind to case or composition."""
     return unicodedata.normalize("NFC", unicodedata.normalize("NFC", stem).casefold())
 
 

@@ -95,7 +95,7 @@ class Listing:
 
 
 def entry_of(content: Content) -> IndexEntry:
-    """The entry of a trajectory or recording nobody has checked yet."""
+    """Return the entry of a trajectory or recording nobody has checked yet."""
     name, note, modified = content.name, content.note, content.modified
     if isinstance(content, Recording):
         length = content.duration_s
@@ -157,12 +157,12 @@ class Index:
         return None
 
     def entry(self, file: str, stamp: Stamp) -> IndexEntry | None:
-        """The entry of a file, unless it is another one by now."""
+        """Return the entry of a file, unless it is another one by now."""
         known, entry = self._entries.get(file, (None, None))
         return entry if known == stamp else None
 
     def last_name(self, file: str) -> str | None:
-        """What a file's content was called when it was last read."""
+        """Return what a file's content was called when it was last read."""
         known = self._entries.get(file)
         return None if known is None else known[1].name
 
@@ -205,14 +205,14 @@ def _pack(entry: IndexEntry) -> dict[str, Any]:
         "taught_on": entry.taught_on,
     }
     if (damage := entry.damage) is not None:
-        reason = damage.reason
+        reason = damage.refusal
         place = [damage.line, damage.column, damage.file]
         fields["damage"] = [reason.code, dict(reason.params), *place]
     return fields
 
 
 def _unpack(data: dict[str, Any]) -> dict[str, tuple[Stamp, IndexEntry]]:
-    """The entries of the file; whatever is wrong with it raises something, and then none count."""
+    """Return the entries of the file; if anything is wrong it raises, and none count."""
     if data["version"] != _VERSION:
         return {}
     entries = {}
@@ -237,7 +237,7 @@ def _unpack(data: dict[str, Any]) -> dict[str, tuple[Stamp, IndexEntry]]:
 
 
 def _is_sound(entry: IndexEntry) -> bool:
-    """Whether every field of an entry is what the list can show."""
+    """Tell whether every field of an entry is what the list can show."""
     length_s = entry.length_s
     return (
         all(
@@ -263,7 +263,7 @@ def _are_speeds(speeds: tuple[SpeedsFrom, ...]) -> bool:
 
 
 def _can_be_shown(text: str) -> bool:
-    """Whether a text holds no half of a character."""
+    """Tell whether a text holds no half of a character."""
     try:
         text.encode("utf-8")
     except UnicodeEncodeError:

@@ -165,7 +165,7 @@ class Library:
         return sorted(entries, key=lambda one: one.name)
 
     def listing(self) -> Listing:
-        """The entries, which of them have unsaved changes, and whether there is a folder.
+        """Return the entries, which of them have unsaved changes, and whether there is a folder.
 
         Raises:
             LibraryError: The folder cannot be read.
@@ -173,7 +173,7 @@ class Library:
         return Listing(tuple(self.entries()), tuple(self.drafts()), self._folder.is_dir())
 
     def load(self, name: str, *, to_edit: bool = False) -> Content:
-        """A trajectory or recording.
+        """Return a trajectory or recording.
 
         Args:
             name: Which.
@@ -185,7 +185,7 @@ class Library:
         """
         kept = self._scan().get(name)
         if kept is None:
-            raise TrajectoryFileError(broken(FILE_GONE).reason, file=name)
+            raise TrajectoryFileError(broken(FILE_GONE).refusal, file=name)
         if to_edit:
             self._met[name] = kept.stamp
         content: Content = load_by(self._call, kept.path, kept.stamp.size)
@@ -302,7 +302,7 @@ class Library:
         return Deleted(tuple(gone), places, when, entries)
 
     def recently_deleted(self) -> list[Deleted]:
-        """What can still be restored, the last deleted first, each trajectory by itself.
+        """Return what can still be restored, the last deleted first, each trajectory by itself.
 
         Raises:
             LibraryError: The disk refuses.
@@ -420,10 +420,10 @@ class Library:
             try:
                 self._drafts.save(content, rest)
             except UnwritableError as error:
-                raise LibraryError(error.reason, error.row) from error
+                raise LibraryError(error.refusal, error.row) from error
 
     def draft(self, name: str) -> Trajectory | None:
-        """The unsaved state of a trajectory, if there is one.
+        """Return the unsaved state of a trajectory, if there is one.
 
         Raises:
             TrajectoryFileError: Somebody has damaged it.
@@ -466,7 +466,7 @@ class Library:
             self._drafts.drop(name)
 
     def drafts(self) -> list[str]:
-        """The names of all trajectories that have an unsaved state."""
+        """Return the names of all trajectories that have an unsaved state."""
         return self._drafts.names()
 
     # Recordings that are not saved ----------------------------------------------------------------
@@ -530,7 +530,7 @@ class Library:
     # Files ----------------------------------------------------------------------------------------
 
     def _scan(self) -> dict[str, StoredFile]:
-        """All files by the name of what they hold."""
+        """Return all files by the name of what they hold."""
         with on_disk(LIBRARY_UNREADABLE, str(self._folder)):
             return self._file_store.scan()
 

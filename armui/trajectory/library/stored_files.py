@@ -30,13 +30,13 @@ def call_directly(function: Callable[..., Any], *args: Any) -> Any:
 
 
 def is_large(content: Content) -> bool:
-    """Whether writing or checking it takes long."""
+    """Tell whether writing or checking it takes long."""
     rows = content.samples if isinstance(content, Recording) else content.points
     return len(rows) >= _LARGE_COUNT
 
 
 def load_by(call: Call, path: Path, size: int) -> Content:
-    """What a file holds, read elsewhere if it is large.
+    """Return what a file holds, read elsewhere if it is large.
 
     Raises:
         TrajectoryFileError: It is damaged, or gone.
@@ -46,7 +46,7 @@ def load_by(call: Call, path: Path, size: int) -> Content:
 
 
 def entry_by(call: Call, path: Path, size: int) -> IndexEntry:
-    """The entry of a file, as `load_by`.
+    """Return the entry of a file, as `load_by`.
 
     Raises:
         TrajectoryFileError: It is damaged, or gone.
@@ -56,7 +56,7 @@ def entry_by(call: Call, path: Path, size: int) -> IndexEntry:
 
 
 def read_entry(path: Path) -> IndexEntry:
-    """The entry of a file.
+    """Return the entry of a file.
 
     Raises:
         TrajectoryFileError: It is damaged, or gone.
@@ -101,7 +101,7 @@ class FileStore:
         self._index = Index(folder / _INDEX)
 
     def scan(self) -> dict[str, StoredFile]:
-        """All of them; only those that are new or changed are opened.
+        """Return all of them; only those that are new or changed are opened.
 
         Raises:
             OSError: The folder cannot be read.
@@ -140,7 +140,7 @@ class FileStore:
                         yield Path(item.path), Stamp.of(Path(item.path).stat())
 
     def _look(self, path: Path, stamp: Stamp) -> StoredFile | None:
-        """What is known of a file; it is opened only where it is not the one known."""
+        """Return what is known of a file; it is opened only where it is not the one known."""
         entry = self._index.entry(path.name, stamp)
         if entry is None:
             try:
@@ -174,12 +174,12 @@ def _by_name(found: list[StoredFile]) -> dict[str, StoredFile]:
 
 
 def _name_of(path: Path) -> str:
-    """What a file's name says, as far as it can be shown."""
+    """Return what a file's name says, as far as it can be shown."""
     return path.stem.encode(errors="replace").decode()
 
 
 def name_inside(path: Path) -> str:
-    """The name a file of the library gives its content; else what its own name says.
+    """Return the name a file of the library gives its content; else what its own name says.
 
     Args:
         path: Of a trajectory, recording or draft; only its beginning is read.
@@ -191,5 +191,5 @@ def name_inside(path: Path) -> str:
 
 
 def suffix_of(content: Content) -> str:
-    """How the name of the file ends that is to hold something."""
+    """Return how the name of the file ends that is to hold something."""
     return ".npz" if isinstance(content, Recording) else ".log"

@@ -56,7 +56,7 @@ class _Capsule:
 def collisions(
     geometry: Geometry, joints_deg: Array, tool_mm: float, gripper_turned_deg: float = 0.0
 ) -> dict[int, str]:
-    """Where parts of the arm would be in each other.
+    """Return where parts of the arm would be in each other.
 
     Args:
         geometry: Of the arm.
@@ -99,7 +99,7 @@ def segment_distances(a: Array, b: Array, c: Array, d: Array) -> Array:
 
 
 def _close(geometry: Geometry, arm: Links, tool_mm: float) -> npt.NDArray[np.bool_]:
-    """Whether hand or forearm could touch anything, by the spheres around them."""
+    """Tell whether hand or forearm could touch anything, by the spheres around them."""
     half_mm = (geometry.hand_mm + tool_mm) / 2.0
     middle = arm.centre + half_mm * arm.hand
     reach_mm = half_mm + _FURTHEST_MM + geometry.wrist_mm
@@ -116,7 +116,7 @@ def _close(geometry: Geometry, arm: Links, tool_mm: float) -> npt.NDArray[np.boo
 def _pairs(
     geometry: Geometry, arm: Links, tool_mm: float, gripper_turned_deg: float
 ) -> Iterator[tuple[_Capsule, _Capsule]]:
-    """The parts that could meet."""
+    """Return the parts that could meet."""
     foot = np.zeros_like(arm.elbow)
     shoulder = foot + np.array((0.0, 0.0, geometry.base_mm))
     knee = shoulder + _KNEE_MM[0] * arm.upper_arm - _KNEE_MM[1] * np.cross(arm.side, arm.upper_arm)

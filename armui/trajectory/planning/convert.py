@@ -26,7 +26,7 @@ CONVERT_OUT_OF_REACH = Reason(
 def to_pose(
     point: Waypoint, kinematics: Kinematics, move: MoveMode = MoveMode.MOVE_P
 ) -> Waypoint | Refusal:
-    """A point by the pose its joint angles give the flange.
+    """Return a point by the pose its joint angles give the flange.
 
     Args:
         point: The point; one that holds a pose keeps it.
@@ -47,7 +47,7 @@ def to_joints(
     near_deg: Sequence[float],
     limits: Sequence[JointLimits] | None = None,
 ) -> Waypoint | Refusal:
-    """A point by joint angles that bring the flange to its pose.
+    """Return a point by joint angles that bring the flange to its pose.
 
     Args:
         point: The point; one that holds joint angles stays as it is.
@@ -99,7 +99,7 @@ def to_move(
 def comes_from(
     points: Sequence[Waypoint], row: int, kinematics: Kinematics, measured_deg: Sequence[float]
 ) -> tuple[Sequence[float], Pose]:
-    """Where the arm is about to come from when it moves to a row.
+    """Return where the arm is about to come from when it moves to a row.
 
     Args:
         points: Of the trajectory.

@@ -61,7 +61,7 @@ class PlannedPath:
         return np.concatenate((np.ones(min(1, len(self.rows)), dtype=bool), changes))
 
     def at(self, t_s: float) -> Joints:
-        """Six angles so long after the start; before and after the path its ends.
+        """Return six angles so long after the start; before and after the path its ends.
 
         Raises:
             IndexError: The path is empty.
@@ -82,14 +82,14 @@ class PlannedPath:
         return dict(sorted((int(self.rows[last]), last) for last in lasts))
 
     def outline(self, most: int) -> Whole:
-        """The indices of about so many samples, spread over all of them, and of each row's last."""
+        """Return the indices of about so many samples, evenly, and of each row's last."""
         step = max(1, len(self.rows) // most)
         wanted = np.append(self.begins[1:], True)
         wanted[::step] = True
         return np.flatnonzero(wanted)
 
     def row_at(self, t_s: float) -> int:
-        """The index of the point under way so long after the start."""
+        """Return the index of the point under way so long after the start."""
         index = int(np.searchsorted(self.times_s, t_s, side="left"))
         return int(self.rows[min(index, len(self.rows) - 1)])
 
@@ -104,7 +104,7 @@ def sampled_path(
     expected_s: tuple[float, ...] = (),
     problems: tuple[Finding, ...] = (),
 ) -> PlannedPath:
-    """A path with the places and the speeds of the tool's tip worked out."""
+    """Return a path with the places and the speeds of the tool's tip worked out."""
     arm_links = links(arm.kinematics.geometry, joints_deg)
     places = arm_links.flange + arm.tool_mm * arm_links.hand
     cycles = np.ones_like(rows) if cycles is None else cycles

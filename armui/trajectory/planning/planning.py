@@ -248,7 +248,7 @@ def single_pace(
 def _paths(
     points: Sequence[Waypoint], table: Stops, route: Route, found: dict[int, Finding]
 ) -> Paths:
-    """The lines and arcs of a route; an arc through no circle is added to what was found."""
+    """Return the lines and arcs of a route; an arc through no circle is added to what was found."""
     chosen, arcs = [], []
     for stop, point in enumerate(points, start=1):
         origin = int(route.origins[stop])
@@ -290,7 +290,7 @@ def _arc(start: Matrix, middle: Matrix, end: Matrix) -> Arc:
 
 
 def _kept(moves: list[PlannedToolMoves], paths: Paths) -> tuple[list[PlannedToolMoves], Paths]:
-    """What was followed before and begins where it did, and the paths that are left to follow."""
+    """Return what begins where it did before, and the paths that are left to follow."""
     kept = []
     left = np.ones(len(paths.stops), dtype=bool)
     for group in moves:
@@ -315,7 +315,7 @@ def _out_of_reach(table: Stops, arm: ArmModel, stop: int) -> Finding:
 
 
 def _broken(group: PlannedToolMoves) -> dict[int, Finding]:
-    """What keeps lines and arcs from being followed."""
+    """Return what keeps lines and arcs from being followed."""
     found = {}
     steps = group.joints_deg.shape[1] - 1
     for index in np.flatnonzero(group.broken >= 0).tolist():
@@ -352,7 +352,7 @@ def _compare(
 
 
 def _behind(points: Sequence[Waypoint], problems: dict[int, Finding]) -> dict[int, Finding]:
-    """Lines and arcs that would begin where the arm does not come to."""
+    """Return lines and arcs that would begin where the arm does not come to."""
     left_out: dict[int, Finding] = {}
     for stop, point in enumerate(points, start=1):
         before = problems.get(stop - 1) or left_out.get(stop - 1)

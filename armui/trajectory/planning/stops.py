@@ -52,7 +52,7 @@ class Stops:
 
 
 def stops(points: Sequence[Waypoint], arm: ArmModel, start_deg: Sequence[float]) -> Stops:
-    """The stops of a trajectory that begins where the joints are at `start_deg`."""
+    """Return the stops of a trajectory that begins where the joints are at `start_deg`."""
     targets = np.array([start_deg, *(point.target for point in points)], dtype=float)
     targets[1:] = as_told(targets[1:])
     posed = np.array([False, *(not point.is_joint for point in points)])
@@ -73,7 +73,7 @@ def as_told(values: Array | Sequence[float]) -> Array:
 
 
 def bounds(arm: ArmModel) -> tuple[Array, Array]:
-    """The lowest and the highest angles of the joints, with the rounding of the bus granted."""
+    """Return the lowest and highest angles of the joints, with the bus's rounding."""
     half_step = ANGLE_STEP_DEG / 2
     low = np.array([limits.min_deg - half_step for limits in arm.limits])
     high = np.array([limits.max_deg + half_step for limits in arm.limits])
@@ -105,7 +105,7 @@ def choose(
     skipped: Mapping[int, object],
     followed: Mapping[int, tuple[Joints, Joints]],
 ) -> Route:
-    """Where the joints go, as the arm chooses among the ways to its poses.
+    """Return where the joints go, as the arm chooses among the ways to its poses.
 
     MOVE P goes to the nearest way within the limits; lines and arcs stay on the way where they
     begin, and where they really end is told by following them.
@@ -157,7 +157,7 @@ def choose(
 def _nearest(
     table: Stops, stop: int, joints: Joints, arm: ArmModel
 ) -> tuple[Joints | None, Joints | None]:
-    """The nearest way to a pose, of those within the limits if there is one.
+    """Return the nearest way to a pose, of those within the limits if there is one.
 
     And another one that is about as near: joints that stand a little elsewhere might take it.
     """

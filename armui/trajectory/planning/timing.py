@@ -107,7 +107,7 @@ class _Samples:
 def _joined(
     legs: Sequence[Leg], endless: Finding | None, arm: ArmModel, shares: Array, dwells_s: Array
 ) -> PlannedPath:
-    """All parts of the way, one behind the other.
+    """Return all parts of the way, one behind the other.
 
     Args:
         legs: The parts.
@@ -145,7 +145,7 @@ def _joined(
 
 
 def _placed(found: Finding, leg: Leg) -> Finding:
-    """A finding with its row in the trajectory."""
+    """Return a finding with its row in the trajectory."""
     params = dict(found.params)
     if "before" in params:
         params["before"] = leg.first + int(params["before"])
@@ -154,7 +154,7 @@ def _placed(found: Finding, leg: Leg) -> Finding:
 
 
 def _sampled(plan: Plan, arm: ArmModel, shares: Array, dwells_s: Array) -> _Samples:
-    """A part of the way in samples; for the arguments see `_joined`."""
+    """Return a part of the way in samples; for the arguments see `_joined`."""
     motions = _motions(plan, arm, shares)
     _, accelerations = _limits(arm)
     dwells_s = dwells_s[motions.rows]
@@ -219,7 +219,7 @@ def _motions(plan: Plan, arm: ArmModel, shares: Array) -> _Motions:
 def _joint_moves(
     starts_deg: Array, ends_deg: Array, shares: Array, arm: ArmModel
 ) -> tuple[Array, Whole]:
-    """How long MOVE J takes, and how many samples show it; (m,) each."""
+    """Return how long MOVE J takes, and how many samples show it; (m,) each."""
     tops, accelerations = _limits(arm)
     ways = np.abs(ends_deg - starts_deg)
     each_s = trapezoids.durations(ways, np.maximum(shares[:, None] * tops, _SLOWEST), accelerations)
@@ -228,7 +228,7 @@ def _joint_moves(
 
 
 def _limits(arm: ArmModel) -> tuple[Array, Array]:
-    """The highest speeds and accelerations of the joints."""
+    """Return the highest speeds and accelerations of the joints."""
     tops = np.array([limits.max_speed_deg_s for limits in arm.limits])
     return tops, np.maximum(np.array(arm.accelerations_deg_s2), _SLOWEST)
 
@@ -241,7 +241,7 @@ def _replay(
     *,
     again: bool,
 ) -> PlannedPath:
-    """The approach to the first sample, which the arm waits for, then the samples in their time.
+    """Return the approach to the first sample, then the samples in their time.
 
     And, for another cycle, the way back to the first.
     """

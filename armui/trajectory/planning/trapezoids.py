@@ -13,7 +13,7 @@ Array = npt.NDArray[np.float64]
 
 
 def durations(ways: Array, speeds: Array, accelerations: Array) -> Array:
-    """The shortest time for each way.
+    """Return the shortest time for each way.
 
     Args:
         ways: How far, in any unit; the sign does not matter.
@@ -30,7 +30,7 @@ def durations(ways: Array, speeds: Array, accelerations: Array) -> Array:
 
 
 def even_speeds(ways: Array, lasting_s: Array, accelerations: Array) -> Array:
-    """How fast the even part is, so that a way takes just so long.
+    """Return how fast the even part is, so that a way takes just so long.
 
     Args:
         ways: How far, in any unit; the speed has its sign.
@@ -49,7 +49,7 @@ def even_speeds(ways: Array, lasting_s: Array, accelerations: Array) -> Array:
 
 
 def places(times_s: Array, lasting_s: Array, speeds: Array, accelerations: Array) -> Array:
-    """How far a motion has come.
+    """Return how far a motion has come.
 
     Args:
         times_s: Since its start.
@@ -67,7 +67,7 @@ def places(times_s: Array, lasting_s: Array, speeds: Array, accelerations: Array
 
 
 def times(gone: Array, ways: Array, speeds: Array, accelerations: Array) -> Array:
-    """When a motion has come so far: the other way round than `places`, for ways of 0 and more.
+    """Return when a motion has come so far, the inverse of `places`, for ways ≥ 0.
 
     Args:
         gone: How far, 0 to `ways`.

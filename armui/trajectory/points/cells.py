@@ -52,7 +52,7 @@ _UNIT: Final = re.compile(r"\s*(?:°|deg|mm|%|s)$")
 
 
 def text_of(point: Waypoint, column: PointColumn) -> str:
-    """What stands in a cell when it is edited, exact; :func:`edited` reads it."""
+    """Return what stands in a cell when it is edited, exact; :func:`edited` reads it."""
     if column in VALUES:
         return number(point.target[column - PointColumn.VALUE_1])
     if column is PointColumn.MIDDLE:
@@ -83,7 +83,7 @@ def edited(point: Waypoint, column: PointColumn, text: str) -> Waypoint | Refusa
     try:
         changed = _edited(point, column, text.strip())
     except TrajectoryFileError as error:
-        return error.reason
+        return error.refusal
     return changed if isinstance(changed, Refusal) else check_point(changed) or changed
 
 
@@ -112,7 +112,7 @@ def _edited(point: Waypoint, column: PointColumn, text: str) -> Waypoint | Refus
 
 
 def figure(field: str, text: str) -> float | Refusal:
-    """The figure in a text, or why it is none that a point may have.
+    """Return the figure in a text, or why it is none that a point may have.
 
     Args:
         field: A key of `program.RANGES`.
@@ -138,5 +138,5 @@ def _six(text: str) -> Values | Refusal:
 
 
 def editable(point: Waypoint, column: PointColumn) -> bool:
-    """Whether a cell takes anything: a middle pose belongs to arcs alone."""
+    """Tell whether a cell takes anything: a middle pose belongs to arcs alone."""
     return column is not PointColumn.MIDDLE or point.move is MoveMode.MOVE_C

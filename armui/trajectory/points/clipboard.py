@@ -33,7 +33,7 @@ _NO_POSE: Final = (0.0,) * VALUE_COUNT
 
 
 def to_text(points: Sequence[Waypoint]) -> str:
-    """A row for each point and a tab between its cells: what a spreadsheet takes over as it is."""
+    """Return a row for each point and tabs between its cells, as a spreadsheet takes it."""
     return "\n".join(
         "\t".join(_one_line(text_of(point, column)) for column in PointColumn) for point in points
     )
@@ -91,7 +91,7 @@ def _one_line(text: str) -> str:
 
 
 def _has_figure(line: str) -> bool:
-    """Whether a row has a cell that is a figure: titles have none."""
+    """Tell whether a row has a cell that is a figure: titles have none."""
     return any(
         not isinstance(figure("X", cell), Refusal)
         for cell in line.replace("\t", " ").replace(",", " ").replace(";", " ").split()

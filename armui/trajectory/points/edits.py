@@ -30,16 +30,16 @@ class Change:
     added: Points
 
     def apply(self, points: Points) -> Points:
-        """The points after the edit."""
+        """Return the points after the edit."""
         return points[: self.first] + self.added + points[self.first + len(self.removed) :]
 
     def reversed(self) -> Change:
-        """The edit that takes this one back."""
+        """Return the edit that takes this one back."""
         return Change(self.first, self.added, self.removed)
 
 
 def difference(before: Points, after: Points) -> Change | None:
-    """The smallest stretch in which two lists of points differ; ``None`` if they are the same."""
+    """Return the smallest stretch in which two lists of points differ; ``None``: none."""
     shorter = min(len(before), len(after))
     first = 0
     while first < shorter and before[first] is after[first]:
@@ -81,7 +81,7 @@ def turned(points: Points, by_deg: Sequence[float]) -> Points:
 
 
 def chosen(points: Points, rows: Iterable[int]) -> Points:
-    """The points of some rows, from top to bottom."""
+    """Return the points of some rows, from top to bottom."""
     return tuple(points[row] for row in sorted(set(rows)))
 
 
@@ -156,13 +156,13 @@ def find_figure(points: Sequence[Waypoint], query: FigureQuery) -> Iterator[int]
 
 
 def replace_text(point: Waypoint, text: str, by: str) -> Waypoint | Refusal:
-    """A point with a text of its note replaced, letter by letter as given."""
+    """Return a point with a text of its note replaced, letter by letter as given."""
     changed = replace(point, note=point.note.replace(text, by))
     return check_point(changed) or changed
 
 
 def replace_figure(point: Waypoint, field: str, value: float) -> Waypoint | Refusal:
-    """A point with one figure replaced; a point without such a figure stays as it is."""
+    """Return a point with one figure replaced; a point without such a figure stays as it is."""
     refusal = check_figure(field, value)
     if refusal is not None:
         return refusal

@@ -155,7 +155,7 @@ class Waypoint:
         return JOINT_NAMES if self.is_joint else POSE_NAMES
 
     def figures(self) -> Iterator[tuple[str, float]]:
-        """Every figure of the point by the name it has in :data:`RANGES`."""
+        """Return every figure of the point by the name it has in :data:`RANGES`."""
         yield from zip(self.names, self.target, strict=False)
         if self.middle is not None:
             yield from zip(POSE_NAMES, self.middle, strict=False)
@@ -212,7 +212,7 @@ def _unpacked(  # noqa: PLR0917 - as pickle hands them on
     closing: tuple[str, ...],
     taught_on: str,
 ) -> Trajectory:
-    """The other way round than :meth:`Trajectory.__reduce__`."""
+    """Return the other way round than :meth:`Trajectory.__reduce__`."""
     return Trajectory(name, note, tuple(starmap(Waypoint, points)), modified, closing, taught_on)
 
 
@@ -243,7 +243,7 @@ def speeds_of(points: Sequence[Waypoint]) -> tuple[SpeedsFrom, ...]:
 
 
 def check_figure(field: str, value: float) -> Refusal | None:
-    """Whether a figure of a point is possible: ``None``, or the reason against it.
+    """Tell why a figure of a point is not possible; ``None``: it is.
 
     Args:
         field: A key of :data:`RANGES`.
@@ -259,7 +259,7 @@ def check_figure(field: str, value: float) -> Refusal | None:
 
 
 def check_point(point: Waypoint) -> Refusal | None:
-    """Whether a point is whole and possible for some arm: ``None``, or the first reason against.
+    """Tell why a point is not whole, or possible for no arm; ``None``: it is fine.
 
     Whether *this* arm can do it is for `armui.trajectory.planning.check`.
     """
@@ -282,7 +282,7 @@ def check_point(point: Waypoint) -> Refusal | None:
 
 
 def check_name(name: str) -> Refusal | None:
-    """Whether a trajectory may be called so; any script and any sign of it is welcome."""
+    """Tell whether a trajectory may be called so; any script and any sign of it is welcome."""
     if not name.strip():
         return NAME_EMPTY()
     if len(name) > LONGEST_NAME:
@@ -293,7 +293,7 @@ def check_name(name: str) -> Refusal | None:
 
 
 def check_text(field: str, text: str, *, lines: int = 0) -> Refusal | None:
-    """Whether a text can be kept in a file: of a decent length, no half of a character.
+    """Tell whether a text can be kept in a file: of a decent length, no half of a character.
 
     Args:
         field: What the text is.
@@ -309,7 +309,7 @@ def check_text(field: str, text: str, *, lines: int = 0) -> Refusal | None:
 
 
 def check_trajectory(trajectory: Trajectory) -> tuple[int, Refusal] | None:
-    """The first thing that keeps a trajectory from being saved.
+    """Return the first thing that keeps a trajectory from being saved.
 
     Returns:
         The row of the point, from 1, or 0 for the trajectory itself, and the reason.

@@ -88,7 +88,7 @@ class Recording:
 
 
 def check_samples(samples: Array) -> tuple[int, Refusal] | None:
-    """The first sample that cannot be: its row, from 1, and the reason.
+    """Return the first sample that cannot be: its row, from 1, and the reason.
 
     Args:
         samples: (n, 8), as in `Recording`.
@@ -121,7 +121,7 @@ def check_samples(samples: Array) -> tuple[int, Refusal] | None:
 
 
 def check_recording(recording: Recording) -> tuple[int, Refusal] | None:
-    """The first thing that keeps a recording from being saved: row (0: itself), reason."""
+    """Return the first thing that keeps a recording from being saved: row (0: itself), reason."""
     refusal = check_name(recording.name) or check_text("note", recording.note)
     return (0, refusal) if refusal is not None else check_samples(recording.samples)
 
@@ -145,7 +145,7 @@ class SampleCursor:
         self._index = 0
 
     def index_at(self, recorded_s: float) -> int:
-        """The last sample not later than a time after the first one; 0 before the first."""
+        """Return the last sample not later than a time after the first one; 0 before the first."""
         index = self._index
         if self._time_s(index) > recorded_s:
             index = max(bisect_right(range(index), recorded_s, key=self._time_s) - 1, 0)
@@ -160,7 +160,7 @@ class SampleCursor:
         return index
 
     def joints_deg_at(self, recorded_s: float) -> tuple[float, ...]:
-        """Six angles at a time after the first sample, on straight lines between samples."""
+        """Return six angles at a time after the first sample, on straight lines between samples."""
         index = self.index_at(recorded_s)
         here: npt.NDArray[np.float64] = self._samples[index, 1:GRIPPER]
         begin_s = self._time_s(index)
@@ -170,7 +170,7 @@ class SampleCursor:
         return tuple(here.tolist())
 
     def gripper_mm_at(self, recorded_s: float) -> float:
-        """The opening of the last sample not later than a time; NaN where it was not recorded."""
+        """Return the opening of the last sample up to a time; NaN: it was not recorded."""
         return float(self._samples[self.index_at(recorded_s), GRIPPER])
 
     def _time_s(self, index: int) -> float:

@@ -25,7 +25,7 @@ _LEAST_S: Final = 1e-6
 
 
 def thin(recording: Recording, tolerance_deg: float) -> Recording:
-    """The recording with no more samples than it needs.
+    """Return the recording with no more samples than it needs.
 
     Args:
         recording: All of it.
@@ -103,7 +103,7 @@ def cut(recording: Recording, from_s: float, to_s: float, tolerance_deg: float) 
 
 
 def trim(recording: Recording, from_s: float, to_s: float) -> Recording:
-    """The stretch between two times, both included, counted from 0 anew."""
+    """Return the stretch between two times, both included, counted from 0 anew."""
     times_s = recording.times_s
     inside = (times_s >= from_s) & (times_s <= to_s)
     samples = recording.samples[inside].copy()
@@ -113,7 +113,7 @@ def trim(recording: Recording, from_s: float, to_s: float) -> Recording:
 
 
 def to_points(recording: Recording, limits: Sequence[JointLimits]) -> Trajectory:
-    """Every sample as a point of MOVE J, each with the speed it was recorded with.
+    """Return every sample as a point of MOVE J, each with the speed it was recorded with.
 
     The arm comes to rest in each point, so thin the recording first.
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Final, NamedTuple
+from dataclasses import dataclass
+from typing import Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP, Qt
 from PySide6.QtGui import QKeySequence, QShortcut
@@ -12,7 +13,8 @@ from PySide6.QtWidgets import QWidget
 from armui.ui.words.text import Text
 
 
-class Shortcut(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Shortcut:
     """Keys, and what they do where.
 
     Attributes:

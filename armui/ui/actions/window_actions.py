@@ -5,17 +5,23 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QObject, Qt
-from PySide6.QtWidgets import QAbstractButton, QApplication, QDialog, QWidget
+from PySide6.QtCore import QObject, QSize, Qt
+from PySide6.QtWidgets import QAbstractButton, QApplication, QDialog, QToolButton, QWidget
 
 from armui.control.devices.motors import Motors
 from armui.control.operations.operation import operation_of
 from armui.control.run.speed_override import STEP_PERCENT
 from armui.control.safety.recovery_steps import StepKind
 from armui.ui.actions.command import Command, CommandSource, Target, allow, also, new_action
-from armui.ui.actions.commands_button import CommandsButton
-from armui.ui.actions.keys import listen_for
+from armui.ui.actions.keys import key_text, listen_for
+from armui.ui.actions.palette import CommandPalette
 from armui.ui.actions.palette_items import Callback, PaletteItems, lead_to, use
+from armui.ui.actions.shortcut_list import ShortcutList
+from armui.ui.guide.guide_window import GuideWindow
+from armui.ui.guide.place import section_of
+from armui.ui.theme import colors_of
+from armui.ui.widgets import icons
+from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
@@ -29,6 +35,9 @@ if TYPE_CHECKING:
     from armui.ui.shell.work_area import RunPlace
 
 
+_ICON_PX: Final = 14
+_HIGHEST_PX: Final = 20
+"""The button is no higher than the line of text beside it."""
 _IN_THE_RUN_STRIP: Final = frozenset({StepKind.RUN_PAUSED, StepKind.RUN_WAITS})
 """The steps that the line above the panels has no button for."""
 _NEXT_STEP: Final = "window.next_step"
@@ -70,6 +79,30 @@ _COMMANDS: Final = (
     Command("window.close", Text("Action", "Close the program"), synonyms=also("quit exit 退出")),
 )
 # fmt: on
+
+
+class CommandsButton(Translated, QToolButton):
+    """In the status bar: opens the command palette, and tells its key."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("commands_button")
+        self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.setMaximumHeight(_HIGHEST_PX)
+        self.setIconSize(QSize(_ICON_PX, _ICON_PX))
+        self.setProperty("quiet", True)
+        self.retranslate_ui()
+        self._recolor()
+
+    def retranslate_ui(self) -> None:
+        """Put the words into the operator's language."""
+        key = key_text("everywhere.palette")
+        self.setText(key)
+        self.setAccessibleName(self.tr("Commands"))
+        self.setToolTip(f"{self.tr('Find every function by its name')} ({key})")
+
+    def _recolor(self) -> None:
+        self.setIcon(icons.icon("search", colors_of(self).muted))
 
 
 class WindowActions(QObject):
@@ -183,31 +216,19 @@ class WindowActions(QObject):
 
     def open_palette(self) -> None:
         """Show the command palette."""
-
-        def make() -> QDialog:
-            from armui.ui.actions.palette import CommandPalette  # noqa: PLC0415 - faster start
-
-            return CommandPalette(
+        self._open(
+            "palette",
+            lambda: CommandPalette(
                 self._controller, self.palette_items(), self._background, self._window
-            )
-
-        self._open("palette", make)
+            ),
+        )
 
     def open_shortcuts(self) -> None:
         """Show the list of all shortcuts."""
-
-        def make() -> QDialog:
-            from armui.ui.actions.shortcut_list import ShortcutList  # noqa: PLC0415 - faster start
-
-            return ShortcutList(self._controller, self._places, self._window)
-
-        self._open("shortcuts", make)
+        self._open("shortcuts", lambda: ShortcutList(self._controller, self._places, self._window))
 
     def open_guide(self) -> None:
         """Show the user guide at the place where the operator is."""
-        from armui.ui.guide.guide_window import GuideWindow  # noqa: PLC0415 - faster start
-        from armui.ui.guide.place import section_of  # noqa: PLC0415 - as above
-
         if isinstance(QApplication.activeWindow(), GuideWindow):
             return
         section = section_of(*self._where())

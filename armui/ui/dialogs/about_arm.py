@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import platform
 from collections.abc import Mapping, Sequence
-from typing import Final, NamedTuple
+from dataclasses import dataclass
+from typing import Final
 
 from PySide6.QtCore import QCoreApplication, QObject, Qt
 from PySide6.QtGui import QGuiApplication, QShowEvent
@@ -96,7 +97,8 @@ class OnlineSince(QObject):
             self._since_s = self._controller.state.last_feedback_s
 
 
-class AboutRow(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class AboutRow:
     """One line.
 
     Attributes:

@@ -291,7 +291,7 @@ class BackupModel(TableModel):
         return verdict_word(row.verdict)
 
     def _reason(self, row: ComparisonRow) -> Refusal | None:
-        return row.against or self._cell(row.parameter).reason
+        return row.against or self._cell(row.parameter).refusal
 
 
 class DifferencesOnly(QSortFilterProxyModel):
@@ -542,7 +542,7 @@ class BackupDialog(ArmDialog):
     def _tell_restored(self) -> None:
         cells = [self._settings.cell(parameter) for parameter in self._restoring]
         self._restoring = {}
-        failed = [cell.reason for cell in cells if cell.state is not CellState.SAVED]
+        failed = [cell.refusal for cell in cells if cell.state is not CellState.SAVED]
         self._say(*restored_text(len(cells), failed))
 
     def _on_operating_state_changed(self, _operating_state: OperatingState) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any, Final
 
@@ -284,7 +284,7 @@ class JointStatusDialog(ArmDialog):
     commands = tuple(
         Command(
             f"joint_status.clear_{joint}",
-            _CLEAR._replace(suffix=f"J{joint}"),
+            replace(_CLEAR, suffix=f"J{joint}"),
             operation_of(JointErrors.clear),
         )
         for joint in JOINTS

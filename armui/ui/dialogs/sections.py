@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Final, NamedTuple
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QPaintEvent
@@ -45,7 +46,8 @@ class KeyCap(QLabel):
         super().paintEvent(event)
 
 
-class HelpSection(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class HelpSection:
     """A heading and its lines: what to do or see, and what it does or means.
 
     Attributes:

@@ -158,7 +158,7 @@ class GamepadStrip(Translated, QWidget):
             HoldPhase.OFF_CENTRE: self.tr("{device} · {mode} · let every axis back to its centre"),
             HoldPhase.SPENT: self.tr("{device} · let go of {button}, then press it anew"),
         }[view.phase].format(**figures)
-        return text if view.reason is None else f"{text} · {words.refusal(view.reason)}"
+        return text if view.refusal is None else f"{text} · {words.refusal(view.refusal)}"
 
     def _nothing_found(self, view: PilotView) -> str:
         if view.missing:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Final
 
 from PySide6.QtCore import QRectF, QSignalBlocker, QSize, Qt, Signal
@@ -73,7 +74,7 @@ class ColorStrip(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
 
     def text(self) -> str:
-        """The value it shows: ``#RRGGBB``, or «—»."""
+        """Return the value it shows: ``#RRGGBB``, or «—»."""
         return fmt.NOTHING if self._color is None else self._color.name().upper()
 
     def show_color(self, color: QColor | None) -> None:
@@ -107,7 +108,7 @@ class ColorStrip(QWidget):
 
 
 def _luminance(color: QColor) -> float:
-    """How bright a colour looks, 0–1 (the weights of Rec. 709, without its gamma)."""
+    """Return how bright a colour looks, 0–1 (the weights of Rec. 709, without its gamma)."""
     return 0.2126 * color.redF() + 0.7152 * color.greenF() + 0.0722 * color.blueF()
 
 
@@ -234,7 +235,7 @@ class LightPanel(Panel):
         Command("light.all", Text("LightPanel", "All lamps of the joint")),
         Command("light.pick", Text("LightPanel", "Colour of the lamps")),
         Command("light.confirm", operation=operation_of(Lights.set_light)),
-        *(Command(f"light.joint_{j}", _LAMPS._replace(suffix=f"J{j}")) for j in JOINTS),
+        *(Command(f"light.joint_{j}", replace(_LAMPS, suffix=f"J{j}")) for j in JOINTS),
     )
 
     def __init__(self, controller: ArmController) -> None:
@@ -314,7 +315,7 @@ class LightPanel(Panel):
     # -- the colour ---------------------------------------------------------------------------
 
     def color(self) -> QColor | None:
-        """The colour in the fields, or ``None`` if one of them holds no grey value."""
+        """Return the colour in the fields, or ``None`` if one of them holds no grey value."""
         red, green, blue = (self._rows[name].value for name in _CHANNELS)
         if red is None or green is None or blue is None:
             return None
@@ -355,7 +356,7 @@ class LightPanel(Panel):
         self._on_edited()
 
     def _figures(self) -> dict[str, FigureField]:
-        """The fields that count now, by the names of ``lights.RANGES``."""
+        """Return the fields that count now, by the names of ``lights.RANGES``."""
         lamp = {} if self._all_lamps.isChecked() else {"lamp": self._lamp}
         return {**lamp, **{name: row.field for name, row in self._rows.items()}}
 
@@ -374,7 +375,7 @@ class LightPanel(Panel):
                 self._show_possible()
 
     def _entered(self) -> tuple[object, ...]:
-        """All that is to be sent, as it is entered."""
+        """Return all that is to be sent, as it is entered."""
         return self._joints.checkedId(), *(
             (name, field.text()) for name, field in self._figures().items()
         )
@@ -454,7 +455,7 @@ def _range_text(name: str) -> str:
 
 
 def _why_wrong(name: str, field: FigureField) -> Refusal | None:
-    """What is to be said against the text in a field."""
+    """Return what is to be said against the text in a field."""
     value = field.value
     if value is not None:
         return check_light(**{name: int(value)})

@@ -133,7 +133,7 @@ class LinkagePanel(Panel):
         )
 
     def _chosen(self) -> tuple[LinkageRole, dict[str, int]]:
-        """The role and the offsets."""
+        """Return the role and the offsets."""
         offsets = {name: int(box.currentData()) for name, box in self._boxes.items()}
         return LinkageRole(self._roles.checkedId()), offsets
 

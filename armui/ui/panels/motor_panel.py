@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import partial
 from typing import Final
 
@@ -52,7 +53,7 @@ class MotorPanel(Panel):
     """
 
     commands = tuple(
-        Command(f"motor.{act.value}_{joint}", title._replace(suffix=whose), operation)
+        Command(f"motor.{act.value}_{joint}", replace(title, suffix=whose), operation)
         for joint, whose in ((ALL_JOINTS, "J1–J6"), *((joint, f"J{joint}") for joint in JOINTS))
         for act, title, operation in _ACTS
     )

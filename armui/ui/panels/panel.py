@@ -39,7 +39,7 @@ _SAID_ONLY_HERE: Final = UNHINDERED | {StepKind.STATUS_UNKNOWN}
 
 
 def level_of(refusal: Refusal) -> Level:
-    """How much a reason against an action matters; most of them can be mended by the operator."""
+    """Return how much a reason against an action matters; the operator can mend most."""
     return _LEVELS.get(refusal.reason, Level.WARNING)
 
 
@@ -114,7 +114,7 @@ class Panel(Translated, QWidget):
             self._show_message()
 
     def _unless_told(self, reason: Refusal | None) -> Refusal | None:
-        """A standing reason, unless the line of the next step above the panel says it already."""
+        """Return a standing reason, unless the line of the next step says it already."""
         now = self._operating_state
         if reason not in (now.unreachable, now.cannot_enable, now.cannot_move):
             return reason  # of this panel alone: no step leads out of it
@@ -236,6 +236,6 @@ class Panel(Translated, QWidget):
 
 
 def _least_height(card: QWidget, width_px: int) -> int:
-    """How high a card must be to be seen whole, in pixels."""
+    """Return how high a card must be to be seen whole, in pixels."""
     least = card.minimumSizeHint().height()
     return max(least, card.heightForWidth(width_px)) if card.hasHeightForWidth() else least

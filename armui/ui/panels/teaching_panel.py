@@ -363,7 +363,7 @@ class TeachingPanel(Panel):
         )
 
     def _phase_now(self) -> TeachingPhase | None:
-        """What drag teaching does, or ``None``: nobody knows."""
+        """Return what drag teaching does, or ``None``: nobody knows."""
         state = self._controller.state
         if state.status is None or is_stale(state.status, state, self._operating_state):
             return None
@@ -439,7 +439,7 @@ class TeachingPanel(Panel):
 
 
 def _grid(rows: Sequence[Sequence[_Key]], buttons: Mapping[_Key, QPushButton]) -> QGridLayout:
-    """Two or three buttons a row, each row as wide as the others."""
+    """Return two or three buttons a row, each row as wide as the others."""
     grid = empty_grid(gaps=(8, 8))
     for number, row in enumerate(rows):
         for column, command in enumerate(row):

@@ -14,7 +14,9 @@ from armui.arm.refusal import Reason, Refusal
 from armui.control.devices.teaching_phase import TeachingPhase, phase_of
 from armui.control.events import Level
 from armui.control.operating_state import LinkState, StopState
+from armui.kinematics import poses
 from armui.kinematics.axes import JogFrame
+from armui.kinematics.poses import flange_pose
 from armui.ui import words
 from armui.viewport.grips import GripKind, snapped
 from armui.viewport.handles import HandleKind, HandlePlace
@@ -94,7 +96,6 @@ def dragged_to(
         return check_joints(angles, base.limits) or tuple(angles)
 
     from armui.arm.reach import check_pose  # noqa: PLC0415 - scipy, loaded when needed
-    from armui.kinematics import poses  # noqa: PLC0415 - numpy, likewise
 
     tool_point = poses.tool_matrix(base.kinematics.matrix(base.angles_deg), base.tool)
     own = base.kind is HandleKind.TOOL_FRAME
@@ -227,8 +228,6 @@ class CartesianTarget:
 
     def carry(self, angles_deg: tuple[float, ...]) -> None:
         """Into the fields, as the pose of the tool centre point."""
-        from armui.kinematics import poses  # noqa: PLC0415 - numpy, loaded when needed
-
         cartesian = self._controller.cartesian
         tool_point = poses.tool_matrix(cartesian.kinematics().matrix(angles_deg), cartesian.tool)
         self._panel.take_targets(poses.matrix_to_pose(tool_point))
@@ -259,7 +258,6 @@ class CartesianTarget:
             return None
         if self._solved is None or self._solved[0] != key:
             from armui.arm.reach import check_pose  # noqa: PLC0415 - scipy, loaded when needed
-            from armui.kinematics.poses import flange_pose  # noqa: PLC0415 - numpy, likewise
 
             cartesian = self._controller.cartesian
             limits = self._controller.operating_state.limits

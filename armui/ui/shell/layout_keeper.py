@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
@@ -98,7 +99,7 @@ class LayoutKeeper(QObject):
             header.sortIndicatorOrder() == Qt.SortOrder.AscendingOrder,
         )
         if kept != columns:
-            self.layout = self.layout._replace(columns={**self.layout.columns, name: columns})
+            self.layout = replace(self.layout, columns={**self.layout.columns, name: columns})
             self.note()
 
 

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING, Final, NamedTuple, Protocol, runtime_checkable
+from typing import TYPE_CHECKING, Final, Protocol, runtime_checkable
 
 from PySide6.QtWidgets import QStackedWidget, QWidget
 
@@ -36,7 +37,8 @@ MakePanel = Callable[["ArmController", "SettingsStore", Callable[[], object]], P
 """Makes a panel for a controller, with the operator's settings; the last opens 参数备份."""
 
 
-class PanelEntry(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class PanelEntry:
     """A panel.
 
     Attributes:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QFontMetrics, QPaintEvent
@@ -126,7 +127,8 @@ class JointStatusButton(Translated, QAbstractButton):
         painter.end()
 
 
-class WatchEntry(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class WatchEntry:
     """A window that watches the arm or the bus.
 
     Attributes:
@@ -211,7 +213,8 @@ class LibraryButton(Translated, QToolButton):
         self.setIcon(icons.icon("library", colors_of(self).accent))
 
 
-class MenuEntry(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class MenuEntry:
     """An entry of the menu: a panel of the operation area.
 
     Attributes:

@@ -407,4 +407,4 @@ class StatusBar(Translated, QWidget):
 def _foreign_mode(now: OperatingState) -> str:
     """MIT, CPV or high-follow by another host's word, "" for none; 0x2A1 doesn't tell the last."""
     other = now.other_host
-    return "" if other is None else str(other.reason.params.get("other_mode", ""))
+    return "" if other is None else str(other.refusal.params.get("other_mode", ""))

@@ -220,7 +220,7 @@ class WatchWindows(QObject):
         def make() -> ArmDialog:
             from armui.session.recording.recorded_session import RecordedSession  # noqa: PLC0415 - as above
 
-            return ReplayWindow(
+            window = ReplayWindow(
                 self._controller,
                 self._background,
                 make_view,
@@ -228,6 +228,8 @@ class WatchWindows(QObject):
                 open_own=RecordedSession,
                 urdf_path=self._robot(),
             )
+            window.export_wanted.connect(self.open_export)
+            return window
 
         window = self._open("replay", make)
         if isinstance(window, ReplayWindow) and path is not None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QSize, Qt, Signal
@@ -273,7 +274,8 @@ class WindowLayout(QObject):
 
     def _collect(self, layout: WorkspaceLayout) -> WorkspaceLayout:
         window, area = self._window, self._column.area
-        return layout._replace(
+        return replace(
+            layout,
             window=place_of(window.normalGeometry()),
             maximized=window.isMaximized(),
             panel_px=area.panel_px,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Final, Protocol
 
@@ -228,7 +229,7 @@ class Workspace(QObject):
         self._let_go(page)
         layout = self._keeper.layout
         left = {key: place for key, place in layout.taken_out.items() if key != page.key}
-        self._keeper.layout = layout._replace(taken_out=left)
+        self._keeper.layout = replace(layout, taken_out=left)
         self._keeper.note()
         self._homes[page].show_page(page)
         self._window.raise_()
@@ -250,7 +251,7 @@ class Workspace(QObject):
             return
         now = [OpenWindow(page.key, page.subject) for page in self._windows]
         kept = tuple(dict.fromkeys([*now, *self._left_open]))
-        self._keeper.layout = self._keeper.layout._replace(open_windows=kept)
+        self._keeper.layout = replace(self._keeper.layout, open_windows=kept)
         self._keeper.note()
 
     def _show(self, page: Page) -> None:
@@ -269,7 +270,7 @@ class Workspace(QObject):
         kept = self._keeper.layout.taken_out.get(page.key)
         if kept is not None:
             others = sum(each.key == page.key for each in self._windows) - 1
-            aside = kept._replace(x=kept.x + others * _ASIDE_PX, y=kept.y + others * _ASIDE_PX)
+            aside = replace(kept, x=kept.x + others * _ASIDE_PX, y=kept.y + others * _ASIDE_PX)
             window.setGeometry(on_screen(aside))
         self.note_windows()
         return window
@@ -281,7 +282,7 @@ class Workspace(QObject):
     def _note(self, window: PageWindow, key: str) -> None:
         layout = self._keeper.layout
         kept = {**layout.taken_out, key: place_of(window.geometry())}
-        self._keeper.layout = layout._replace(taken_out=kept)
+        self._keeper.layout = replace(layout, taken_out=kept)
         self._keeper.note()
 
     def _on_closed(self, page: Page) -> None:

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from types import MappingProxyType
-from typing import Any, Final, NamedTuple
+from dataclasses import dataclass, field, replace
+from typing import Any, Final
 
 from armui.arm.json_fields import finite
 
@@ -21,7 +21,8 @@ _WIDEST_COLUMN_PX: Final = 4000
 _LEAST_COLUMN_PX: Final = 20
 
 
-class Place(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Place:
     """The place of a window, in pixels of the desktop."""
 
     x: int
@@ -30,7 +31,8 @@ class Place(NamedTuple):
     height: int
 
 
-class ColumnLayout(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class ColumnLayout:
     """The columns of a table.
 
     Attributes:
@@ -44,7 +46,8 @@ class ColumnLayout(NamedTuple):
     ascending: bool = True
 
 
-class OpenWindow(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class OpenWindow:
     """A page that stands in a window of its own.
 
     Attributes:
@@ -56,7 +59,8 @@ class OpenWindow(NamedTuple):
     subject: str = ""
 
 
-class WorkspaceLayout(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class WorkspaceLayout:
     """The arrangement of the window.
 
     Attributes:
@@ -75,8 +79,8 @@ class WorkspaceLayout(NamedTuple):
     panel_px: int = 0
     page_share: float = 0.0
     drawer_px: int = 0
-    taken_out: Mapping[str, Place] = MappingProxyType({})
-    columns: Mapping[str, ColumnLayout] = MappingProxyType({})
+    taken_out: Mapping[str, Place] = field(default_factory=dict)
+    columns: Mapping[str, ColumnLayout] = field(default_factory=dict)
     open_windows: tuple[OpenWindow, ...] = ()
 
 
@@ -142,7 +146,7 @@ def fitted(place: Place, screens: Sequence[Place]) -> Place:
     width, height = min(place.width, screen.width), min(place.height, screen.height)
     x = min(max(place.x, screen.x), screen.x + screen.width - width)
     y = min(max(place.y, screen.y), screen.y + screen.height - height)
-    return place._replace(x=x, y=y, width=width, height=height)
+    return replace(place, x=x, y=y, width=width, height=height)
 
 
 def _overlap(one: Place, other: Place) -> int:

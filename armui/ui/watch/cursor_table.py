@@ -32,6 +32,9 @@ class CursorTable(QWidget):
     Args:
         board: Whose curves and cursors.
         telemetry: Knows the values.
+
+    Attributes:
+        is_wanted: Whether it is shown while the cursors are.
     """
 
     def __init__(
@@ -40,6 +43,7 @@ class CursorTable(QWidget):
         super().__init__(parent)
         self._board = board
         self._telemetry = telemetry
+        self.is_wanted = True
         self._times = text_label("cursor_times")
         self._times.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.table = plain_table("cursor_table", 4, wide=0)
@@ -51,7 +55,7 @@ class CursorTable(QWidget):
 
     def refresh(self) -> None:
         """Say the values."""
-        self.setVisible(self._board.has_cursors)
+        self.setVisible(self.is_wanted and self._board.has_cursors)
         if not self._board.has_cursors:
             return
         self._show_times()

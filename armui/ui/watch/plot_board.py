@@ -98,6 +98,7 @@ class PlotBoard(QWidget):
         frame: Which time is shown.
         panes: The plots.
         cursors_s: Monotonic times of the cursors; ``None``: not shown.
+        values_at_cursor: Whether the values beside the names are those at the first cursor.
         times: The times, below the plots.
 
     Signals:
@@ -123,6 +124,7 @@ class PlotBoard(QWidget):
         self._book = CurveBook(telemetry, polygon)
         self._picture_s = 0.0
         self.cursors_s: list[float | None] = [None] * CURSORS
+        self.values_at_cursor = False
         self._chosen = 0
         self._valued_s = 0.0
         self._dirty = True
@@ -381,7 +383,7 @@ class PlotBoard(QWidget):
         if looked_s - self._valued_s >= _VALUES_EVERY_S:
             self._valued_s = looked_s
             for pane in self._seen():
-                pane.show_values(now_s)
+                pane.show_values(now_s, self.cursors_s[0] if self.values_at_cursor else None)
 
     def _draw_some(self) -> None:
         """Draw plots for a few milliseconds; others may have the thread before the next ones."""

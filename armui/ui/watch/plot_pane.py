@@ -369,15 +369,23 @@ class PlotPane(QWidget):
             plots.append(FigurePlot(colored, curves, fitted, title, unit))
         return plots
 
-    def show_values(self, now_s: float) -> None:
-        """The values now, beside the names."""
+    def show_values(self, now_s: float, at_s: float | None = None) -> None:
+        """Show the values beside the names.
+
+        Args:
+            now_s: The present.
+            at_s: The moment that they are of; by default the present.
+        """
         colors = self.curve_colors
         entries = []
         title, short = names.in_common(self.quantities)
         for each, name in zip(self.quantities, short, strict=True):
-            latest = self._telemetry.series[each.series].latest(each.field)
-            at_s, value = latest or (None, None)
-            stale = not (each.held or is_fresh(at_s, now_s))
+            series = self._telemetry.series[each.series]
+            latest = (
+                series.latest(each.field) if at_s is None else series.value_at(each.field, at_s)
+            )
+            told_s, value = latest or (None, None)
+            stale = not (each.held or is_fresh(told_s, now_s if at_s is None else at_s))
             text = names.quantity_value(each, None if latest is None else value)
             entries.append(Entry(each.key, name, colors[each.key], text, stale))
         self.legend.show_entries(entries, title)

@@ -46,9 +46,13 @@ class TimeFrame:
 
     Times are those of the axis: seconds from the edge, before it negative. While it is live the
     edge is the present, and the axis stands still while the curves run along it.
+
+    Attributes:
+        kept_s: How long a time can be shown.
     """
 
     def __init__(self) -> None:
+        self.kept_s = KEPT_S
         self._shown = Shown()
         self._before: list[Shown] = []
         self._stepping = False
@@ -77,6 +81,12 @@ class TimeFrame:
         if self.live:
             self._shown = replace(self._shown, edge_s=now_s)
 
+    def stand(self, edge_s: float, span_s: float) -> None:
+        """Stand still at a moment, with so long a time before it; nothing is left to undo."""
+        self.kept_s = span_s
+        self._shown = Shown(edge_s, -span_s, 0.0)
+        self._before.clear()
+
     def resume(self) -> None:
         """Run with the present again, as long a time as is shown now; nothing is left to undo."""
         self._shown = Shown(begin_s=-max(self._shown.span_s, SPANS_S[0]))
@@ -84,7 +94,7 @@ class TimeFrame:
 
     def set_span(self, span_s: float) -> None:
         """Show so long a time, up to where it ended so far."""
-        span_s = min(max(span_s, _SHORTEST_S), KEPT_S)
+        span_s = min(max(span_s, _SHORTEST_S), self.kept_s)
         self._go(replace(self._shown, begin_s=self._shown.end_s - span_s))
 
     def zoom(
@@ -120,7 +130,7 @@ class TimeFrame:
         """
         shown = self._shown
         shortest_s = SPANS_S[0] if self.live else _SHORTEST_S
-        span_s = min(max(shown.span_s * factor, shortest_s), KEPT_S)
+        span_s = min(max(shown.span_s * factor, shortest_s), self.kept_s)
         if self.live:
             begin_s, end_s = -span_s, 0.0
         else:
@@ -133,7 +143,7 @@ class TimeFrame:
     def pan(self, now_s: float, by_s: float) -> None:
         """Look at another time; it stands still then."""
         shown = self._shown
-        end_s = min(max(shown.end_s + by_s, shown.span_s - KEPT_S), 0.0)
+        end_s = min(max(shown.end_s + by_s, shown.span_s - self.kept_s), 0.0)
         moved = Shown(self.edge_s(now_s), end_s - shown.span_s, end_s, shown.ranges)
         self._go(moved, stepping=True)
 

@@ -40,7 +40,7 @@ def named(name: str, thing: Named) -> Named:
 def push_button(
     name: str = "", text: str = "", *, primary: bool = False, on_enter: bool | None = None
 ) -> QPushButton:
-    """A button with words.
+    """Return a button with words.
 
     Args:
         name: Its object name.
@@ -107,7 +107,7 @@ def describe(widget: QWidget, name: str, tip: str = "") -> None:
 
 
 def bar_button(name: str, *, toggles: bool = False) -> QPushButton:
-    """A button of a bar above what a window shows; Enter elsewhere in the window is not for it.
+    """Return a button of a bar above what a window shows; Enter elsewhere is not for it.
 
     Args:
         name: Its object name.
@@ -120,7 +120,7 @@ def bar_button(name: str, *, toggles: bool = False) -> QPushButton:
 
 
 def choice_button(name: str, text: str = "") -> QToolButton:
-    """A button that stays down when it is chosen.
+    """Return a button that stays down when it is chosen.
 
     Args:
         name: Its object name.

@@ -23,7 +23,7 @@ class ManyFigures(Protocol):
     """Shows several quantities in different places."""
 
     def quantities_at(self, place: QPoint) -> Sequence[str]:
-        """The keys of those at a place of the widget."""
+        """Return the keys of those at a place of the widget."""
 
 
 @runtime_checkable
@@ -40,7 +40,7 @@ def tell_quantities(widget: QWidget, *keys: str) -> None:
 
 
 def quantities_under(window: QWidget, place: QPoint) -> list[str]:
-    """The keys of what is shown at a place of a window."""
+    """Return the keys of what is shown at a place of a window."""
     widget = window.childAt(place) or window
     while True:
         keys: Sequence[str] = widget.property(_PROPERTY) or ()

@@ -55,11 +55,11 @@ class Flow(QLayout):
         self._items.append(item)
 
     def count(self) -> int:
-        """How many items there are."""
+        """Return how many items there are."""
         return len(self._items)
 
     def itemAt(self, index: int) -> QLayoutItem | None:  # noqa: N802 - Qt's
-        """The item at a place."""
+        """Return the item at a place."""
         return self._items[index] if 0 <= index < len(self._items) else None
 
     def takeAt(self, index: int) -> QLayoutItem | None:  # noqa: N802 - Qt's
@@ -75,7 +75,7 @@ class Flow(QLayout):
         return True
 
     def heightForWidth(self, width: int) -> int:  # noqa: N802 - Qt's
-        """How high all lines are."""
+        """Return how high all lines are."""
         return self._arrange(QRect(0, 0, width, 0), place=False)
 
     def sizeHint(self) -> QSize:
@@ -170,7 +170,7 @@ def in_flow(*widgets: QWidget, on: QWidget | None = None, spacing_px: int = _SPA
 
 
 def pair(label: QWidget, field: QWidget) -> QWidget:
-    """A label and its field as one widget, which no line of a flow takes apart."""
+    """Return a label and its field as one widget, which no line of a flow takes apart."""
     both = QWidget()
     in_row(label, field, on=both, spacing=_SPACING_PX, margins=0)
     return both

@@ -19,7 +19,7 @@ _FOR_OTHERS: Final = 2.0
 
 
 def pixmap(name: str, color: str, size: int, pixel_ratio: float) -> QPixmap:
-    """One icon as a picture, drawn once and kept in Qt's own cache.
+    """Return one icon as a picture, drawn once and kept in Qt's own cache.
 
     Args:
         name: File name in ``armui/ui/icons`` without its ending.
@@ -58,7 +58,7 @@ def load_all() -> None:
 
 
 def icon(name: str, color: str, size: int = 20) -> QIcon:
-    """One icon, sharp on every screen there is; made anew when the theme changes."""
+    """Return one icon, sharp on every screen there is; made anew when the theme changes."""
     result = QIcon()
     screens = QGuiApplication.screens()
     for ratio in sorted({_FOR_OTHERS, *(screen.devicePixelRatio() for screen in screens)}):

@@ -142,7 +142,7 @@ def empty_grid(
     gaps: tuple[int | None, int | None] = (None, None),
     margins: Margins | None = None,
 ) -> QGridLayout:
-    """A grid to be filled.
+    """Return a grid to be filled.
 
     Args:
         on: The widget whose layout it becomes.

@@ -63,7 +63,7 @@ class MessageLine(QWidget):
         self.show_message("")
 
     def text(self) -> str:
-        """What it says now."""
+        """Return what it says now."""
         return self._label.text()
 
     def show_message(self, words: Words, level: Level = Level.INFO) -> None:

@@ -30,7 +30,7 @@ def set_rank(widget: QWidget, rank: str) -> None:
 
 
 def begin(widget: QWidget) -> QPainter:
-    """A painter on a widget, with smooth edges; end it when done."""
+    """Return a painter on a widget, with smooth edges; end it when done."""
     painter = QPainter(widget)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     return painter
@@ -56,12 +56,12 @@ def panel(painter: QPainter, rect: QRectF, fill: str, line: str, line_px: float 
 
 
 def octagon(center: QPointF, radius: float) -> QPolygonF:
-    """The shape of a stop sign."""
+    """Return the shape of a stop sign."""
     corners = (math.pi / 8 + n * math.pi / 4 for n in range(8))
     return QPolygonF([center + QPointF(math.cos(a), math.sin(a)) * radius for a in corners])
 
 
 def triangle(center: QPointF, radius: float) -> QPolygonF:
-    """The shape of a warning sign, its point upwards."""
+    """Return the shape of a warning sign, its point upwards."""
     corners = (-math.pi / 2 + n * 2 * math.pi / 3 for n in range(3))
     return QPolygonF([center + QPointF(math.cos(a), math.sin(a)) * radius for a in corners])

@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QProgressBar
 
 
 def quiet_progress() -> QProgressBar:
-    """A hidden bar without figures that keeps its place, so that nothing below it jumps."""
+    """Return a hidden bar without figures that keeps its place, so that nothing below it jumps."""
     bar = QProgressBar()
     bar.setTextVisible(False)
     policy = bar.sizePolicy()

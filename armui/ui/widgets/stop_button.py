@@ -118,7 +118,7 @@ class StopButton(Translated, PressButton):
         return self.tr("Emergency stop")
 
     def _caption(self) -> str:
-        """What stands below the word, smaller."""
+        """Return what stands below the word, smaller."""
         if self._offers_recovery():
             return self.tr("The arm is stopped")
         if self._operating_state.stop_lapsed:
@@ -219,5 +219,5 @@ class StopButton(Translated, PressButton):
 
 
 def _shown(operating_state: OperatingState) -> tuple[object, ...]:
-    """What its words depend on."""
+    """Return what its words depend on."""
     return (operating_state.stop, operating_state.stop_unconfirmed, operating_state.stop_lapsed)

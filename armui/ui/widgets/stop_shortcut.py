@@ -127,7 +127,7 @@ def _press_behind_popup(event: QMouseEvent) -> bool:
 
 
 def _button_at(place: QPoint) -> PressButton | None:
-    """The button under a place of the desktop that no other window covers."""
+    """Return the button under a place of the desktop that no other window covers."""
     widget = QApplication.widgetAt(place)
     if widget is None:  # off every screen, as far as the window system tells
         popup = QApplication.activePopupWidget()

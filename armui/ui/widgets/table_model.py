@@ -114,7 +114,7 @@ def list_rows(table: QTableView) -> QHeaderView:
 
 
 def plain_table(name: str, columns: int, *, wide: int) -> QTableWidget:
-    """An empty table.
+    """Return an empty table.
 
     Args:
         name: Its object name.
@@ -142,17 +142,17 @@ class TableModel(QAbstractTableModel):
         return ()
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008, N802 - Qt's signature
-        """How many rows there are."""
+        """Return how many rows there are."""
         return 0 if parent.isValid() else len(self._rows)
 
     def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008, N802 - as above
-        """How many columns there are."""
+        """Return how many columns there are."""
         return 0 if parent.isValid() else self._columns
 
     def headerData(  # noqa: N802 - Qt's name
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
     ) -> Any:
-        """The titles of the columns."""
+        """Return the titles of the columns."""
         if orientation is not Qt.Orientation.Horizontal:
             return None
         if role == Qt.ItemDataRole.TextAlignmentRole and section in self._figures:

@@ -37,11 +37,11 @@ class ValueLabel(QWidget):
         self.updateGeometry()
 
     def text(self) -> str:
-        """What stands there."""
+        """Return what stands there."""
         return self._text
 
     def is_stale(self) -> bool:
-        """Whether the figure is too old to stand for the present."""
+        """Tell whether the figure is too old to stand for the present."""
         return self._stale
 
     def show_text(self, text: str, *, stale: bool = False) -> None:
@@ -119,7 +119,7 @@ class ElidedLabel(QLabel):
 def text_label(
     name: str = "", *, rank: str = "", wraps: bool = False, plain: bool = False
 ) -> QLabel:
-    """An empty label.
+    """Return an empty label.
 
     Args:
         name: Its object name.

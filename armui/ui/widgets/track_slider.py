@@ -106,7 +106,7 @@ class TrackSlider(QSlider):
         return QSize(60, 24)
 
     def _place(self, value: float | None) -> float | None:
-        """Where a value stands on the track, in half pixels: finer can't be seen."""
+        """Return where a value stands on the track, in half pixels: finer can't be seen."""
         if value is None or self.maximum() == self.minimum():
             return None
         steps = min(max(value / self._resolution, self.minimum()), self.maximum())

@@ -143,7 +143,7 @@ def file_error(error: TrajectoryFileError) -> str:
     Args:
         error: What was found; a text without a file, as of the clipboard, has none to name.
     """
-    reason = refusal(error.reason)
+    reason = refusal(error.refusal)
     if error.line:
         named, bare = (_PLACE, _PLACE_ONLY) if error.column else (_LINE, _LINE_ONLY)
         source = named if error.file else bare

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from typing import Final, NamedTuple, TypeVar
+from dataclasses import dataclass
+from typing import Final, TypeVar
 
 from PySide6.QtCore import QCoreApplication
 
@@ -60,7 +61,8 @@ def said(what: Sentence, params: Mapping[str, object]) -> str:
     return sentence(what.context, what.source, params)
 
 
-class Text(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Text:
     """A text that is looked up when it is shown: ``Text("ViewBar", "Fit")`` marks it, too.
 
     Attributes:

@@ -47,7 +47,7 @@ def is_closed(surface: Surface) -> bool:
 
 
 def floor_lines(radius_m: float, step_m: float) -> tuple[pv.PolyData, np.ndarray]:
-    """A square grid on the floor, cut out round.
+    """Return a square grid on the floor, cut out round.
 
     Returns:
         The lines, in short pieces, and for each of their points how far out it lies (0 centre, 1
@@ -71,7 +71,7 @@ def floor_lines(radius_m: float, step_m: float) -> tuple[pv.PolyData, np.ndarray
 
 
 def axis_arrow(direction: tuple[float, float, float], length_m: float) -> pv.PolyData:
-    """A thin arrow from the origin."""
+    """Return a thin arrow from the origin."""
     return pv.Arrow(
         direction=direction,
         scale=length_m,
@@ -93,5 +93,5 @@ def actor_of(surface: pv.PolyData) -> vtkActor:
 
 
 def flat(matrix: Matrix) -> list[float]:
-    """The sixteen numbers of a 4×4 matrix, row by row, as VTK takes them."""
+    """Return the sixteen numbers of a 4×4 matrix, row by row, as VTK takes them."""
     return [float(number) for number in matrix.ravel()]

@@ -45,7 +45,7 @@ class Pixels:
         return self._rows.nbytes
 
     def top_down(self) -> NDArray[np.uint8]:
-        """A copy: height × width × 4 bytes (red, green, blue, unused), the top row first."""
+        """Return a copy: height × width × 4 bytes (red, green, blue, unused), the top row first."""
         return np.ascontiguousarray(self._rows[::-1])
 
     def copy_to(self, target: memoryview) -> tuple[int, int]:

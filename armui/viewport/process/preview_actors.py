@@ -77,7 +77,7 @@ class PreviewActors:
             self._lit = (ring, self._marks(place_mm, palette.text, _MARK_PX))
 
     def row_at(self, x_px: float, y_px: float, pixel_ratio: float) -> int | None:
-        """The row of the mark next to a pixel, counted from the top left; None: there is none."""
+        """Return the row of the mark next to a pixel from the top left; None: no mark."""
         path = self._path
         if path is None or not len(path.rows):
             return None
@@ -119,7 +119,7 @@ class PreviewActors:
 
 
 def _line(path: PathPicture, palette: ScenePalette) -> pv.PolyData:
-    """The path as one line; slow parts take the theme's cold colour, fast ones the warm one."""
+    """Return the path as one line; slow parts in the cold colour, fast ones in the warm."""
     line = pv.lines_from_points(path.places_mm * _MM)
     fastest = float(path.speeds_mm_s.max(initial=0.0)) or 1.0
     shares = (path.speeds_mm_s / fastest)[:, np.newaxis]

@@ -248,7 +248,7 @@ def reached(robot: Robot, reach: Reach) -> ReachVolume:
 
 
 def _at_zero(robot: Robot, reach: Reach) -> tuple[list[_Axis], Array]:
-    """The joints' axes and the tool, (1, 3), in the base frame while all joints are at zero."""
+    """Return the joints' axes and the tool, (1, 3), in the base frame at zero."""
     poses = robot.link_poses((0.0,) * ARM_JOINT_COUNT, 0.0)
     by_name = {joint.name: joint for joint in robot.joints}
     axes = []
@@ -265,7 +265,7 @@ def _at_zero(robot: Robot, reach: Reach) -> tuple[list[_Axis], Array]:
 
 
 def _turned(cloud: Array, axis: _Axis, limits_deg: tuple[float, float]) -> Array:
-    """The cloud at every angle of a joint, thinned: no two places in one cell."""
+    """Return the cloud at every angle of a joint, thinned: no two places in one cell."""
     low_deg, high_deg = limits_deg
     _, far, _ = axis.cylindrical(cloud)
     way_m = math.radians(high_deg - low_deg) * float(far.max())
@@ -282,7 +282,7 @@ def _turned(cloud: Array, axis: _Axis, limits_deg: tuple[float, float]) -> Array
 
 
 def _around(axis: _Axis, cloud: Array) -> _Grid:
-    """A grid around an axis with the cells that a cloud is in."""
+    """Return a grid around an axis with the cells that a cloud is in."""
     angles, far, heights = axis.cylindrical(cloud)
     low = float(heights.min()) - _CELL_M
     count_far = int(far.max() / _CELL_M) + 2
@@ -295,7 +295,7 @@ def _around(axis: _Axis, cloud: Array) -> _Grid:
 
 
 def _gathered(axis: _Axis, upper: _Grid) -> _Grid:
-    """A grid around another axis with what is reached in the one."""
+    """Return a grid around another axis with what is reached in the one."""
     _, at_far, at_height = np.nonzero(upper.cells)
     heights = np.abs(upper.low + _CELL_M * (at_height + 0.5))
     reach_m = float(np.hypot(_CELL_M * (at_far + 1), heights + _CELL_M).max())
@@ -314,7 +314,7 @@ def _gathered(axis: _Axis, upper: _Grid) -> _Grid:
 
 
 def _voxels(lower: _Grid, shoulder: Array) -> ReachVolume:
-    """The reached volume, in a box along the axes of the base frame."""
+    """Return the reached volume, in a box along the axes of the base frame."""
     heights = np.flatnonzero(lower.cells.any(axis=(0, 1)))
     far = np.flatnonzero(lower.cells.any(axis=(0, 2)))
     out, along = lower.axis.rows[:2], lower.axis.rows[2]

@@ -197,7 +197,7 @@ _WAYS: Final = np.array(
 
 
 def shape_of(robot: Robot) -> RobotShape:
-    """The robot without its surfaces."""
+    """Return the robot without its surfaces."""
     names = [robot.root, *(joint.child for joint in robot.joints)]
     places = {name: place for place, name in enumerate(names)}
     by_name = {joint.name: place for place, joint in enumerate(robot.joints)}

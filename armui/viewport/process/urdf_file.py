@@ -156,7 +156,7 @@ def _description(path: Path) -> yourdfpy.Robot:
 
 
 def _content(path: Path) -> bytes:
-    """The file, which is sound XML: yourdfpy would go on with what it can make out of other."""
+    """Return the file, which is sound XML: yourdfpy would go on with broken XML."""
     try:
         content = read_file(path, _MOST_BYTES)
         # URDF files are the operator's own, and expat in supported Pythons stops entity bombs.
@@ -232,7 +232,7 @@ def _joint(path: Path, joint: yourdfpy.Joint) -> Joint:
 
 
 def _arm_joints(path: Path, joints: Sequence[Joint]) -> tuple[str, ...]:
-    """Names of the hinges that all long branches share: the arm without its fingers."""
+    """Return names of the hinges that all long branches share: the arm without its fingers."""
     hinges_to: dict[str, tuple[str, ...]] = {}
     for joint in joints:
         before = hinges_to.get(joint.parent, ())

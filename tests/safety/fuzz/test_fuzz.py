@@ -97,7 +97,7 @@ def test_a_motion_nobody_asked_for_is_seen(qapp, monkeypatch):
         if now_s > began_s[0] + 0.4:
             motion.send_joints(A)
 
-    monkeypatch.setattr(Motion, "advance", restless)
+    monkeypatch.setattr(Motion, "follow_arm", restless)
     assert promise([Action("speed", (30,), 0.6)]) == "S7–S11"
 
 
@@ -138,7 +138,7 @@ def test_an_exception_is_seen_in_a_part_and_in_a_click(qapp, monkeypatch):
         raise ZeroDivisionError
 
     with monkeypatch.context() as patch:
-        patch.setattr(Actors, "light", lambda *_: patch.setattr(Motion, "advance", broken))
+        patch.setattr(Actors, "light", lambda *_: patch.setattr(Motion, "follow_arm", broken))
         assert promise([Action("light", (1,), 0.1)]) == "exception"
     monkeypatch.setattr(Motion, "go_home", broken)
     assert promise([Action("go_home")]) == "exception"
@@ -159,7 +159,7 @@ def test_a_failure_says_what_was_seen(qapp, monkeypatch):
 
 
 def test_a_motion_that_goes_on_after_a_failure_is_seen(qapp, monkeypatch):
-    advance, fails = AuthorityWatch.advance, [False]
+    advance, fails = AuthorityWatch.follow_arm, [False]
 
     def failing(watch, now_s):
         if fails[0]:
@@ -171,12 +171,12 @@ def test_a_motion_that_goes_on_after_a_failure_is_seen(qapp, monkeypatch):
         fails[0] = True
 
     send_joints = Actors.send_joints
-    monkeypatch.setattr(AuthorityWatch, "advance", failing)
+    monkeypatch.setattr(AuthorityWatch, "follow_arm", failing)
     monkeypatch.setattr(Actors, "send_joints", send_then_fail)
     actions = [Action("speed", (5,), 0.2), Action("send_joints", (A,), 2.0)]
     assert promise(actions) is None
     fails[0] = False
-    monkeypatch.setattr(MotionEnd, "end", lambda *_args, **_more: None)
+    monkeypatch.setattr(MotionEnd, "end_motion", lambda *_args, **_more: None)
     assert promise(actions) == "S23"
 
 

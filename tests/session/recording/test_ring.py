@@ -66,7 +66,7 @@ def test_a_snapshot_stays_as_it_is_while_the_ring_goes_on():
     ring.append(ordinary(RATE * 30, 3.0))
     assert (times_of(before) == kept).all()
     assert times_of(ring.snapshot())[0] >= 33 - 3.0 - 1.0
-    ring.forget()
+    ring.clear()
     assert (ring.span(), ring.bytes_kept) == ((0, 0.0), 0)
     assert (times_of(before) == kept).all()
 

@@ -78,7 +78,7 @@ def test_a_damaged_file_is_listed_with_its_fault_and_never_written_over(library,
     for again in (library, opened(folder), opened(folder)):  # the last finds the fault in the cache
         entry = next(entry for entry in again.entries() if entry.name == "取/料")
         assert (entry.count, entry.check) == (0, None)
-        assert entry.damage.reason == NUMBER_BAD(value="o")
+        assert entry.damage.refusal == NUMBER_BAD(value="o")
         assert str(entry.damage).startswith("取_料.log, line 7, column 7: ")
         with pytest.raises(TrajectoryFileError, match="line 7, column 7"):
             again.load("取/料")

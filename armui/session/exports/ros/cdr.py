@@ -99,7 +99,7 @@ class CdrTemplate:
     def fill(
         self, times_ns: NDArray[np.int64], figures: Mapping[str, NDArray[np.float64]]
     ) -> list[bytes]:
-        """The bytes of some messages.
+        """Return the bytes of some messages.
 
         Args:
             times_ns: Of each; goes into every place whose name begins with "stamp".

@@ -90,7 +90,7 @@ class DiagnosticStream:
         self._second = np.iinfo(np.int64).min
 
     def messages(self, history: History, span: TimeSpan) -> TimedMessages | None:
-        """What a piece of the log adds, see `Stream`."""
+        """Return what a piece of the log adds, see `Stream`."""
         frames = history.frames
         affected: dict[int, set[_Part]] = defaultdict(set)
         for part in self._parts:
@@ -123,7 +123,7 @@ class DiagnosticStream:
     # When -------------------------------------------------------------------------------------
 
     def _changes(self, history: History, message: str) -> NDArray[np.int64]:
-        """Frames of the newest piece whose codes differ from those before; the first one, too."""
+        """Return the frames whose codes differ from those before; the first one, too."""
         samples = history.samples(message)
         if samples is None:
             return np.empty(0, np.int64)
@@ -137,7 +137,7 @@ class DiagnosticStream:
         return rows
 
     def _seconds(self, frames: ArmFrames) -> NDArray[np.int64]:
-        """The first frame of each second."""
+        """Return the first frame of each second."""
         if not len(frames):
             return np.empty(0, np.int64)
         seconds = np.floor(frames.times_s).astype(np.int64)
@@ -221,7 +221,7 @@ def _heard(
 
 
 def _code_mask(layout: MessageLayout) -> int:
-    """The bits of a message that are codes or flags."""
+    """Return the bits of a message that are codes or flags."""
     return bit_mask(_codes(layout))
 
 

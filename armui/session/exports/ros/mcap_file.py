@@ -54,13 +54,13 @@ _LINE: Final = "=" * 80
 
 
 def full_name(name: str) -> str:
-    """The name of a message type as ROS 2 writes it: ``sensor_msgs/msg/JointState``."""
+    """Return the name of a message type as ROS 2 writes it: ``sensor_msgs/msg/JointState``."""
     package, _, kind = name.partition("/")
     return f"{package}/msg/{kind}"
 
 
 def definition(name: str) -> str:
-    """The definition of a message type, followed by those of the types in it.
+    """Return the definition of a message type, followed by those of the types in it.
 
     Args:
         name: As ``sensor_msgs/JointState``.
@@ -70,7 +70,7 @@ def definition(name: str) -> str:
 
 
 def _needed(name: str) -> dict[str, None]:
-    """The types in a type, and those in them, each once."""
+    """Return the types in a type, and those in them, each once."""
     found: dict[str, None] = {}
     for line in _FIELDS[name].splitlines():
         kind = line.split(" ", 1)[0].removesuffix("[]")

@@ -122,7 +122,7 @@ class Stream(Protocol):
     schema: str
 
     def messages(self, history: History, span: TimeSpan) -> TimedMessages | None:
-        """What a piece of the log adds, see `Sink.write_span`; ``None`` if nothing."""
+        """Return what a piece of the log adds, see `Sink.write_span`; ``None`` if nothing."""
 
 
 def nanoseconds(times_s: NDArray[np.float64]) -> NDArray[np.int64]:
@@ -186,7 +186,7 @@ class JointStream:
         self._moving = _joint_template(JOINT_NAMES, with_speeds=True)
 
     def messages(self, history: History, span: TimeSpan) -> TimedMessages | None:
-        """What a piece of the log adds, see `Stream`."""
+        """Return what a piece of the log adds, see `Stream`."""
         at = table_rows(history, span, self._base)
         if at is None:
             return None
@@ -213,7 +213,7 @@ class GripperStream:
         self._template = _joint_template(FINGER_JOINTS, with_speeds=False)
 
     def messages(self, history: History, span: TimeSpan) -> TimedMessages | None:
-        """What a piece of the log adds, see `Stream`."""
+        """Return what a piece of the log adds, see `Stream`."""
         found = _openings(history, span)
         if found is None:
             return None
@@ -235,7 +235,7 @@ class EndPoseStream:
         self._template = CdrTemplate(writer)
 
     def messages(self, history: History, span: TimeSpan) -> TimedMessages | None:
-        """What a piece of the log adds, see `Stream`."""
+        """Return what a piece of the log adds, see `Stream`."""
         at = table_rows(history, span, "EndPose3")
         if at is None:
             return None
@@ -261,7 +261,7 @@ class LinkStream:
         self._template = _transform_template(list(zip(parents, LINKS, strict=False)))
 
     def messages(self, history: History, span: TimeSpan) -> TimedMessages | None:
-        """What a piece of the log adds, see `Stream`."""
+        """Return what a piece of the log adds, see `Stream`."""
         at = table_rows(history, span)
         if at is None:
             return None
@@ -281,7 +281,7 @@ class FingerStream:
         self._template = _transform_template([(GRIPPER_BASE, each) for each in FINGERS])
 
     def messages(self, history: History, span: TimeSpan) -> TimedMessages | None:
-        """What a piece of the log adds, see `Stream`."""
+        """Return what a piece of the log adds, see `Stream`."""
         found = _openings(history, span)
         if found is None:
             return None
@@ -306,7 +306,7 @@ class FixedStream:
         self._written = False
 
     def messages(self, history: History, span: TimeSpan) -> TimedMessages | None:
-        """What a piece of the log adds, see `Stream`."""
+        """Return what a piece of the log adds, see `Stream`."""
         frames = history.frames
         inside = np.flatnonzero(span.holds(frames.times_s))[:1]
         if self._written or not len(inside) or history.samples(TIME_BASE) is None:
@@ -317,7 +317,7 @@ class FixedStream:
 
 
 def make_streams(facts: ExportFacts) -> list[Stream]:
-    """One for each topic that an arm of this generation can fill, but for the diagnostics."""
+    """Return a stream for each topic of this generation, but for the diagnostics."""
     streams: list[Stream] = [
         FixedStream(facts),
         JointStream(facts.codec, commanded=False),

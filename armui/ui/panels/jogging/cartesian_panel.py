@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Final
 
 from PySide6.QtWidgets import QAbstractButton, QButtonGroup, QFrame, QLabel, QSizePolicy, QWidget
@@ -107,7 +108,7 @@ class PoseRow(TargetRow):
         self.measured.show_text(fmt.with_unit(value, self._unit), stale=stale)
 
     def _tips(self) -> tuple[str, str]:
-        """What − and + do."""
+        """Return what − and + do."""
         if self.minus.continuous:
             tip = self.tr("Moves along {axis} while it is held; let go to stop.")
         else:
@@ -188,7 +189,7 @@ class CartesianPanel(JogPanel):
         Command("cartesian.move_c", Text("Action", "MOVE C: along the arc"), _MOVE_ARC),
         Command("cartesian.keys", Text("JogPanel", "Keyboard jogging")),
         Command("cartesian.step", operation=operation_of(Cartesian.step), presses=False),
-        *(Command(f"cartesian.target_{axis}", _TARGET._replace(suffix=axis)) for axis in AXES),
+        *(Command(f"cartesian.target_{axis}", replace(_TARGET, suffix=axis)) for axis in AXES),
     )
 
     def __init__(self, controller: ArmController, preferences: SettingsStore) -> None:
@@ -435,7 +436,7 @@ class CartesianPanel(JogPanel):
         return None
 
     def _nonsense(self) -> Refusal | None:
-        """What is to be said against the first text that is no figure."""
+        """Return what is to be said against the first text that is no figure."""
         for row in self._rows:
             if row.field.is_nonsense():
                 params = {"axis": row.name, "value": row.field.text()}

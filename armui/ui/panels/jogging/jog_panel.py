@@ -93,7 +93,7 @@ class JogRow(Translated, QWidget):
             button.setToolTip(why_not or tip)
 
     def _tips(self) -> tuple[str, str]:
-        """What − and + do."""
+        """Return what − and + do."""
         return "", ""
 
 
@@ -143,7 +143,7 @@ class TargetRow(JogRow):
             self._after_target()
 
     def differs_from(self, value: float) -> bool:
-        """Whether the operator has given a target, and it is another figure than this."""
+        """Tell whether the operator has given a target, and it is another figure than this."""
         target = self.field.value
         return self.own and (target is None or abs(target - value) > _WRITTEN_ALIKE)
 
@@ -437,13 +437,13 @@ class JogPanel(Panel):
     # -- targets ------------------------------------------------------------------------------
 
     def targets(self) -> tuple[float, ...] | None:
-        """The figures in the fields; ``None`` while one of them is none."""
+        """Return the figures in the fields; ``None`` while one of them is none."""
         values = tuple(row.field.value for row in self._rows)
         known = tuple(value for value in values if value is not None)
         return known if len(known) == len(values) else None
 
     def typed(self) -> tuple[float, ...] | None:
-        """The figures in the fields, if one of them was given and is not sent yet."""
+        """Return the figures in the fields, if one of them was given and is not sent yet."""
         return self.targets() if any(self.given()) else None
 
     def given(self) -> tuple[bool, ...]:
@@ -471,7 +471,7 @@ class JogPanel(Panel):
             row.show_target(value)
 
     def _differ_from(self, values: Sequence[float]) -> bool:
-        """Whether a target was given that is none of these."""
+        """Tell whether a target was given that is none of these."""
         return any(row.differs_from(value) for row, value in zip(self._rows, values, strict=True))
 
     def _follow(self, values: Sequence[float]) -> None:
@@ -498,7 +498,7 @@ class JogPanel(Panel):
         raise NotImplementedError
 
     def _first_wrong(self) -> Refusal | None:
-        """What is to be said against the targets as they stand in the fields."""
+        """Return what is to be said against the targets as they stand in the fields."""
         raise NotImplementedError
 
     def _follow_now_and_then(self, state: ArmState) -> None:

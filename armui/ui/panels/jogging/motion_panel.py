@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt
@@ -107,7 +108,7 @@ class JointRow(TargetRow):
     # -- target -------------------------------------------------------------------------------
 
     def beyond_limits(self) -> Refusal | None:
-        """What is to be said against the figure in the field, if it is out of limits."""
+        """Return what is to be said against the figure in the field, if it is out of limits."""
         target = self.field.value
         return None if target is None else check_joint(self.joint, target, self._limits)
 
@@ -159,7 +160,7 @@ class JointRow(TargetRow):
             label.show_attention(wanted=broken)
 
     def _tips(self) -> tuple[str, str]:
-        """What − and + do."""
+        """Return what − and + do."""
         if self.minus.continuous:
             hold = self.tr("Moves joint {joint} while it is held; let go to stop.")
             tips = (hold, hold)
@@ -231,7 +232,7 @@ class MotionPanel(JogPanel):
         Command("motion.step", Text("JogPanel", "Step of − and +")),
         Command("motion.jog_step", operation=operation_of(Motion.jog), presses=False),
         Command("motion.jog", operation=operation_of(Jogging.start)),
-        *(Command(f"motion.target_{j}", _TARGET._replace(suffix=f"J{j}")) for j in JOINTS),
+        *(Command(f"motion.target_{j}", replace(_TARGET, suffix=f"J{j}")) for j in JOINTS),
     )
 
     def __init__(self, controller: ArmController, preferences: SettingsStore) -> None:

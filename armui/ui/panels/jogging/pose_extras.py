@@ -121,7 +121,7 @@ class ArcBox(Translated, QWidget):
         self._show_poses()
 
     def missing(self) -> str | None:
-        """The name of the first pose that is not captured yet."""
+        """Return the name of the first pose that is not captured yet."""
         names = (self.tr("start"), self.tr("middle"), self.tr("end"))
         return next(
             (name for name, pose in zip(names, self.poses, strict=True) if pose is None), None

@@ -175,7 +175,7 @@ class GripperSettingsPanel(ListedParameters):
         return self.tr("Gripper settings")
 
     def remark(self, cell: SettingCell) -> str:
-        """What can be chosen where there are few values."""
+        """Return what can be chosen where there are few values."""
         choices = cell.parameter.kind.choices
         unit = f" {cell.parameter.kind.unit}" if choices else ""
         return " / ".join(f"{choice:g}" for choice in choices) + unit

@@ -74,7 +74,7 @@ class LevelRow(QWidget):
             button.setEnabled(not locked)
 
     def first(self) -> QWidget:
-        """Where the Tab key enters."""
+        """Return where the Tab key enters."""
         return self._group.checkedButton() or self._group.buttons()[0]
 
     def describe(self, name: str) -> None:
@@ -172,7 +172,7 @@ class LevelsPanel(ParameterPanel):
         self.finish(card, tallest_px=tallest_px)
 
     def note(self) -> str:
-        """What the levels mean, in the operator's language."""
+        """Return what the levels mean, in the operator's language."""
         raise NotImplementedError
 
     def _on_all_chosen(self, level: int) -> None:
@@ -264,7 +264,7 @@ class DragAssistancePanel(LevelsPanel):
         self._title.hide()
 
     def note(self) -> str:
-        """What the levels do."""
+        """Return what the levels do."""
         return self.tr(
             "From 0, the joint does not help the hand, to 10, it helps most. Read and set with "
             "the arm at rest; keep a hand on it when it is led for the first time afterwards."

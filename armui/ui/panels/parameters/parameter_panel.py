@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from itertools import pairwise
-from typing import Final, NamedTuple
+from typing import Final
 
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QHideEvent, QKeyEvent, QShowEvent
@@ -58,7 +59,8 @@ _LEVELS: Final = {
 }
 
 
-class _Said(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class _Said:
     """A text and how much it matters."""
 
     text: str
@@ -202,7 +204,7 @@ class ParameterPanel(Panel):
     # -- what a panel of its own adds ---------------------------------------------------------
 
     def title(self) -> str:
-        """What the panel is called."""
+        """Return what the panel is called."""
         raise NotImplementedError
 
     def reset_question(self) -> tuple[str, str]:
@@ -210,7 +212,7 @@ class ParameterPanel(Panel):
         return "", ""
 
     def why_no_reset(self) -> str:
-        """Why 【初始化】 is not there for this arm; empty: it is."""
+        """Tell why 【初始化】 is not there for this arm; empty: it is."""
         return ""
 
     def reset_to_factory(self) -> Refusal | None:
@@ -218,20 +220,20 @@ class ParameterPanel(Panel):
         return None
 
     def danger(self) -> str:
-        """What in the figures shown is dangerous, in plain words; empty: nothing."""
+        """Return what in the figures shown is dangerous, in plain words; empty: nothing."""
         return self._beyond()
 
     def danger_of_saving(self) -> str:
-        """What saving would make dangerous, to be agreed to before; empty: nothing."""
+        """Return what saving would make dangerous, to be agreed to before; empty: nothing."""
         beyond = self._beyond()
         return f"{beyond}\n{beyond_danger()}" if beyond else ""
 
     def _bound(self, parameter: Parameter, value: float) -> float | None:
-        """The factory value of this model that a value goes beyond."""
+        """Return the factory value of this model that a value goes beyond."""
         return factory_bound(parameter, value, model_data(self._operating_state.model))
 
     def _beyond(self) -> str:
-        """What was entered that goes beyond the factory's values, a line each."""
+        """Return what was entered that goes beyond the factory's values, a line each."""
         return "\n".join(
             beyond_factory(parameter, value, bound)
             for parameter, value in self._draft.changes().items()
@@ -241,20 +243,20 @@ class ParameterPanel(Panel):
     # -- leaving ------------------------------------------------------------------------------
 
     def has_unsaved_changes(self) -> bool:
-        """Whether something was entered that is not in the arm."""
+        """Tell whether something was entered that is not in the arm."""
         return self._draft.changed
 
     def discard_changes(self) -> None:
         """Forget what was entered."""
-        self._draft.end()
-        self._saving.forget()
+        self._draft.end_editing()
+        self._saving.forget_outcome()
         self._then = None
         self._refusal = None
         self._settings.settle(self._cells)
         self._show_all()
 
     def why_no_saving(self) -> str:
-        """Why what was entered cannot be saved now; empty: it can."""
+        """Tell why what was entered cannot be saved now; empty: it can."""
         wrong = self._draft.first_wrong(self._controller.state)
         return self._no_way() or words.why_not(self._controller.operating_state.occupied or wrong)
 
@@ -276,16 +278,16 @@ class ParameterPanel(Panel):
     # -- actions ------------------------------------------------------------------------------
 
     def _on_read(self) -> None:
-        self._saving.forget()
+        self._saving.forget_outcome()
         self._settings.settle(self._cells)
         self._refusal = self._settings.read(self._batches)
         self._show_all()
 
     def _on_edit(self) -> None:
-        self._saving.forget()
+        self._saving.forget_outcome()
         self._refusal = None
         self._settings.settle(self._cells)
-        self._draft.begin()
+        self._draft.begin_editing()
         self._show_all()
         next(iter(self._cells.values())).focus_widget.setFocus(Qt.FocusReason.TabFocusReason)
 
@@ -355,7 +357,7 @@ class ParameterPanel(Panel):
         )
 
     def _reset_now(self) -> None:
-        self._saving.forget()
+        self._saving.forget_outcome()
         self._refusal = self.reset_to_factory()
         self._show_all()
 
@@ -392,7 +394,7 @@ class ParameterPanel(Panel):
             self._settings.read(self._batches)
 
     def _why_not_here(self) -> Refusal | None:
-        """Why nothing can be read or saved: no arm, or one that has no such parameters."""
+        """Tell why nothing can be read or saved: no arm, or one that has no such parameters."""
         return self._operating_state.unreachable or self._settings.why_not_kept(self._batches)
 
     def _no_way(self) -> str:
@@ -425,14 +427,14 @@ class ParameterPanel(Panel):
         if bound is not None and status in (CellStatus.READ, CellStatus.CHANGED):
             word = beyond_word(parameter.name, bound)
         cell.show_status(status, word, beyond=bound is not None)
-        reason = self._draft.why_wrong(state, parameter) or stands.reason
+        reason = self._draft.why_wrong(state, parameter) or stands.refusal
         said = status_explained(status, held) if reason is None else words.refusal(reason)
         too_far = "" if bound is None else beyond_factory(parameter, cell.value or 0.0, bound)
         lines = (full_name(parameter), span_text(parameter.name), too_far, said)
         cell.describe(full_name(parameter), "\n".join(line for line in lines if line))
 
     def _word(self, cell: SettingCell, status: CellStatus, known: Reading[float] | None) -> str:
-        """What stands below a value."""
+        """Return what stands below a value."""
         if status is not CellStatus.CHANGED:
             return status_word(status) or self.remark(cell)
         held = None if known is None else known.value
@@ -440,7 +442,7 @@ class ParameterPanel(Panel):
         return self.tr("was {held}").format(held=fmt.number(held, decimals))
 
     def remark(self, _cell: SettingCell) -> str:
-        """What stands below a value of which there is nothing else to say."""
+        """Return what stands below a value of which there is nothing else to say."""
         return ""
 
     def _show_possible(self) -> None:
@@ -479,7 +481,7 @@ class ParameterPanel(Panel):
     def _said(self, refusal: Refusal | None) -> _Said:
         """Return the one thing to say: a refusal, what is wrong, a danger, or that it is saved."""
         state, cell, draft = self._controller.state, self._settings.cell, self._draft
-        reasons = (cell(parameter).reason for parameter in draft.parameters)
+        reasons = (cell(parameter).refusal for parameter in draft.parameters)
         first = (
             refusal
             or draft.first_wrong(state)
@@ -505,7 +507,7 @@ class ParameterPanel(Panel):
         return _Said("")
 
     def _saved(self) -> _Said:
-        """All of it is in the arm; where that keeps coarser steps than were asked for, which."""
+        """Say that all is in the arm; where it keeps coarser steps than asked for, which."""
         nearest = [
             f"{full_name(parameter)} {value_text(parameter.name, known.value)}"
             for parameter, value in self._saving.asked.items()

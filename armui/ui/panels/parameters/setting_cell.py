@@ -45,7 +45,7 @@ class CellNote(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
 
     def text(self) -> str:
-        """The word."""
+        """Return the word."""
         return self._text
 
     @property
@@ -95,7 +95,7 @@ class CellNote(QWidget):
 
 
 def cell_name(parameter: Parameter) -> str:
-    """What the cell of a parameter is called in the window: ``max_angle_deg_2``."""
+    """Return what the cell of a parameter is called in the window: ``max_angle_deg_2``."""
     return f"{parameter.name}_{parameter.joint}" if parameter.joint else parameter.name
 
 

@@ -64,7 +64,7 @@ class Document(QObject):
         return self.stack.isClean()
 
     def trajectory(self) -> Trajectory:
-        """The trajectory as it is now, changed now if it differs from what is saved."""
+        """Return the trajectory as it is now, changed now if it differs from what is saved."""
         if self.saved:
             return self._trajectory
         return replace(self._trajectory, modified=datetime.now().astimezone())

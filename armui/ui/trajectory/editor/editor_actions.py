@@ -82,14 +82,14 @@ class EditorActions:
 
     @staticmethod
     def keys(name: str) -> QKeySequence:
-        """The key of an action."""
+        """Return the key of an action."""
         return QKeySequence(keys_of(f"editor.{name}"))
 
     def __getitem__(self, name: str) -> QAction:
         return self._actions[name]
 
     def bar(self, *more: QWidget) -> Flow:
-        """A row of buttons for the actions used most.
+        """Return a row of buttons for the actions used most.
 
         Args:
             more: What follows them.

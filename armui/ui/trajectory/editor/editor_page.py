@@ -385,9 +385,9 @@ class EditorPage(Page):
         self.model.show_current(row)
         if under_way and self.isVisible():
             self.table.scrollTo(self.model.index(row, 0))
-        if ours and progress.reason is not None:
+        if ours and progress.refusal is not None:
             text = self.tr("Ended at row {row}. {reason}").format(
-                row=progress.index + 1, reason=words.refusal(progress.reason)
+                row=progress.index + 1, reason=words.refusal(progress.refusal)
             )
             self._say(text, Level.FAULT)
 

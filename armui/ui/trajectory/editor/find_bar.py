@@ -83,7 +83,7 @@ class FindBar(Translated, QWidget):
     # The search -------------------------------------------------------------------------------
 
     def found(self, points: Sequence[Waypoint]) -> list[int] | Refusal:
-        """The rows that hold what is looked for, or why nothing can be looked for."""
+        """Return the rows that hold what is looked for, or why nothing can be looked for."""
         field, text = str(self._field.currentData()), self._wanted.text()
         if field == _NOTE:
             return list(edits.find_text(points, text, match_case=True)) if text else []
@@ -93,7 +93,7 @@ class FindBar(Translated, QWidget):
         return list(edits.find_figure(points, edits.FigureQuery(field, value)))
 
     def replaced(self, point: Waypoint) -> Waypoint | Refusal:
-        """A point that holds it with the other text or figure in its place."""
+        """Return a point that holds it with the other text or figure in its place."""
         field, by = str(self._field.currentData()), self._by.text()
         if field == _NOTE:
             return edits.replace_text(point, self._wanted.text(), by)

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import replace
-from typing import TYPE_CHECKING, Final, NamedTuple
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QMimeData, QObject
 from PySide6.QtGui import QGuiApplication
@@ -47,7 +47,8 @@ _TAUGHT_ON: Final = "application/x-armui-taught-on"
 """Beside the text in the clipboard: the arm that the points were taught on."""
 
 
-class OfOtherArm(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class OfOtherArm:
     """Points were pasted that were taught on another arm than those that are there.
 
     Attributes:

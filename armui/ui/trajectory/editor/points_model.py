@@ -84,15 +84,15 @@ class PointsModel(TableModel):
     # What Qt asks -----------------------------------------------------------------------------
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008, N802 - Qt's signature
-        """How many points."""
+        """Return how many points."""
         return 0 if parent.isValid() else len(self._points)
 
     def point(self, row: int) -> Waypoint:
-        """The point of a row."""
+        """Return the point of a row."""
         return self._points[row]
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        """What a cell shows; exact under ``EditRole``."""
+        """Return what a cell shows; exact under ``EditRole``."""
         if role not in _ANSWERED or not index.isValid():
             return None
         column = _COLUMNS[index.column()]
@@ -124,7 +124,7 @@ class PointsModel(TableModel):
     def headerData(  # noqa: N802 - Qt's name
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
     ) -> Any:
-        """The titles of the columns; the row's number, and how it stands."""
+        """Return the titles of the columns; the row's number, and how it stands."""
         if role != Qt.ItemDataRole.DisplayRole:
             return None
         if orientation == Qt.Orientation.Horizontal:
@@ -171,7 +171,7 @@ class PointsModel(TableModel):
         return True
 
     def why_not(self, index: Index, text: str) -> Refusal | None:
-        """What speaks against a text in a cell, or ``None``."""
+        """Return what speaks against a text in a cell, or ``None``."""
         point = self._entered(index.row(), PointColumn(index.column()), text)
         return point if isinstance(point, Refusal) else None
 
@@ -194,7 +194,7 @@ class PointsModel(TableModel):
         return [ROWS_MIME]
 
     def mimeData(self, indexes: Iterable[Index]) -> QMimeData:  # noqa: N802 - Qt's name
-        """The numbers of the rows that are dragged."""
+        """Return the numbers of the rows that are dragged."""
         rows = sorted({index.row() for index in indexes})
         data = QMimeData()
         data.setData(ROWS_MIME, ",".join(map(str, rows)).encode())
@@ -247,7 +247,7 @@ class PointsModel(TableModel):
         return self._current
 
     def fault(self, row: int) -> bool | None:
-        """Whether an error was found in a row; ``False``: a warning, ``None``: nothing."""
+        """Tell whether an error was found in a row; ``False``: a warning, ``None``: nothing."""
         return self._faults.get(row)
 
     def show_current(self, row: int) -> None:
@@ -276,7 +276,7 @@ class PointsModel(TableModel):
 
 
 def shown(point: Waypoint, column: PointColumn) -> str:
-    """What a cell shows: figures with a fixed number of decimals; the title has their units."""
+    """Return what a cell shows: figures with fixed decimals; the title has their units."""
     if column in VALUES:
         return fmt.number(point.target[column - PointColumn.VALUE_1])
     if column is PointColumn.MIDDLE:
@@ -301,5 +301,5 @@ def _gripper(action: GripperAction | None) -> str:
 
 
 def _swatch(light: LightAction | None) -> QColor | None:
-    """The colour of the lamps, which the view draws beside the text."""
+    """Return the colour of the lamps, which the view draws beside the text."""
     return None if light is None else QColor(light.red, light.green, light.blue)

@@ -94,7 +94,7 @@ class PointsTable(QTableView):
     # Rows -------------------------------------------------------------------------------------
 
     def rows(self) -> list[int]:
-        """The chosen rows, from top to bottom."""
+        """Return the chosen rows, from top to bottom."""
         return sorted({index.row() for index in self.selectionModel().selectedRows()})
 
     def current_row(self) -> int:
@@ -153,7 +153,7 @@ class PointsTable(QTableView):
         return range(first, self._model.rowCount() if last < 0 else last + 1)
 
     def _band(self, row: int) -> QRect:
-        """Where a row is seen, from edge to edge."""
+        """Return where a row is seen, from edge to edge."""
         top, height = self.rowViewportPosition(row), self.rowHeight(row)
         return QRect(0, top, self.viewport().width(), height)
 

@@ -139,7 +139,7 @@ class LibraryActions(QObject):
         )
 
     def _refuse_open(self, names: Sequence[str]) -> bool:
-        """Whether one of these is open; then that is said."""
+        """Tell whether one of these is open; then that is said."""
         name = next(filter(self._is_open, names), None)
         if name is None:
             return False

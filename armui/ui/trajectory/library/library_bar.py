@@ -28,7 +28,6 @@ _BUTTONS: Final = Texts("LibraryBar") | {
 }
 _OF_TABLE: Final = ("delete", "rename", "duplicate")
 """Their keys count in the list alone: in the search they edit its text."""
-_OF_CHOSEN: Final = ("delete", "export", "duplicate", "rename")
 _SEARCH_PX: Final = 120
 
 
@@ -164,7 +163,7 @@ class LibraryBar(QWidget):
 
 
 def _key(owner: QWidget, keys: str, alone: bool) -> QAction:
-    """An action that a key triggers, in a widget alone or in the window that shows it."""
+    """Return an action that a key triggers, in a widget alone or in the window that shows it."""
     action = QAction(owner)
     action.setShortcut(QKeySequence(keys))
     context = Qt.ShortcutContext

@@ -138,7 +138,7 @@ def write_all(
 
 
 def free_path(folder: Path, name: str, suffix: str) -> Path:
-    """Where a trajectory can be written in a folder without writing over anything."""
+    """Return where a trajectory can be written in a folder without writing over anything."""
     stem = file_stem(name)
     path, number = folder / f"{stem}{suffix}", 1
     while path.exists():
@@ -383,7 +383,7 @@ class LibraryExchange(QObject):
         self.report.show_for(results if len(results) > 1 else ())
 
     def _tell_of(self, imported: Sequence[Imported]) -> str:
-        """What became of some files, in as few lines as an operator reads."""
+        """Return what became of some files, in as few lines as an operator reads."""
         results = [_result(one) for one in imported]
         taken = [result.name for result in results if not result.problem]
         moved = [
@@ -450,7 +450,7 @@ class LibraryExchange(QObject):
 
 
 def _problem_lines(problems: Sequence[str], one: str, rest: str) -> list[str]:
-    """The first problems, a line each, and how many more there are."""
+    """Return the first problems, a line each, and how many more there are."""
     lines = [one.format(reason=problem) for problem in problems[:_MOST_PROBLEMS]]
     more = len(problems) - _MOST_PROBLEMS
     return [*lines, rest.format(count=more)] if more > 0 else lines

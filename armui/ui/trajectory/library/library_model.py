@@ -59,7 +59,7 @@ class LibraryModel(TableModel):
         self._sort_keys: dict[tuple[int, int], tuple[Any, ...]] = {}
 
     def is_unsaved(self, name: str) -> bool:
-        """Whether nothing is known of a trajectory but changes that are not saved."""
+        """Tell whether nothing is known of a trajectory but changes that are not saved."""
         return any(entry.name == name and entry.kind == "draft" for entry in self._rows)
 
     def show(self, entries: Sequence[IndexEntry], drafts: Sequence[str]) -> bool:
@@ -93,11 +93,11 @@ class LibraryModel(TableModel):
             self.dataChanged.emit(self.index(0, column), self.index(len(self._rows) - 1, column))
 
     def _mark(self, entry: IndexEntry) -> Check | None:
-        """How the check ended that holds for this arm."""
+        """Return how the check ended that holds for this arm."""
         return entry.check if entry.checked_for == self._arm else None
 
     def sort_key(self, row: int, column: int) -> tuple[Any, ...]:
-        """What a cell is sorted by, among those of its column."""
+        """Return what a cell is sorted by, among those of its column."""
         if (row, column) not in self._sort_keys:
             self._sort_keys[row, column] = _sort_key(
                 replace(self._rows[row], check=self._mark(self._rows[row])), LibraryColumn(column)
@@ -105,7 +105,7 @@ class LibraryModel(TableModel):
         return self._sort_keys[row, column]
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        """What a cell shows."""
+        """Return what a cell shows."""
         if not index.isValid():
             return None
         entry, column = self._rows[index.row()], LibraryColumn(index.column())
@@ -210,7 +210,7 @@ class LibraryFilter(QSortFilterProxyModel):
         self.setFilterCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
 
     def filterAcceptsRow(self, row: int, parent: Index) -> bool:  # noqa: N802 - Qt's name
-        """Whether the text is in the name or the note."""
+        """Tell whether the text is in the name or the note."""
         entry: IndexEntry = self.sourceModel().index(row, 0, parent).data(ENTRY_ROLE)
         wanted = self.filterRegularExpression()
         return any(wanted.match(text).hasMatch() for text in (entry.name, entry.note))
@@ -237,6 +237,6 @@ def _sort_key(entry: IndexEntry, column: LibraryColumn) -> tuple[Any, ...]:
 
 
 def _natural(name: str) -> list[tuple[int, str]]:
-    """A name so that 9 comes before 10; case counts nothing."""
+    """Return a name so that 9 comes before 10; case counts nothing."""
     parts = _DIGITS.split(name.casefold())
     return [(int(part) if place % 2 else -1, part) for place, part in enumerate(parts)]

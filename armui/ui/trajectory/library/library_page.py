@@ -284,7 +284,7 @@ class LibraryPage(Page):
         self.refresh(names)
 
     def chosen(self) -> list[IndexEntry]:
-        """The chosen entries, from top to bottom."""
+        """Return the chosen entries, from top to bottom."""
         return self._table.chosen()
 
     def _show_usable(self, *_: object) -> None:
@@ -386,9 +386,9 @@ class LibraryPage(Page):
         self._findings.clear()
 
     def _on_progress(self, progress: Progress) -> None:
-        if progress.reason is not None:
+        if progress.refusal is not None:
             text = self.tr("“{name}” ended at row {row}. {reason}").format(
-                name=progress.name, row=progress.index + 1, reason=words.refusal(progress.reason)
+                name=progress.name, row=progress.index + 1, reason=words.refusal(progress.refusal)
             )
             self._say(text, Level.FAULT)
 

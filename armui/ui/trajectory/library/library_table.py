@@ -51,7 +51,7 @@ class LibraryTable(QTableView):
             self.setColumnWidth(column, width_px)
 
     def chosen(self) -> list[IndexEntry]:
-        """The chosen entries, from top to bottom."""
+        """Return the chosen entries, from top to bottom."""
         rows = self.selectionModel().selectedRows()
         return [index.data(ENTRY_ROLE) for index in sorted(rows, key=QModelIndex.row)]
 

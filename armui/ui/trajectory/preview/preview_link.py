@@ -172,7 +172,7 @@ class PointTarget:
         return self.editor.isVisible()
 
     def angles_deg(self) -> tuple[float, ...] | None:
-        """The angles of the current row's point; None: there is none, or it can't be reached."""
+        """Return the angles of the current row's point; None: none, or out of reach."""
         points, row = self.editor.document.points, self.editor.table.current_row()
         if not 0 <= row < len(points):
             return None

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
-from typing import Final, NamedTuple
+from dataclasses import dataclass, replace
+from typing import Final
 
 from PySide6.QtCore import QObject, QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QHideEvent, QShowEvent
@@ -46,7 +46,8 @@ _SURPRISING_S: Final = 2.0
 """Nobody expects the arm to move so long after the button was pressed."""
 
 
-class _Started(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class _Started:
     """A run that was begun here.
 
     Attributes:
@@ -443,7 +444,7 @@ class RunBar(Translated, QWidget):
     def _on_progress(self, progress: Progress) -> None:
         if ended_early(progress) and self._again is not None:
             left = ENDLESS if progress.cycles == ENDLESS else progress.cycles - progress.cycle + 1
-            self._again = self._again._replace(left=left)
+            self._again = replace(self._again, left=left)
         if self.isVisible():
             self._show_usable()
         self.progressed.emit(progress)
@@ -460,7 +461,7 @@ class RunBar(Translated, QWidget):
             self._show_usable()
 
     def _why_not(self) -> str:
-        """Why nothing can be sent now; "" if it can."""
+        """Tell why nothing can be sent now; "" if it can."""
         if self._nothing is not None:
             return words.refusal(self._nothing)
         if self._runner.running:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtWidgets import QProgressBar, QToolButton, QWidget
+from PySide6.QtWidgets import QLabel, QProgressBar, QSizePolicy, QToolButton, QWidget
 
 from armui.control.operations.operation import operation_of
 from armui.control.run.player import Player
@@ -15,13 +15,14 @@ from armui.control.run.speed_override import STEP_PERCENT, SpeedOverride
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.command import Command, Target, also
+from armui.ui.actions.keys import key_text
 from armui.ui.theme import colors_of
-from armui.ui.trajectory.running.override_control import OverrideControl
 from armui.ui.trajectory.running.runner import Runner, can_go_on, can_pause
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import describe, named, push_button
 from armui.ui.widgets.hold_button import HoldButton
 from armui.ui.widgets.layouts import in_row
+from armui.ui.widgets.percent_input import PercentInput
 from armui.ui.widgets.text_label import ElidedLabel
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Text
@@ -31,11 +32,63 @@ if TYPE_CHECKING:
 
     from armui.arm.refusal import Refusal
     from armui.control.arm_controller import ArmController
+    from armui.control.operating_state import OperatingState
 
 _STEPS: Final = 1000
 """Of the progress bar."""
 _BAR_PX: Final = 160
 _ICON_PX: Final = 16
+_SLIDER_PX: Final = 110
+
+
+class OverrideControl(Translated, QWidget):
+    """倍率: slider and field for 0–100 % of the speed that a run has by itself.
+
+    A lower one counts while it is dragged, a higher one when the handle is let go.
+
+    Args:
+        controller: Owns the override.
+
+    Attributes:
+        field: Takes a figure.
+    """
+
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__()
+        self._controller = controller
+        self._label = QLabel()
+        override = controller.speed_override
+        self._input = PercentInput(
+            "override", lambda: override.percent, override.set_percent, self, warns=True
+        )
+        self._input.slider.setFixedWidth(_SLIDER_PX)
+        self.field = self._input.field
+        self.field.setSingleStep(STEP_PERCENT)
+        self._label.setBuddy(self.field)
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
+        in_row(self._label, self._input.slider, self.field, on=self, spacing=6, margins=0)
+        controller.operating_state_changed.connect(self._on_operating_state)
+        self.retranslate_ui()
+        self._input.show_value()
+
+    def _on_operating_state(self, _now: OperatingState) -> None:
+        if self.isVisible():
+            self._input.follow_value()
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._label.setText(self.tr("Override"))
+        tip = self.tr(
+            "Share of the run's own speed, changed while it runs; 0 % pauses it. Slower {slower}, "
+            "faster {faster}."
+        ).format(slower=key_text("everywhere.slower"), faster=key_text("everywhere.faster"))
+        for widget in (self._input.slider, self.field):
+            describe(widget, self.tr("Speed override of the run"), tip)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Catch up with what was chosen while it was hidden."""
+        super().showEvent(event)
+        self._input.show_value()
 
 
 class RunStrip(Translated, QWidget):

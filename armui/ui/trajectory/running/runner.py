@@ -83,15 +83,15 @@ class Runner(QObject):
 
 
 def can_pause(progress: Progress) -> bool:
-    """Whether there is a motion, or a dwell, to hold."""
+    """Tell whether there is a motion, or a dwell, to hold."""
     return progress.phase in {RunPhase.MOVING, RunPhase.DWELLING}
 
 
 def can_go_on(progress: Progress) -> bool:
-    """Whether the run waits for the operator."""
+    """Tell whether the run waits for the operator."""
     return progress.phase in {RunPhase.PAUSED, RunPhase.WAITING}
 
 
 def ended_early(progress: Progress) -> bool:
-    """Whether a run of points ended before its end, so that it can be taken up again."""
+    """Tell whether a run of points ended before its end, so that it can be taken up again."""
     return progress.phase in OVER - {RunPhase.IDLE, RunPhase.DONE} and progress.count > 0

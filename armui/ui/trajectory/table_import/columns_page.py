@@ -172,7 +172,7 @@ class ColumnsPage(Page):
         return ColumnMapping(self._table.columns, move, self._speed.value())
 
     def _likely_move(self) -> MoveMode | None:
-        """The first that the guessed columns suffice for; else what the most of them are of.
+        """Return the first that the guessed columns suffice for; else what the most of them are of.
 
         Joint angles without time become points, poses points of MOVE P.
         """
@@ -184,7 +184,7 @@ class ColumnsPage(Page):
         return MoveMode.MOVE_P if poses else None
 
     def _fitting(self) -> list[MoveMode | None]:
-        """What the columns suffice for as they are."""
+        """Return what the columns suffice for as they are."""
         mapping = self.mapping
         return [one for one in _MOVES if not columns.check_mapping(replace(mapping, move=one))]
 
@@ -224,7 +224,7 @@ class ColumnsPage(Page):
         self._source.setText(self._describe())
 
     def _reason_against(self) -> str:
-        """Why it cannot be imported as it is now; "" if it can."""
+        """Tell why it cannot be imported as it is now; "" if it can."""
         if self._misread:
             return self._misread
         reason = columns.check_mapping(self.mapping)
@@ -240,7 +240,7 @@ class ColumnsPage(Page):
         return text.format(columns=", ".join(map(str, asked)))
 
     def _other_way(self) -> str:
-        """What else it can become."""
+        """Return what else it can become."""
         fitting = [self._moves.itemText(_MOVES.index(move)) for move in self._fitting()]
         if fitting:
             text = self.tr("Or choose “{choice}” under “{becomes}”: the columns suffice for that.")
@@ -346,7 +346,7 @@ class ColumnsPage(Page):
         self._show_usable()
 
     def _describe(self) -> str:
-        """How large the table is, and how much of it is shown."""
+        """Return how large the table is, and how much of it is shown."""
         sheet = self._file.sheet
         text = self.tr("{file}: {count} columns, {rows} rows; the first rows are shown")
         text = text.format(

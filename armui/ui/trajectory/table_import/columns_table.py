@@ -300,7 +300,7 @@ class ColumnsTable(QScrollArea):
         self._note([chosen])
 
     def _kin_of(self, chosen: ColumnPicker) -> list[ColumnPicker]:
-        """The other columns that are in the same unit."""
+        """Return the other columns that are in the same unit."""
         group = _kin(chosen.column)
         return [
             picker
@@ -341,7 +341,7 @@ class _Preview(TableModel):
         self._pale = pale
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        """A cell; nothing where a row is too short."""
+        """Return a cell; nothing where a row is too short."""
         if not index.isValid():
             return None
         row, column = self._rows[index.row()], index.column()
@@ -356,13 +356,13 @@ class _Preview(TableModel):
 
 
 def _shown(sheet: Sheet) -> list[int]:
-    """The places of the columns that are shown: the first ones, and all that hold something."""
+    """Return the places of the columns shown: the first ones, and all that hold something."""
     guessed = {place for place, guess in enumerate(sheet.guesses) if guess.column is not None}
     return sorted(guessed.union(range(min(sheet.width, _MOST_COLUMNS))))
 
 
 def _rows_of(model: _Preview) -> QTableView:
-    """A table as large as what it shows: it is moved together with the choices above it."""
+    """Return a table as large as what it shows: it is moved together with the choices above it."""
     table = named("columns_preview", QTableView())
     model.setParent(table)
     table.setModel(model)

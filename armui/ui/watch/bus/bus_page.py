@@ -445,7 +445,7 @@ class BusPage(Page):
     def _is_leader(self) -> bool:
         operating_state = self._controller.operating_state
         other = operating_state.other_host
-        leads = other is not None and other.reason.reason == LEADER_ARM
+        leads = other is not None and other.refusal.reason == LEADER_ARM
         return leads or operating_state.teaching_input
 
     def _reread(self) -> None:

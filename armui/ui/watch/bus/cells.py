@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Sequence
-from typing import Final, NamedTuple, Protocol
+from dataclasses import dataclass
+from typing import Final, Protocol
 
 from PySide6.QtCore import QRect, QRectF, Qt
 from PySide6.QtGui import (
@@ -42,7 +43,8 @@ class Tone(enum.Enum):
     TROUBLE = enum.auto()
 
 
-class Payload(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Payload:
     """Bytes of a frame.
 
     Attributes:
@@ -59,7 +61,8 @@ class Payload(NamedTuple):
         return self.data.hex(" ").upper()
 
 
-class Cell(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Cell:
     """What stands in a cell.
 
     Attributes:

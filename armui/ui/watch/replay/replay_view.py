@@ -31,8 +31,10 @@ from armui.ui.watch.plots_area import PlotsArea
 from armui.ui.watch.replay.log_time import duration, moment, wall_time
 from armui.ui.watch.replay.mark_places import MarkSearch
 from armui.ui.watch.replay.replay_events import ReplayEvents
+from armui.ui.watch.replay.replay_frames import ReplayFrames
 from armui.ui.watch.replay.time_line import TimeLine
 from armui.ui.watch.replay.transport import SPEEDS, Transport
+from armui.ui.watch.replay.whole_curves import WholeCurves
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import in_column, in_row
@@ -229,7 +231,9 @@ class ReplayView(Translated, QWidget):
         self.events = ReplayEvents(live, background)
         self.tabs = named("replay_tabs", QTabWidget())
         self.tabs.setDocumentMode(True)
-        for tab in (self.joints, self.curves, self.events):
+        self.whole = WholeCurves(replay, live, background)
+        self.frames = ReplayFrames(replay, background)
+        for tab in (self.joints, self.curves, self.events, self.whole, self.frames):
             self.tabs.addTab(tab, "")
         self.status = StatusBar(controller, with_notices=False)
         self.time_line = TimeLine()
@@ -278,7 +282,8 @@ class ReplayView(Translated, QWidget):
         transport.fault_wanted.connect(self._on_fault_wanted)
         transport.speed_wanted.connect(replay.set_speed)
         self.time_line.wanted.connect(replay.go_to)
-        self.events.wanted.connect(replay.go_to)
+        for part in (self.events, self.whole, self.frames):
+            part.wanted.connect(replay.go_to)
         replay.moved.connect(self._look)
         replay.moved.connect(self.curves.board.draw_soon)
         self._controller.state_changed.connect(self._show_arm)
@@ -346,7 +351,8 @@ class ReplayView(Translated, QWidget):
         replay, session = self.replay, self.replay.session
         at_s = replay.position_s
         self.time_line.show_position(at_s)
-        self.events.show_position(at_s)
+        for part in (self.events, self.whole, self.frames):
+            part.show_position(at_s)
         self.frame.clock.setText(moment(at_s))
         since, whole = duration(at_s - session.start_s), duration(session.end_s - session.start_s)
         self.transport.place.setText(f"{since} / {whole}")
@@ -396,11 +402,17 @@ class ReplayView(Translated, QWidget):
         if mark is not None:
             self.replay.go_to(mark.at_s)
 
+    def end(self) -> None:
+        """The log is about to be closed: nothing more is read of it."""
+        self.frames.end()
+
     def retranslate_ui(self) -> None:
         """Put the words into the operator's language."""
-        for place, title in enumerate(
-            (self.tr("Joint status"), self.tr("Curves"), self.tr("Events"))
-        ):
+        titles = (
+            *(self.tr("Joint status"), self.tr("Curves"), self.tr("Events")),
+            *(self.tr("Whole recording"), self.tr("Frames")),
+        )
+        for place, title in enumerate(titles):
             self.tabs.setTabText(place, title)
         self._channel_label.setText(self.tr("Channel"))
         self._generation_label.setText(self.tr("Protocol"))

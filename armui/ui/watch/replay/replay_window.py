@@ -6,7 +6,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QCoreApplication, QRectF, QSize, Qt
+from PySide6.QtCore import QCoreApplication, QRectF, QSize, Qt, Signal
 from PySide6.QtWidgets import QLabel, QProgressBar, QVBoxLayout, QWidget
 
 from armui.arm.device import RecordedArm
@@ -140,7 +140,12 @@ class ReplayWindow(ArmDialog):
 
     Attributes:
         view: What is shown of the log that is open; ``None``: none is.
+
+    Signals:
+        export_wanted: The path of the log that is open, to be exported.
     """
+
+    export_wanted = Signal(object)
 
     def __init__(
         self,
@@ -204,6 +209,9 @@ class ReplayWindow(ArmDialog):
         layout.addStretch(3)
         self.other_button = push_button("replay_other")
         self.other_button.clicked.connect(self.choose)
+        self.export_button = push_button("replay_export")
+        self.export_button.clicked.connect(lambda: self.export_wanted.emit(self._path))
+        self.footer.addWidget(self.export_button)
         self.footer.addWidget(self.other_button)
         self.footer.addStretch(1)
         return part
@@ -292,6 +300,7 @@ class ReplayWindow(ArmDialog):
         self._waiting.hide()
         self._place.addWidget(self.view, 1)
         self.other_button.show()
+        self.export_button.show()
         self._find_events(self.view, arm)
         replay.open()
         replay.go_to(at_s)
@@ -372,6 +381,7 @@ class ReplayWindow(ArmDialog):
         self.cancel_button.setVisible(reading)
         self.choose_button.setVisible(not reading)
         self.other_button.setVisible(False)
+        self.export_button.setVisible(False)
         name = "" if self._path is None else self._path.name
         self._hint.setText(
             self.tr("Reading {name}…").format(name=name)
@@ -404,6 +414,7 @@ class ReplayWindow(ArmDialog):
         self._place.removeWidget(view)
         view.hide()
         view.view.shutdown()
+        view.end()
         view.replay.close()
         view.replay.deleteLater()
         view.deleteLater()
@@ -439,6 +450,8 @@ class ReplayWindow(ArmDialog):
         self.set_title(title)
         self.choose_button.setText(self.tr("Choose a recording…"))
         self.other_button.setText(self.tr("Open another recording…"))
+        self.export_button.setText(self.tr("Export…"))
+        self.export_button.setToolTip(self.tr("As ROS 2 messages in MCAP, as CSV or as Parquet."))
         self.cancel_button.setText(self.tr("Cancel"))
         self.live_strip.retranslate_ui()
 

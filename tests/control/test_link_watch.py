@@ -1,7 +1,7 @@
 """Frames lost before the program could read them are told, and not too often."""
 
 from armui.control.events import EventCode
-from armui.control.link.dropped_frames import DroppedFrames
+from armui.control.link.link_watch import DroppedFrames
 
 
 def told(rig):
