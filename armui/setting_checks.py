@@ -12,11 +12,11 @@ from armui.protocol.generation import PiperModel
 
 SETTING_BAD = Reason(
     "setting_bad",
-    "Setting “{field}”: “{value}” is not possible. Its first setting is used instead.",
+    "Setting “{field}”: “{value}” is not valid. The default is used instead.",
 )
 JOG_STEP_NOT_A_NUMBER = Reason(
     "jog_step_not_a_number",
-    "Jog step: “{value}” is not an angle. Enter degrees in figures, for example 0.5.",
+    "Jog step: “{value}” is not an angle. Enter a number of degrees, for example 0.5.",
 )
 JOG_STEP_OUT_OF_RANGE = Reason(
     "jog_step_out_of_range",

@@ -53,13 +53,12 @@ SETTINGS_NOT_SAVED = Reason(
 )
 SETTINGS_UNREADABLE = Reason(
     "settings_unreadable",
-    "The settings file {path} could not be read: {text}. The program starts with its first "
-    "settings.",
+    "The settings file {path} could not be read: {text}. The program starts with default settings.",
 )
 SETTINGS_BROKEN = Reason(
     "settings_broken",
     "The settings file could not be read and was put aside as {kept}. The program starts with "
-    "its first settings.",
+    "default settings.",
 )
 
 

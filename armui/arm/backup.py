@@ -23,8 +23,8 @@ from armui.protocol.generation import PiperModel
 
 BACKUP_NO_JSON = Reason(
     "backup_no_json",
-    "The file is broken or cut short: line {line}, column {column} is no JSON. Nothing was "
-    "changed; choose another file, or mend that line.",
+    "The file is broken or cut short: line {line}, column {column} is not JSON. Nothing was "
+    "changed; choose another file, or correct that line.",
 )
 BACKUP_FOREIGN = Reason(
     "backup_foreign",
@@ -42,16 +42,16 @@ BACKUP_FIELD_MISSING = Reason(
 )
 BACKUP_FIELD_BAD = Reason(
     "backup_field_bad",
-    "The file says “{value}” in the field “{field}”, which is not possible. Nothing was "
-    "changed; choose another file, or mend the field.",
+    "The file says “{value}” in the field “{field}”, which is not valid. Nothing was changed; "
+    "choose another file, or correct the field.",
 )
 BACKUP_EMPTY = Reason(
     "backup_empty", "The file holds no parameter. Nothing was changed; choose another file."
 )
 BACKUP_TWICE = Reason(
     "backup_twice",
-    "The file names {parameter} a second time, in “{field}”. Nothing was changed; take one of "
-    "the two away.",
+    "The file names {parameter} a second time, in “{field}”. Nothing was changed; remove one "
+    "of the two.",
 )
 
 

@@ -14,7 +14,7 @@ from armui.arm.refusal import Reason, Refusal
 
 JOINT_NOT_A_NUMBER = Reason(
     "joint_not_a_number",
-    "Joint {joint}: “{value}” is not an angle. Enter degrees in figures, for example 12.5.",
+    "Joint {joint}: “{value}” is not an angle. Enter a number of degrees, for example 12.5.",
 )
 JOINT_OUT_OF_LIMITS = Reason(
     "joint_out_of_limits",

@@ -43,16 +43,16 @@ NOT_AUTHORISED = Reason(
 )
 NO_ANSWER = Reason(
     "adapter_no_answer",
-    "The helper ended without a word on what it did: {text}. Look at the diagnosis again.",
+    "The helper ended without reporting what it did: {text}. Look at the diagnosis again.",
 )
 
 
 _NO_INTERFACE = Reason(
     "adapter_no_interface", "{text} is not there any more. Plug the adapter in again."
 )
-_NOT_CAN = Reason("adapter_not_can", "{text} is no CAN interface: nothing was changed.")
+_NOT_CAN = Reason("adapter_not_can", "{text} is not a CAN interface: nothing was changed.")
 _BAD_BITRATE = Reason(
-    "adapter_bad_bitrate", "{text} is no bit rate of an arm: nothing was changed."
+    "adapter_bad_bitrate", "{text} is not a bit rate of an arm: nothing was changed."
 )
 _BAD_NAME = Reason(
     "adapter_bad_name",
@@ -62,13 +62,13 @@ _BAD_NAME = Reason(
 _NAME_TAKEN = Reason("adapter_name_taken", "{text} is the name of another adapter already.")
 _NO_SERIAL = Reason(
     "adapter_no_serial",
-    "The adapter of {text} tells no serial number: it cannot be told from another one, and "
-    "nothing was kept.",
+    "The adapter of {text} has no serial number: it cannot be told from another one, so "
+    "nothing was saved.",
 )
 _BAD_SERIAL = Reason("adapter_bad_serial", "The adapter's serial number cannot be used: {text}")
 _NO_CHANNEL = Reason("adapter_no_channel", "Which channel of its adapter {text} is, is not known.")
-_NOT_USB = Reason("adapter_not_usb", "{text} is no serial adapter on the USB: nothing was changed.")
-_NOT_OURS = Reason("adapter_not_ours", "{text} is a file of somebody else: nothing was written.")
+_NOT_USB = Reason("adapter_not_usb", "{text} is not a USB serial adapter: nothing was changed.")
+_NOT_OURS = Reason("adapter_not_ours", "{text} belongs to another program: nothing was written.")
 _NOT_KEPT = Reason("adapter_not_kept", "Nothing is kept under the name {text}.")
 _NO_BITRATE = Reason(
     "adapter_no_bitrate", "{text} has no bit rate yet. Switch it on with one first."

@@ -29,11 +29,11 @@ from armui.doctor.judge_heard import KNOWN_BITRATES, judge_heard, switched_on
 PYTHON = OfProgram("python", "armui {armui}, Python {version}, {system}.", DiagnosisLevel.OK)
 PYTHON_OLD = OfProgram(
     "python_old",
-    "armui {armui} wants Python 3.11 or newer; this is {version} on {system}. Install a newer "
+    "armui {armui} needs Python 3.11 or newer; this is {version} on {system}. Install a newer "
     "Python.",
 )
 PACKAGES = OfProgram(
-    "packages", "All {count} packages are there in a fitting version.", DiagnosisLevel.OK
+    "packages", "All {count} packages are installed in a suitable version.", DiagnosisLevel.OK
 )
 PRIORITY = OfProgram(
     "priority",
@@ -49,12 +49,12 @@ PRIORITY_REFUSED = OfProgram(
 )
 PACKAGE_MISSING = OfProgram("package_missing", "The package {package} is missing. Install it.")
 PACKAGE_OTHER = OfProgram(
-    "package_other", "The package {package} is there as {installed}; {wanted} is wanted."
+    "package_other", "The package {package} is installed as {installed}; {wanted} is needed."
 )
 PACKAGE_OPTIONAL = OfProgram(
     "package_optional",
-    "The package {package} is not installed; some adapters or a simulated arm in another process "
-    "want it.",
+    "The package {package} is not installed; some adapters, or a simulated arm in another "
+    "process, need it.",
     DiagnosisLevel.NOTE,
 )
 
@@ -63,13 +63,14 @@ PACKAGE_OPTIONAL = OfProgram(
 QT = OfScreen("qt", "Qt {qt} draws through {platform}.", DiagnosisLevel.OK)
 QT_NOT_LOADED = OfScreen("qt_not_loaded", "Qt cannot be loaded: {text}")
 LIBRARIES_MISSING = OfScreen(
-    "libraries_missing", "System libraries that Qt wants are missing: {libraries}."
+    "libraries_missing", "System libraries that Qt needs are missing: {libraries}."
 )
 NO_DISPLAY = OfScreen(
     "no_display",
-    "Qt {qt} is there, but no desktop session: start the program in one, or name its display.",
+    "Qt {qt} is installed, but there is no desktop session: start the program in one, or name "
+    "its display.",
 )
-QT_PLATFORM_FAILED = OfScreen("qt_platform_failed", "Qt {qt} finds no way to the screen: {text}")
+QT_PLATFORM_FAILED = OfScreen("qt_platform_failed", "Qt {qt} cannot open a display: {text}")
 OPENGL = OfScreen("opengl", "OpenGL for the 3D picture: {renderer}.", DiagnosisLevel.OK)
 OPENGL_SOFTWARE = OfScreen(
     "opengl_software",
@@ -85,7 +86,7 @@ OPENGL_FAILED = OfScreen(
 
 # CAN devices.
 
-SEARCH_FAILED = OfCan("search_failed", "No search for CAN devices is possible: {text}")
+SEARCH_FAILED = OfCan("search_failed", "CAN devices cannot be searched for: {text}")
 NO_DEVICES = OfCan(
     "no_devices",
     "No CAN device is found. Plug in the adapter; try another cable and another USB port.",
@@ -94,9 +95,9 @@ NO_DEVICES = OfCan(
 DEVICE = OfCan("device", "{device}, serial number {serial}.", DiagnosisLevel.OK)
 NO_DRIVER = OfCan(
     "no_driver",
-    "{adapter} ({usb}, serial number {serial}) is plugged in, but no CAN interface has come of "
-    "it: its driver is not loaded. In a virtual machine, hand the USB device over to it; WSL has "
-    "no CAN in its usual kernel.",
+    "{adapter} ({usb}, serial number {serial}) is plugged in, but has no CAN interface: its "
+    "driver is not loaded. In a virtual machine, hand the USB device over to it; WSL has no "
+    "CAN in its usual kernel.",
 )
 PORT_CLOSED = OfCan(
     "port_closed",

@@ -13,9 +13,7 @@ from armui.arm.refusal import Reason, Refusal
 from armui.system.files import error_text
 from armui.system.helper_process import FileThread
 
-WORK_FAILED = Reason(
-    "work_failed", "The program did not come to the end of its work: {text}. Try again."
-)
+WORK_FAILED = Reason("work_failed", "The program could not finish this: {text}. Try again.")
 
 
 Result = TypeVar("Result")

@@ -227,12 +227,10 @@ def lost_text(lost: Lost) -> str:
     if reason == NO_OPENGL:
         return text
     if lost.comes_back:
-        outlook = QCoreApplication.translate(
-            "ArmView", "It is being started again; the arm is not affected."
-        )
+        outlook = QCoreApplication.translate("ArmView", "Restarting; the arm is not affected.")
     else:
         outlook = QCoreApplication.translate(
-            "ArmView", "It ended three times in a minute; the arm is not affected."
+            "ArmView", "It ended three times within a minute; the arm is not affected."
         )
     return f"{text}\n{outlook}"
 

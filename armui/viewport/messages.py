@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from armui.viewport.robot_shape import RobotShape
     from armui.viewport.view_state import ViewState
 
-DRAWING_STOPPED = Reason("drawing_stopped", "The 3D view has ended ({text}).")
+DRAWING_STOPPED = Reason("drawing_stopped", "The 3D view ended unexpectedly ({text}).")
 NO_OPENGL = Reason(
     "no_opengl",
     (
@@ -26,8 +26,10 @@ NO_OPENGL = Reason(
         "3D view again."
     ),
 )
-PICTURE_PROCESS_ENDED = Reason("picture_process_ended", "The 3D view has ended ({text}).")
-PICTURE_PROCESS_HUNG = Reason("picture_process_hung", "The 3D view did not answer any more.")
+PICTURE_PROCESS_ENDED = Reason(
+    "picture_process_ended", ("The 3D view ended unexpectedly ({text}).")
+)
+PICTURE_PROCESS_HUNG = Reason("picture_process_hung", "The 3D view stopped responding.")
 URDF_MISSING = Reason(
     "urdf_missing",
     "Robot description: the file {path} is not there. Choose another file, or use the "

@@ -538,7 +538,7 @@ class ArmView(QWidget):
 
     def retranslate_ui(self) -> None:
         """Put the words into the operator's language."""
-        self._again_button.setText(QCoreApplication.translate("ArmView", "Start the 3D view again"))
+        self._again_button.setText(QCoreApplication.translate("ArmView", "Restart the 3D view"))
 
     def quantities_at(self, place: QPoint) -> list[str]:
         """Return the key of the figure at a place; see `armui.telemetry.quantities`."""

@@ -8,7 +8,7 @@
         <translation>型号</translation>
     </message>
     <message>
-        <source>unknown: the arm does not tell it</source>
+        <source>unknown: the arm does not report it</source>
         <translation>未知：机械臂不提供</translation>
     </message>
     <message>
@@ -44,7 +44,7 @@
         <translation>接收报文</translation>
     </message>
     <message>
-        <source>Heard without a break for</source>
+        <source>Online without interruption for</source>
         <translation>持续在线时间</translation>
     </message>
     <message>
@@ -64,7 +64,7 @@
         <translation>程序</translation>
     </message>
     <message>
-        <source>unknown: generation 1 does not tell it</source>
+        <source>unknown: generation 1 does not report it</source>
         <translation>未知：第 1 代协议不提供</translation>
     </message>
     <message>
@@ -76,11 +76,11 @@
         <translation>未连接</translation>
     </message>
     <message>
-        <source>none: it is simulated</source>
+        <source>none: simulated arm</source>
         <translation>无：仿真机械臂</translation>
     </message>
     <message>
-        <source>none: it is no CAN bus</source>
+        <source>none: not a CAN bus</source>
         <translation>无：不是 CAN 总线</translation>
     </message>
     <message>
@@ -100,7 +100,7 @@
         <translation>0x{first} 至 0x{last}（偏移 0x{offset}）</translation>
     </message>
     <message>
-        <source>{rate} a second</source>
+        <source>{rate} per second</source>
         <translation>每秒 {rate} 帧</translation>
     </message>
     <message>
@@ -128,7 +128,7 @@
         <translation>未知</translation>
     </message>
     <message>
-        <source>{model}, as chosen; not compared yet</source>
+        <source>{model}, as chosen; not checked yet</source>
         <translation>{model}（操作者选择，尚未核对）</translation>
     </message>
     <message>
@@ -164,7 +164,7 @@
         <translation>{type}，编号 {number}</translation>
     </message>
     <message>
-        <source>; joints 2 and 3 count from the zeros before S-V1.6-3</source>
+        <source>; joints 2 and 3 use the zeros from before S-V1.6-3</source>
         <translation>；关节 2、3 采用 S-V1.6-3 之前的零点</translation>
     </message>
 </context>
@@ -190,7 +190,7 @@
         <translation>给电机上电，电机保持当前位置。</translation>
     </message>
     <message>
-        <source>Takes the motor&apos;s power: the arm drops. Asks first.</source>
+        <source>Cuts the motor&apos;s power: the arm drops. Asks first.</source>
         <translation>切断电机动力，机械臂会下落。执行前会询问。</translation>
     </message>
     <message>
@@ -313,7 +313,7 @@
         <translation>请先在该面板中按“编辑”。</translation>
     </message>
     <message>
-        <source>There is nothing for it to do now.</source>
+        <source>There is nothing to do here right now.</source>
         <translation>现在没有可执行的内容。</translation>
     </message>
     <message>
@@ -325,19 +325,19 @@
         <translation>机械臂型号</translation>
     </message>
     <message>
-        <source>Way of the tool: off</source>
+        <source>Tool trail: off</source>
         <translation>末端轨迹：关闭</translation>
     </message>
     <message>
-        <source>Way of the tool: last 5 s of motion</source>
+        <source>Tool trail: last 5 s of motion</source>
         <translation>末端轨迹：最近 5 秒运动</translation>
     </message>
     <message>
-        <source>Way of the tool: last 15 s of motion</source>
+        <source>Tool trail: last 15 s of motion</source>
         <translation>末端轨迹：最近 15 秒运动</translation>
     </message>
     <message>
-        <source>Way of the tool: last 60 s of motion</source>
+        <source>Tool trail: last 60 s of motion</source>
         <translation>末端轨迹：最近 60 秒运动</translation>
     </message>
     <message>
@@ -376,7 +376,7 @@
         <translation>系统正在询问管理员密码…</translation>
     </message>
     <message>
-        <source>Given up. What had begun is brought to its end by the system.</source>
+        <source>Cancelled. The system finishes what had begun.</source>
         <translation>已放弃。已经开始的操作由系统完成。</translation>
     </message>
     <message>
@@ -384,15 +384,15 @@
         <translation>正在执行…</translation>
     </message>
     <message>
-        <source>The adapter is another one than was shown: nothing was written.</source>
+        <source>The adapter is not the one that was shown: nothing was written.</source>
         <translation>适配器与所显示的不是同一个：没有写入任何文件。</translation>
     </message>
     <message>
-        <source>Done; it holds from the next start of this computer.</source>
+        <source>Done; it takes effect at the next start of this computer.</source>
         <translation>已完成，下次启动电脑后生效。</translation>
     </message>
     <message>
-        <source>Done; it holds as soon as the adapter is plugged in again.</source>
+        <source>Done; it takes effect when the adapter is plugged in again.</source>
         <translation>已完成，重新插入适配器后生效。</translation>
     </message>
     <message>
@@ -423,7 +423,7 @@
         <translation>终点</translation>
     </message>
     <message>
-        <source>Takes the pose the arm has now; nothing moves.</source>
+        <source>Captures the arm&apos;s present pose; nothing moves.</source>
         <translation>记录机械臂当前位姿，不会运动。</translation>
     </message>
     <message>
@@ -431,7 +431,7 @@
         <translation>用 MOVE P 移到记录的起点。</translation>
     </message>
     <message>
-        <source>Moves from the start over the middle to the end. Some firmware has no arc.</source>
+        <source>Moves from the start through the middle to the end. Some firmware has no arcs.</source>
         <translation>从起点经中点运动到终点。部分固件不支持圆弧。</translation>
     </message>
     <message>
@@ -559,15 +559,15 @@
         <translation>画面滞后</translation>
     </message>
     <message>
-        <source>Start the 3D view again</source>
-        <translation>重新启动3D 视图</translation>
+        <source>Restart the 3D view</source>
+        <translation>重新启动 3D 视图</translation>
     </message>
     <message>
-        <source>It is being started again; the arm is not affected.</source>
+        <source>Restarting; the arm is not affected.</source>
         <translation>正在重新启动；机械臂不受影响。</translation>
     </message>
     <message>
-        <source>It ended three times in a minute; the arm is not affected.</source>
+        <source>It ended three times within a minute; the arm is not affected.</source>
         <translation>一分钟内结束了三次；机械臂不受影响。</translation>
     </message>
     <message>
@@ -613,8 +613,8 @@
 <context>
     <name>AxisRows</name>
     <message>
-        <source>Of the speed at the top; without the trigger a fifth</source>
-        <translation>顶部配速的百分比；不扣扳机时为五分之一</translation>
+        <source>Share of the speed in the top bar; a fifth of it without the trigger</source>
+        <translation>顶栏速度的百分比；不扣扳机时为其五分之一</translation>
     </message>
 </context>
 <context>
@@ -632,11 +632,11 @@
         <translation>只看不同</translation>
     </message>
     <message>
-        <source>Choose all</source>
+        <source>Select all</source>
         <translation>全选</translation>
     </message>
     <message>
-        <source>Choose none</source>
+        <source>Select none</source>
         <translation>全不选</translation>
     </message>
     <message>
@@ -672,7 +672,7 @@
         <translation>打开参数备份</translation>
     </message>
     <message>
-        <source>The file is from an arm of protocol generation {filed}, this one speaks generation {here}. What both have can be restored; the steps of the values differ.</source>
+        <source>The file is from an arm of protocol generation {filed}, this one speaks generation {here}. Parameters that both have can be restored; their resolution differs.</source>
         <translation>文件来自第 {filed} 代协议的机械臂，当前机械臂为第 {here} 代。两者都有的参数可以恢复；数值的分辨率不同。</translation>
     </message>
     <message>
@@ -684,12 +684,8 @@
         <translation>恢复参数</translation>
     </message>
     <message>
-        <source>{count} parameters of the arm are set to what the file says, limits and collision levels among them if they are chosen. Each is read back and compared.</source>
+        <source>{count} parameters of the arm will be set to the values in the file, limits and collision levels included if they are ticked. Each is read back and compared.</source>
         <translation>将把机械臂的 {count} 个参数设为文件中的值；如已选中，限位和碰撞等级也会改变。每个参数都会回读并比较。</translation>
-    </message>
-    <message>
-        <source>Restored {count} parameters: read back from the arm, and the same.</source>
-        <translation>已恢复 {count} 个参数：已从机械臂回读，数值一致。</translation>
     </message>
     <message>
         <source>{failed} of {count} parameters were not restored.</source>
@@ -712,7 +708,7 @@
         <translation>请先打开文件。</translation>
     </message>
     <message>
-        <source>Choose what differs in the table first.</source>
+        <source>Tick what differs in the table first.</source>
         <translation>请先在表中勾选不同的参数。</translation>
     </message>
     <message>
@@ -773,11 +769,11 @@
 <context>
     <name>BinDialog</name>
     <message>
-        <source>Choose what to bring back</source>
+        <source>Choose what to restore</source>
         <translation>请选择要恢复的轨迹</translation>
     </message>
     <message>
-        <source>What is deleted can be brought back for {days} days. Where a name has been given anew meanwhile, a number is added.</source>
+        <source>Deleted trajectories can be restored for {days} days. If a name has been taken meanwhile, a number is added.</source>
         <translation>删除的轨迹在 {days} 天内可以恢复。如果名称已被占用，恢复后会加上编号。</translation>
     </message>
     <message>
@@ -801,7 +797,7 @@
         <translation>保留至</translation>
     </message>
     <message>
-        <source>Bring back</source>
+        <source>Restore</source>
         <translation>恢复</translation>
     </message>
 </context>
@@ -812,7 +808,7 @@
         <translation>有一帧未能及时发出</translation>
     </message>
     <message>
-        <source>arbitration lost: a frame of higher rank came first, which is normal</source>
+        <source>arbitration lost: a frame of higher priority went first, which is normal</source>
         <translation>仲裁失败：优先级更高的帧先发出，属正常现象</translation>
     </message>
     <message>
@@ -836,7 +832,7 @@
         <translation>错误被动：请检查 CAN_H、CAN_L、两端终端电阻和波特率</translation>
     </message>
     <message>
-        <source>the errors have become few again</source>
+        <source>there are few errors again</source>
         <translation>错误已减少</translation>
     </message>
     <message>
@@ -852,7 +848,7 @@
         <translation>无人应答：请检查机械臂电源、线缆和波特率</translation>
     </message>
     <message>
-        <source>bus off: too many errors, the adapter takes no part. Check the cable, both terminating resistors (120 Ω) and the bit rate, then connect again</source>
+        <source>bus off: too many errors, the adapter has left the bus. Check the cable, both terminating resistors (120 Ω) and the bit rate, then connect again</source>
         <translation>总线关闭（bus off）：错误过多，适配器已退出总线。请检查线缆、两端 120 Ω 终端电阻和波特率，然后重新连接</translation>
     </message>
     <message>
@@ -860,11 +856,11 @@
         <translation>总线错误：请检查线缆</translation>
     </message>
     <message>
-        <source>the adapter takes part again</source>
+        <source>the adapter has rejoined the bus</source>
         <translation>适配器已重新加入总线</translation>
     </message>
     <message>
-        <source>the adapter tells no more</source>
+        <source>the adapter gives no further details</source>
         <translation>适配器未给出更多信息</translation>
     </message>
 </context>
@@ -919,8 +915,8 @@
         <translation>该帧的含义；下方是其中的信号</translation>
     </message>
     <message>
-        <source>By the identifier: what is not this program&apos;s and no arm sends is another host&apos;s</source>
-        <translation>按 ID 判断：既不是本程序发送、也不是机械臂会发送的帧，属于其他上位机</translation>
+        <source>Judged by the identifier: a frame that is neither this program&apos;s nor an arm&apos;s is another host&apos;s</source>
+        <translation>按 ID 判断：既不是本程序发送、也不是机械臂会发送的帧，属于其他程序</translation>
     </message>
     <message>
         <source>Bytes that have changed within the last second are lit</source>
@@ -943,7 +939,7 @@
         <translation>开始统计以来</translation>
     </message>
     <message>
-        <source>When the last one came</source>
+        <source>When the last frame came</source>
         <translation>最近一帧到达的时间</translation>
     </message>
     <message>
@@ -951,7 +947,7 @@
         <translation>时间</translation>
     </message>
     <message>
-        <source>Says</source>
+        <source>Content</source>
         <translation>内容</translation>
     </message>
 </context>
@@ -982,7 +978,7 @@
         <translation>复制 {frame}</translation>
     </message>
     <message>
-        <source>Into the fields for sending</source>
+        <source>Copy to the send fields</source>
         <translation>填入发送栏</translation>
     </message>
     <message>
@@ -1005,7 +1001,7 @@
         <translation>有 {count} 帧在程序读取前丢失：电脑过于繁忙，或适配器太慢。这里显示的不是总线上的全部帧。</translation>
     </message>
     <message>
-        <source>The bus is nearly full: frames of low rank come late. Have less sent.</source>
+        <source>The bus is nearly full: frames of low priority come late. Send less.</source>
         <translation>总线接近满载：优先级低的帧会延迟。请减少发送量。</translation>
     </message>
     <message>
@@ -1033,7 +1029,7 @@
         <translation>占波特率的比例，不计填充位；右键可显示为曲线</translation>
     </message>
     <message>
-        <source>A second, those of this program included</source>
+        <source>Per second, this program&apos;s included</source>
         <translation>每秒帧数，包括本程序发送的帧</translation>
     </message>
     <message>
@@ -1056,7 +1052,7 @@
         <translation>不分配</translation>
     </message>
     <message>
-        <source>The buttons as they are at first</source>
+        <source>The buttons as delivered</source>
         <translation>恢复为初始的按键分配</translation>
     </message>
     <message>
@@ -1078,7 +1074,7 @@
         <translation>把当前位姿填入输入框，不会运动。</translation>
     </message>
     <message>
-        <source>Moves to the pose, each joint on its own way.</source>
+        <source>Moves to the pose, each joint on its own path.</source>
         <translation>移到该位姿，各关节各自运动。</translation>
     </message>
     <message>
@@ -1120,7 +1116,7 @@
         <translation>机械臂正在运动</translation>
     </message>
     <message>
-        <source>If the motion is ended, the arm comes to rest where it is; its motors stay enabled. If it is let finish, it goes on to its target, and this program cannot stop it any more. Press the emergency stop if it must not move.</source>
+        <source>If you end the motion, the arm comes to rest where it is; its motors stay enabled. If you let it finish, it goes on to its target, and this program can no longer stop it. Press the emergency stop if it must not move.</source>
         <translation>结束运动：机械臂在当前位置停下，电机保持使能。任其完成：机械臂继续运动到目标位置，本程序将无法再停止它。如果机械臂不得运动，请按急停。</translation>
     </message>
     <message>
@@ -1211,7 +1207,7 @@
         <translation>未导入。{reason}</translation>
     </message>
     <message>
-        <source>Giving up the import…</source>
+        <source>Cancelling the import…</source>
         <translation>正在取消导入…</translation>
     </message>
     <message>
@@ -1223,7 +1219,7 @@
         <translation>名称</translation>
     </message>
     <message>
-        <source>Becomes</source>
+        <source>Import as</source>
         <translation>导入为</translation>
     </message>
     <message>
@@ -1239,7 +1235,7 @@
         <translation>速度</translation>
     </message>
     <message>
-        <source>Of points for which no column says it</source>
+        <source>For points whose speed is in no column</source>
         <translation>用于未由列给出速度的轨迹点</translation>
     </message>
     <message>
@@ -1259,7 +1255,7 @@
         <translation>；另有 {count} 列未显示</translation>
     </message>
     <message>
-        <source>Columns {columns} may be radians or degrees: say which.</source>
+        <source>Columns {columns} may be radians or degrees: choose which.</source>
         <translation>第 {columns} 列可能是弧度，也可能是度：请选择。</translation>
     </message>
     <message>
@@ -1286,7 +1282,7 @@
 <context>
     <name>CommandPalette</name>
     <message>
-        <source>Nothing is called so. Chinese, English, pinyin and initials are found.</source>
+        <source>No command has that name. Search in Chinese, English, pinyin or initials.</source>
         <translation>没有这样的名称。可按中文、英文、拼音或拼音首字母查找。</translation>
     </message>
     <message>
@@ -1410,7 +1406,7 @@
         <translation>只听</translation>
     </message>
     <message>
-        <source>Beside another program: nothing is sent but the emergency stop.</source>
+        <source>For use beside another program: nothing but the emergency stop is sent.</source>
         <translation>与其他程序同时使用：除急停外不发送任何帧。</translation>
     </message>
     <message>
@@ -1418,7 +1414,7 @@
         <translation>{bitrate}（第 1 代）</translation>
     </message>
     <message>
-        <source>The device is not in the list? Name it:</source>
+        <source>The device is not in the list? Enter it:</source>
         <translation>列表中没有设备？请手动输入：</translation>
     </message>
     <message>
@@ -1611,11 +1607,11 @@
         <translation>armui {armui}，运行于 Python {version}，{system}。</translation>
     </message>
     <message>
-        <source>armui {armui} wants Python 3.11 or newer; this is {version} on {system}. Install a newer Python.</source>
+        <source>armui {armui} needs Python 3.11 or newer; this is {version} on {system}. Install a newer Python.</source>
         <translation>armui {armui} 需要 Python 3.11 或更高版本，当前为 {version}（{system}）。请安装新版 Python。</translation>
     </message>
     <message>
-        <source>All {count} packages are there in a fitting version.</source>
+        <source>All {count} packages are installed in a suitable version.</source>
         <translation>所需的 {count} 个软件包均已安装，版本合适。</translation>
     </message>
     <message>
@@ -1631,11 +1627,11 @@
         <translation>缺少软件包 {package}，请安装。</translation>
     </message>
     <message>
-        <source>The package {package} is there as {installed}; {wanted} is wanted.</source>
+        <source>The package {package} is installed as {installed}; {wanted} is needed.</source>
         <translation>软件包 {package} 的版本为 {installed}，需要 {wanted}。</translation>
     </message>
     <message>
-        <source>The package {package} is not installed; some adapters or a simulated arm in another process want it.</source>
+        <source>The package {package} is not installed; some adapters, or a simulated arm in another process, need it.</source>
         <translation>未安装软件包 {package}；部分适配器或另一进程中的仿真机械臂需要它。</translation>
     </message>
     <message>
@@ -1647,15 +1643,15 @@
         <translation>无法加载 Qt：{text}</translation>
     </message>
     <message>
-        <source>System libraries that Qt wants are missing: {libraries}.</source>
+        <source>System libraries that Qt needs are missing: {libraries}.</source>
         <translation>缺少 Qt 需要的系统库：{libraries}。</translation>
     </message>
     <message>
-        <source>Qt {qt} is there, but no desktop session: start the program in one, or name its display.</source>
+        <source>Qt {qt} is installed, but there is no desktop session: start the program in one, or name its display.</source>
         <translation>Qt {qt} 可用，但没有桌面会话：请在桌面会话中启动程序，或指定显示器。</translation>
     </message>
     <message>
-        <source>Qt {qt} finds no way to the screen: {text}</source>
+        <source>Qt {qt} cannot open a display: {text}</source>
         <translation>Qt {qt} 无法打开显示：{text}</translation>
     </message>
     <message>
@@ -1671,7 +1667,7 @@
         <translation>无法绘制 3D 画面，程序其余部分可用：{text}</translation>
     </message>
     <message>
-        <source>No search for CAN devices is possible: {text}</source>
+        <source>CAN devices cannot be searched for: {text}</source>
         <translation>无法搜索 CAN 设备：{text}</translation>
     </message>
     <message>
@@ -1683,7 +1679,7 @@
         <translation>{device}，序列号 {serial}。</translation>
     </message>
     <message>
-        <source>{adapter} ({usb}, serial number {serial}) is plugged in, but no CAN interface has come of it: its driver is not loaded. In a virtual machine, hand the USB device over to it; WSL has no CAN in its usual kernel.</source>
+        <source>{adapter} ({usb}, serial number {serial}) is plugged in, but has no CAN interface: its driver is not loaded. In a virtual machine, hand the USB device over to it; WSL has no CAN in its usual kernel.</source>
         <translation>{adapter}（{usb}，序列号 {serial}）已插入，但没有生成 CAN 接口：驱动未加载。虚拟机中请先把 USB 设备交给虚拟机；WSL 的默认内核不含 CAN。</translation>
     </message>
     <message>
@@ -1910,7 +1906,7 @@
         <translation>数据起始行</translation>
     </message>
     <message>
-        <source>The line above it holds the titles, if it has as many cells as there are</source>
+        <source>The line above holds the column titles if it has as many cells</source>
         <translation>上一行的单元格数与列数相同时，作为列标题</translation>
     </message>
     <message>
@@ -1930,7 +1926,7 @@
         <translation>竖线 |</translation>
     </message>
     <message>
-        <source>blanks</source>
+        <source>spaces</source>
         <translation>空格</translation>
     </message>
     <message>
@@ -1949,7 +1945,7 @@
         <translation>复制报告</translation>
     </message>
     <message>
-        <source>Examine again</source>
+        <source>Run again</source>
         <translation>重新诊断</translation>
     </message>
     <message>
@@ -1957,7 +1953,7 @@
         <translation>仅查看和监听，没有发送任何报文。终端命令：armui doctor</translation>
     </message>
     <message>
-        <source>The examination is under way.</source>
+        <source>The diagnosis is running.</source>
         <translation>正在诊断。</translation>
     </message>
     <message>
@@ -1969,7 +1965,7 @@
         <translation>正在检查本机、CAN 设备和总线…</translation>
     </message>
     <message>
-        <source>The examination failed: {text}</source>
+        <source>The diagnosis failed: {text}</source>
         <translation>诊断失败：{text}</translation>
     </message>
     <message>
@@ -2039,14 +2035,14 @@
         <translation>拖动助力</translation>
     </message>
     <message>
-        <source>From 0, the joint does not help the hand, to 10, it helps most. Read and set with the arm at rest; keep a hand on it when it is led for the first time afterwards.</source>
+        <source>0: the joint does not help the hand; 10: it helps most. Read and set with the arm at rest; keep a hand on it when you lead it for the first time afterwards.</source>
         <translation>0 表示该关节不助力，10 表示助力最大。请在机械臂静止时读取和设置；更改后首次拖动时请始终用手扶住机械臂。</translation>
     </message>
 </context>
 <context>
     <name>Drawer</name>
     <message>
-        <source>Takes this page out into a window of its own, for a second screen.</source>
+        <source>Moves this page into its own window, for a second screen.</source>
         <translation>把本页移到独立窗口，例如放到第二块屏幕上。</translation>
     </message>
     <message>
@@ -2084,7 +2080,7 @@
         <translation>插入当前位姿</translation>
     </message>
     <message>
-        <source>Replace by current pose</source>
+        <source>Replace with current pose</source>
         <translation>替换为当前位姿</translation>
     </message>
     <message>
@@ -2174,7 +2170,7 @@
         <translation>插入当前位姿</translation>
     </message>
     <message>
-        <source>Makes a point of where the arm is now, after the chosen row.</source>
+        <source>Inserts the arm&apos;s present pose as a point after the selected row.</source>
         <translation>在所选行之后，把机械臂当前位姿插入为一个点。</translation>
     </message>
 </context>
@@ -2309,7 +2305,7 @@
         <translation>开启</translation>
     </message>
     <message>
-        <source>Tells the arm what it carries: it holds against that weight.</source>
+        <source>Tells the arm its load, so that it compensates for the weight.</source>
         <translation>告知机械臂末端负载，以便其补偿重量。</translation>
     </message>
     <message>
@@ -2325,7 +2321,7 @@
         <translation>确认</translation>
     </message>
     <message>
-        <source>The arm answers this setting and cannot be asked for it afterwards.</source>
+        <source>The arm acknowledges this setting, but cannot be asked for it afterwards.</source>
         <translation>机械臂会应答此设置，但之后无法查询。</translation>
     </message>
     <message>
@@ -2376,7 +2372,7 @@
         <translation>级别</translation>
     </message>
     <message>
-        <source>Everybody</source>
+        <source>All sources</source>
         <translation>全部来源</translation>
     </message>
     <message>
@@ -2416,11 +2412,11 @@
         <translation>仅“{kind}”</translation>
     </message>
     <message>
-        <source>All sorts</source>
+        <source>All kinds</source>
         <translation>全部类别</translation>
     </message>
     <message>
-        <source>Click: show or hide. Double-click: this sort alone.</source>
+        <source>Click: show or hide. Double-click: only this kind.</source>
         <translation>单击：显示或隐藏。双击：仅此类别。</translation>
     </message>
 </context>
@@ -2489,7 +2485,7 @@
         <translation>仅此类别</translation>
     </message>
     <message>
-        <source>Only from here</source>
+        <source>Only this source</source>
         <translation>仅此来源</translation>
     </message>
     <message>
@@ -2564,7 +2560,7 @@
         <translation>{seconds} s 后回读：{text}</translation>
     </message>
     <message>
-        <source>goes on</source>
+        <source>ongoing</source>
         <translation>持续中</translation>
     </message>
     <message>
@@ -2587,7 +2583,7 @@
         <translation>导出</translation>
     </message>
     <message>
-        <source>{target} is there already. It will be replaced when the export is whole.</source>
+        <source>{target} exists already. It is replaced once the export is complete.</source>
         <translation>{target} 已存在。导出完整写好后才会替换它。</translation>
     </message>
     <message>
@@ -2616,7 +2612,7 @@
     </message>
     <message>
         <source>Exporting… {frames:,} frames read</source>
-        <translation>正在导出…… 已读取 {frames:,} 帧</translation>
+        <translation>正在导出… 已读取 {frames:,} 帧</translation>
     </message>
     <message>
         <source>ROS 2 messages: joint states, targets, end pose, transforms of the links, diagnostics. For Foxglove, PlotJuggler, rerun and ROS 2 itself.</source>
@@ -2655,7 +2651,7 @@
         <translation>此时间段内没有收到任何内容。未写入文件。</translation>
     </message>
     <message>
-        <source>{target} is there already.</source>
+        <source>{target} exists already.</source>
         <translation>{target} 已存在。</translation>
     </message>
     <message>
@@ -2750,7 +2746,7 @@
         <translation>选择目标文件</translation>
     </message>
     <message>
-        <source>As the log tells</source>
+        <source>As found in the log</source>
         <translation>按日志判断</translation>
     </message>
     <message>
@@ -2814,7 +2810,7 @@
         <translation>CSV（按报文）</translation>
     </message>
     <message>
-        <source>Choose where the folder of the export shall be</source>
+        <source>Choose where to put the folder of the export</source>
         <translation>选择导出文件夹的位置</translation>
     </message>
     <message>
@@ -2822,7 +2818,7 @@
         <translation>型号</translation>
     </message>
     <message>
-        <source>As the recording tells</source>
+        <source>As in the recording</source>
         <translation>按录制内容</translation>
     </message>
     <message>
@@ -2905,7 +2901,7 @@
         <translation>十六进制 ID：2A1、2A1-2A8，或 值/掩码，例如 150/7F0</translation>
     </message>
     <message>
-        <source>“{value}” is no identifier; the filter stays as it was.</source>
+        <source>“{value}” is not an identifier; the filter is unchanged.</source>
         <translation>“{value}”不是 ID；筛选保持不变。</translation>
     </message>
     <message>
@@ -2921,7 +2917,7 @@
         <translation>按时间</translation>
     </message>
     <message>
-        <source>The figures stand as they are; what comes meanwhile is counted (Ctrl+P)</source>
+        <source>Freezes the figures; frames that come meanwhile are still counted (Ctrl+P)</source>
         <translation>数值停在当前；期间到达的帧仍会统计（Ctrl+P）</translation>
     </message>
     <message>
@@ -2929,7 +2925,7 @@
         <translation>清空</translation>
     </message>
     <message>
-        <source>Counting begins anew, from nothing</source>
+        <source>Starts counting from zero</source>
         <translation>从零重新统计</translation>
     </message>
     <message>
@@ -2953,7 +2949,7 @@
         <translation>仅未知或异常的</translation>
     </message>
     <message>
-        <source>From anybody</source>
+        <source>All senders</source>
         <translation>所有发送方</translation>
     </message>
     <message>
@@ -2980,7 +2976,7 @@
         <translation>停留</translation>
     </message>
     <message>
-        <source>Where to look</source>
+        <source>Where to search</source>
         <translation>查找范围</translation>
     </message>
     <message>
@@ -2988,7 +2984,7 @@
         <translation>查找</translation>
     </message>
     <message>
-        <source>Replace by</source>
+        <source>Replace with</source>
         <translation>替换为</translation>
     </message>
     <message>
@@ -3054,7 +3050,7 @@
         <translation>走完 {gone} % 后关节 {joint} 需要突变：该处为奇异点。请在中间增加一点，或改用 MOVE J。</translation>
     </message>
     <message>
-        <source>The point before, the middle and the end lie on a line or upon one another: that is no arc. Move the middle aside, or use MOVE L.</source>
+        <source>The point before, the middle and the end lie on one line or coincide: that is no arc. Move the middle aside, or use MOVE L.</source>
         <translation>上一点、中间点和终点共线或重合，不能构成圆弧。请移开中间点，或改用 MOVE L。</translation>
     </message>
     <message>
@@ -3148,7 +3144,7 @@
         <translation>恢复总线</translation>
     </message>
     <message>
-        <source>Keep no longer…</source>
+        <source>Forget…</source>
         <translation>不再保留…</translation>
     </message>
     <message>
@@ -3300,7 +3296,7 @@
         <translation>CAN FD 帧：机械臂使用经典 CAN</translation>
     </message>
     <message>
-        <source>29-bit identifier: the arm knows none</source>
+        <source>29-bit identifier: the arm uses none</source>
         <translation>29 位 ID：机械臂不使用</translation>
     </message>
     <message>
@@ -3685,7 +3681,7 @@
         <translation>{device} · {mode} · 请先让所有摇杆回中</translation>
     </message>
     <message>
-        <source>{device} · let go of {button}, then press it anew</source>
+        <source>{device} · let go of {button}, then press it again</source>
         <translation>{device} · 请松开 {button} 后重新按下</translation>
     </message>
     <message>
@@ -3816,7 +3812,7 @@
         <translation>带开度插入</translation>
     </message>
     <message>
-        <source>A point that is inserted moves the gripper to what is measured now, with 1 N·m (generation 1: 1 rad/s). To grip, enter less than the workpiece is wide.</source>
+        <source>An inserted point moves the gripper to the opening measured now, with 1 N·m (generation 1: 1 rad/s). To grip, enter less than the width of the workpiece.</source>
         <translation>插入的点会以 1 N·m（第 1 代：1 rad/s）把夹爪移动到当前测得的开度。要夹紧工件，请填比工件更小的开度。</translation>
     </message>
 </context>
@@ -3897,7 +3893,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>该夹爪的最大角度未公布，请留意其行程终点。</translation>
     </message>
     <message>
-        <source>The stroke limit has not been read: up to 100 mm may be asked for.</source>
+        <source>The stroke limit has not been read: up to 100 mm can be set.</source>
         <translation>尚未读到行程限制，最大可设 100 mm。</translation>
     </message>
     <message>
@@ -4176,7 +4172,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
 <context>
     <name>ImportReport</name>
     <message>
-        <source>What became of the files</source>
+        <source>Import results</source>
         <translation>导入结果</translation>
     </message>
     <message>
@@ -4530,7 +4526,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>每次启动时保留</translation>
     </message>
     <message>
-        <source>Keep no longer</source>
+        <source>Forget</source>
         <translation>不再保留</translation>
     </message>
     <message>
@@ -4546,7 +4542,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>写入这些文件</translation>
     </message>
     <message>
-        <source>Take away</source>
+        <source>Remove</source>
         <translation>移除</translation>
     </message>
     <message>
@@ -4562,7 +4558,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>移除：{path}</translation>
     </message>
     <message>
-        <source>First the files are looked at.</source>
+        <source>The files are being read.</source>
         <translation>正在读取文件内容。</translation>
     </message>
 </context>
@@ -4573,12 +4569,12 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>键盘点动</translation>
     </message>
     <message>
-        <source>Hold the space bar; each press of a key is one step.</source>
-        <translation>按住空格键，每按一次方向键走一步。</translation>
+        <source>Hold the space bar; each press of a letter key below is one step.</source>
+        <translation>按住空格键，每按一次下列字母键走一步。</translation>
     </message>
     <message>
-        <source>Hold the space bar and press a key; release either and the arm stops.</source>
-        <translation>按住空格键再按方向键即运动；松开任一键即停止。</translation>
+        <source>Hold the space bar and a letter key below; release either and the arm stops.</source>
+        <translation>按住空格键，再按住下列字母键即运动；松开任一键即停止。</translation>
     </message>
     <message>
         <source>Click here to jog by keys.</source>
@@ -4680,7 +4676,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>“{new}”已改回原名“{old}”。</translation>
     </message>
     <message>
-        <source>Brought back: {names}</source>
+        <source>Restored: {names}</source>
         <translation>已恢复：{names}</translation>
     </message>
     <message>
@@ -4688,7 +4684,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>撤销删除“{names}”</translation>
     </message>
     <message>
-        <source>Brings it back.</source>
+        <source>Restores it.</source>
         <translation>将其恢复。</translation>
     </message>
     <message>
@@ -4712,7 +4708,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>撤销导入“{names}”</translation>
     </message>
     <message>
-        <source>Deletes it; for 30 days it can be brought back.</source>
+        <source>Deletes it; it can be restored for 30 days.</source>
         <translation>将其删除；30 天内可恢复。</translation>
     </message>
 </context>
@@ -4843,7 +4839,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>显示全部</translation>
     </message>
     <message>
-        <source>Nothing is found for “{text}”</source>
+        <source>Nothing found for “{text}”</source>
         <translation>未找到“{text}”</translation>
     </message>
     <message>
@@ -4898,7 +4894,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>点数</translation>
     </message>
     <message>
-        <source>Length</source>
+        <source>Duration</source>
         <translation>时长</translation>
     </message>
     <message>
@@ -5051,8 +5047,8 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>机械臂将成为（或保持为）运动输出臂。程序将按偏移后的 ID 收发报文。</translation>
     </message>
     <message>
-        <source>Every arm on this bus obeys this setting: leave only the one meant connected. The arm keeps it when switched off. It holds in standby, or after the arm was switched off and on.</source>
-        <translation>总线上的所有机械臂都会响应此设置，请只连接要设置的机械臂。该设置断电保存，在待机模式下或重新上电后生效。</translation>
+        <source>Every arm on this bus obeys this setting: leave only the one meant connected. The arm keeps it when switched off. It takes effect in standby, or after a power cycle.</source>
+        <translation>总线上的所有机械臂都会响应此设置，请只连接要设置的机械臂。该设置断电后仍保留，在待机模式下或重新上电后生效。</translation>
     </message>
     <message>
         <source>Set the linkage</source>
@@ -5119,8 +5115,8 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>恢复为运动输出臂（不偏移）</translation>
     </message>
     <message>
-        <source>The arm cannot be asked for this setting: what counts is where its feedback is heard.</source>
-        <translation>此设置无法从机械臂查询，以实际收到反馈的 ID 为准。</translation>
+        <source>The arm cannot be asked for this setting: armui uses the IDs it hears.</source>
+        <translation>此设置无法从机械臂查询：本程序以实际收到的 ID 为准。</translation>
     </message>
 </context>
 <context>
@@ -5190,8 +5186,8 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>按角度控制夹爪。</translation>
     </message>
     <message>
-        <source>Target as</source>
-        <translation>目标按</translation>
+        <source>Set by</source>
+        <translation>设定方式</translation>
     </message>
     <message>
         <source>Opening (mm)</source>
@@ -5209,7 +5205,7 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>仿真机械臂即为所选型号。</translation>
     </message>
     <message>
-        <source>No frame names the model: it is compared afterwards.</source>
+        <source>No frame names the model: it is checked after connecting.</source>
         <translation>总线上没有型号信息：连接后会自动核对。</translation>
     </message>
     <message>
@@ -5229,7 +5225,7 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>符合机械臂反馈的位姿，但其它型号也符合。移动一个关节即可判定。</translation>
     </message>
     <message>
-        <source>Not compared yet: the arm must stand still.</source>
+        <source>Not checked yet: the arm must stand still.</source>
         <translation>尚未核对：需要机械臂静止。</translation>
     </message>
     <message>
@@ -5241,7 +5237,7 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>型号决定各连杆长度，从而决定末端位置。关节限位始终从机械臂读取。</translation>
     </message>
     <message>
-        <source>This very arm was a {before} the last time: choose that and press Connect, or wait until the arm stands still and is compared.</source>
+        <source>Last time this arm was a {before}: choose that and press Connect, or wait until the arm stands still and is checked.</source>
         <translation>此机械臂上次为 {before}：请选择该型号并点击连接，或等待机械臂静止后自动核对。</translation>
     </message>
 </context>
@@ -5268,7 +5264,7 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>机械臂型号，与反馈的位姿一致，已确认。</translation>
     </message>
     <message>
-        <source>Model of the arm, as chosen; not compared yet.</source>
+        <source>Model of the arm, as chosen; not checked yet.</source>
         <translation>机械臂型号（操作者选择），尚未核对。</translation>
     </message>
     <message>
@@ -5280,18 +5276,18 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>{model}？上次为 {before}</translation>
     </message>
     <message>
-        <source>This very arm was a {before} the last time. Click to choose.</source>
+        <source>Last time this arm was a {before}. Click to choose.</source>
         <translation>此机械臂上次为 {before}。点击选择型号。</translation>
     </message>
     <message>
-        <source>Joints 2 and 3 count from the zeros before S-V1.6-3.</source>
+        <source>Joints 2 and 3 use the zeros from before S-V1.6-3.</source>
         <translation>关节 2、3 采用 S-V1.6-3 之前的零点。</translation>
     </message>
 </context>
 <context>
     <name>MotionEnd</name>
     <message>
-        <source>the arm stands before its target</source>
+        <source>the arm stopped short of its target</source>
         <translation>机械臂未到目标即停下</translation>
     </message>
     <message>
@@ -5323,7 +5319,7 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>机械臂退出 CAN 指令控制</translation>
     </message>
     <message>
-        <source>the arm fell silent</source>
+        <source>no more feedback from the arm</source>
         <translation>收不到机械臂反馈</translation>
     </message>
     <message>
@@ -5335,11 +5331,11 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>零点已重设</translation>
     </message>
     <message>
-        <source>the arm stands elsewhere</source>
+        <source>the arm stopped elsewhere</source>
         <translation>机械臂停在别处</translation>
     </message>
     <message>
-        <source>its frames did not get out</source>
+        <source>its frames were not sent</source>
         <translation>报文未发出</translation>
     </message>
     <message>
@@ -5788,7 +5784,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>已发送联动设置</translation>
     </message>
     <message>
-        <source>The arm has answered the linkage setting. It holds in standby, or after the arm was switched off and on.</source>
+        <source>The arm has acknowledged the linkage setting. It takes effect in standby, or after a power cycle.</source>
         <translation>机械臂已应答联动设置，在待机模式下或重新上电后生效。</translation>
     </message>
     <message>
@@ -5820,7 +5816,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>夹爪在 {value} {unit} 处夹住物体，力矩 {torque} N·m。</translation>
     </message>
     <message>
-        <source>The gripper stands at {value} {unit} instead of {target} {unit}. Look for what blocks it, for its errors and its power.</source>
+        <source>The gripper stopped at {value} {unit} instead of {target} {unit}. Check what blocks it, its errors and its power.</source>
         <translation>夹爪停在 {value} {unit}，未到 {target} {unit}。请检查是否受阻、有无错误以及供电。</translation>
     </message>
     <message>
@@ -5832,7 +5828,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>夹爪：{act}已完成（以其反馈为准）。</translation>
     </message>
     <message>
-        <source>Gripper: {act} has no effect. Look at its errors, its power and its cable, then try again.</source>
+        <source>Gripper: {act} has had no effect. Check its errors, its power and its cable, then try again.</source>
         <translation>夹爪：{act}没有生效。请检查其错误、供电和线缆后重试。</translation>
     </message>
     <message>
@@ -5860,19 +5856,19 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>已向机械臂发送 {count} 项参数</translation>
     </message>
     <message>
-        <source>Settings saved, read back from the arm and the same: {count}</source>
+        <source>Settings saved and read back unchanged: {count}</source>
         <translation>{count} 项参数已保存，回读一致</translation>
     </message>
     <message>
-        <source>{count} of {total} settings are not in the arm. {reason}</source>
+        <source>{count} of {total} settings did not take effect. {reason}</source>
         <translation>{total} 项参数中有 {count} 项未生效。{reason}</translation>
     </message>
     <message>
-        <source>Asked the arm for its factory values</source>
+        <source>Restoring the factory values</source>
         <translation>已发送初始化指令</translation>
     </message>
     <message>
-        <source>The arm has answered that its factory values are back; they are read again.</source>
+        <source>The arm has confirmed its factory values; they are read again.</source>
         <translation>机械臂已应答恢复出厂值，正在重新读取。</translation>
     </message>
     <message>
@@ -5884,15 +5880,15 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>已在第 {row} 行暂停，机械臂保持位置</translation>
     </message>
     <message>
-        <source>Run goes on in row {row}</source>
+        <source>Run continues in row {row}</source>
         <translation>从第 {row} 行继续执行</translation>
     </message>
     <message>
-        <source>“{name}” has been run to its end.</source>
+        <source>“{name}” has finished.</source>
         <translation>“{name}”执行完毕。</translation>
     </message>
     <message>
-        <source>Run ended in row {row}; the arm stands.</source>
+        <source>Run ended in row {row}; the arm is at rest.</source>
         <translation>已在第 {row} 行结束执行，机械臂已停稳。</translation>
     </message>
     <message>
@@ -5932,11 +5928,11 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>回放已暂停，机械臂保持位置</translation>
     </message>
     <message>
-        <source>Replay goes on</source>
+        <source>Replay continues</source>
         <translation>继续回放</translation>
     </message>
     <message>
-        <source>Replay of “{name}” ended; the arm stands.</source>
+        <source>Replay of “{name}” ended; the arm is at rest.</source>
         <translation>“{name}”回放已结束，机械臂已停稳。</translation>
     </message>
     <message>
@@ -6072,7 +6068,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>机械臂未执行刚才的运动：有反馈，但没有动。它可能在另一个控制偏移下接收指令（见联动控制），或有帧丢失。</translation>
     </message>
     <message>
-        <source>The arm has not confirmed that its factory values are back. {reason}</source>
+        <source>The arm has not confirmed its factory values. {reason}</source>
         <translation>机械臂未确认恢复出厂值。{reason}</translation>
     </message>
     <message>
@@ -6120,27 +6116,27 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>已通知机械臂退出另一程序的模式，并保持在当前位置。</translation>
     </message>
     <message>
-        <source>Mounting sent: {mounting}. The arm does not tell it back.</source>
+        <source>Mounting sent: {mounting}. The arm does not report it back.</source>
         <translation>已发送安装方式：{mounting}。机械臂不会回报。</translation>
     </message>
     <message>
-        <source>This arm (node {node}) was a {before} the last time: taken instead of {chosen}, which was only offered.</source>
+        <source>Last time this arm (node {node}) was a {before}: that is used instead of {chosen}, which was only the default.</source>
         <translation>此机械臂（节点 {node}）上次为 {before}：已采用该型号，代替默认给出的 {chosen}。</translation>
     </message>
     <message>
-        <source>Connected as a {chosen}, but this arm (node {node}) was a {before} the last time. If it is one, connect it as that.</source>
+        <source>Connected as a {chosen}, but last time this arm (node {node}) was a {before}. If it is one, connect it as that.</source>
         <translation>当前按 {chosen} 连接，但此机械臂（节点 {node}）上次为 {before}。如属实，请按该型号重新连接。</translation>
     </message>
     <message>
-        <source>Whether another armui runs on this computer cannot be found out: {path} cannot be used ({text}). Do not start the program twice for one arm.</source>
+        <source>armui cannot tell whether another copy runs on this computer: {path} cannot be used ({text}). Do not start the program twice for one arm.</source>
         <translation>无法得知本机是否还有另一个 armui 在运行：{path} 不可用（{text}）。请勿对同一机械臂启动两个程序。</translation>
     </message>
     <message>
-        <source>The change holds, but is not saved. {reason}</source>
+        <source>The change is in effect, but not saved. {reason}</source>
         <translation>更改已生效，但未能保存。{reason}</translation>
     </message>
     <message>
-        <source>A disk or network folder has taken more than 10 s over a file. Other files wait for it no longer. If it does not end, look at the cable or network. (Under way: {count})</source>
+        <source>A disk or network folder has spent more than 10 s on one file. Other files no longer wait for it. If it does not finish, check the cable or network. (Under way: {count})</source>
         <translation>有磁盘或网络文件夹处理一个文件已超过 10 s，其他文件不再等它。若一直不结束，请检查线缆或网络。（进行中：{count}）</translation>
     </message>
     <message>
@@ -6207,7 +6203,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>无法识别的报文：{kind}（最近 {id}）</translation>
     </message>
     <message>
-        <source>The arm&apos;s status frames come more rarely: {share} % fewer than before</source>
+        <source>Fewer status frames from the arm: {share} % less than before</source>
         <translation>机械臂状态报文变少：比之前少 {share} %</translation>
     </message>
     <message>
@@ -6215,11 +6211,11 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>已发送第 {row} 行的点</translation>
     </message>
     <message>
-        <source>Target reached, says the arm</source>
+        <source>Target reached, as the arm reports</source>
         <translation>机械臂反馈：已达指定点</translation>
     </message>
     <message>
-        <source>Not driven to its end: {end}</source>
+        <source>Did not reach its end: {end}</source>
         <translation>未运动到终点：{end}</translation>
     </message>
     <message>
@@ -6266,11 +6262,11 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
 <context>
     <name>Operation</name>
     <message>
-        <source>Tell the load</source>
+        <source>Set the end load</source>
         <translation>设置末端负载</translation>
     </message>
     <message>
-        <source>Switch the feedback of the end&apos;s motion</source>
+        <source>Switch the end&apos;s motion feedback</source>
         <translation>开关末端速度与加速度反馈</translation>
     </message>
     <message>
@@ -6302,7 +6298,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>设置关节灯光</translation>
     </message>
     <message>
-        <source>Set role and identifiers</source>
+        <source>Set linkage role and ID offsets</source>
         <translation>设置联动角色与 ID 偏移</translation>
     </message>
     <message>
@@ -6318,7 +6314,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>急停后恢复</translation>
     </message>
     <message>
-        <source>Tell how the arm is mounted</source>
+        <source>Set the mounting</source>
         <translation>设置安装方式</translation>
     </message>
     <message>
@@ -6346,7 +6342,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>点动</translation>
     </message>
     <message>
-        <source>Set the speed of motions</source>
+        <source>Set the motion speed</source>
         <translation>设置运动速度</translation>
     </message>
     <message>
@@ -6374,11 +6370,11 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>设置参数</translation>
     </message>
     <message>
-        <source>Limits of the end as they left the factory</source>
+        <source>Restore the factory limits of the end</source>
         <translation>末端限制恢复出厂值</translation>
     </message>
     <message>
-        <source>Limits of the joints as they left the factory</source>
+        <source>Restore the factory limits of the joints</source>
         <translation>关节限制恢复出厂值</translation>
     </message>
     <message>
@@ -6390,11 +6386,11 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>暂停执行</translation>
     </message>
     <message>
-        <source>Go on with the run</source>
+        <source>Continue the run</source>
         <translation>继续执行</translation>
     </message>
     <message>
-        <source>Record where the arm goes</source>
+        <source>Record the arm&apos;s motion</source>
         <translation>录制机械臂运动</translation>
     </message>
     <message>
@@ -6406,7 +6402,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>暂停回放</translation>
     </message>
     <message>
-        <source>Go on with the replay</source>
+        <source>Continue the replay</source>
         <translation>继续回放</translation>
     </message>
     <message>
@@ -6451,7 +6447,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>倍率</translation>
     </message>
     <message>
-        <source>Share of the run&apos;s own speed, changed while it runs; 0 % pauses it. Slower {slower}, faster {faster}.</source>
+        <source>Share of the run&apos;s own speed; can be changed while it runs, 0 % pauses it. Slower {slower}, faster {faster}.</source>
         <translation>相对于本次运行自身速度的比例，运行中可随时调整；0 % 即暂停。减速 {slower}，加速 {faster}。</translation>
     </message>
     <message>
@@ -6474,7 +6470,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>设定原位</translation>
     </message>
     <message>
-        <source>Kept for this arm; nothing moves.</source>
+        <source>Saved for this arm; nothing moves.</source>
         <translation>为此机械臂保存，不运动。</translation>
     </message>
     <message>
@@ -6486,7 +6482,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>输入框中的目标</translation>
     </message>
     <message>
-        <source>This arm tells no number of its own: another one without a number at this adapter would be taken for it.</source>
+        <source>This arm reports no number of its own: another one without a number at this adapter would be taken for it.</source>
         <translation>此机械臂不报自己的编号：同一适配器上另一台不报编号的机械臂会被当作它。</translation>
     </message>
 </context>
@@ -6497,11 +6493,11 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>请先在轨迹库中打开一条轨迹。</translation>
     </message>
     <message>
-        <source>It stands in a window of its own.</source>
+        <source>It is in its own window.</source>
         <translation>已在独立窗口中。</translation>
     </message>
     <message>
-        <source>It stands in no window of its own.</source>
+        <source>It is not in its own window.</source>
         <translation>不在独立窗口中。</translation>
     </message>
     <message>
@@ -6528,7 +6524,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>独立窗口</translation>
     </message>
     <message>
-        <source>Takes this page out into a window of its own, for a second screen.</source>
+        <source>Moves this page into its own window, for a second screen.</source>
         <translation>把本页移到独立窗口，例如放到第二块屏幕上。</translation>
     </message>
 </context>
@@ -6618,7 +6614,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>未保存</translation>
     </message>
     <message>
-        <source>not possible</source>
+        <source>invalid</source>
         <translation>无效</translation>
     </message>
     <message>
@@ -6630,7 +6626,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>正在从机械臂读取。</translation>
     </message>
     <message>
-        <source>What the arm holds here cannot be true: its memory is corrupt (0xFFFF). Enter a value and save it.</source>
+        <source>The value stored in the arm cannot be right: its memory is corrupt (0xFFFF). Enter a value and save it.</source>
         <translation>机械臂中保存的值不可能成立：其存储已损坏 (0xFFFF)。请输入数值并保存。</translation>
     </message>
     <message>
@@ -6666,7 +6662,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>未从机械臂读到</translation>
     </message>
     <message>
-        <source>Possible: {minimum} to {maximum}</source>
+        <source>Range: {minimum} to {maximum}</source>
         <translation>可设范围：{minimum} 至 {maximum}</translation>
     </message>
     <message>
@@ -6682,7 +6678,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>{name}：{value} 超出出厂值 {bound}。</translation>
     </message>
     <message>
-        <source>The arm may then be driven against its mechanical stops or beyond what its motors are made for, and no check here holds it back. Save this only if you know this arm can do it.</source>
+        <source>The arm may then be driven against its mechanical stops or beyond what its motors are made for, and no check here prevents it. Save this only if you know that this arm can do it.</source>
         <translation>之后机械臂可能撞到机械限位或超出电机的设计能力，本程序的检查也不再拦住它。只有确知这台机械臂做得到时才保存。</translation>
     </message>
 </context>
@@ -6712,11 +6708,11 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
 <context>
     <name>ParameterPanel</name>
     <message>
-        <source>Saved: read back from the arm, and the same.</source>
+        <source>Saved; reading back gave the same values.</source>
         <translation>已保存：已从机械臂回读，数值一致。</translation>
     </message>
     <message>
-        <source>Saved. The arm keeps coarser steps; it holds the nearest: {values}.</source>
+        <source>Saved. The arm stores coarser steps; it holds the nearest: {values}.</source>
         <translation>已保存。机械臂的分辨率较粗，已取最接近的值：{values}。</translation>
     </message>
     <message>
@@ -6775,7 +6771,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>保存画面</translation>
     </message>
     <message>
-        <source>There is no picture of now to be taken: wait until it is drawn.</source>
+        <source>The present picture is not drawn yet. Wait a moment, then try again.</source>
         <translation>当前画面尚未绘制完成，请稍候再试。</translation>
     </message>
 </context>
@@ -6821,27 +6817,27 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
 <context>
     <name>PlotBar</name>
     <message>
-        <source>Did it follow?</source>
-        <translation>跟上了吗？</translation>
+        <source>Target vs measured</source>
+        <translation>目标与测量</translation>
     </message>
     <message>
-        <source>What got hot?</source>
-        <translation>哪里发热了？</translation>
+        <source>Temperatures and currents</source>
+        <translation>温度与电流</translation>
     </message>
     <message>
-        <source>Why did it stop?</source>
-        <translation>为什么停了？</translation>
+        <source>Why it stopped</source>
+        <translation>停止原因</translation>
     </message>
     <message>
-        <source>Where was the tool?</source>
-        <translation>末端在哪里？</translation>
+        <source>Tool pose</source>
+        <translation>末端位姿</translation>
     </message>
     <message>
-        <source>Is the bus well?</source>
-        <translation>总线正常吗？</translation>
+        <source>Bus health</source>
+        <translation>总线状况</translation>
     </message>
     <message>
-        <source>Own arrangement</source>
+        <source>Custom layout</source>
         <translation>自定义布局</translation>
     </message>
     <message>
@@ -6849,11 +6845,11 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>暂停</translation>
     </message>
     <message>
-        <source>Plots that answer a question</source>
-        <translation>回答一个问题的一组图</translation>
+        <source>Sets of plots, ready made</source>
+        <translation>预设的一组曲线图</translation>
     </message>
     <message>
-        <source>How long a time is shown; the mouse wheel changes it, too</source>
+        <source>The time span shown; the mouse wheel changes it, too</source>
         <translation>显示的时间长度；也可用鼠标滚轮改变</translation>
     </message>
     <message>
@@ -6865,7 +6861,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>撤销缩放</translation>
     </message>
     <message>
-        <source>Drag a frame in a plot to zoom in. Back to what was shown before: Ctrl+Z</source>
+        <source>Drag a box in a plot to zoom in. Back: Ctrl+Z</source>
         <translation>在图中拖出方框即可放大。返回之前的显示：Ctrl+Z</translation>
     </message>
     <message>
@@ -6873,7 +6869,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>游标</translation>
     </message>
     <message>
-        <source>Two upright lines to be dragged; the table below tells the values at them</source>
+        <source>Two vertical lines to drag; the table below shows the values there</source>
         <translation>两条可拖动的竖线；下方表格显示该处的数值</translation>
     </message>
     <message>
@@ -6927,7 +6923,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
 <context>
     <name>PlotPage</name>
     <message>
-        <source>The arrangement of the plots could not be kept: {text}</source>
+        <source>The layout of the plots could not be saved: {text}</source>
         <translation>无法保存曲线布局：{text}</translation>
     </message>
     <message>
@@ -6942,7 +6938,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>移除曲线</translation>
     </message>
     <message>
-        <source>Into a plot of its own</source>
+        <source>Move to its own plot</source>
         <translation>移到单独的图</translation>
     </message>
     <message>
@@ -6962,14 +6958,14 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>已有 {count} 张图：请先移除一张。</translation>
     </message>
     <message>
-        <source>A plot takes {count} curves, so that they can be told apart.</source>
+        <source>A plot takes {count} curves at most, so that they can be told apart.</source>
         <translation>为便于区分，一张图最多 {count} 条曲线。</translation>
     </message>
 </context>
 <context>
     <name>PointEdits</name>
     <message>
-        <source>Replace by current pose</source>
+        <source>Replace with current pose</source>
         <translation>替换为当前位姿</translation>
     </message>
     <message>
@@ -7428,7 +7424,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
     <message>
         <source>{name}, other host&apos;s command</source>
-        <translation>{name}（其他主机指令）</translation>
+        <translation>{name}（其他程序指令）</translation>
     </message>
     <message>
         <source>measured</source>
@@ -7440,7 +7436,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
     <message>
         <source>other host&apos;s command</source>
-        <translation>其他主机指令</translation>
+        <translation>其他程序指令</translation>
     </message>
     <message>
         <source>bus</source>
@@ -7456,7 +7452,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
     <message>
         <source>Commanded by other hosts</source>
-        <translation>其他主机的指令</translation>
+        <translation>其他程序的指令</translation>
     </message>
     <message>
         <source>Bus</source>
@@ -7579,7 +7575,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>未在记录</translation>
     </message>
     <message>
-        <source>The last minutes are kept in memory all the same.</source>
+        <source>The last minutes are kept in memory anyway.</source>
         <translation>最近几分钟始终保留在内存中。</translation>
     </message>
     <message>
@@ -7637,7 +7633,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>录制</translation>
     </message>
     <message>
-        <source>Nothing was recorded: the arm told no angles.</source>
+        <source>Nothing was recorded: the arm reported no angles.</source>
         <translation>未录到数据：机械臂没有反馈关节角度。</translation>
     </message>
     <message>
@@ -7681,7 +7677,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>录制期间可拖动机械臂，或以任意方式使其运动。</translation>
     </message>
     <message>
-        <source>Recording anew takes the place of what is not saved</source>
+        <source>A new recording replaces the unsaved one</source>
         <translation>重新录制将覆盖未保存的内容</translation>
     </message>
     <message>
@@ -7831,9 +7827,9 @@ Afterwards the motors must be enabled again.</source>
     </message>
     <message>
         <source>The arm will give way to the hand and starts a new recording; the one it holds is lost. Hold the arm.
-Lead it near its rest pose, then stop recording.</source>
+When you are done, lead it back near its zero pose before you stop the recording.</source>
         <translation>机械臂将进入拖动示教模式并开始新的记录，原有记录会丢失。请扶住机械臂。
-请拖动到零位附近，然后结束示教记录。</translation>
+示教完成后，先把机械臂拖回零位附近，再结束记录。</translation>
     </message>
     <message>
         <source>Take the arm back</source>
@@ -7881,7 +7877,7 @@ The other program must have ended.</source>
         <translation>另一种选择</translation>
     </message>
     <message>
-        <source>“{name}” has not begun: the check has something to say. Answer it on its page.</source>
+        <source>“{name}” has not started: the check has warnings. Answer them on its page.</source>
         <translation>“{name}”尚未运行：检查有提示，请在其页面上确认。</translation>
     </message>
 </context>
@@ -7920,7 +7916,7 @@ The other program must have ended.</source>
         <translation>等待机械臂：{what}。</translation>
     </message>
     <message>
-        <source>Stopped. Support the arm: power will be cut and the arm drops. Then resume.</source>
+        <source>Emergency stop. Support the arm: resuming cuts the power and it drops.</source>
         <translation>急停中。请扶住机械臂：恢复时会断电，机械臂会下落。扶稳后恢复。</translation>
     </message>
     <message>
@@ -7948,7 +7944,7 @@ The other program must have ended.</source>
         <translation>关节 {joints} 驱动器过流，电机可能已断电。请扶住机械臂，卸下负载，然后清除错误。</translation>
     </message>
     <message>
-        <source>Joint {joints} is held fast. Free it, then clear the error.</source>
+        <source>Joint {joints} has stalled. Free it, then clear the error.</source>
         <translation>关节 {joints} 堵转。请解除卡阻，然后清除错误。</translation>
     </message>
     <message>
@@ -8052,7 +8048,7 @@ The other program must have ended.</source>
         <translation>上一目标角度超过限位。机械臂未运动，请发送其他目标。</translation>
     </message>
     <message>
-        <source>No way to the last target was found. The arm stands still; send another target.</source>
+        <source>The last target has no solution. The arm stands still; send another target.</source>
         <translation>上一目标无解。机械臂未运动，请发送其他目标。</translation>
     </message>
     <message>
@@ -8064,7 +8060,7 @@ The other program must have ended.</source>
         <translation>就绪</translation>
     </message>
     <message>
-        <source>The arm has lost a joint. Check the cables; if the message stays, reset the arm.</source>
+        <source>A joint no longer communicates. Check the cables; if the message stays, reset the arm.</source>
         <translation>关节通信异常。请检查关节线缆；若提示不消失，请复位机械臂。</translation>
     </message>
     <message>
@@ -8116,7 +8112,7 @@ The other program must have ended.</source>
         <translation>机械臂正在运动</translation>
     </message>
     <message>
-        <source>The replay is paused. Hold “Continue” for 1 s under Teaching, or terminate it.</source>
+        <source>The replay is paused. Hold “Continue” for 1 s under Drag teaching, or terminate it.</source>
         <translation>示教轨迹已暂停。可在【示教】中按住“继续执行”1 秒，或终止执行。</translation>
     </message>
     <message>
@@ -8167,7 +8163,7 @@ The other program must have ended.</source>
         <translation>关节 {joint}：{value}° 超出限位 {minimum}° 至 {maximum}°。请输入限位以内的角度。</translation>
     </message>
     <message>
-        <source>Joint {joint}: “{value}” is not an angle. Enter degrees in figures, for example 12.5.</source>
+        <source>Joint {joint}: “{value}” is not an angle. Enter a number of degrees, for example 12.5.</source>
         <translation>关节 {joint}：“{value}”不是角度。请输入以度为单位的数字，例如 12.5。</translation>
     </message>
     <message>
@@ -8187,7 +8183,7 @@ The other program must have ended.</source>
         <translation>机械臂不在急停状态，无需恢复。</translation>
     </message>
     <message>
-        <source>The arm is in another state by now: nothing was sent. Look at the step that is shown now.</source>
+        <source>The arm&apos;s state has changed: nothing was sent. Look at the step that is shown now.</source>
         <translation>机械臂状态已变化，未发送。请查看当前提示。</translation>
     </message>
     <message>
@@ -8223,11 +8219,11 @@ The other program must have ended.</source>
         <translation>机械臂仍在运动。请等它停稳后再按。</translation>
     </message>
     <message>
-        <source>Joint {joint} is at its limit of {limit}°. Jog the other way.</source>
-        <translation>关节 {joint} 已到限位 {limit}°。请向反方向点动。</translation>
+        <source>J{joint} is at its limit of {limit}°. Jog the other way.</source>
+        <translation>J{joint} 已到限位 {limit}°，请向反方向点动。</translation>
     </message>
     <message>
-        <source>The arm reaches no further this way. Jog in another direction.</source>
+        <source>The arm can reach no further this way. Jog in another direction.</source>
         <translation>机械臂在此方向已到可达范围的边缘。请换一个方向点动。</translation>
     </message>
     <message>
@@ -8251,7 +8247,7 @@ The other program must have ended.</source>
         <translation>机械臂拒绝了上一个目标：{status}。请发送其他目标。</translation>
     </message>
     <message>
-        <source>{axis}: “{value}” is no figure. Enter mm or degrees in figures, for example 12.5.</source>
+        <source>{axis}: “{value}” is not a number. Enter mm or degrees, for example 12.5.</source>
         <translation>{axis}：“{value}”不是数值。请输入毫米或度的数字，例如 12.5。</translation>
     </message>
     <message>
@@ -8359,7 +8355,7 @@ The other program must have ended.</source>
         <translation>机械臂应答零点已设置，但以下关节的角度不为 0°：{joints}。重新设置零点之前请勿移动机械臂。</translation>
     </message>
     <message>
-        <source>The stop came first; it is not sent again. Look at what the arm shows, then repeat it.</source>
+        <source>The stop came first; this is not sent again. Check the state of the arm, then repeat it.</source>
         <translation>急停在先，该指令不会重发。请查看机械臂的状态后再操作。</translation>
     </message>
     <message>
@@ -8403,11 +8399,11 @@ The other program must have ended.</source>
         <translation>无法打开设备 {device}：{text}。请检查设备及其驱动，然后重新连接。</translation>
     </message>
     <message>
-        <source>The settings file could not be read and was put aside as {kept}. The program starts with its first settings.</source>
+        <source>The settings file could not be read and was put aside as {kept}. The program starts with default settings.</source>
         <translation>设置文件无法读取，已另存为 {kept}。程序以默认设置启动。</translation>
     </message>
     <message>
-        <source>The settings file {path} could not be read: {text}. The program starts with its first settings.</source>
+        <source>The settings file {path} could not be read: {text}. The program starts with default settings.</source>
         <translation>设置文件 {path} 无法读取：{text}。程序以默认设置启动。</translation>
     </message>
     <message>
@@ -8415,7 +8411,7 @@ The other program must have ended.</source>
         <translation>设置无法保存到 {path}：{text}。本次运行期间仍然有效。</translation>
     </message>
     <message>
-        <source>Setting “{field}”: “{value}” is not possible. Its first setting is used instead.</source>
+        <source>Setting “{field}”: “{value}” is not valid. The default is used instead.</source>
         <translation>设置项“{field}”：“{value}”无效，已使用默认值。</translation>
     </message>
     <message>
@@ -8423,7 +8419,7 @@ The other program must have ended.</source>
         <translation>点动步长 {value}° 超出范围。请输入 {minimum}° 至 {maximum}°。</translation>
     </message>
     <message>
-        <source>Jog step: “{value}” is not an angle. Enter degrees in figures, for example 0.5.</source>
+        <source>Jog step: “{value}” is not an angle. Enter a number of degrees, for example 0.5.</source>
         <translation>点动步长：“{value}”不是角度。请输入以度为单位的数字，例如 0.5。</translation>
     </message>
     <message>
@@ -8527,7 +8523,7 @@ The other program must have ended.</source>
         <translation>未选择行。请先在表格中点击一行。</translation>
     </message>
     <message>
-        <source>The program did not come to the end of its work: {text}. Try again.</source>
+        <source>The program could not finish this: {text}. Try again.</source>
         <translation>程序未能完成这项工作：{text}。请重试。</translation>
     </message>
     <message>
@@ -8535,7 +8531,7 @@ The other program must have ended.</source>
         <translation>未运行：检查之后机械臂又移动了 {value}°。请再次点击发送。</translation>
     </message>
     <message>
-        <source>Not run: the arm&apos;s joint limits are others than those of the check. Send again.</source>
+        <source>Not run: the arm&apos;s joint limits have changed since the check. Send again.</source>
         <translation>未运行：机械臂的关节限位与检查时不同。请再次点击发送。</translation>
     </message>
     <message>
@@ -8543,19 +8539,19 @@ The other program must have ended.</source>
         <translation>没有正在执行的轨迹，无法暂停。</translation>
     </message>
     <message>
-        <source>No trajectory is paused: nothing to go on with.</source>
+        <source>No trajectory is paused: nothing to continue.</source>
         <translation>没有已暂停的轨迹，无法继续。</translation>
     </message>
     <message>
-        <source>The 3D view has ended ({text}).</source>
+        <source>The 3D view ended unexpectedly ({text}).</source>
         <translation>3D 视图意外结束（{text}）。</translation>
     </message>
     <message>
         <source>The 3D view is not available: this computer offers no OpenGL. Install a graphics driver or Mesa (on Debian the packages libegl1 and libgl1-mesa-dri) and start the 3D view again.</source>
-        <translation>3D 视图不可用：这台电脑没有 OpenGL。请安装显卡驱动或 Mesa（Debian 上为软件包 libegl1 和 libgl1-mesa-dri），然后重新启动3D 视图。</translation>
+        <translation>3D 视图不可用：这台电脑没有 OpenGL。请安装显卡驱动或 Mesa（Debian 上为软件包 libegl1 和 libgl1-mesa-dri），然后重新启动 3D 视图。</translation>
     </message>
     <message>
-        <source>The 3D view did not answer any more.</source>
+        <source>The 3D view stopped responding.</source>
         <translation>3D 视图没有响应。</translation>
     </message>
     <message>
@@ -8627,11 +8623,11 @@ The other program must have ended.</source>
         <translation>机械臂尚未反馈末端位姿，圆弧没有起点，请稍候。</translation>
     </message>
     <message>
-        <source>Row {row}: this arm&apos;s protocol moves the gripper by other figures (generation 1 by an angle, generation 2 by an opening). Change the gripper&apos;s action.</source>
+        <source>Row {row}: this arm&apos;s protocol moves the gripper by other values (generation 1 by an angle, generation 2 by an opening). Change the gripper&apos;s action.</source>
         <translation>第 {row} 行：本机械臂协议的夹爪参数不同（第一代用角度，第二代用开度），请修改夹爪动作。</translation>
     </message>
     <message>
-        <source>The file is broken or cut short: line {line}, column {column} is no JSON. Nothing was changed; choose another file, or mend that line.</source>
+        <source>The file is broken or cut short: line {line}, column {column} is not JSON. Nothing was changed; choose another file, or correct that line.</source>
         <translation>文件已损坏或不完整：第 {line} 行第 {column} 列不是 JSON。未作任何更改；请选择其他文件，或修正该行。</translation>
     </message>
     <message>
@@ -8647,11 +8643,11 @@ The other program must have ended.</source>
         <translation>文件缺少字段“{field}”。未作任何更改；请选择其他文件，或补上该字段。</translation>
     </message>
     <message>
-        <source>The file says “{value}” in the field “{field}”, which is not possible. Nothing was changed; choose another file, or mend the field.</source>
+        <source>The file says “{value}” in the field “{field}”, which is not valid. Nothing was changed; choose another file, or correct the field.</source>
         <translation>文件的字段“{field}”为“{value}”，该值无效。未作任何更改；请选择其他文件，或修正该字段。</translation>
     </message>
     <message>
-        <source>The file names {parameter} a second time, in “{field}”. Nothing was changed; take one of the two away.</source>
+        <source>The file names {parameter} a second time, in “{field}”. Nothing was changed; remove one of the two.</source>
         <translation>文件中的{parameter}重复（“{field}”）。未作任何更改；请删去其中一个。</translation>
     </message>
     <message>
@@ -8679,19 +8675,19 @@ The other program must have ended.</source>
         <translation>无法读取文件：{text}。</translation>
     </message>
     <message>
-        <source>The file has {value} MB; files up to {maximum} MB are read.</source>
+        <source>The file has {value} MB; at most {maximum} MB can be read.</source>
         <translation>文件大小为 {value} MB，最大可读取 {maximum} MB。</translation>
     </message>
     <message>
-        <source>This is no text in UTF-8 or GBK. Save it as a text file in UTF-8.</source>
+        <source>This is not text in UTF-8 or GBK. Save it as a text file in UTF-8.</source>
         <translation>不是 UTF-8 或 GBK 编码的文本。请另存为 UTF-8 文本文件。</translation>
     </message>
     <message>
-        <source>This is no text in {value}. Choose another encoding.</source>
+        <source>This is not text in {value}. Choose another encoding.</source>
         <translation>这不是 {value} 编码的文本。请选择其他编码。</translation>
     </message>
     <message>
-        <source>This is no trajectory file the program knows. Import it by columns.</source>
+        <source>This is not a trajectory file that the program knows. Import it by columns.</source>
         <translation>不是程序可识别的轨迹文件。请按列导入。</translation>
     </message>
     <message>
@@ -8703,7 +8699,7 @@ The other program must have ended.</source>
         <translation>文件版本为 {value}，本程序最高支持版本 {maximum}。请更新程序。</translation>
     </message>
     <message>
-        <source>The file holds nothing.</source>
+        <source>The file is empty.</source>
         <translation>文件为空。</translation>
     </message>
     <message>
@@ -8711,23 +8707,23 @@ The other program must have ended.</source>
         <translation>文件已损坏：{text}。</translation>
     </message>
     <message>
-        <source>“{value}” is no kind of line. A line begins with J, P, L, C or #.</source>
+        <source>“{value}” is not a kind of line. A line begins with J, P, L, C or #.</source>
         <translation>“{value}”不是有效的行类型。行首应为 J、P、L、C 或 #。</translation>
     </message>
     <message>
-        <source>“{value}” is no entry of the header; name, note and modified are.</source>
+        <source>“{value}” is not an entry of the header; use name, note or modified.</source>
         <translation>“{value}”不是有效的文件头条目，可用条目为 name、note 和 modified。</translation>
     </message>
     <message>
-        <source>“{value}” is no option of a point; speed, dwell, gripper, light and note are.</source>
+        <source>“{value}” is not an option of a point; use speed, dwell, gripper, light or note.</source>
         <translation>“{value}”不是有效的点选项，可用选项为 speed、dwell、gripper、light 和 note。</translation>
     </message>
     <message>
-        <source>“{value}” is given twice. Leave one.</source>
+        <source>“{value}” is given twice. Keep one.</source>
         <translation>“{value}”重复出现，请只保留一个。</translation>
     </message>
     <message>
-        <source>“{value}” is no {field}. Write it as {example}.</source>
+        <source>“{value}” is not a valid {field}. Write it as {example}.</source>
         <translation>“{value}”不是有效的 {field}。请写成 {example}。</translation>
     </message>
     <message>
@@ -8759,7 +8755,7 @@ The other program must have ended.</source>
         <translation>此行有 {value} 个单元格，而表格有 {expected} 列。</translation>
     </message>
     <message>
-        <source>“{value}” is no date and time. Write it as 2026-01-31T12:00:00.</source>
+        <source>“{value}” is not a date and time. Write it as 2026-01-31T12:00:00.</source>
         <translation>“{value}”不是有效的日期时间。请写成 2026-01-31T12:00:00。</translation>
     </message>
     <message>
@@ -8795,7 +8791,7 @@ The other program must have ended.</source>
         <translation>{field}：有 {value} 个值，应为六个；只有 MOVE C 才有中间位姿。</translation>
     </message>
     <message>
-        <source>“{value}” is no kind of motion. MOVE J, MOVE P, MOVE L and MOVE C are.</source>
+        <source>“{value}” is not a kind of motion. Use MOVE J, MOVE P, MOVE L or MOVE C.</source>
         <translation>“{value}”不是有效的运动类型，可用类型为 MOVE J、MOVE P、MOVE L 和 MOVE C。</translation>
     </message>
     <message>
@@ -8835,7 +8831,7 @@ The other program must have ended.</source>
         <translation>“{name}”新建后已被修改，予以保留。不需要时请将其删除。</translation>
     </message>
     <message>
-        <source>“{name}” is no longer among what was deleted. It has been brought back already, or its time was up.</source>
+        <source>“{name}” is no longer among the deleted ones. It has been restored already, or its time was up.</source>
         <translation>“{name}”已不在最近删除中：已经恢复，或已过保留期限。</translation>
     </message>
     <message>
@@ -8851,7 +8847,7 @@ The other program must have ended.</source>
         <translation>未删除：{name}：{text}。请检查轨迹库文件夹的权限。</translation>
     </message>
     <message>
-        <source>Not brought back: {name}: {text}. Check the rights to the library&apos;s folder.</source>
+        <source>Not restored: {name}: {text}. Check the rights to the library&apos;s folder.</source>
         <translation>未恢复：{name}：{text}。请检查轨迹库文件夹的权限。</translation>
     </message>
     <message>
@@ -8887,7 +8883,7 @@ The other program must have ended.</source>
         <translation>夹爪当前反馈的是角度，而点中保存的是开度。请先在“夹爪控制”中按开度移动夹爪。</translation>
     </message>
     <message>
-        <source>{frames} of the arm has not been heard for {seconds} s: nobody knows where it is. Check its power and the CAN cable; nothing is sent until it is heard again.</source>
+        <source>{frames} of the arm has not been heard for {seconds} s: its position is unknown. Check its power and the CAN cable; nothing is sent until it is heard again.</source>
         <translation>已有 {seconds} 秒未收到机械臂的 {frames}：无法得知其位置。请检查电源与 CAN 线；重新收到之前不发送任何运动指令。</translation>
     </message>
     <message>
@@ -8971,15 +8967,15 @@ The other program must have ended.</source>
         <translation>点动已结束：按住 {seconds} 秒期间鼠标未移动，也没有按其他键。请松开后重新按下；需要长时间按住时，请稍微移动鼠标。</translation>
     </message>
     <message>
-        <source>Identifier: “{value}” is no hexadecimal number. Enter 000 to 7FF, for example 151.</source>
+        <source>Identifier: “{value}” is not a hexadecimal number. Enter 000 to 7FF, for example 151.</source>
         <translation>ID：“{value}”不是十六进制数。请输入 000 至 7FF，例如 151。</translation>
     </message>
     <message>
-        <source>Identifier: {value} has more than 11 bits, and the arm knows none of those. Enter 000 to 7FF.</source>
+        <source>Identifier: {value} has more than 11 bits; the arm uses none of those. Enter 000 to 7FF.</source>
         <translation>ID：{value} 超过 11 位，机械臂不使用这样的 ID。请输入 000 至 7FF。</translation>
     </message>
     <message>
-        <source>Data: “{value}” are no whole bytes. Enter two hexadecimal figures for each byte, for example 01 0A FF.</source>
+        <source>Data: “{value}” is not whole bytes. Enter two hexadecimal figures for each byte, for example 01 0A FF.</source>
         <translation>数据：“{value}”不是完整的字节。每个字节请输入两位十六进制数，例如 01 0A FF。</translation>
     </message>
     <message>
@@ -8987,7 +8983,7 @@ The other program must have ended.</source>
         <translation>数据：{count} 字节超出一帧的容量。最多输入 8 字节。</translation>
     </message>
     <message>
-        <source>{frame} is what an arm itself says: two senders of one identifier disturb the bus, and others would take it for the arm&apos;s word. Choose an identifier that hosts send.</source>
+        <source>{frame} is sent by the arm itself: two senders of one identifier disturb the bus, and others would take it for the arm&apos;s feedback. Choose an identifier that hosts send.</source>
         <translation>{frame} 是机械臂自己发送的帧：同一 ID 有两个发送方会干扰总线，其他程序也会误以为是机械臂的反馈。请选择由上位机发送的 ID。</translation>
     </message>
     <message>
@@ -9015,7 +9011,7 @@ The other program must have ended.</source>
         <translation>MF4 需要 asammdf 软件包（pip install asammdf）。</translation>
     </message>
     <message>
-        <source>You called it off. The recording itself is whole, as .blf.</source>
+        <source>Cancelled. The recording itself is complete, as .blf.</source>
         <translation>已取消。录制本身完整，保存为 .blf。</translation>
     </message>
     <message>
@@ -9099,11 +9095,11 @@ The other program must have ended.</source>
         <translation>{name} 已断开。请重新插入或打开电源。</translation>
     </message>
     <message>
-        <source>Nothing more is heard of {name}. Let go of its buttons and press anew.</source>
+        <source>No more data from {name}. Release all its buttons and press again.</source>
         <translation>收不到 {name} 的数据。请松开所有按键后重新按下。</translation>
     </message>
     <message>
-        <source>The dead-man button was held for {seconds} s without a movement of the device. Press anew.</source>
+        <source>The dead-man button was held for {seconds} s without a movement of the device. Press again.</source>
         <translation>使能键按住 {seconds} 秒而设备没有任何动作。请重新按下。</translation>
     </message>
     <message>
@@ -9123,11 +9119,11 @@ The other program must have ended.</source>
         <translation>另一程序正以{other_mode}模式驱动机械臂：本程序的模式指令会使关节失力。请结束该程序、扶住机械臂，再按面板上方提示行给出的方式恢复。</translation>
     </message>
     <message>
-        <source>Not run: the arm&apos;s model or zeros are others than those of the check. Send again.</source>
+        <source>Not run: the arm&apos;s model or zeros have changed since the check. Send again.</source>
         <translation>未运行：机械臂的型号或零点约定与检查时不同。请再次点击发送。</translation>
     </message>
     <message>
-        <source>The main window, or a page taken out of it, is not in front, or a menu is open. Click into one of them, then press anew.</source>
+        <source>The main window, or a page taken out of it, is not in front, or a menu is open. Click into one of them, then press again.</source>
         <translation>主窗口或取出的独立窗口不在最前，或有菜单打开。请点击其中一个窗口，再重新按下。</translation>
     </message>
     <message>
@@ -9139,23 +9135,23 @@ The other program must have ended.</source>
         <translation>未发送任何内容：询问固件版本时，机械臂答复为 {versions}。使用此固件，或总线上有两台机械臂时，机械臂会下坠。请扶住机械臂并使用急停。</translation>
     </message>
     <message>
-        <source>What it was asked about is no more as it was: nothing was sent. Ask again.</source>
+        <source>What the question was about has changed: nothing was sent. Try again.</source>
         <translation>所询问的内容已经改变：未发送任何内容。请重新操作。</translation>
     </message>
     <message>
-        <source>Not run: tool, load, settings or choices are others than those of the check. Send again.</source>
+        <source>Not run: tool, load, settings or choices have changed since the check. Send again.</source>
         <translation>未运行：工具、负载、设置或所选项与检查时不同。请再次点击发送。</translation>
     </message>
     <message>
-        <source>Not run: the check has found errors ({count}). Mend what is listed, then send again.</source>
+        <source>Not run: the check has found errors ({count}). Correct what is listed, then send again.</source>
         <translation>未发送：检查发现 {count} 个错误。请处理列出的各项后再发送。</translation>
     </message>
     <message>
-        <source>The drag was given up: the arm, or what was dragged, is another by now. Drag again.</source>
+        <source>The drag was cancelled: the arm, or what was dragged, has changed. Drag again.</source>
         <translation>拖动已放弃：机械臂或被拖动的内容已经改变。请重新拖动。</translation>
     </message>
     <message>
-        <source>Robot description: the mesh {mesh} is of a kind that is not read. These are: {kinds}.</source>
+        <source>Robot description: meshes like {mesh} are not supported. Supported kinds: {kinds}.</source>
         <translation>机器人描述：不支持网格文件 {mesh} 的格式。支持的格式：{kinds}。</translation>
     </message>
     <message>
@@ -9207,7 +9203,7 @@ The other program must have ended.</source>
         <translation>{device} 需要 libusb 库，但此电脑上没有。请在终端中安装：Windows 和 macOS 用 pip install libusb-package，Debian 和 Ubuntu 用 sudo apt install libusb-1.0-0</translation>
     </message>
     <message>
-        <source>{text} is no bit rate of an arm: nothing was changed.</source>
+        <source>{text} is not a bit rate of an arm: nothing was changed.</source>
         <translation>{text} 不是机械臂的波特率：没有更改任何设置。</translation>
     </message>
     <message>
@@ -9227,7 +9223,7 @@ The other program must have ended.</source>
         <translation>{text} 已是另一个适配器的名称。</translation>
     </message>
     <message>
-        <source>The helper ended without a word on what it did: {text}. Look at the diagnosis again.</source>
+        <source>The helper ended without reporting what it did: {text}. Look at the diagnosis again.</source>
         <translation>辅助程序结束时没有说明结果：{text}。请重新诊断。</translation>
     </message>
     <message>
@@ -9243,7 +9239,7 @@ The other program must have ended.</source>
         <translation>{text} 已不存在，请重新插入适配器。</translation>
     </message>
     <message>
-        <source>The adapter of {text} tells no serial number: it cannot be told from another one, and nothing was kept.</source>
+        <source>The adapter of {text} has no serial number: it cannot be told from another one, so nothing was saved.</source>
         <translation>{text} 的适配器没有序列号，无法与其他适配器区分，没有保存。</translation>
     </message>
     <message>
@@ -9251,7 +9247,7 @@ The other program must have ended.</source>
         <translation>系统不允许：{text}。没有更改任何设置；可在终端中运行下面的命令。</translation>
     </message>
     <message>
-        <source>{text} is no CAN interface: nothing was changed.</source>
+        <source>{text} is not a CAN interface: nothing was changed.</source>
         <translation>{text} 不是 CAN 接口：没有更改任何设置。</translation>
     </message>
     <message>
@@ -9259,7 +9255,7 @@ The other program must have ended.</source>
         <translation>没有以 {text} 保存的设置。</translation>
     </message>
     <message>
-        <source>{text} is a file of somebody else: nothing was written.</source>
+        <source>{text} belongs to another program: nothing was written.</source>
         <translation>{text} 是其他程序的文件：没有写入。</translation>
     </message>
     <message>
@@ -9267,7 +9263,7 @@ The other program must have ended.</source>
         <translation>系统称已完成，但实际没有：{text}。请拔下适配器重新插入，再试一次。</translation>
     </message>
     <message>
-        <source>{text} is no serial adapter on the USB: nothing was changed.</source>
+        <source>{text} is not a USB serial adapter: nothing was changed.</source>
         <translation>{text} 不是 USB 串口适配器：没有更改任何设置。</translation>
     </message>
     <message>
@@ -9413,7 +9409,7 @@ The other program must have ended.</source>
         <translation>日志中有 {count} 处无法读取，其余部分照常显示。</translation>
     </message>
     <message>
-        <source>{count} frames had a time before the one in front of them: put right.</source>
+        <source>{count} frames had an earlier time than the frame before them; this was corrected.</source>
         <translation>有 {count} 帧的时间早于前一帧，已校正。</translation>
     </message>
     <message>
@@ -9425,12 +9421,12 @@ The other program must have ended.</source>
         <translation>临时文件所在磁盘已满，只显示前 {count} 帧。</translation>
     </message>
     <message>
-        <source>Nothing in it comes from an arm of this kind.</source>
+        <source>It contains no frames of this kind of arm.</source>
         <translation>其中没有本型机械臂的报文。</translation>
     </message>
     <message>
-        <source>Nothing tells which protocol the arm spoke: choose it below if you know.</source>
-        <translation>无法判定机械臂使用哪一代协议；如果知道，请在下方选择。</translation>
+        <source>The log does not show which protocol the arm spoke: choose it under “Protocol” if you know.</source>
+        <translation>无法判定机械臂使用哪一代协议；如果知道，请在“协议”中选择。</translation>
     </message>
     <message>
         <source>Reading {name}…</source>
@@ -9526,7 +9522,7 @@ The other program must have ended.</source>
         <translation>正在检查…</translation>
     </message>
     <message>
-        <source>Go on from row {row}</source>
+        <source>Continue from row {row}</source>
         <translation>从第 {row} 行继续</translation>
     </message>
     <message>
@@ -9546,11 +9542,11 @@ The other program must have ended.</source>
         <translation>多次</translation>
     </message>
     <message>
-        <source>In a loop</source>
+        <source>Loop</source>
         <translation>循环</translation>
     </message>
     <message>
-        <source>How often</source>
+        <source>Number of runs</source>
         <translation>运行次数</translation>
     </message>
     <message>
@@ -9718,7 +9714,7 @@ The other program must have ended.</source>
         <translation>已发送：{frame}。</translation>
     </message>
     <message>
-        <source>A frame sent by hand is checked for nothing but its form, and counts as another program&apos;s: what this program is doing ends.</source>
+        <source>A frame sent by hand is only checked for its form, and counts as another program&apos;s: any motion of this program ends.</source>
         <translation>手动发送的帧只检查格式，并按其他程序的指令处理：本程序正在进行的运动会结束。</translation>
     </message>
     <message>
@@ -9770,7 +9766,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>another host</source>
-        <translation>其他上位机</translation>
+        <translation>其他程序</translation>
     </message>
     <message>
         <source>another arm</source>
@@ -9819,7 +9815,7 @@ The other program must have ended.</source>
         <translation>正在写入</translation>
     </message>
     <message>
-        <source>whole</source>
+        <source>complete</source>
         <translation>完整</translation>
     </message>
     <message>
@@ -9835,7 +9831,7 @@ The other program must have ended.</source>
         <translation>空</translation>
     </message>
     <message>
-        <source>what stands beside it cannot be read: {text}</source>
+        <source>its description file cannot be read: {text}</source>
         <translation>旁边的说明文件无法读取：{text}</translation>
     </message>
 </context>
@@ -9850,7 +9846,7 @@ The other program must have ended.</source>
         <translation>开始时间</translation>
     </message>
     <message>
-        <source>Length</source>
+        <source>Duration</source>
         <translation>时长</translation>
     </message>
     <message>
@@ -9976,7 +9972,7 @@ The other program must have ended.</source>
         <translation>3D 画面中的工具坐标系</translation>
     </message>
     <message>
-        <source>way of the tool in the 3D picture</source>
+        <source>tool trail in the 3D picture</source>
         <translation>3D 画面中的末端轨迹</translation>
     </message>
     <message>
@@ -10075,7 +10071,7 @@ The other program must have ended.</source>
         <translation>急停被其他程序解除时自动再次急停</translation>
     </message>
     <message>
-        <source>Such a stop is always told as a fault. With this, it is also sent again by itself.</source>
+        <source>This is always reported as a fault. With this setting the stop is also sent again by itself.</source>
         <translation>这种情况总会作为故障提示。勾选后还会自动再次发送急停。</translation>
     </message>
     <message>
@@ -10099,7 +10095,7 @@ The other program must have ended.</source>
         <translation>{model} 内置模型</translation>
     </message>
     <message>
-        <source>Over the plane the arm stands on: 0 mm is the plane, negative is below it. Single steps, buttons, keys and gamepad keep to it; an arm that is lower may only go up.</source>
+        <source>Above the plane the arm stands on: 0 mm is the plane, negative is below it. Single steps, buttons, keys and gamepad keep to it; an arm that is lower may only go up.</source>
         <translation>相对底座平面：0 mm 为该平面，负值在其下。单步、按钮、按键和手柄都遵守；已低于此高度的机械臂只能向上。</translation>
     </message>
     <message>
@@ -10133,7 +10129,7 @@ The other program must have ended.</source>
         <translation>本列表</translation>
     </message>
     <message>
-        <source>Pause, go on</source>
+        <source>Pause, continue</source>
         <translation>暂停、继续</translation>
     </message>
     <message>
@@ -10183,10 +10179,6 @@ The other program must have ended.</source>
     <message>
         <source>Edit the points of the chosen trajectory</source>
         <translation>编辑所选轨迹的点</translation>
-    </message>
-    <message>
-        <source>On the time line: through the recording</source>
-        <translation>在时间轴上：在记录中移动</translation>
     </message>
 </context>
 <context>
@@ -10590,7 +10582,7 @@ The other program must have ended.</source>
         <translation>类型</translation>
     </message>
     <message>
-        <source>Told as</source>
+        <source>Given as</source>
         <translation>表示方式</translation>
     </message>
     <message>
@@ -10650,7 +10642,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>Brake resistor too hot</source>
-        <translation>制动电阻过温</translation>
+        <translation>释放电阻过温</translation>
     </message>
     <message>
         <source>CAN control</source>
@@ -11437,14 +11429,14 @@ The other program must have ended.</source>
 <context>
     <name>TimeLine</name>
     <message>
-        <source>Time line of the recording</source>
+        <source>Timeline of the recording</source>
         <translation>记录的时间轴</translation>
     </message>
 </context>
 <context>
     <name>ToolBox</name>
     <message>
-        <source>Tool centre point on the flange (mm, °), kept on this PC</source>
+        <source>Tool centre point relative to the flange (mm, °), saved on this PC</source>
         <translation>工具中心点相对法兰（mm、°），保存在本机</translation>
     </message>
     <message>
@@ -11523,7 +11515,7 @@ Afterwards the motors must be enabled again.</source>
         <translation>下一个故障</translation>
     </message>
     <message>
-        <source>To the fault or stop before</source>
+        <source>To the previous fault or stop</source>
         <translation>跳到上一个故障或急停</translation>
     </message>
     <message>
@@ -11535,7 +11527,7 @@ Afterwards the motors must be enabled again.</source>
         <translation>回放速度</translation>
     </message>
     <message>
-        <source>How many times as fast as it was. Above 4× not every frame is looked at.</source>
+        <source>Multiple of the original speed. Above 4× not every frame is processed.</source>
         <translation>相对原速的倍数。超过 4× 时不逐帧处理。</translation>
     </message>
     <message>
@@ -11547,7 +11539,7 @@ Afterwards the motors must be enabled again.</source>
         <translation>播放</translation>
     </message>
     <message>
-        <source>Let the recording run, or stand still</source>
+        <source>Play or pause</source>
         <translation>播放或暂停</translation>
     </message>
     <message>
@@ -11635,7 +11627,7 @@ Afterwards the motors must be enabled again.</source>
         <translation>保存到轨迹库。</translation>
     </message>
     <message>
-        <source>For 30 days it is under “Recently deleted…”.</source>
+        <source>It stays under “Recently deleted…” for 30 days.</source>
         <translation>30 天内可在“最近删除…”中恢复。</translation>
     </message>
     <message>
@@ -11650,7 +11642,7 @@ Afterwards the motors must be enabled again.</source>
         <translation>前视图</translation>
     </message>
     <message>
-        <source>Looks at the arm from where it points to</source>
+        <source>Looks at the arm from the front</source>
         <translation>从机械臂正前方观察</translation>
     </message>
     <message>
@@ -11694,7 +11686,7 @@ Afterwards the motors must be enabled again.</source>
         <translation>使工具中心点保持在画面中央</translation>
     </message>
     <message>
-        <source>Without perspective</source>
+        <source>Parallel projection</source>
         <translation>平行投影</translation>
     </message>
     <message>
@@ -11778,15 +11770,15 @@ Afterwards the motors must be enabled again.</source>
         <translation>在画面中拖动目标或所选点，机械臂不会运动。Ctrl：大步进，Shift：小步进，Esc：放弃</translation>
     </message>
     <message>
-        <source>Shows what the tool centre point can reach; orange bounds what it can&apos;t within</source>
+        <source>Shows where the tool centre point can reach; orange outlines what it cannot reach within</source>
         <translation>显示工具中心点能到达的空间；橙色是其中到不了的部分的边界</translation>
     </message>
     <message>
-        <source>Way of the tool centre point</source>
+        <source>Trail of the tool centre point</source>
         <translation>工具中心点走过的轨迹</translation>
     </message>
     <message>
-        <source>Way of the flange</source>
+        <source>Trail of the flange</source>
         <translation>法兰走过的轨迹</translation>
     </message>
 </context>
@@ -11805,7 +11797,7 @@ Afterwards the motors must be enabled again.</source>
         <translation>视角还原</translation>
     </message>
     <message>
-        <source>Shows the arm as at the beginning</source>
+        <source>Restores the initial view</source>
         <translation>还原最初的 3D 显示视角</translation>
     </message>
     <message>
@@ -11824,7 +11816,7 @@ Afterwards the motors must be enabled again.</source>
         <translation>曲线</translation>
     </message>
     <message>
-        <source>What was heard and commanded in the last half hour. The right button on any figure shows it here.</source>
+        <source>Feedback and commands of the last half hour. Right-click any figure to show it here.</source>
         <translation>最近半小时的反馈与指令。在任意数值上按右键即可在此显示。</translation>
     </message>
     <message>
@@ -11832,7 +11824,7 @@ Afterwards the motors must be enabled again.</source>
         <translation>事件</translation>
     </message>
     <message>
-        <source>What happened: every command and what became of it, every change of the arm&apos;s status, every fault with its beginning and its end.</source>
+        <source>What happened: every command and its result, every change of the arm&apos;s status, every fault with its beginning and end.</source>
         <translation>发生过的一切：每条指令及其结果、机械臂的每次状态变化、每个故障的开始与结束。</translation>
     </message>
     <message>

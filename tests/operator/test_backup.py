@@ -218,7 +218,7 @@ def test_what_differs_is_found_chosen_and_restored(arm, tmp_path):
     assert sent(arm) == [frame(0x474, f"02 0708 {rest} 00")]
     assert limits[1].max_deg == 180.0
     assert arm.firmware.settings.collision_levels[2] == 5
-    assert "Restored 1 parameters: read back from the arm, and the same." in said(arm)
+    assert "Restored 1 parameters; reading them back gave the same values." in said(arm)
     arm.click(arm.box.only_differences)
     assert rows(arm)["J2 Max. angle"] == ("180.0°", "180.0°", "✓ restored")
 

@@ -196,7 +196,7 @@ def test_what_waits_for_the_operator_is_lit_and_said_in_the_line_above(operator,
     operator.app_driver.click(accept)
     assert operator.running
     assert send.property("primary")
-    assert "has not begun" not in operator.app_driver.read("recovery_text")
+    assert "has not started" not in operator.app_driver.read("recovery_text")
 
 
 def test_a_fault_is_said_before_a_run_that_waits(operator, monkeypatch):
@@ -205,7 +205,7 @@ def test_a_fault_is_said_before_a_run_that_waits(operator, monkeypatch):
     operator.workers.work()
     operator.app_driver.controller.emergency_stop()
     operator.app_driver.run(0.2)
-    assert "has not begun" not in operator.app_driver.read("recovery_text")
+    assert "has not started" not in operator.app_driver.read("recovery_text")
 
 
 def test_a_check_that_fails_says_so(operator):

@@ -194,7 +194,7 @@ def test_a_mounting_is_told_in_the_modes_the_arm_is_in_and_kept(mounting, name, 
     assert sent(mounting, 0x151) == [frame(0x151, f"00 00 1E 00 00 0{code} 00 00")]
     key = mounting.device.arm_key(mounting.controller.state.identity.node_number)
     assert mounting.store.settings.mountings == {key: name}
-    assert "does not tell it back" in mounting.read("end_load_message")
+    assert "does not report it back" in mounting.read("end_load_message")
     assert "Mounting, as last set from here" in mounting.find("mounting_told").text()
 
 

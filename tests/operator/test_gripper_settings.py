@@ -42,8 +42,7 @@ def test_what_the_arm_keeps_is_read_and_changed(app_driver):
     assert sent(app_driver) == [Frame(0x47D, payload)]
     assert app_driver.firmware.settings.teaching.stroke_limit_mm == 100
     assert (
-        app_driver.read("gripper_settings_message")
-        == "Saved: read back from the arm, and the same."
+        app_driver.read("gripper_settings_message") == "Saved; reading back gave the same values."
     )
 
 

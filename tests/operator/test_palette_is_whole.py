@@ -238,7 +238,7 @@ def test_a_page_is_taken_out_and_put_back(driver, key):
     page = next(each for each in QApplication.allWidgets() if is_page(each, key))
     assert page.window() is not driver.window
     palette = command(driver, f"own window {name}")
-    assert "window of its own" in palette.findChild(object, "palette_message").text()
+    assert "in its own window" in palette.findChild(object, "palette_message").text()
     palette.close()
     command(driver, f"put back {name}")
     assert page.window() is driver.window

@@ -175,7 +175,7 @@ def test_figures_frame_trail_path_and_points_are_of_one_point(app_driver, tool):
     rows = composed(view.shape.flange(view.shape.links(view._state.angles_deg)), view._tool)
     assert [1e3 * rows[place] for place in (3, 7, 11)] == pytest.approx(here, abs=0.5)
     title = app_driver.find("view_bar")._trail_menu.title()
-    assert title == ("Way of the tool centre point" if any(tool) else "Way of the flange")
+    assert title == ("Trail of the tool centre point" if any(tool) else "Trail of the flange")
 
 
 def test_the_point_under_way_is_lit_and_the_ghost_steps_aside(at):

@@ -69,7 +69,7 @@ def test_an_arm_that_moves_is_not_called_ready(ready):
 
 def test_from_the_stop_back_to_ready(ready):
     ready.click("stop_button")
-    reads(ready, "power will be cut and the arm drops")
+    reads(ready, "resuming cuts the power and it drops")
     ready.heard()
     press(ready, "Resume…")
     question = ready.dialog(ConfirmDialog)
@@ -86,7 +86,7 @@ def test_from_the_stop_back_to_ready(ready):
 
 def test_a_question_answered_too_late_does_nothing(ready):
     ready.click("stop_button")
-    reads(ready, "power will be cut")
+    reads(ready, "resuming cuts the power")
     press(ready, "Resume…")
     ready.firmware.on_frame(RESUME)  # another host was quicker
     reads(ready, "motors are off")
@@ -143,7 +143,7 @@ def test_a_reset_is_asked_about_and_then_led_to_its_end(ready):
     assert "the arm will drop" in ready.dialog(ConfirmDialog).text()
     ready.heard()
     ready.confirm()
-    reads(ready, "power will be cut")
+    reads(ready, "resuming cuts the power")
     assert STOP in ready.heard()
     ready.firmware.condition.communication_fault[3] = False
     press(ready, "Resume…")
@@ -194,7 +194,7 @@ def test_left_over_drag_teaching_is_left_step_by_step(ready):
     reads(ready, "near the rest pose")
     press(ready, "Reset…")
     ready.confirm()
-    reads(ready, "power will be cut")
+    reads(ready, "resuming cuts the power")
     press(ready, "Resume…")
     ready.confirm()
     reads(ready, "motors are off")
@@ -228,7 +228,7 @@ def test_nothing_moves_in_the_window_when_a_fault_comes_and_goes(ready):
         for name in ("recovery_line", "operation_area", "stop_button", "menu_light")
     }
     ready.click("stop_button")
-    reads(ready, "power will be cut")
+    reads(ready, "resuming cuts the power")
     assert ready.controller.operating_state.stop is StopState.STOPPED
     for name, place in places.items():
         assert ready.find(name).mapTo(ready.window, ready.find(name).rect().center()) == place

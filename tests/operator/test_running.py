@@ -128,7 +128,7 @@ def test_in_a_loop_until_it_is_ended_and_on_from_there(app_driver):
     operator.app_driver.click("run_stop")
     operator.until_over()
     assert operator.progress.phase is RunPhase.STOPPED
-    assert operator.text("run_resume") == "Go on from row 2"
+    assert operator.text("run_resume") == "Continue from row 2"
     operator.send("run_resume")
     operator.until(lambda: operator.visits(UP) == 2)
     assert operator.progress.cycles == 0
@@ -184,7 +184,7 @@ def test_the_emergency_stop_ends_it_and_says_where(app_driver):
     assert operator.progress.phase is RunPhase.FAILED
     assert "Ended at row 2" in operator.text("editor_message")
     assert "emergency stop" in operator.text("editor_message")
-    assert operator.text("run_resume") == "Go on from row 2"
+    assert operator.text("run_resume") == "Continue from row 2"
     assert not operator.child("run_resume").isEnabled()
 
 

@@ -76,7 +76,7 @@ def test_a_session_is_recorded_and_listed(sessions):
     assert driver.find("status_bar").height() == height
 
     driver.click(window.recording.record_button)
-    sessions.until(lambda: sessions.column(SessionColumn.STATE) == ["whole"])
+    sessions.until(lambda: sessions.column(SessionColumn.STATE) == ["complete"])
     assert not mark.isVisible()
     assert sessions.column(SessionColumn.KIND) == ["recorded"]
     assert "Session recorded" in sessions.said()
@@ -98,7 +98,7 @@ def test_what_just_happened_is_saved_with_one_button(sessions):
     assert "of 5 minutes" in window.ring.content_label.text()
     assert window.ring.memory_label.text().endswith("22.0 MB at most")
     driver.click(window.ring.save_button)
-    sessions.until(lambda: sessions.column(SessionColumn.STATE) == ["whole"])
+    sessions.until(lambda: sessions.column(SessionColumn.STATE) == ["complete"])
     assert sessions.column(SessionColumn.KIND) == ["saved from memory"]
     sessions.until(lambda: "What just happened is saved" in sessions.said())
 

@@ -32,7 +32,7 @@ def test_kinds_differ_by_model_and_zeros():
     assert ModelFit().kind == "PiPER"
     assert OLD == "PiPER (zeros before S-V1.6-3)"
     assert X == "PiPER X"
-    assert ModelFit().taught_on == "", "not compared yet"
+    assert ModelFit().taught_on == "", "not checked yet"
     assert ModelFit(fitting=frozenset({PiperModel.PIPER})).taught_on == "PiPER"
     assert ModelFit(fitting=frozenset({PiperModel.PIPER_X})).taught_on == ""
 

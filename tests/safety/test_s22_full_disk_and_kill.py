@@ -72,7 +72,7 @@ def test_a_session_on_a_disk_that_becomes_full(sessions_on, small_disk):
     sessions.until(lambda: sessions.column(SessionColumn.STATE) != ["under way"])
     # what was written is there, and is told not to be all
     (state,) = sessions.column(SessionColumn.STATE)
-    assert state not in {"whole", "under way"}
+    assert state not in {"complete", "under way"}
     (entry,) = list_recordings(small_disk)
     assert entry.path is not None
     assert RecordedSession(entry.path).frames > 1000
@@ -110,7 +110,7 @@ def test_a_session_of_a_killed_program(sessions_on, tmp_path):
     sessions = sessions_on(folder)
     sessions.until(lambda: len(sessions.names()) == 1)
     (state,) = sessions.column(SessionColumn.STATE)
-    assert state not in {"whole", "empty"}
+    assert state not in {"complete", "empty"}
     assert RecordedSession(folder / "killed.blf").frames > 100
 
 

@@ -378,4 +378,4 @@ def test_the_window_names_the_bad_one_beside_the_others(app_driver, tmp_path):
     }
     assert states["one"][1] == "empty"
     assert states["two"][0] == "—"
-    assert states["three"][1] == "what stands beside it cannot be read: three.armui.jsonl"
+    assert states["three"][1] == "its description file cannot be read: three.armui.jsonl"

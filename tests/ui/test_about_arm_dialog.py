@@ -75,7 +75,7 @@ def test_without_an_arm_everything_is_unknown(qtbot, controller, dialog):
 @pytest.mark.parametrize(
     ("fitting", "says"),
     [
-        (None, "PiPER L, as chosen; not compared yet"),
+        (None, "PiPER L, as chosen; not checked yet"),
         ({PiperModel.PIPER_L}, "PiPER L, confirmed by the pose it reports"),
         (
             {PiperModel.PIPER_L, PiperModel.PIPER},
@@ -125,7 +125,7 @@ def test_the_bit_rate_that_the_program_set(qtbot, controller, dialog):
     shown(qtbot, dialog)
     assert value(dialog, "bitrate") == "500000 bit/s, set by this program"
     assert value(dialog, "serial") == "206E3599"
-    assert value(dialog, "firmware") == "unknown: generation 1 does not tell it"
+    assert value(dialog, "firmware") == "unknown: generation 1 does not report it"
 
 
 def test_how_long_and_how_often_the_arm_is_heard(qtbot, controller, dialog):

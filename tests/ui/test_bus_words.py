@@ -66,7 +66,7 @@ def test_senders_and_errors(chinese):
         (0x3C1, 0, "Unknown: not in the tables of this arm"),
         (0x2B1, 0, "Of an arm with other identifiers (0x470)"),
         (0x4B0, 0, "Firmware upgrade: not documented"),
-        (0x18FF50E5, FrameFlag.EXTENDED, "29-bit identifier: the arm knows none"),
+        (0x18FF50E5, FrameFlag.EXTENDED, "29-bit identifier: the arm uses none"),
         (0x155, FrameFlag.REMOTE, "Remote frame: a question without data"),
         (0x155, FrameFlag.FD, "CAN FD frame: the arm speaks classic CAN"),
         (0x004, FrameFlag.ERROR, "Error frame of the adapter"),

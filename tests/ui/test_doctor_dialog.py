@@ -108,7 +108,7 @@ def test_nothing_wrong(qtbot, dialog, examinations):
 
 def test_an_examination_that_fails_says_why(qtbot, dialog, examinations):
     answer(qtbot, dialog, examinations, "no Python")
-    assert message(dialog) == "The examination failed: no Python"
+    assert message(dialog) == "The diagnosis failed: no Python"
     assert not dialog.copy_button.isEnabled()
 
 

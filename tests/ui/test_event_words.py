@@ -206,7 +206,7 @@ OLD_LINE = (
 def test_an_event_of_an_older_file_reads_as_a_sentence(translated):
     read = from_json(OLD_LINE)
     translated("en")
-    assert words.entry_text(read) == "Joint 3 is at its limit of -12.500°. Jog the other way."
+    assert words.entry_text(read) == "J3 is at its limit of -12.500°. Jog the other way."
     translated("zh")
     assert words.entry_text(read) == "关节 3 已到限位 -12.500°。请向反方向点动。"
 

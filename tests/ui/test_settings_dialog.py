@@ -80,8 +80,8 @@ def test_a_jog_step_holds_at_once(
     [
         ("31", "Jog step 31.000° is out of range. Enter a value from 0.001° to 30.000°."),
         ("0", "Jog step 0.000° is out of range. Enter a value from 0.001° to 30.000°."),
-        ("x", "Jog step: “x” is not an angle. Enter degrees in figures, for example 0.5."),
-        ("", "Jog step: “” is not an angle. Enter degrees in figures, for example 0.5."),
+        ("x", "Jog step: “x” is not an angle. Enter a number of degrees, for example 0.5."),
+        ("", "Jog step: “” is not an angle. Enter a number of degrees, for example 0.5."),
     ],
 )
 def test_a_jog_step_that_is_not_possible_says_why_and_stays_to_be_mended(

@@ -64,7 +64,7 @@ class EndReports:
         self._transactions = transactions
         self.busy = False
 
-    @operation("end_load.set", "Tell the load", why_no_load)
+    @operation("end_load.set", "Set the end load", why_no_load)
     def set_load(self, load: EndLoad) -> Refusal | None:
         """Tell the arm that it carries nothing, half or the full payload.
 
@@ -90,7 +90,7 @@ class EndReports:
         )
         return None
 
-    @operation("end_load.report", "Switch the feedback of the end's motion", why_not_switch)
+    @operation("end_load.report", "Switch the end's motion feedback", why_not_switch)
     def switch(self, *, on: bool) -> Refusal | None:
         """Switch the feedback of the end's speed and acceleration; the frames decide."""
         context = self._context

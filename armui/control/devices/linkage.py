@@ -70,7 +70,9 @@ class LinkageControl(ControllerPart):
         self._was_known = True
         self._started: Started | None = None
 
-    @operation("linkage.set", "Set role and identifiers", why_not_link, consent=Consent.PRESS)
+    @operation(
+        "linkage.set", "Set linkage role and ID offsets", why_not_link, consent=Consent.PRESS
+    )
     def set(
         self,
         role: LinkageRole,

@@ -58,7 +58,7 @@ class MountingControl:
         self._context = context
         self._speed_percent = speed_percent
 
-    @operation("mounting.tell", "Tell how the arm is mounted", why_not_mount)
+    @operation("mounting.tell", "Set the mounting", why_not_mount)
     def tell(self, mounting: Mounting) -> Refusal | None:
         """Tell it now: ``None``, or why nothing was sent. Whether it took it nobody can ask."""
         context = self._context

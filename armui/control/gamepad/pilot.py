@@ -29,13 +29,13 @@ if TYPE_CHECKING:
 
 GAMEPAD_UNATTENDED = Reason(
     "gamepad_unattended",
-    "The dead-man button was held for {seconds} s without a movement of the device. Press anew.",
+    "The dead-man button was held for {seconds} s without a movement of the device. Press again.",
 )
 GAMEPAD_LOST = Reason("gamepad_lost", "{name} is gone. Plug it in again or switch it on.")
 GAMEPAD_NOT_IN_FRONT = Reason(
     "gamepad_not_in_front",
     "The main window, or a page taken out of it, is not in front, or a menu is open. Click "
-    "into one of them, then press anew.",
+    "into one of them, then press again.",
 )
 
 

@@ -17,11 +17,9 @@ if TYPE_CHECKING:
     from armui.kinematics.arm_kinematics import Kinematics
     from armui.kinematics.poses import Matrix
 
-JOG_AT_LIMIT = Reason(
-    "jog_at_limit", "Joint {joint} is at its limit of {limit}°. Jog the other way."
-)
+JOG_AT_LIMIT = Reason("jog_at_limit", "J{joint} is at its limit of {limit}°. Jog the other way.")
 JOG_OUT_OF_REACH = Reason(
-    "jog_out_of_reach", "The arm reaches no further this way. Jog in another direction."
+    "jog_out_of_reach", "The arm can reach no further this way. Jog in another direction."
 )
 
 

@@ -45,7 +45,7 @@ JOG_NO_FEEDBACK = Reason(
     "The joint angles are no longer heard from the arm. Check its power and the CAN cable.",
 )
 GAMEPAD_SILENT = Reason(
-    "gamepad_silent", "Nothing more is heard of {name}. Let go of its buttons and press anew."
+    "gamepad_silent", "No more data from {name}. Release all its buttons and press again."
 )
 
 

@@ -77,7 +77,7 @@ class Motion(ControllerPart):
         command = self._context.authority.command
         return None if command is None else command.joints_deg
 
-    @operation("motion.set_speed", "Set the speed of motions", why_no_speed)
+    @operation("motion.set_speed", "Set the motion speed", why_no_speed)
     def set_speed_percent(self, percent: float) -> Refusal | None:
         """Set the speed of motions, 0–100 % of the arm's maximum (0x151 byte 2).
 

@@ -22,7 +22,7 @@ ARC_START_UNKNOWN = Reason(
 )
 GRIPPER_OTHER_GENERATION = Reason(
     "gripper_other_generation",
-    "Row {row}: this arm's protocol moves the gripper by other figures (generation 1 by an "
+    "Row {row}: this arm's protocol moves the gripper by other values (generation 1 by an "
     "angle, generation 2 by an opening). Change the gripper's action.",
 )
 

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 ENDED_BY_STOP = Reason(
     "ended_by_stop",
-    "The stop came first; it is not sent again. Look at what the arm shows, then repeat it.",
+    "The stop came first; this is not sent again. Check the state of the arm, then repeat it.",
 )
 ARM_CHANGED = Reason(
     "arm_changed",

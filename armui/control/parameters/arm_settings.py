@@ -197,7 +197,7 @@ class ArmSettings(QObject, ControllerPart):
 
     @operation(
         "settings.reset_end_limits",
-        "Limits of the end as they left the factory",
+        "Restore the factory limits of the end",
         why_no_settings,
         consent=Consent.PRESS,
     )
@@ -208,7 +208,7 @@ class ArmSettings(QObject, ControllerPart):
 
     @operation(
         "settings.reset_joint_limits",
-        "Limits of the joints as they left the factory",
+        "Restore the factory limits of the joints",
         why_no_settings,
         consent=Consent.PRESS,
     )

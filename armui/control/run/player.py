@@ -37,7 +37,7 @@ from armui.control.safety.interlocks import ENABLED_UNKNOWN, JOINTS_UNKNOWN
 OVERRIDE_ZERO = Reason(
     "override_zero", "The speed override is 0 %: raise it, then hold “Continue” for 1 s."
 )
-NOT_PAUSED = Reason("not_paused", "No trajectory is paused: nothing to go on with.")
+NOT_PAUSED = Reason("not_paused", "No trajectory is paused: nothing to continue.")
 NOT_RUNNING = Reason("not_running", "No trajectory is running: nothing to pause.")
 RUN_TOO_SLOW = Reason(
     "run_too_slow",
@@ -141,7 +141,7 @@ class Player(Execution):
         self._publish()
         return None
 
-    @operation("run.go_on", "Go on with the run", why_not_go_on, moves=True, consent=Consent.HELD)
+    @operation("run.go_on", "Continue the run", why_not_go_on, moves=True, consent=Consent.HELD)
     def go_on(self) -> Refusal | None:
         """End a pause (0x150 byte 1 = 2), or take the next step."""
         waits = self._phase is RunPhase.WAITING

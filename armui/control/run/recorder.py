@@ -63,7 +63,7 @@ class Recorder(QObject, ControllerPart):
         """From the first sample to the last."""
         return 0.0 if self._samples is None else self._samples.duration_s
 
-    @operation("recorder.start", "Record where the arm goes", why_not_record)
+    @operation("recorder.start", "Record the arm's motion", why_not_record)
     def start(self) -> Refusal | None:
         """Begin anew: ``None``, or why not."""
         refusal = why_not_record(self._context.refresh())

@@ -122,7 +122,7 @@ class Replayer(Execution):
         self._publish()
 
     @operation(
-        "replay.go_on", "Go on with the replay", why_not_go_on, moves=True, consent=Consent.HELD
+        "replay.go_on", "Continue the replay", why_not_go_on, moves=True, consent=Consent.HELD
     )
     def go_on(self) -> Refusal | None:
         """End a pause."""

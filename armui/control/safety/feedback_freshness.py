@@ -10,7 +10,7 @@ from armui.protocol.codes import ArmStatusCode, ControlMode
 
 FEEDBACK_SILENT = Reason(
     "feedback_silent",
-    "{frames} of the arm has not been heard for {seconds} s: nobody knows where it is. Check "
+    "{frames} of the arm has not been heard for {seconds} s: its position is unknown. Check "
     "its power and the CAN cable; nothing is sent until it is heard again.",
 )
 

@@ -22,15 +22,15 @@ from armui.telemetry.bus_senders import VERSION_ID, speaks_for_arm
 
 FRAME_ID_BAD = Reason(
     "frame_id_bad",
-    "Identifier: “{value}” is no hexadecimal number. Enter 000 to 7FF, for example 151.",
+    "Identifier: “{value}” is not a hexadecimal number. Enter 000 to 7FF, for example 151.",
 )
 FRAME_ID_TOO_HIGH = Reason(
     "frame_id_too_high",
-    "Identifier: {value} has more than 11 bits, and the arm knows none of those. Enter 000 to 7FF.",
+    "Identifier: {value} has more than 11 bits; the arm uses none of those. Enter 000 to 7FF.",
 )
 FRAME_DATA_BAD = Reason(
     "frame_data_bad",
-    "Data: “{value}” are no whole bytes. Enter two hexadecimal figures for each byte, for "
+    "Data: “{value}” is not whole bytes. Enter two hexadecimal figures for each byte, for "
     "example 01 0A FF.",
 )
 FRAME_DATA_LONG = Reason(
@@ -38,8 +38,8 @@ FRAME_DATA_LONG = Reason(
 )
 FRAME_IS_THE_ARMS = Reason(
     "frame_is_the_arms",
-    "{frame} is what an arm itself says: two senders of one identifier disturb the bus, and "
-    "others would take it for the arm's word. Choose an identifier that hosts send.",
+    "{frame} is sent by the arm itself: two senders of one identifier disturb the bus, and "
+    "others would take it for the arm's feedback. Choose an identifier that hosts send.",
 )
 FRAME_OF_UPGRADE = Reason(
     "frame_of_upgrade",

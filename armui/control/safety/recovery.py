@@ -43,7 +43,7 @@ if TYPE_CHECKING:
 
 STEP_GONE = Reason(
     "step_gone",
-    "The arm is in another state by now: nothing was sent. Look at the step that is shown now.",
+    "The arm's state has changed: nothing was sent. Look at the step that is shown now.",
 )
 
 

@@ -54,8 +54,9 @@ class Action(enum.Enum):
         "lead_by_hand",
         "Lead by hand…",
         "Lead the arm by hand",
-        "The arm will give way to the hand and starts a new recording; the one it holds is lost. "
-        "Hold the arm.\nLead it near its rest pose, then stop recording.",
+        "The arm will give way to the hand and starts a new recording; the one it holds is "
+        "lost. Hold the arm.\nWhen you are done, lead it back near its zero pose before you "
+        "stop the recording.",
     )
     """Drag teaching is entered again, so that the arm gives way to the hand."""
     STOP = ActionText("stop", "Emergency stop")
@@ -151,7 +152,7 @@ class StepKind(enum.Enum):
     LISTEN_ONLY = StepText("listen_only", "Only listening: nothing is sent but the emergency stop.")
     WORKING = StepText("working", "Waiting for the arm: {what}.")
     STOPPED = StepText(
-        "stopped", "Stopped. Support the arm: power will be cut and the arm drops. Then resume."
+        "stopped", "Emergency stop. Support the arm: resuming cuts the power and it drops."
     )
     HANDSHAKE = StepText("handshake", "The arm is being asked for its protocol.")
     STATUS_UNKNOWN = StepText(
@@ -162,7 +163,7 @@ class StepKind(enum.Enum):
         "communication",
         "No communication with joint {joints}. Check its cable; if the message stays, reset the "
         "arm.",
-        "The arm has lost a joint. Check the cables; if the message stays, reset the arm.",
+        "A joint no longer communicates. Check the cables; if the message stays, reset the arm.",
     )
     COLLISION = StepText(
         "collision",
@@ -178,7 +179,7 @@ class StepKind(enum.Enum):
         "Overcurrent, joint {joints}: its motor may be off. Hold the arm, take the load away, "
         "clear the error.",
     )
-    STALL = StepText("stall", "Joint {joints} is held fast. Free it, then clear the error.")
+    STALL = StepText("stall", "Joint {joints} has stalled. Free it, then clear the error.")
     SENSOR = StepText(
         "sensor",
         "Sensor fault, joint {joints}. Clear the error; if it comes back, check the joint's "
@@ -219,7 +220,7 @@ class StepKind(enum.Enum):
     REPLAYING = StepText("replaying", "The arm replays what it was taught. Keep clear.")
     REPLAY_PAUSED = StepText(
         "replay_paused",
-        "The replay is paused. Hold “Continue” for 1 s under Teaching, or terminate it.",
+        "The replay is paused. Hold “Continue” for 1 s under Drag teaching, or terminate it.",
     )
     OTHER_CONTROL = StepText(
         "other_control", "The arm takes its commands from elsewhere: {mode}. Take the command."
@@ -289,7 +290,7 @@ class StepKind(enum.Enum):
     )
     NO_SOLUTION = StepText(
         "no_solution",
-        "No way to the last target was found. The arm stands still; send another target.",
+        "The last target has no solution. The arm stands still; send another target.",
     )
     SINGULARITY = StepText(
         "singularity",

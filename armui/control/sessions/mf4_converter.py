@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from concurrent.futures import Executor, Future
 
 SESSION_MF4_CALLED_OFF = Reason(
-    "session_mf4_called_off", "You called it off. The recording itself is whole, as .blf."
+    "session_mf4_called_off", "Cancelled. The recording itself is complete, as .blf."
 )
 SESSION_NAME_TAKEN = Reason(
     "session_name_taken",

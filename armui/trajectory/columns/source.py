@@ -17,7 +17,7 @@ from armui.trajectory.files.errors import TrajectoryFileError, broken
 from armui.trajectory.files.log_file import FILE_KIND_UNKNOWN
 
 FILE_NOT_ENCODING = Reason(
-    "file_not_encoding", "This is no text in {value}. Choose another encoding."
+    "file_not_encoding", "This is not text in {value}. Choose another encoding."
 )
 
 

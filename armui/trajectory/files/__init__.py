@@ -18,10 +18,10 @@ from armui.trajectory.files.text import decode
 from armui.trajectory.samples.recording import Recording
 
 FILE_TOO_LARGE = Reason(
-    "file_too_large", "The file has {value} MB; files up to {maximum} MB are read."
+    "file_too_large", "The file has {value} MB; at most {maximum} MB can be read."
 )
 FILE_UNREADABLE = Reason("file_unreadable", "The file cannot be read: {text}.")
-FILE_EMPTY = Reason("file_empty", "The file holds nothing.")
+FILE_EMPTY = Reason("file_empty", "The file is empty.")
 
 
 __all__ = [

@@ -17,7 +17,7 @@ FILE_VERSION = Reason(
     "program.",
 )
 HEADER_UNKNOWN = Reason(
-    "header_unknown", "“{value}” is no entry of the header; name, note and modified are."
+    "header_unknown", "“{value}” is not an entry of the header; use name, note or modified."
 )
 SPEED_OUT_OF_RANGE = Reason(
     "speed_out_of_range", "Speed {value} % is out of range. Enter a value from 0 to 100 %."

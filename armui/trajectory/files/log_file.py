@@ -37,7 +37,8 @@ from armui.trajectory.points.program import Trajectory, Waypoint, check_point
 from armui.trajectory.samples.recording import COLUMN_COUNT, GRIPPER, Array, Recording
 
 FILE_KIND_UNKNOWN = Reason(
-    "file_kind_unknown", "This is no trajectory file the program knows. Import it by columns."
+    "file_kind_unknown",
+    ("This is not a trajectory file that the program knows. Import it by columns."),
 )
 
 

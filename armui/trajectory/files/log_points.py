@@ -29,16 +29,16 @@ from armui.trajectory.points.program import (
 )
 
 LINE_UNKNOWN = Reason(
-    "line_unknown", "“{value}” is no kind of line. A line begins with J, P, L, C or #."
+    "line_unknown", "“{value}” is not a kind of line. A line begins with J, P, L, C or #."
 )
 OPTION_UNKNOWN = Reason(
     "option_unknown",
-    "“{value}” is no option of a point; speed, dwell, gripper, light and note are.",
+    "“{value}” is not an option of a point; use speed, dwell, gripper, light or note.",
 )
-OPTION_TWICE = Reason("option_twice", "“{value}” is given twice. Leave one.")
+OPTION_TWICE = Reason("option_twice", "“{value}” is given twice. Keep one.")
 TEXT_UNCLOSED = Reason("text_unclosed", "The closing quotation mark is missing.")
 VALUES_COUNT = Reason("values_count", "{value} numbers where {expected} belong.")
-OPTION_BAD = Reason("option_bad", "“{value}” is no {field}. Write it as {example}.")
+OPTION_BAD = Reason("option_bad", "“{value}” is not a valid {field}. Write it as {example}.")
 
 
 LETTERS: Final = {

@@ -11,7 +11,9 @@ from armui.trajectory.files.errors import TrajectoryFileError, broken
 from armui.trajectory.points.program import Trajectory, Waypoint, check_point, check_trajectory
 from armui.trajectory.samples.recording import Recording, check_recording
 
-TIME_BAD = Reason("time_bad", "“{value}” is no date and time. Write it as 2026-01-31T12:00:00.")
+TIME_BAD = Reason(
+    "time_bad", ("“{value}” is not a date and time. Write it as 2026-01-31T12:00:00.")
+)
 
 
 Content = Trajectory | Recording

@@ -13,7 +13,7 @@ from armui.trajectory.files.errors import broken
 from armui.trajectory.samples.recording import Array
 
 FILE_NOT_TEXT = Reason(
-    "file_not_text", "This is no text in UTF-8 or GBK. Save it as a text file in UTF-8."
+    "file_not_text", "This is not text in UTF-8 or GBK. Save it as a text file in UTF-8."
 )
 NUMBER_BAD = Reason("number_bad", "“{value}” is not a number.")
 

@@ -61,12 +61,12 @@ LIBRARY_NOT_DELETED = Reason(
 )
 DELETED_GONE = Reason(
     "deleted_gone",
-    "“{name}” is no longer among what was deleted. It has been brought back already, or its "
-    "time was up.",
+    "“{name}” is no longer among the deleted ones. It has been restored already, or its time "
+    "was up.",
 )
 LIBRARY_NOT_RESTORED = Reason(
     "library_not_restored",
-    "Not brought back: {name}: {text}. Check the rights to the library's folder.",
+    "Not restored: {name}: {text}. Check the rights to the library's folder.",
 )
 LIBRARY_DAMAGED = Reason(
     "library_damaged",

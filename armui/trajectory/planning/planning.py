@@ -50,7 +50,7 @@ NEVER_REPEATS = FindingKind(
 )
 ARC_NO_CIRCLE = FindingKind(
     "arc_no_circle",
-    "The point before, the middle and the end lie on a line or upon one another: that is no arc. "
+    "The point before, the middle and the end lie on one line or coincide: that is no arc. "
     "Move the middle aside, or use MOVE L.",
     Severity.ERROR,
 )

@@ -25,7 +25,8 @@ POINT_OUT_OF_RANGE = Reason(
     "{maximum}{unit}.",
 )
 POINT_MOVE_UNKNOWN = Reason(
-    "point_move_unknown", "“{value}” is no kind of motion. MOVE J, MOVE P, MOVE L and MOVE C are."
+    "point_move_unknown",
+    ("“{value}” is not a kind of motion. Use MOVE J, MOVE P, MOVE L or MOVE C."),
 )
 POINT_INCOMPLETE = Reason(
     "point_incomplete", "{field}: {value} values; six belong there, and a middle only to MOVE C."

@@ -62,7 +62,7 @@ _ONE_PRESS: Final = (
     ("view.iso", "Ctrl+4", Text("ViewBar", "Oblique view")),
     ("view.fit", "Ctrl+9", Text("ViewBar", "Fit")),
     ("view.follow", "Ctrl+5", Text("ViewBar", "Follow the tool")),
-    ("view.orthographic", "Ctrl+6", Text("ViewBar", "Without perspective")),
+    ("view.orthographic", "Ctrl+6", Text("ViewBar", "Parallel projection")),
     ("view.tool_frame", "Ctrl+7", Text("ViewBar", "Tool frame")),
     ("view.reach", "Ctrl+8", Text("ViewBar", "Workspace")),
     ("view.save", "Ctrl+Alt+S", Text("ViewBar", "Save picture…")),
@@ -87,7 +87,7 @@ _ONE_PRESS: Final = (
     ("editor.insert_before", "Ctrl+Shift+Return", Text("EditorAction", "Insert before")),
     ("editor.insert_after", "Ctrl+Return", Text("EditorAction", "Insert after")),
     ("editor.insert_measured", "Ctrl+I", Text("EditorAction", "Insert current pose")),
-    ("editor.replace_by_measured", "Ctrl+R", Text("EditorAction", "Replace by current pose")),
+    ("editor.replace_by_measured", "Ctrl+R", Text("EditorAction", "Replace with current pose")),
     ("editor.duplicate", "Ctrl+D", Text("EditorAction", "Duplicate")),
     ("editor.delete", "Del", Text("EditorAction", "Delete")),
     ("editor.cut", "Ctrl+X", Text("EditorAction", "Cut")),
@@ -105,7 +105,7 @@ _ONE_PRESS: Final = (
     ("editor.check", "Ctrl+E", Text("EditorAction", "Check")),
     ("editor.send", "F5", Text("RunBar", "Send")),
     ("plots.undo", "Ctrl+Z", Text("PlotBar", "Undo zoom")),
-    ("bus.pause", "Ctrl+P", Text("Shortcut", "Pause, go on")),
+    ("bus.pause", "Ctrl+P", Text("Shortcut", "Pause, continue")),
     ("bus.copy", "Ctrl+C", Text("Shortcut", "Copy the chosen rows")),
     ("events.copy", "Ctrl+C", Text("Shortcut", "Copy the chosen rows")),
     ("replay.play", "Space", Text("Shortcut", "Play, pause")),
@@ -133,7 +133,9 @@ _TOLD: Final = (
      Text("Shortcut", "With Space held: X, Y, Z of the tool")),
     ("jogging.rotation", "Q…E, A…D", Text("Shortcut", "With Space held: RX, RY, RZ of the tool")),
     ("library.edit", "Enter", Text("Shortcut", "Edit the points of the chosen trajectory")),
-    ("replay.move", "← →, Home, End", Text("Shortcut", "On the time line: through the recording")),
+    ("replay.move", "← →, Home, End", Text("Shortcut", (
+        "On the timeline: through the recording"
+    ))),
 )
 # fmt: on
 

@@ -255,7 +255,9 @@ class CommandPalette(ArmDialog):
     def _show_reason(self, item: PaletteItem | None) -> None:
         """Say why what is wanted cannot be done, or that nothing was found."""
         if item is None:
-            text = self.tr("Nothing is called so. Chinese, English, pinyin and initials are found.")
+            text = self.tr(
+                "No command has that name. Search in Chinese, English, pinyin or initials."
+            )
             self._message.show_message(text)
         else:
             self._message.show_message(item.reason, Level.WARNING)

@@ -124,7 +124,7 @@ class PaletteItems:
 
 def nothing_to_do() -> str:
     """Return why a button that is not there cannot be pressed."""
-    return QCoreApplication.translate("Action", "There is nothing for it to do now.")
+    return QCoreApplication.translate("Action", "There is nothing to do here right now.")
 
 
 def _why_off(target: Target | None) -> str:

@@ -57,7 +57,7 @@ _LABELS: Final = Texts("AboutArm") | {
     "feedback": "Identifiers of the feedback",
     "commands": "Identifiers of the commands",
     "rate": "Frames received",
-    "online": "Heard without a break for",
+    "online": "Online without interruption for",
     "running": "Running time of the arm",
     "joint": "Joint {joint}",
     "end": "End",
@@ -129,7 +129,7 @@ def about_rows(
         frames_per_s: Received; ``None``: not measured yet.
     """
     online = now.link is LinkState.ONLINE
-    untold = translate("AboutArm", "unknown: the arm does not tell it")
+    untold = translate("AboutArm", "unknown: the arm does not report it")
     system = f"{platform.system()} {platform.release()}, Python {platform.python_version()}"
     values = {
         "model": _model(now),
@@ -163,7 +163,7 @@ def _model(now: OperatingState) -> str:
         return translate("AboutArm", "none connected")
     fit, name = now.model_fit, model_data(now.model).name
     if now.link is not LinkState.ONLINE or fit.fitting is None:
-        text = translate("AboutArm", "{model}, as chosen; not compared yet")
+        text = translate("AboutArm", "{model}, as chosen; not checked yet")
     elif fit.confirmed:
         text = translate("AboutArm", "{model}, confirmed by the pose it reports")
     elif fit.wrong is None:
@@ -174,7 +174,7 @@ def _model(now: OperatingState) -> str:
     else:
         text = translate("AboutArm", "{model}, as chosen; its pose fits none of the models")
     if fit.older_zeros:
-        text += translate("AboutArm", "; joints 2 and 3 count from the zeros before S-V1.6-3")
+        text += translate("AboutArm", "; joints 2 and 3 use the zeros from before S-V1.6-3")
     return text.format(model=name)
 
 
@@ -199,7 +199,7 @@ def _node(state: ArmState, now: OperatingState) -> str:
 
 def _untold(now: OperatingState) -> str:
     if now.generation is Generation.ONE:
-        return translate("AboutArm", "unknown: generation 1 does not tell it")
+        return translate("AboutArm", "unknown: generation 1 does not report it")
     return _unknown()
 
 
@@ -220,13 +220,13 @@ def _serial(device: Device | None, links: Sequence[LinkFacts]) -> str:
     link = _link(device, links)
     serial = (device.serial if device is not None else None) or (link.serial if link else None)
     if device is not None and device.simulated:
-        return translate("AboutArm", "none: it is simulated")
+        return translate("AboutArm", "none: simulated arm")
     return serial or _unknown()
 
 
 def _bitrate(device: Device | None, links: Sequence[LinkFacts]) -> str:
     if device is not None and (device.simulated or device.interface in _NO_BITRATE):
-        return translate("AboutArm", "none: it is no CAN bus")
+        return translate("AboutArm", "none: not a CAN bus")
     link = _link(device, links)
     if link is not None and link.bitrate is not None:
         return translate("AboutArm", "{bitrate} bit/s, set by the operating system").format(
@@ -268,7 +268,7 @@ def _range(ids: tuple[int, int], offset: int) -> str:
 def _rate(frames_per_s: float | None, *, online: bool) -> str:
     if frames_per_s is None or not online:
         return _unknown()
-    return translate("AboutArm", "{rate} a second").format(rate=f"{frames_per_s:.0f}")
+    return translate("AboutArm", "{rate} per second").format(rate=f"{frames_per_s:.0f}")
 
 
 def _duration(seconds: float | None) -> str:

@@ -157,7 +157,7 @@ class AdapterLine(Translated, QWidget):
         if self._change is not None:
             self._change.end()
             self._change = None
-            self._say(self.tr("Given up. What had begun is brought to its end by the system."))
+            self._say(self.tr("Cancelled. The system finishes what had begun."))
         self._end_listening()
         self._number += 1
         self.cancel_button.hide()
@@ -191,7 +191,7 @@ class AdapterLine(Translated, QWidget):
         if refusal is not None:
             self._say(words.refusal(refusal), Level.WARNING)
         else:
-            said = self.tr("The adapter is another one than was shown: nothing was written.")
+            said = self.tr("The adapter is not the one that was shown: nothing was written.")
             self._say(said, Level.WARNING)
 
     def _on_done(self, done: Done) -> None:
@@ -199,10 +199,10 @@ class AdapterLine(Translated, QWidget):
         if verb in {"up", "reset"}:
             self._listen(subject)
         elif done.told.get("not_told"):
-            said = self.tr("Done; it holds from the next start of this computer.")
+            said = self.tr("Done; it takes effect at the next start of this computer.")
             self._say(said, Level.DONE)
         else:
-            said = self.tr("Done; it holds as soon as the adapter is plugged in again.")
+            said = self.tr("Done; it takes effect when the adapter is plugged in again.")
             self._say(said, Level.DONE)
         self.changed.emit()
 
@@ -328,10 +328,10 @@ class KeepDialog(ArmDialog):
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
         keeps = self._remedy[0] == "remember"
-        self.set_title(self.tr("Keep at every start") if keeps else self.tr("Keep no longer"))
+        self.set_title(self.tr("Keep at every start") if keeps else self.tr("Forget"))
         self._name_label.setText(self.tr("Name of the adapter"))
         self.files.setAccessibleName(self.tr("Files of the system"))
-        self.agree_button.setText(self.tr("Write these files") if keeps else self.tr("Take away"))
+        self.agree_button.setText(self.tr("Write these files") if keeps else self.tr("Remove"))
         self._note.setText(
             self.tr(
                 "The system asks for the administrator's password. The name holds for this adapter "
@@ -388,7 +388,7 @@ class KeepDialog(ArmDialog):
         return "\n".join(parts)
 
     def _refresh(self) -> None:
-        nothing = "" if self._planned else self.tr("First the files are looked at.")
+        nothing = "" if self._planned else self.tr("The files are being read.")
         enable_or_explain(self.agree_button, nothing)
 
     def _on_agree(self) -> None:

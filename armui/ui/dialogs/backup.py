@@ -104,7 +104,8 @@ def difference_text(
         text = QCoreApplication.translate(
             "BackupDialog",
             "The file is from an arm of protocol generation {filed}, this one speaks "
-            "generation {here}. What both have can be restored; the steps of the values differ.",
+            "generation {here}. Parameters that both have can be restored; their resolution "
+            "differs.",
         )
         return text.format(filed=backup.generation, here=int(generation))
     if firmware != backup.firmware:
@@ -142,7 +143,7 @@ def restored_text(count: int, failed: Sequence[Refusal | None]) -> Said:
     """
     if not failed:
         text = QCoreApplication.translate(
-            "BackupDialog", "Restored {count} parameters: read back from the arm, and the same."
+            "BackupDialog", ("Restored {count} parameters; reading them back gave the same values.")
         )
         return text.format(count=count), Level.DONE
     text = QCoreApplication.translate(
@@ -379,8 +380,8 @@ class BackupDialog(ArmDialog):
         self.set_title(self.tr("Parameter backup"))
         self.table.setAccessibleName(self.tr("Parameters in the file and in the arm"))
         self.only_differences.setText(self.tr("Only differences"))
-        self.all_button.setText(self.tr("Choose all"))
-        self.none_button.setText(self.tr("Choose none"))
+        self.all_button.setText(self.tr("Select all"))
+        self.none_button.setText(self.tr("Select none"))
         self.save_button.setText(self.tr("Save to a file…"))
         self.open_button.setText(self.tr("Open a file…"))
         self.restore_button.setText(self.tr("Restore"))
@@ -485,8 +486,8 @@ class BackupDialog(ArmDialog):
     def _on_restore(self) -> None:
         chosen = self._model.chosen
         text = self.tr(
-            "{count} parameters of the arm are set to what the file says, limits and collision "
-            "levels among them if they are chosen. Each is read back and compared."
+            "{count} parameters of the arm will be set to the values in the file, limits and "
+            "collision levels included if they are ticked. Each is read back and compared."
         ).format(count=len(chosen))
         beyond = self._beyond(chosen)
         if beyond:
@@ -601,7 +602,7 @@ class BackupDialog(ArmDialog):
         busy = words.refusal(BUSY(what="settings"))
         wait = busy if self._settings.busy or reading else ""
         no_file = "" if self._backup is not None else self.tr("Open a file first.")
-        nothing = "" if self._model.chosen else self.tr("Choose what differs in the table first.")
+        nothing = "" if self._model.chosen else self.tr("Tick what differs in the table first.")
         for button, reason in (
             (self.read_button, no_way or ("" if reading else wait)),
             (self.save_button, no_way or wait),

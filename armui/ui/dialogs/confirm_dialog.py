@@ -20,7 +20,7 @@ from armui.ui.widgets.layouts import STRETCH, fill, in_row
 from armui.ui.widgets.text_label import text_label
 
 ASKED_OTHERWISE = Reason(
-    "asked_otherwise", "What it was asked about is no more as it was: nothing was sent. Ask again."
+    "asked_otherwise", "What the question was about has changed: nothing was sent. Try again."
 )
 
 
@@ -251,9 +251,9 @@ class CloseQuestion(ConfirmDialog):
         self.set_title(self.tr("The arm is moving"))
         self.show_text(
             self.tr(
-                "If the motion is ended, the arm comes to rest where it is; its motors stay "
-                "enabled. If it is let finish, it goes on to its target, and this program cannot "
-                "stop it any more. Press the emergency stop if it must not move."
+                "If you end the motion, the arm comes to rest where it is; its motors stay "
+                "enabled. If you let it finish, it goes on to its target, and this program can "
+                "no longer stop it. Press the emergency stop if it must not move."
             )
         )
         self.action_button.setText(self.tr("End the motion and close"))

@@ -314,12 +314,12 @@ class ConnectDialog(ArmDialog):
         self.model_choice.line_up(self._bitrate_label, self._manual.interface_label)
         self.listen_only_box.setText(self.tr("Listen only"))
         self.listen_only_box.setToolTip(
-            self.tr("Beside another program: nothing is sent but the emergency stop.")
+            self.tr("For use beside another program: nothing but the emergency stop is sent.")
         )
         self.bitrate_box.setItemText(0, bitrate_text(_BITRATES[0]))
         generation_1 = self.tr("{bitrate} (generation 1)")
         self.bitrate_box.setItemText(1, generation_1.format(bitrate=bitrate_text(_BITRATES[1])))
-        self._manual_label.setText(self.tr("The device is not in the list? Name it:"))
+        self._manual_label.setText(self.tr("The device is not in the list? Enter it:"))
         self._model.retranslate()
         self._refresh()
 

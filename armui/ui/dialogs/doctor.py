@@ -88,7 +88,7 @@ class DoctorDialog(ArmDialog):
 
     commands = (
         Command("doctor.copy", Text("DoctorDialog", "Copy report")),
-        Command("doctor.again", Text("DoctorDialog", "Examine again")),
+        Command("doctor.again", Text("DoctorDialog", "Run again")),
     )
     _told = Signal(object, object)
 
@@ -143,7 +143,7 @@ class DoctorDialog(ArmDialog):
         """Put every word into the operator's language."""
         self.set_title(self.tr("Diagnosis"))
         self.copy_button.setText(self.tr("Copy report"))
-        self.again_button.setText(self.tr("Examine again"))
+        self.again_button.setText(self.tr("Run again"))
         self._note.setText(
             self.tr("Only looked and listened: nothing was sent. In a terminal: armui doctor")
         )
@@ -218,7 +218,7 @@ class DoctorDialog(ArmDialog):
     def _refresh(self) -> None:
         waiting = self._under_way is not None
         self._progress.setVisible(waiting)
-        reason = self.tr("The examination is under way.") if waiting else ""
+        reason = self.tr("The diagnosis is running.") if waiting else ""
         enable_or_explain(self.again_button, reason)
         nothing = reason or ("" if self._findings() else self.tr("There is no report yet."))
         enable_or_explain(self.copy_button, nothing)
@@ -232,7 +232,7 @@ class DoctorDialog(ArmDialog):
             )
             return
         if isinstance(self._answer, str):
-            text = self.tr("The examination failed: {text}").format(text=self._answer)
+            text = self.tr("The diagnosis failed: {text}").format(text=self._answer)
             self._message.show_message(text, Level.FAULT)
             return
         levels = [each.severity for each in self._findings()]

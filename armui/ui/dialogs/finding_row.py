@@ -48,7 +48,7 @@ def remedy_label(remedy: Remedy) -> str:
     if verb == "reset":
         return QCoreApplication.translate("FindingRow", "Bring back to the bus")
     if verb == "forget":
-        return QCoreApplication.translate("FindingRow", "Keep no longer…")
+        return QCoreApplication.translate("FindingRow", "Forget…")
     if not rest:
         return QCoreApplication.translate("FindingRow", "Let me open it…")
     said = QCoreApplication.translate("FindingRow", "Name and always at start: {channel}…")

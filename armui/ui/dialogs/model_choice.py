@@ -262,7 +262,9 @@ class ModelChoice(Translated, QWidget):
         if wrong:
             color, ratio = colors_of(self).warn, self.devicePixelRatioF()
             self._icon.setPixmap(icons.pixmap("warning", color, _ICON_PX, ratio))
-        self.hint.setText(text or self.tr("No frame names the model: it is compared afterwards."))
+        self.hint.setText(
+            text or self.tr("No frame names the model: it is checked after connecting.")
+        )
 
     def _of_connected(self, now: OperatingState) -> str:
         fit = now.model_fit
@@ -278,10 +280,10 @@ class ModelChoice(Translated, QWidget):
             return self.tr("Fits the pose the arm reports; so do others. Move a joint to decide.")
         if fit.before is not None:
             return self.tr(
-                "This very arm was a {before} the last time: choose that and press Connect, or "
-                "wait until the arm stands still and is compared."
+                "Last time this arm was a {before}: choose that and press Connect, or wait "
+                "until the arm stands still and is checked."
             ).format(before=model_data(fit.before).name)
-        return self.tr("Not compared yet: the arm must stand still.")
+        return self.tr("Not checked yet: the arm must stand still.")
 
     def line_up(self, *labels: QLabel) -> None:
         """Let the labels of the rows below take as much room as the one here."""

@@ -177,13 +177,15 @@ class SettingsDialog(ArmDialog):
         self._urdf_label.setText(self.tr("Robot description (URDF)"))
         text = self.tr("Stop again if another host undoes an emergency stop")
         tip = self.tr(
-            "Such a stop is always told as a fault. With this, it is also sent again by itself."
+            "This is always reported as a fault. With this setting the stop is also sent again "
+            "by itself."
         )
         caption(self.stop_again_box, text, tip=tip)
         text = self.tr("Jogs end at a lowest height of the fingertip")
         tip = self.tr(
-            "Over the plane the arm stands on: 0 mm is the plane, negative is below it. Single "
-            "steps, buttons, keys and gamepad keep to it; an arm that is lower may only go up."
+            "Above the plane the arm stands on: 0 mm is the plane, negative is below it. "
+            "Single steps, buttons, keys and gamepad keep to it; an arm that is lower may only "
+            "go up."
         )
         caption(self.jog_floor_box, text, tip=tip)
         self.jog_floor_spin.setAccessibleName(text)

@@ -138,7 +138,7 @@ class ButtonRows(Translated, QWidget):
             for place, button in enumerate(self._choices(action)):
                 text = gamepad_button(self._kind, button) if button else self.tr("No button")
                 box.setItemText(place, text)
-        tip = self.tr("The buttons as they are at first")
+        tip = self.tr("The buttons as delivered")
         caption(self._first, self.tr("Restore"), tip=tip)
         self.show_down(frozenset())
 
@@ -256,7 +256,9 @@ class AxisRows(Translated, QWidget):
             self._bars[place].setAccessibleName(gamepad_source(source))
         self._trigger_label.setText(gamepad_axis(SPEED_AXIS))
         self._trigger.setAccessibleName(gamepad_axis(SPEED_AXIS))
-        self._share.setToolTip(self.tr("Of the speed at the top; without the trigger a fifth"))
+        self._share.setToolTip(
+            self.tr("Share of the speed in the top bar; a fifth of it without the trigger")
+        )
 
 
 class GamepadDialog(ArmDialog):

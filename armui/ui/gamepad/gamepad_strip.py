@@ -156,7 +156,7 @@ class GamepadStrip(Translated, QWidget):
             HoldPhase.READY: self.tr("{device} · {mode} · dead man held, ready"),
             HoldPhase.MOVING: self.tr("{device} · {mode} · jogging {axes}"),
             HoldPhase.OFF_CENTRE: self.tr("{device} · {mode} · let every axis back to its centre"),
-            HoldPhase.SPENT: self.tr("{device} · let go of {button}, then press it anew"),
+            HoldPhase.SPENT: self.tr("{device} · let go of {button}, then press it again"),
         }[view.phase].format(**figures)
         return text if view.refusal is None else f"{text} · {words.refusal(view.refusal)}"
 

@@ -91,7 +91,7 @@ class MeasureChoice(QWidget):
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
-        self._label.setText(self.tr("Target as"))
+        self._label.setText(self.tr("Set by"))
         caption(self._opening, self.tr("Opening (mm)"), whose=self._label.text())
         caption(self._angle, self.tr("Angle (°)"), whose=self._label.text())
 
@@ -539,7 +539,7 @@ class GripperPanel(Panel):
         self._stroke_note.setText(
             self.tr("How far this gripper turns is not published: watch where it ends.")
             if self._generation is Generation.ONE or self._kind[1]
-            else self.tr("The stroke limit has not been read: up to 100 mm may be asked for.")
+            else self.tr("The stroke limit has not been read: up to 100 mm can be set.")
         )
 
     def retranslate_ui(self) -> None:

@@ -118,9 +118,9 @@ class LinkagePanel(Panel):
             )
         )
         rest = self.tr(
-            "Every arm on this bus obeys this setting: leave only the one meant connected. The arm "
-            "keeps it when switched off. It holds in standby, or after the arm was switched off "
-            "and on."
+            "Every arm on this bus obeys this setting: leave only the one meant connected. The "
+            "arm keeps it when switched off. It takes effect in standby, or after a power "
+            "cycle."
         )
         confirm(
             self.window(),
@@ -220,10 +220,7 @@ class LinkagePanel(Panel):
         caption(self._back, self.tr("Back to a motion output arm without offsets"))
         caption(self._confirm, self.tr("Confirm"), whose=self._title.text())
         self._note.setText(
-            self.tr(
-                "The arm cannot be asked for this setting: what counts is where its feedback is "
-                "heard."
-            )
+            self.tr("The arm cannot be asked for this setting: armui uses the IDs it hears.")
         )
         self._show_all()
 

@@ -92,7 +92,7 @@ class ActButtons(Translated, QWidget):
     def _tips(self) -> dict[MotorAct, str]:
         return {
             MotorAct.ENABLE: self.tr("Gives the motor power: it holds its position."),
-            MotorAct.DISABLE: self.tr("Takes the motor's power: the arm drops. Asks first."),
+            MotorAct.DISABLE: self.tr("Cuts the motor's power: the arm drops. Asks first."),
             MotorAct.ZERO: self.tr("Makes the present position the joint's zero. Asks first."),
             MotorAct.CLEAR: self.tr("Clears the error of the joint's driver; nothing moves."),
         }

@@ -76,7 +76,7 @@ class PictureExport(FileExport):
 
     def _taken(self) -> QImage | None:
         if not self._view.is_current:
-            text = self.tr("There is no picture of now to be taken: wait until it is drawn.")
+            text = self.tr("The present picture is not drawn yet. Wait a moment, then try again.")
             self.said.emit(text, Level.WARNING)
             return None
         return self._view.grab_picture()

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
 DRAG_GIVEN_UP = Reason(
     "drag_given_up",
-    "The drag was given up: the arm, or what was dragged, is another by now. Drag again.",
+    "The drag was cancelled: the arm, or what was dragged, has changed. Drag again.",
 )
 
 

@@ -31,7 +31,7 @@ _MARGIN_PX: Final = 4
 
 
 _TIPS: Final = Texts("ViewBar") | {
-    "front": "Looks at the arm from where it points to",
+    "front": "Looks at the arm from the front",
     "side": "Looks at the arm from its right side",
     "top": "Looks down on the arm",
     "iso": "Looks at the arm from the front right and above",
@@ -40,7 +40,9 @@ _TIPS: Final = Texts("ViewBar") | {
     "follow": "Keeps the tool centre point in the middle",
     "orthographic": "Parallel lines look parallel: lengths can be compared",
     "tool_frame": "Shows the axes of the tool centre point",
-    "reach": "Shows what the tool centre point can reach; orange bounds what it can't within",
+    "reach": (
+        "Shows where the tool centre point can reach; orange outlines what it cannot reach within"
+    ),
     "save": "Writes the picture with its figures to a file",
     "copy": "Puts the picture with its figures into the clipboard",
 }
@@ -62,10 +64,10 @@ _MENU: Final = (
 
 
 _TRAILS: Final = {
-    0: Text("Action", "Way of the tool: off"),
-    5: Text("Action", "Way of the tool: last 5 s of motion"),
-    15: Text("Action", "Way of the tool: last 15 s of motion"),
-    60: Text("Action", "Way of the tool: last 60 s of motion"),
+    0: Text("Action", "Tool trail: off"),
+    5: Text("Action", "Tool trail: last 5 s of motion"),
+    15: Text("Action", "Tool trail: last 15 s of motion"),
+    60: Text("Action", "Tool trail: last 60 s of motion"),
 }
 _HANDLE_TITLES: Final = {
     None: Text("ViewBar", "No handles"),
@@ -267,7 +269,9 @@ class ViewBar(Translated, QFrame):
     def _name_trail(self) -> None:
         """Say whose way the trail is: that of the point whose figures stand in the picture."""
         of_tool = any(self._preferences.settings.tool)
-        way = self.tr("Way of the tool centre point") if of_tool else self.tr("Way of the flange")
+        way = (
+            self.tr("Trail of the tool centre point") if of_tool else self.tr("Trail of the flange")
+        )
         self._trail_menu.setTitle(way)
 
     def _recolor(self) -> None:

@@ -102,7 +102,7 @@ class Drawer(Translated, QWidget):
         """Put every word into the operator's language."""
         for entry in self._entries:
             caption(self._tabs[entry.key], entry.title.text(), tip=entry.tip.text())
-        tip = self.tr("Takes this page out into a window of its own, for a second screen.")
+        tip = self.tr("Moves this page into its own window, for a second screen.")
         describe(self._take_out, self.tr("Own window"), tip)
         describe(self._fold, self.tr("Fold away"), self.tr("Folds the drawer away (Esc)"))
 

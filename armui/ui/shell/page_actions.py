@@ -189,11 +189,11 @@ class PageActions(QObject):
 
     def _why_no_take_out(self, key: str) -> str:
         if self._is_out(key):
-            return self.tr("It stands in a window of its own.")
+            return self.tr("It is in its own window.")
         return self._why_not(key)
 
     def _why_no_put_back(self, key: str) -> str:
-        return "" if self._is_out(key) else self.tr("It stands in no window of its own.")
+        return "" if self._is_out(key) else self.tr("It is not in its own window.")
 
     def _why_no_fold(self) -> str:
         return self.tr("The drawer is folded away.") if self._drawer.isHidden() else ""

@@ -83,7 +83,7 @@ class PageBar(Translated, QWidget):
         """Put every word into the operator's language."""
         self._describe_back()
         self._take_out.setText(self.tr("Own window"))
-        tip = self.tr("Takes this page out into a window of its own, for a second screen.")
+        tip = self.tr("Moves this page into its own window, for a second screen.")
         describe(self._take_out, self.tr("Own window"), tip)
 
     def _recolor(self) -> None:

@@ -168,7 +168,7 @@ class RecoveryLine(Translated, QWidget):
         text = words.step(step)
         if self._asks:
             text = self.tr(
-                "“{name}” has not begun: the check has something to say. Answer it on its page."
+                "“{name}” has not started: the check has warnings. Answer them on its page."
             ).format(name=self._asking)
         self._text.setText(text)
         self._text.setProperty("rank", "muted" if self._is_calm else None)

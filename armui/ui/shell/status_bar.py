@@ -171,7 +171,7 @@ class ModelMark(Translated, QToolButton):
         elif fit.before is not None:
             before = model_data(fit.before).name
             text = self.tr("{model}? It was a {before}").format(model=name, before=before)
-            tip = self.tr("This very arm was a {before} the last time. Click to choose.").format(
+            tip = self.tr("Last time this arm was a {before}. Click to choose.").format(
                 before=before
             )
         elif wrong:
@@ -180,9 +180,9 @@ class ModelMark(Translated, QToolButton):
         elif fit.confirmed:
             text, tip = name, self.tr("Model of the arm, confirmed by the pose it reports.")
         else:
-            text, tip = name, self.tr("Model of the arm, as chosen; not compared yet.")
+            text, tip = name, self.tr("Model of the arm, as chosen; not checked yet.")
         if fit.older_zeros:
-            tip += "\n" + self.tr("Joints 2 and 3 count from the zeros before S-V1.6-3.")
+            tip += "\n" + self.tr("Joints 2 and 3 use the zeros from before S-V1.6-3.")
         self.setText(text)
         self.setToolTip(tip)
         self.setAccessibleName(self.tr("Model of the arm: {text}").format(text=text))

@@ -104,7 +104,7 @@ class ViewRegion(Translated, QWidget):
         """Put the words into the operator's language."""
         for button, text, tip in (
             (self._help, self.tr("Help"), self.tr("How to use the 3D view")),
-            (self._reset, self.tr("Reset view"), self.tr("Shows the arm as at the beginning")),
+            (self._reset, self.tr("Reset view"), self.tr("Restores the initial view")),
             (self._settings, self.tr("Settings"), self.tr("Language, theme, jog step, 3D model")),
         ):
             shortcut = button.shortcut()

@@ -42,13 +42,12 @@ _PAGES: Final = ("plots", "events", "bus")
 _BUTTONS: Final = (
     ("plots", Text("WatchMenu", "Curves"),
      Text("WatchMenu",
-          "What was heard and commanded in the last half hour. The right button on any figure "
-          "shows it here."),
+          "Feedback and commands of the last half hour. Right-click any figure to show it here."),
      also("chart graph plot scope 图表 示波器")),
     ("events", Text("WatchMenu", "Events"),
      Text("WatchMenu",
-          "What happened: every command and what became of it, every change of the arm's status, "
-          "every fault with its beginning and its end."),
+          "What happened: every command and its result, every change of the arm's status, "
+          "every fault with its beginning and end."),
      also("log messages alarms 日志 报警 消息")),
     ("bus", Text("WatchMenu", "Bus"),
      Text("WatchMenu",

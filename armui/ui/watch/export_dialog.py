@@ -114,7 +114,7 @@ def problem_text(done: ExportDone, target: Path) -> str:
         ExportProblem.NOTHING_THEN: translate(
             "ExportDialog", "Nothing was heard in this time. No file was written."
         ),
-        ExportProblem.EXISTS: translate("ExportDialog", "{target} is there already."),
+        ExportProblem.EXISTS: translate("ExportDialog", "{target} exists already."),
         ExportProblem.SAME_FILE: translate(
             "ExportDialog", "The target is the log itself. Choose another name."
         ),
@@ -271,10 +271,10 @@ class ExportForm(Translated, QWidget):
         self.target_button.setAccessibleName(self.tr("Choose the target"))
         for place, each in enumerate(ExportFormat):
             self.formats.button(place).setText(self.tr(str(_FORMATS[each])))
-        names = (self.tr("As the log tells"), self.tr("Generation 1"), self.tr("Generation 2"))
+        names = (self.tr("As found in the log"), self.tr("Generation 1"), self.tr("Generation 2"))
         for place, name in enumerate(names):
             self.generations.button(place).setText(name)
-        self.model_box.setItemText(0, self.tr("As the recording tells"))
+        self.model_box.setItemText(0, self.tr("As in the recording"))
         self.model_box.setAccessibleName(self.tr("Model"))
         self.model_box.setToolTip(
             self.tr(
@@ -357,7 +357,7 @@ class ExportForm(Translated, QWidget):
             choose_folder(
                 self._controller,
                 self.window(),
-                title=self.tr("Choose where the folder of the export shall be"),
+                title=self.tr("Choose where to put the folder of the export"),
                 start=proposed.parent,
                 on_chosen=lambda folder: self.show_target(folder / proposed.name),
             )
@@ -519,7 +519,7 @@ class ExportDialog(ArmDialog):
         self._refresh()
 
     def _ask_to_replace(self, request: ExportRequest) -> None:
-        text = self.tr("{target} is there already. It will be replaced when the export is whole.")
+        text = self.tr("{target} exists already. It is replaced once the export is complete.")
         confirm(
             self,
             self._controller,

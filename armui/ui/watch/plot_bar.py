@@ -19,11 +19,11 @@ if TYPE_CHECKING:
     from armui.ui.watch.plot_board import PlotBoard
 
 _SETS: Final = Texts("PlotBar") | {
-    "follow": "Did it follow?",
-    "hot": "What got hot?",
-    "stop": "Why did it stop?",
-    "tool": "Where was the tool?",
-    "bus": "Is the bus well?",
+    "follow": "Target vs measured",
+    "hot": "Temperatures and currents",
+    "stop": "Why it stopped",
+    "tool": "Tool pose",
+    "bus": "Bus health",
 }
 SAVES: Final = Texts("PlotBar") | {
     "csv": "Values as CSV…",
@@ -84,7 +84,7 @@ class PlotBar(Translated, QWidget):
         frame, name = self._board.frame, self._board.plot_layout.name
         own = self.sets.findData("")
         if name is None and own < 0:
-            self.sets.addItem(self.tr("Own arrangement"), "")
+            self.sets.addItem(self.tr("Custom layout"), "")
         elif name is not None and own >= 0:
             self.sets.removeItem(own)
         self.sets.setCurrentIndex(self.sets.findData(name or ""))
@@ -111,20 +111,18 @@ class PlotBar(Translated, QWidget):
         self.sets.clear()
         for name in SETS:
             self.sets.addItem(_SETS.text(name), name)
-        self.sets.setToolTip(self.tr("Plots that answer a question"))
+        self.sets.setToolTip(self.tr("Sets of plots, ready made"))
         self.sets.setAccessibleName(self.sets.toolTip())
         self.spans.clear()
         for span_s in SPANS_S:
             self.spans.addItem(_span_text(span_s), span_s)
-        self.spans.setToolTip(self.tr("How long a time is shown; the mouse wheel changes it, too"))
+        self.spans.setToolTip(self.tr("The time span shown; the mouse wheel changes it, too"))
         self.spans.setAccessibleName(self.tr("Time shown"))
         self.undo.setText(self.tr("Undo zoom"))
-        self.undo.setToolTip(
-            self.tr("Drag a frame in a plot to zoom in. Back to what was shown before: Ctrl+Z")
-        )
+        self.undo.setToolTip(self.tr("Drag a box in a plot to zoom in. Back: Ctrl+Z"))
         self.cursors.setText(self.tr("Cursors"))
         self.cursors.setToolTip(
-            self.tr("Two upright lines to be dragged; the table below tells the values at them")
+            self.tr("Two vertical lines to drag; the table below shows the values there")
         )
         self.refresh()
 

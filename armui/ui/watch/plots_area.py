@@ -97,7 +97,7 @@ class PlotsArea(QWidget):
         if key is not None:
             menu.addAction(self.tr("Remove curve"), lambda: self.board.remove(place, key))
             menu.addAction(
-                self.tr("Into a plot of its own"), lambda: self.board.take([key], place, None)
+                self.tr("Move to its own plot"), lambda: self.board.take([key], place, None)
             )
             menu.addSeparator()
         menu.addAction(self.tr("Fit the height"), lambda: self.board.show_all_heights(place))
@@ -111,7 +111,7 @@ class PlotsArea(QWidget):
             text = self.tr("There are {count} plots already: remove one first.")
             count = MOST_PLOTS
         else:
-            text = self.tr("A plot takes {count} curves, so that they can be told apart.")
+            text = self.tr("A plot takes {count} curves at most, so that they can be told apart.")
             count = MOST_CURVES
         self.say(text.format(count=count), Level.WARNING)
 
@@ -236,7 +236,7 @@ class PlotPage(Page):
 
     def _on_kept(self, result: Refusal | None) -> None:
         if isinstance(result, Refusal):
-            text = self.tr("The arrangement of the plots could not be kept: {text}")
+            text = self.tr("The layout of the plots could not be saved: {text}")
             self._say(text.format_map(result.params), Level.WARNING)
 
     def hideEvent(self, event: QHideEvent) -> None:

@@ -34,12 +34,10 @@ _OBSERVED: Final[Texts[str]] = Texts("Observed") | {
     ObservedCode.LIMITS_UNUSABLE: "J{joint}: the limits stored in the arm cannot be true",
     ObservedCode.OTHER_FRAMES: "Another host sends {id}",
     ObservedCode.INVALID_FRAMES: "Frames not understood: {kind} (last {id})",
-    ObservedCode.FEWER_FRAMES: (
-        "The arm's status frames come more rarely: {share} % fewer than before"
-    ),
+    ObservedCode.FEWER_FRAMES: ("Fewer status frames from the arm: {share} % less than before"),
     ObservedCode.RUN_POINT: "Sent the point of row {row}",
-    ObservedCode.ARRIVED: "Target reached, says the arm",
-    ObservedCode.MOTION_CUT: "Not driven to its end: {end}",
+    ObservedCode.ARRIVED: "Target reached, as the arm reports",
+    ObservedCode.MOTION_CUT: "Did not reach its end: {end}",
     ObservedCode.ANSWERED: "Answered with 0x476 (setting {index})",
     ObservedCode.PROBLEM: "{reason}",
     ObservedCode.NOT_KEPT: (
@@ -57,7 +55,7 @@ OBSERVED_CODES: Final = frozenset(_OBSERVED)
 """What there is a sentence for."""
 
 _ENDS: Final = Texts("MotionEnd") | {
-    "short": "the arm stands before its target",
+    "short": "the arm stopped short of its target",
     End.REPLACED.name: "a newer command took its place",
     End.CANCELLED.name: "cancelled",
     End.STOPPED.name: "emergency stop",
@@ -65,11 +63,11 @@ _ENDS: Final = Texts("MotionEnd") | {
     End.OTHER_HOST.name: "another host moved the arm",
     End.TAUGHT.name: "drag teaching began",
     End.OTHER_MODE.name: "the arm left CAN control",
-    End.SILENT.name: "the arm fell silent",
+    End.SILENT.name: "no more feedback from the arm",
     End.LIMITS_CHANGED.name: "the joint limits changed",
     End.ZERO_CHANGED.name: "a zero was set",
-    End.MOVED_AWAY.name: "the arm stands elsewhere",
-    End.NOT_SENT.name: "its frames did not get out",
+    End.MOVED_AWAY.name: "the arm stopped elsewhere",
+    End.NOT_SENT.name: "its frames were not sent",
     End.FORGOTTEN.name: "disconnected",
 }
 _TARGETS: Final = Texts("Targets") | {

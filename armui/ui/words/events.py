@@ -122,7 +122,7 @@ _NOTICES: Final[Texts[str]] = Texts("Notice") | {
         "Joint {joint}: the arm did not confirm within a second the command to clear the error. "
         "Try again; if it stays silent, check the CAN cable."
     ),
-    EventCode.MOUNTING_SENT: "Mounting sent: {mounting}. The arm does not tell it back.",
+    EventCode.MOUNTING_SENT: "Mounting sent: {mounting}. The arm does not report it back.",
     EventCode.LOAD_SENT: "End load sent: {load}",
     EventCode.LOAD_ANSWERED: (
         "The arm has answered the end load: {load}. It cannot be asked for it."
@@ -134,8 +134,8 @@ _NOTICES: Final[Texts[str]] = Texts("Notice") | {
     EventCode.END_FEEDBACK_FAILED: "The feedback of the end's motion is not switched. {reason}",
     EventCode.LINKAGE_SENT: "Linkage setting sent",
     EventCode.LINKAGE_ANSWERED: (
-        "The arm has answered the linkage setting. It holds in standby, or after the arm was "
-        "switched off and on."
+        "The arm has acknowledged the linkage setting. It takes effect in standby, or after a "
+        "power cycle."
     ),
     EventCode.LINKAGE_ANSWERED_INPUT: (
         "The arm has answered: it becomes a teaching input. Its feedback ends and it can be led "
@@ -153,13 +153,14 @@ _NOTICES: Final[Texts[str]] = Texts("Notice") | {
     EventCode.GRIPPER_THERE: "The gripper is at {value} {unit}.",
     EventCode.GRIPPER_GRIPS: "The gripper holds something at {value} {unit}, with {torque} N·m.",
     EventCode.GRIPPER_NOT_THERE: (
-        "The gripper stands at {value} {unit} instead of {target} {unit}. Look for what blocks it, "
-        "for its errors and its power."
+        "The gripper stopped at {value} {unit} instead of {target} {unit}. Check what blocks "
+        "it, its errors and its power."
     ),
     EventCode.GRIPPER_ACT_SENT: "Gripper: {act} sent",
     EventCode.GRIPPER_ACT_DONE: "Gripper: {act} done, by its own feedback.",
     EventCode.GRIPPER_ACT_FAILED: (
-        "Gripper: {act} has no effect. Look at its errors, its power and its cable, then try again."
+        "Gripper: {act} has had no effect. Check its errors, its power and its cable, then try "
+        "again."
     ),
     EventCode.ZERO_SENT: "Zero setting sent to all six joints",
     EventCode.ZERO_SENT_JOINT: "Zero setting sent to joint {joint}",
@@ -167,20 +168,16 @@ _NOTICES: Final[Texts[str]] = Texts("Notice") | {
     EventCode.ZERO_SET_JOINT: "The arm has set the zero of joint {joint}; its angle now reads 0.",
     EventCode.ZERO_FAILED: "Zero setting failed. {reason}",
     EventCode.SETTINGS_SENT: "Settings sent to the arm: {count}",
-    EventCode.SETTINGS_SAVED: "Settings saved, read back from the arm and the same: {count}",
-    EventCode.SETTINGS_REFUSED: "{count} of {total} settings are not in the arm. {reason}",
-    EventCode.SETTINGS_RESET_SENT: "Asked the arm for its factory values",
-    EventCode.SETTINGS_RESET: (
-        "The arm has answered that its factory values are back; they are read again."
-    ),
-    EventCode.SETTINGS_RESET_FAILED: (
-        "The arm has not confirmed that its factory values are back. {reason}"
-    ),
+    EventCode.SETTINGS_SAVED: "Settings saved and read back unchanged: {count}",
+    EventCode.SETTINGS_REFUSED: "{count} of {total} settings did not take effect. {reason}",
+    EventCode.SETTINGS_RESET_SENT: "Restoring the factory values",
+    EventCode.SETTINGS_RESET: ("The arm has confirmed its factory values; they are read again."),
+    EventCode.SETTINGS_RESET_FAILED: ("The arm has not confirmed its factory values. {reason}"),
     EventCode.RUN_STARTED: "Running “{name}”",
     EventCode.RUN_PAUSED: "Run paused in row {row}: the arm holds",
-    EventCode.RUN_CONTINUED: "Run goes on in row {row}",
-    EventCode.RUN_DONE: "“{name}” has been run to its end.",
-    EventCode.RUN_ENDED: "Run ended in row {row}; the arm stands.",
+    EventCode.RUN_CONTINUED: "Run continues in row {row}",
+    EventCode.RUN_DONE: "“{name}” has finished.",
+    EventCode.RUN_ENDED: "Run ended in row {row}; the arm is at rest.",
     EventCode.RUN_FAILED: "Run ended in row {row}. {reason}",
     EventCode.TEACHING_SENT: "Sent: {command}",
     EventCode.TEACHING_DONE: "The arm has confirmed: {command}",
@@ -193,8 +190,8 @@ _NOTICES: Final[Texts[str]] = Texts("Notice") | {
     EventCode.MOTION_OUTPUT_SENT: "Sent: motion output (0xFC)",
     EventCode.STEP_IN_VAIN: "The arm did not react. Look at the step above the panel.",
     EventCode.REPLAY_PAUSED: "Replay paused: the arm holds",
-    EventCode.REPLAY_CONTINUED: "Replay goes on",
-    EventCode.REPLAY_ENDED: "Replay of “{name}” ended; the arm stands.",
+    EventCode.REPLAY_CONTINUED: "Replay continues",
+    EventCode.REPLAY_ENDED: "Replay of “{name}” ended; the arm is at rest.",
     EventCode.REPLAY_FAILED: "Replay ended. {reason}",
     EventCode.RECORDING_STARTED: "Recording the arm's motion",
     EventCode.RECORDING_ENDED: "Recorded: {count} samples over {seconds} s",
@@ -245,14 +242,14 @@ _NOTICES: Final[Texts[str]] = Texts("Notice") | {
         "close one of them."
     ),
     EventCode.NOBODY_MET: (
-        "Whether another armui runs on this computer cannot be found out: {path} cannot be used "
+        "armui cannot tell whether another copy runs on this computer: {path} cannot be used "
         "({text}). Do not start the program twice for one arm."
     ),
     EventCode.FILES_HANG: (
-        "A disk or network folder has taken more than 10 s over a file. Other files wait for it no "
-        "longer. If it does not end, look at the cable or network. (Under way: {count})"
+        "A disk or network folder has spent more than 10 s on one file. Other files no longer "
+        "wait for it. If it does not finish, check the cable or network. (Under way: {count})"
     ),
-    EventCode.SETTINGS_UNSAVED: "The change holds, but is not saved. {reason}",
+    EventCode.SETTINGS_UNSAVED: "The change is in effect, but not saved. {reason}",
     EventCode.REFUSED: "Not sent. {reason}",
     EventCode.QUESTION_WITHDRAWN: "“{question}” was withdrawn. {reason}",
     EventCode.MODEL_OTHER: (
@@ -263,11 +260,11 @@ _NOTICES: Final[Texts[str]] = Texts("Notice") | {
         "The pose the arm reports fits its angles in no model of the family, {chosen} included."
     ),
     EventCode.MODEL_RECALLED: (
-        "This arm (node {node}) was a {before} the last time: taken instead of {chosen}, which was "
-        "only offered."
+        "Last time this arm (node {node}) was a {before}: that is used instead of {chosen}, "
+        "which was only the default."
     ),
     EventCode.MODEL_WAS_OTHER: (
-        "Connected as a {chosen}, but this arm (node {node}) was a {before} the last time. If it "
+        "Connected as a {chosen}, but last time this arm (node {node}) was a {before}. If it "
         "is one, connect it as that."
     ),
 }

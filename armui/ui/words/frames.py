@@ -34,7 +34,7 @@ _SENDERS: Final = Texts("Sender") | {
 _ERRORS: Final = Texts("BusError") | {
     BusError.SEND_TIMEOUT: "a frame could not be sent in time",
     BusError.ARBITRATION_LOST: (
-        "arbitration lost: a frame of higher rank came first, which is normal"
+        "arbitration lost: a frame of higher priority went first, which is normal"
     ),
     BusError.CONTROLLER: "the adapter's CAN controller reports",
     BusError.RECEIVE_OVERFLOW: (
@@ -45,18 +45,18 @@ _ERRORS: Final = Texts("BusError") | {
     BusError.ERROR_PASSIVE: (
         "error passive: check CAN_H and CAN_L, both terminating resistors and the bit rate"
     ),
-    BusError.ERROR_ACTIVE: "the errors have become few again",
+    BusError.ERROR_ACTIVE: "there are few errors again",
     BusError.PROTOCOL: "disturbed frame: check the cable, its shield, and the bit rate",
     BusError.TRANSCEIVER: "transceiver: check CAN_H and CAN_L for a short or an open line",
     BusError.NO_ACKNOWLEDGE: (
         "nobody acknowledges: check the arm's power, the cable and the bit rate"
     ),
     BusError.BUS_OFF: (
-        "bus off: too many errors, the adapter takes no part. Check the cable, both terminating "
-        "resistors (120 Ω) and the bit rate, then connect again"
+        "bus off: too many errors, the adapter has left the bus. Check the cable, both "
+        "terminating resistors (120 Ω) and the bit rate, then connect again"
     ),
     BusError.BUS_ERROR: "error on the bus: check the cable",
-    BusError.RESTARTED: "the adapter takes part again",
+    BusError.RESTARTED: "the adapter has rejoined the bus",
 }
 _MESSAGES: Final = Texts("FrameName") | {
     "LightControl": "Lamp of a joint",
@@ -159,7 +159,7 @@ _SIGNALS: Final = Texts("SignalName") | {
     "MaxLinearAcceleration": "Highest linear acceleration",
     "MaxLinearSpeed": "Highest linear speed",
     "MaxSpeed": "Highest speed",
-    "Measure": "Told as",
+    "Measure": "Given as",
     "MinAngle": "Smallest angle",
     "MitMode": "Follow mode",
     "Mode": "Mode",
@@ -302,7 +302,7 @@ def frame_kind(arbitration_id: int, flags: int, codec: Codec | None) -> str:
     if flags & FrameFlag.FD:
         return QCoreApplication.translate("FrameKind", "CAN FD frame: the arm speaks classic CAN")
     if flags & FrameFlag.EXTENDED:
-        return QCoreApplication.translate("FrameKind", "29-bit identifier: the arm knows none")
+        return QCoreApplication.translate("FrameKind", "29-bit identifier: the arm uses none")
     if is_upgrade(arbitration_id):
         return QCoreApplication.translate("FrameKind", "Firmware upgrade: not documented")
     if codec is not None and codec.addressing.from_wire(arbitration_id) is None:
@@ -313,7 +313,7 @@ def frame_kind(arbitration_id: int, flags: int, codec: Codec | None) -> str:
 def bus_errors(errors: tuple[BusError, ...]) -> str:
     """What an error frame says, with what to do about it."""
     if not errors:
-        return QCoreApplication.translate("BusError", "the adapter tells no more")
+        return QCoreApplication.translate("BusError", "the adapter gives no further details")
     return "; ".join(_ERRORS.text(e) for e in errors)
 
 

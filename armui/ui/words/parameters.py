@@ -35,15 +35,15 @@ _STATUS: Final = Texts("Parameter") | {
     CellStatus.SAVING: "saving…",
     CellStatus.SAVED: "saved",
     CellStatus.NOT_SAVED: "not saved",
-    CellStatus.WRONG: "not possible",
+    CellStatus.WRONG: "invalid",
 }
 
 _EXPLAINED: Final = Texts("Parameter") | {
     CellStatus.NOT_READ: "Not read from the arm.",
     CellStatus.READING: "Being read from the arm.",
     CellStatus.CORRUPT: (
-        "What the arm holds here cannot be true: its memory is corrupt (0xFFFF). Enter a value and "
-        "save it."
+        "The value stored in the arm cannot be right: its memory is corrupt (0xFFFF). Enter a "
+        "value and save it."
     ),
     CellStatus.CHANGED: "Changed and not saved; the arm holds {held}.",
     CellStatus.SAVING: "Sent to the arm; its answer is awaited.",
@@ -94,7 +94,7 @@ def verdict_word(verdict: ComparisonVerdict) -> str:
 def span_text(name: str) -> str:
     """From which to which value a parameter can be set."""
     kind = KINDS[name]
-    source = QT_TRANSLATE_NOOP("Parameter", "Possible: {minimum} to {maximum}")
+    source = QT_TRANSLATE_NOOP("Parameter", "Range: {minimum} to {maximum}")
     words = {"minimum": value_text(name, kind.minimum), "maximum": value_text(name, kind.maximum)}
     return sentence("Parameter", source, words)
 
@@ -118,6 +118,7 @@ def beyond_danger() -> str:
     source = QT_TRANSLATE_NOOP(
         "Parameter",
         "The arm may then be driven against its mechanical stops or beyond what its motors are "
-        "made for, and no check here holds it back. Save this only if you know this arm can do it.",
+        "made for, and no check here prevents it. Save this only if you know that this arm can "
+        "do it.",
     )
     return sentence("Parameter", source, {})

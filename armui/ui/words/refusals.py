@@ -60,7 +60,7 @@ _SETTING_NAMES: Final = Texts("SettingName") | {
     "picture_direction": "view of the 3D picture",
     "picture_orthographic": "3D picture without perspective",
     "picture_tool_frame": "tool frame in the 3D picture",
-    "picture_trail_s": "way of the tool in the 3D picture",
+    "picture_trail_s": "tool trail in the 3D picture",
     "session_save_at_faults": "saving at faults and stops",
 }
 """By the field of `armui.settings.Settings`."""

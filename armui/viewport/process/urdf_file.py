@@ -82,7 +82,7 @@ MESH_TOO_LARGE = Reason(
 )
 MESH_KIND_UNKNOWN = Reason(
     "mesh_kind_unknown",
-    "Robot description: the mesh {mesh} is of a kind that is not read. These are: {kinds}.",
+    "Robot description: meshes like {mesh} are not supported. Supported kinds: {kinds}.",
 )
 MESH_FILE_TOO_LARGE = Reason(
     "mesh_file_too_large",

@@ -104,11 +104,11 @@ def test_by_keys_alone(monitor, box):
 @pytest.mark.parametrize(
     ("identifier", "data", "words"),
     [
-        ("G", "", "no hexadecimal number"),
+        ("G", "", "not a hexadecimal number"),
         ("800", "", "more than 11 bits"),
-        ("155", "1", "no whole bytes"),
+        ("155", "1", "not whole bytes"),
         ("155", "00" * 9, "9 bytes do not fit"),
-        ("2A1", "", "an arm itself says"),
+        ("2A1", "", "sent by the arm itself"),
         ("150", "02", "lets the arm drop"),
     ],
 )
@@ -175,7 +175,7 @@ def test_a_frame_of_another_host_can_be_taken_into_the_fields(monitor, box, comp
     menu = monitor.window._menu_of(row, [])
     assert isinstance(menu, QMenu)
     texts = [action.text() for action in menu.actions()]
-    assert texts[-1] == "Into the fields for sending"
+    assert texts[-1] == "Copy to the send fields"
     menu.actions()[-1].trigger()
 
     assert (box.identifier.text(), box.data.text()) == ("472", "01 01 00 00 00 00 00 00")

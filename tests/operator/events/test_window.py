@@ -44,7 +44,7 @@ def test_a_fault_that_begins_while_one_looks_and_ends(events):
     driver.run(0.2)
     events.look()
     row = events.row("J5 Driver temperature: Too hot")
-    assert events.cell(row, EventColumn.END) == "goes on"
+    assert events.cell(row, EventColumn.END) == "ongoing"
     driver.node.faults.end(hot)
     drivers = driver.firmware.drivers
     drivers.motor_temperatures_c[4] = drivers.driver_temperatures_c[4] = 30.0

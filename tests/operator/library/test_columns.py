@@ -67,7 +67,7 @@ def test_waits_and_radians_as_the_maker_records_them(operator):
     assert operator.columns() == ["Wait s", *joints, "Gripper m"]
     origin = operator.page.findChild(QWidget, "column_origin_2")
     assert origin.text() == "Guessed: check it"
-    asked = "Columns 2, 3, 4, 5, 6, 7 may be radians or degrees: say which."
+    asked = "Columns 2, 3, 4, 5, 6, 7 may be radians or degrees: choose which."
     assert operator.message() == asked
     assert not operator.child("import").isEnabled()
     assert operator.child("import").toolTip() == asked
@@ -97,7 +97,7 @@ def test_the_unit_of_one_column_is_its_own(operator):
     operator.choose(operator.box("unit", 4), "°")
     joints = [f"J{joint} {'°' if joint == 3 else 'rad'}" for joint in range(1, 7)]
     assert operator.columns() == ["Wait s", *joints, "Gripper m"]
-    assert operator.message() == "Columns 2, 3, 5, 6, 7 may be radians or degrees: say which."
+    assert operator.message() == "Columns 2, 3, 5, 6, 7 may be radians or degrees: choose which."
     operator.app_driver.click(operator.child("radians"))
     assert operator.columns() == ["Wait s", *joints, "Gripper m"]
     assert operator.message() == (

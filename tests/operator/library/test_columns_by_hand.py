@@ -49,7 +49,7 @@ def test_the_encoding_is_chosen(operator):
     assert operator.built()[0] == "GBK"
     operator.choose(operator.dialect_field("encoding"), "UTF-8")
     assert operator.message() == (
-        "line.csv, line 1, column 75: This is no text in UTF-8. Choose another encoding."
+        "line.csv, line 1, column 75: This is not text in UTF-8. Choose another encoding."
     )
     assert not operator.child("import").isEnabled()
     operator.choose(operator.dialect_field("encoding"), "GBK")
@@ -76,7 +76,7 @@ def test_what_was_said_of_the_columns_stays_while_they_are_the_same(operator):
     assert origins == ["", "Guessed: check it"]
     operator.choose(operator.dialect_field("delimiter"), "tab")
     assert len(operator.columns()) == 1
-    operator.choose(operator.dialect_field("delimiter"), "blanks")
+    operator.choose(operator.dialect_field("delimiter"), "spaces")
     assert operator.columns() == JOINTS
 
 
@@ -121,7 +121,7 @@ def test_the_window_answers_while_a_large_table_is_imported_and_the_import_is_gi
     assert not operator.child("import").isEnabled()
     assert operator.app_driver.find("stop_button").isEnabled()
     QTest.keyClick(dialog, Qt.Key.Key_Escape)
-    assert operator.message() == "Giving up the import…"
+    assert operator.message() == "Cancelling the import…"
     operator.app_driver.wait(lambda: not dialog.busy)
     assert not is_open()
     assert operator.library.entries() == []

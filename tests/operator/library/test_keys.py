@@ -154,7 +154,7 @@ def test_an_empty_library_says_what_to_do(app_driver):
 def test_a_search_that_finds_nothing_says_so_and_is_cleared_by_a_click(driver):
     assert hint(driver) is None
     QTest.keyClicks(driver.child("search"), "x(")
-    assert hint(driver)[0] == "Nothing is found for “x(”"
+    assert hint(driver)[0] == "Nothing found for “x(”"
     driver.app_driver.click(driver.window.findChild(QWidget, "library_clear_search"))
     assert driver.child("search").text() == ""
     assert hint(driver) is None

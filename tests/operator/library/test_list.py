@@ -133,7 +133,7 @@ def test_what_a_check_found_stays_listed_whenever_the_disk_answers(driver, monke
     for _ in range(6):
         disk.work()
         QCoreApplication.processEvents()
-    assert "Mend what is listed" in driver.message()
+    assert "Correct what is listed" in driver.message()
     findings = driver.window.findChild(QListWidget, "findings_list")
     assert findings.isVisible()
     assert findings.item(0).text().startswith("✕ Error · Row 2")

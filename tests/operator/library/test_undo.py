@@ -18,10 +18,10 @@ def test_every_deletion_is_undone_by_keys_the_last_first(driver):
         driver.key(Qt.Key.Key_Delete)
     assert driver.names() == ["two"]
     assert driver.child("undo").text() == "Undo deleting “three”"
-    assert driver.child("undo").toolTip() == "Undo deleting “three” (Ctrl+Z)\nBrings it back."
+    assert driver.child("undo").toolTip() == "Undo deleting “three” (Ctrl+Z)\nRestores it."
     driver.undo()
     assert driver.names() == ["three", "two"]
-    assert driver.message() == "Brought back: three"
+    assert driver.message() == "Restored: three"
     assert [entry.name for entry in driver.window.chosen()] == ["three"]
     assert driver.child("undo").text() == "Undo deleting “one”"
     driver.undo()
@@ -149,7 +149,7 @@ def test_nothing_deleted_is_said(driver):
     assert bin_.text("text") == "Nothing has been deleted in the last 30 days."
     back = bin_.window.findChild(QWidget, "bin_back")
     assert not back.isEnabled()
-    assert back.toolTip() == "Choose what to bring back"
+    assert back.toolTip() == "Choose what to restore"
 
 
 def test_what_was_deleted_in_an_earlier_run_is_brought_back(app_driver):
@@ -166,7 +166,7 @@ def test_what_was_deleted_in_an_earlier_run_is_brought_back(app_driver):
     bin_.choose(2)
     bin_.back()
     assert bin_.names() == ["never saved *", "one"]
-    assert bin_.text("message") == "Brought back: three"
+    assert bin_.text("message") == "Restored: three"
     assert driver.names() == ["three", "two"]
     bin_.choose(0)
     bin_.choose(1, Qt.KeyboardModifier.ControlModifier)

@@ -110,7 +110,7 @@ def test_copies(plots):
 
 
 def test_the_layout_is_there_the_next_time(plots, qapp, request, tmp_path):
-    plots.choose("plot_sets", "What got hot?")
+    plots.choose("plot_sets", "Temperatures and currents")
     plots.board.remove(0, "arm.motor_temperature.3")
     plots.choose("plot_span", "1 min")
     plots.wait_built()

@@ -82,10 +82,10 @@ def test_what_is_not_heard_any_more_looks_so(plots, app_driver):
 @pytest.mark.parametrize(
     ("text", "name"),
     [
-        ("What got hot?", "hot"),
-        ("Why did it stop?", "stop"),
-        ("Where was the tool?", "tool"),
-        ("Is the bus well?", "bus"),
+        ("Temperatures and currents", "hot"),
+        ("Why it stopped", "stop"),
+        ("Tool pose", "tool"),
+        ("Bus health", "bus"),
     ],
 )
 def test_sets_answer_a_question(plots, text, name):
@@ -162,7 +162,7 @@ def test_curves_and_plots_are_removed_by_their_menu(plots):
     trigger(plots.menu_at(pane, QPoint(300, 70)), "Remove plot")
     plots.wait_built()
     assert len(plots.keys()) == 5
-    assert plots.window.bar.sets.currentText() == "Own arrangement"
+    assert plots.window.bar.sets.currentText() == "Custom layout"
 
 
 def test_no_more_plots_than_can_be_read(plots):
@@ -191,7 +191,7 @@ def test_hidden_plots_do_nothing(plots, monkeypatch):
 
 
 def test_minimised_or_scrolled_away_plots_are_not_drawn(plots, monkeypatch):
-    plots.choose("plot_sets", "Why did it stop?")
+    plots.choose("plot_sets", "Why it stopped")
     for joint in JOINTS:
         plots.board.take([f"arm.voltage.{joint}"], None, None)
     plots.wait_built()

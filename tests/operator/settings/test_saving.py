@@ -37,7 +37,7 @@ def test_only_what_was_changed_is_sent_and_read_back(joints):
     assert joints.firmware.settings.limits[1].max_deg == 170.0
     assert joints.read("max_angle_deg_2") == "170.0"
     assert note(joints, "max_angle_deg_2") == "saved"
-    assert "read back from the arm, and the same" in joints.read("joint_settings_message")
+    assert "gave the same values" in joints.read("joint_settings_message")
     assert joints.find("joint_settings_edit_button").isVisible()
 
 
@@ -193,7 +193,7 @@ def test_a_link_lost_half_way(joints):
 def test_what_cannot_be_is_said_at_the_cell_and_not_sent(joints, name, text, said):
     joints.click("joint_settings_edit_button")
     joints.type_into(name, text or " ")
-    assert note(joints, name) == "not possible"
+    assert note(joints, name) == "invalid"
     assert said in joints.read("joint_settings_message")
     assert said in joints.find(name).toolTip()
     assert joints.find(name).property("attention")

@@ -63,7 +63,7 @@ def until_full(made):
 
 def test_what_cannot_be_begun_leaves_nothing_behind(tmp_path, monkeypatch):
     """However much room there is for the beginning of sidecar and index."""
-    whole = tmp_path / "whole"
+    whole = tmp_path / "complete"
     writer(whole).finish({})
     begun_bytes = next(whole.glob(f"*{sidecar.SUFFIX}")).read_bytes().index(b"\n") + 1
     for room in (0, 1, begun_bytes, begun_bytes + 1):

@@ -49,7 +49,7 @@ TARGET_REFUSED = Reason(
 )
 POSE_NOT_A_NUMBER = Reason(
     "pose_not_a_number",
-    "{axis}: “{value}” is no figure. Enter mm or degrees in figures, for example 12.5.",
+    "{axis}: “{value}” is not a number. Enter mm or degrees, for example 12.5.",
 )
 
 
@@ -420,7 +420,7 @@ class CartesianPanel(JogPanel):
         self._arc.allow(no_pose, why_not)
         use = self.tr("Fills the fields with the measured pose; nothing moves.")
         enable_or_explain(self._load, no_pose, use)
-        use = self.tr("Moves to the pose, each joint on its own way.")
+        use = self.tr("Moves to the pose, each joint on its own path.")
         enable_or_explain(self._move_p, why_not, use)
         use = self.tr("Moves to the pose on a straight line.")
         enable_or_explain(self._move_l, why_not, use)

@@ -157,8 +157,8 @@ class GripperLine(Translated, QWidget):
         self.inserted.setText(self.tr("Insert with opening"))
         self.inserted.setToolTip(
             self.tr(
-                "A point that is inserted moves the gripper to what is measured now, with 1 N·m "
-                "(generation 1: 1 rad/s). To grip, enter less than the workpiece is wide."
+                "An inserted point moves the gripper to the opening measured now, with 1 N·m "
+                "(generation 1: 1 rad/s). To grip, enter less than the width of the workpiece."
             )
         )
         self.show_gripper()

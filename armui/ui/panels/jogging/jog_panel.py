@@ -337,9 +337,11 @@ class KeyPad(Translated, QFrame):
         if self._why_not:
             text = self.tr("Jogging is not possible now.")
         elif self.hasFocus() and not self._continuous:
-            text = self.tr("Hold the space bar; each press of a key is one step.")
+            text = self.tr("Hold the space bar; each press of a letter key below is one step.")
         elif self.hasFocus():
-            text = self.tr("Hold the space bar and press a key; release either and the arm stops.")
+            text = self.tr(
+                "Hold the space bar and a letter key below; release either and the arm stops."
+            )
         else:
             text = self.tr("Click here to jog by keys.")
         self._hint.setText(text)

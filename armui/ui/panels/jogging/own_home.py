@@ -162,7 +162,7 @@ class OwnHome(Translated, QWidget):
             use = self.tr("Moves the joints to {angles}.").format(angles=figures)
         doubt = self._doubt()
         enable_or_explain(self.go, reason, "\n".join(filter(None, (use, doubt))))
-        kept = self.tr("Kept for this arm; nothing moves.")
+        kept = self.tr("Saved for this arm; nothing moves.")
         self._set.setToolTip("\n".join(filter(None, (kept, doubt))))
 
     def _doubt(self) -> str:
@@ -170,8 +170,8 @@ class OwnHome(Translated, QWidget):
         if self._arm is None or self._node:
             return ""
         return self.tr(
-            "This arm tells no number of its own: another one without a number at this adapter "
-            "would be taken for it."
+            "This arm reports no number of its own: another one without a number at this "
+            "adapter would be taken for it."
         )
 
     def retranslate_ui(self) -> None:

@@ -73,7 +73,9 @@ class ToolBox(Translated, QWidget):
 
     def retranslate_ui(self) -> None:
         """Put names into the operator's language."""
-        self._title.setText(self.tr("Tool centre point on the flange (mm, °), kept on this PC"))
+        self._title.setText(
+            self.tr("Tool centre point relative to the flange (mm, °), saved on this PC")
+        )
         for name, field in zip(AXES, self._fields, strict=True):
             field.setAccessibleName(self.tr("Tool {axis}").format(axis=name))
 
@@ -130,11 +132,13 @@ class ArcBox(Translated, QWidget):
     def allow(self, why_no_capture: str, why_no_move: str) -> None:
         """Enable the buttons, or disable them and say why."""
         for button in self.captures:
-            use = self.tr("Takes the pose the arm has now; nothing moves.")
+            use = self.tr("Captures the arm's present pose; nothing moves.")
             enable_or_explain(button, why_no_capture, use)
         use = self.tr("Moves to the captured start with MOVE P.")
         enable_or_explain(self.go_to_start, why_no_move, use)
-        use = self.tr("Moves from the start over the middle to the end. Some firmware has no arc.")
+        use = self.tr(
+            "Moves from the start through the middle to the end. Some firmware has no arcs."
+        )
         enable_or_explain(self.send, why_no_move, use)
 
     def _show_poses(self) -> None:

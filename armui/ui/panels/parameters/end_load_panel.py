@@ -352,7 +352,7 @@ class EndLoadPanel(Panel):
 
     def _show_all(self) -> None:
         now = self._operating_state
-        use = self.tr("Tells the arm what it carries: it holds against that weight.")
+        use = self.tr("Tells the arm its load, so that it compensates for the weight.")
         enable_or_explain(self._send, words.why_not(why_no_load(now)), use)
         use = self.tr("Switches the periodic frames 0x481–0x486.")
         enable_or_explain(self._switch, words.why_not(why_not_switch(now)), use)
@@ -372,7 +372,7 @@ class EndLoadPanel(Panel):
             caption(button, words.end_load(load), whose=self._title.text())
         caption(self._send, self.tr("Confirm"), whose=self._title.text())
         self._note.setText(
-            self.tr("The arm answers this setting and cannot be asked for it afterwards.")
+            self.tr("The arm acknowledges this setting, but cannot be asked for it afterwards.")
         )
         self._motion_title.setText(self.tr("Speed and acceleration of the end, by joint"))
         names = (

@@ -266,8 +266,8 @@ class DragAssistancePanel(LevelsPanel):
     def note(self) -> str:
         """Return what the levels do."""
         return self.tr(
-            "From 0, the joint does not help the hand, to 10, it helps most. Read and set with "
-            "the arm at rest; keep a hand on it when it is led for the first time afterwards."
+            "0: the joint does not help the hand; 10: it helps most. Read and set with the arm "
+            "at rest; keep a hand on it when you lead it for the first time afterwards."
         )
 
 

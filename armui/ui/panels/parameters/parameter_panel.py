@@ -515,8 +515,8 @@ class ParameterPanel(Panel):
             and shown_as(parameter, known.value) != shown_as(parameter, value)
         ]
         if not nearest:
-            return _Said(self.tr("Saved: read back from the arm, and the same."), Level.DONE)
-        text = self.tr("Saved. The arm keeps coarser steps; it holds the nearest: {values}.")
+            return _Said(self.tr("Saved; reading back gave the same values."), Level.DONE)
+        text = self.tr("Saved. The arm stores coarser steps; it holds the nearest: {values}.")
         return _Said(text.format(values=listed(nearest)), Level.DONE)
 
     def retranslate_ui(self) -> None:

@@ -89,7 +89,7 @@ class EditorJog(Translated, QWidget):
         """Put every word into the operator's language."""
         text = self.tr("Insert current pose")
         self._insert.setText(text)
-        tip = self.tr("Makes a point of where the arm is now, after the chosen row.")
+        tip = self.tr("Inserts the arm's present pose as a point after the selected row.")
         self._insert.setToolTip(f"{tip} ({self._keys})")
 
 

@@ -110,7 +110,7 @@ class PointEdits(QObject):
 
     def replace_by_measured(self) -> Outcome:
         """Where the arm is now, in the chosen rows; speed, dwell and actions stay."""
-        return self._change(self._measured, self.tr("Replace by current pose"))
+        return self._change(self._measured, self.tr("Replace with current pose"))
 
     def duplicate(self) -> Outcome:
         """Copies of the chosen rows, below them."""

@@ -90,12 +90,12 @@ class BinDialog(ArmDialog):
     def _show_usable(self) -> None:
         usable = bool(self._table.selectionModel().selectedRows())
         self._back.setEnabled(usable)
-        self._back.setToolTip("" if usable else self.tr("Choose what to bring back"))
+        self._back.setToolTip("" if usable else self.tr("Choose what to restore"))
         days = KEPT.days
         if self._deleted:
             text = self.tr(
-                "What is deleted can be brought back for {days} days. Where a name has been given "
-                "anew meanwhile, a number is added."
+                "Deleted trajectories can be restored for {days} days. If a name has been "
+                "taken meanwhile, a number is added."
             )
         else:
             text = self.tr("Nothing has been deleted in the last {days} days.")
@@ -108,7 +108,7 @@ class BinDialog(ArmDialog):
             [self.tr("Name"), self.tr("Deleted"), self.tr("Kept until")]
         )
         self._table.setAccessibleName(self.tr("Recently deleted"))
-        self._back.setText(self.tr("Bring back"))
+        self._back.setText(self.tr("Restore"))
         self._show_usable()
 
 

@@ -171,7 +171,7 @@ class LibraryActions(QObject):
         return self.tr("Deleted: {names}").format(names=fmt.name_list(names))
 
     def _brought_back(self, names: Sequence[str]) -> str:
-        return self.tr("Brought back: {names}").format(names=fmt.name_list(names))
+        return self.tr("Restored: {names}").format(names=fmt.name_list(names))
 
     def undo_text(self) -> tuple[str, str]:
         """Return what would be undone now and what that does; empty texts if there is nothing."""
@@ -180,7 +180,7 @@ class LibraryActions(QObject):
             return "", ""
         names = fmt.name_list(step.names)
         if isinstance(step, Deletion):
-            text, effect = self.tr("Undo deleting “{names}”"), self.tr("Brings it back.")
+            text, effect = self.tr("Undo deleting “{names}”"), self.tr("Restores it.")
         elif isinstance(step, Renaming):
             text = self.tr("Undo renaming to “{names}”")
             effect = self.tr("It is called “{names}” again.").format(names=names)
@@ -191,7 +191,7 @@ class LibraryActions(QObject):
                 Origin.COPIED: self.tr("Undo copying to “{names}”"),
                 Origin.IMPORTED: self.tr("Undo importing “{names}”"),
             }[step.origin]
-            effect = self.tr("Deletes it; for 30 days it can be brought back.")
+            effect = self.tr("Deletes it; it can be restored for 30 days.")
         return text.format(names=names), effect
 
 

@@ -194,12 +194,12 @@ class ImportReport(ArmDialog):
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
-        self.set_title(self.tr("What became of the files"))
+        self.set_title(self.tr("Import results"))
         taken = sum(not result.problem for result in self._results)
         text = self.tr("{taken} imported, {left} not imported.")
         self._summary.setText(text.format(taken=taken, left=len(self._results) - taken))
         self._table.setHorizontalHeaderLabels([self.tr("File"), self.tr("Result")])
-        self._table.setAccessibleName(self.tr("What became of the files"))
+        self._table.setAccessibleName(self.tr("Import results"))
         for row, result in enumerate(self._results):
             for column, cell in enumerate((result.file, self._tell(result))):
                 item = QTableWidgetItem(cell)

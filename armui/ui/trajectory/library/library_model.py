@@ -176,7 +176,7 @@ class LibraryModel(TableModel):
         return (
             self.tr("Name"),
             self.tr("Points"),
-            self.tr("Length"),
+            self.tr("Duration"),
             self.tr("Last change"),
             self.tr("Check"),
             self.tr("Note"),

@@ -126,7 +126,7 @@ class LibraryHint(TableHint):
         self._clear.setText(self.tr("Show all"))
         self._clear.setVisible(bool(self._searched))
         if self._searched:
-            title = self.tr("Nothing is found for “{text}”").format(text=self._searched)
+            title = self.tr("Nothing found for “{text}”").format(text=self._searched)
             text = self.tr("Neither a name nor a note holds this text.")
         else:
             title = self.tr("No trajectories yet")

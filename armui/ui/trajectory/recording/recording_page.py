@@ -284,7 +284,7 @@ class RecordingPage(Page):
         name = self._wanted_name()
         recorded = self._controller.recorder.finish(name)
         if recorded is None:
-            self._say(self.tr("Nothing was recorded: the arm told no angles."), Level.WARNING)
+            self._say(self.tr("Nothing was recorded: the arm reported no angles."), Level.WARNING)
             self._show_state()
             return
         self._keeper.write()
@@ -536,7 +536,7 @@ class RecordingPage(Page):
         if self._joining:
             reason = BUSY(what="recording")
         if reason is None and self._unsaved:
-            self._record.setToolTip(self.tr("Recording anew takes the place of what is not saved"))
+            self._record.setToolTip(self.tr("A new recording replaces the unsaved one"))
         else:
             self._record.setToolTip("" if reason is None else words.refusal(reason))
         self._record.setEnabled(reason is None)

@@ -97,7 +97,7 @@ class UnsavedRecordingLine(Translated, QWidget):
         self._keep.setText(self.tr("Keep"))
         self._discard.setText(self.tr("Discard"))
         describe(self._keep, self.tr("Keep"), self.tr("Saves it in the library."))
-        tip = self.tr("For 30 days it is under “Recently deleted…”.")
+        tip = self.tr("It stays under “Recently deleted…” for 30 days.")
         describe(self._discard, self.tr("Discard"), tip)
         if not self._found:
             self._message.show_message("")

@@ -130,7 +130,7 @@ def run_commands(place: str) -> tuple[Command, ...]:
     """Return the commands of the bar in a place."""
     commands = (
         Command("send", Text("RunBar", "Send"), operation_of(Player.start)),
-        Command("cycles", Text("RunBar", "How often")),
+        Command("cycles", Text("RunBar", "Number of runs")),
         Command("speed", Text("Action", "Speed of the run")),
         Command("first", Text("RunBar", "From row")),
         Command("steps", Text("RunBar", "Step by step")),
@@ -484,7 +484,7 @@ class RunBar(Translated, QWidget):
         free = not (self._runner.running or checking)
         self._resume.setVisible(free and self._may_resume(progress.name))
         enable_or_explain(self._resume, why_not)
-        self._resume.setText(self.tr("Go on from row {row}").format(row=progress.index + 1))
+        self._resume.setText(self.tr("Continue from row {row}").format(row=progress.index + 1))
 
     # Words ------------------------------------------------------------------------------------
 
@@ -492,10 +492,10 @@ class RunBar(Translated, QWidget):
         """Put every word into the operator's language."""
         self._send.setText(self.tr("Send"))
         self._call_off.setText(self.tr("Call off"))
-        for place, text in enumerate((self.tr("Once"), self.tr("Times"), self.tr("In a loop"))):
+        for place, text in enumerate((self.tr("Once"), self.tr("Times"), self.tr("Loop"))):
             self._cycles.setItemText(place, text)
-        self._cycles.setAccessibleName(self.tr("How often"))
-        self._times.setAccessibleName(self.tr("How often"))
+        self._cycles.setAccessibleName(self.tr("Number of runs"))
+        self._times.setAccessibleName(self.tr("Number of runs"))
         self._speed_label.setText(self.tr("Speed"))
         self._speed.setAccessibleName(self._speed_label.text())
         self._speed.setToolTip(self.tr("Of each point's own speed"))

@@ -28,22 +28,22 @@ if TYPE_CHECKING:
 
 LIMITS_CHANGED_SINCE_CHECK = Reason(
     "limits_changed_since_check",
-    "Not run: the arm's joint limits are others than those of the check. Send again.",
+    "Not run: the arm's joint limits have changed since the check. Send again.",
 )
 MODEL_CHANGED_SINCE_CHECK = Reason(
     "model_changed_since_check",
-    "Not run: the arm's model or zeros are others than those of the check. Send again.",
+    "Not run: the arm's model or zeros have changed since the check. Send again.",
 )
 CHANGED_SINCE_CHECK = Reason(
     "changed_since_check",
-    "Not run: tool, load, settings or choices are others than those of the check. Send again.",
+    "Not run: tool, load, settings or choices have changed since the check. Send again.",
 )
 MOVED_SINCE_CHECK = Reason(
     "moved_since_check", "Not run: the arm has moved by {value}° since it was checked. Send again."
 )
 FINDINGS_AGAINST = Reason(
     "findings_against",
-    "Not run: the check has found errors ({count}). Mend what is listed, then send again.",
+    "Not run: the check has found errors ({count}). Correct what is listed, then send again.",
 )
 
 

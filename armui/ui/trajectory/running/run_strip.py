@@ -79,8 +79,8 @@ class OverrideControl(Translated, QWidget):
         """Put every word into the operator's language."""
         self._label.setText(self.tr("Override"))
         tip = self.tr(
-            "Share of the run's own speed, changed while it runs; 0 % pauses it. Slower {slower}, "
-            "faster {faster}."
+            "Share of the run's own speed; can be changed while it runs, 0 % pauses it. Slower "
+            "{slower}, faster {faster}."
         ).format(slower=key_text("everywhere.slower"), faster=key_text("everywhere.faster"))
         for widget in (self._input.slider, self.field):
             describe(widget, self.tr("Speed override of the run"), tip)

@@ -236,7 +236,7 @@ class ColumnsPage(Page):
         asked = self._table.may_be_radians(self._angles)
         if not asked:
             return ""
-        text = self.tr("Columns {columns} may be radians or degrees: say which.")
+        text = self.tr("Columns {columns} may be radians or degrees: choose which.")
         return text.format(columns=", ".join(map(str, asked)))
 
     def _other_way(self) -> str:
@@ -323,7 +323,7 @@ class ColumnsPage(Page):
             super().leave()
         else:
             self._work.requestInterruption()
-            self._message.show_message(self.tr("Giving up the import…"))
+            self._message.show_message(self.tr("Cancelling the import…"))
 
     # Words ------------------------------------------------------------------------------------
 
@@ -332,13 +332,13 @@ class ColumnsPage(Page):
         self.set_title(self.tr("Import by columns"))
         self._source.setText(self._describe())
         self._name_label.setText(self.tr("Name"))
-        self._move_label.setText(self.tr("Becomes"))
+        self._move_label.setText(self.tr("Import as"))
         texts = (self.tr("Recording"), *(f"MOVE {move}" for move in "JPL"))
         for place, text in enumerate(texts):
             points = self.tr("Points, {move}").format(move=text)
             self._moves.setItemText(place, points if _MOVES[place] is not None else text)
         self._speed_label.setText(self.tr("Speed"))
-        self._speed.setToolTip(self.tr("Of points for which no column says it"))
+        self._speed.setToolTip(self.tr("For points whose speed is in no column"))
         self.import_button.setText(self.tr("Import"))
         self._cancel.setText(self.tr("Cancel"))
         self._radians.setText(self.tr("Radians"))

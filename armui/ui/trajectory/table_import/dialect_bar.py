@@ -92,14 +92,14 @@ class DialectBar(Translated, QWidget):
             label.setText(text)
             field.setAccessibleName(text)
         self._line.setToolTip(
-            self.tr("The line above it holds the titles, if it has as many cells as there are")
+            self.tr("The line above holds the column titles if it has as many cells")
         )
         names: dict[Any, str] = {
             ",": self.tr("comma ,"),
             ";": self.tr("semicolon ;"),
             "\t": self.tr("tab"),
             "|": self.tr("vertical bar |"),
-            SPACES: self.tr("blanks"),
+            SPACES: self.tr("spaces"),
         }
         _name(self._delimiter, names)
         _name(self._decimal, {".": self.tr("point ."), ",": self.tr("comma ,")})

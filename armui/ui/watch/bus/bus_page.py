@@ -276,7 +276,7 @@ class BusSummary(Translated, QWidget):
             found.append(text.format(count=fmt.count(self._lost)))
         if load is not None and load >= _BUSY_PERCENT:
             found.append(
-                self.tr("The bus is nearly full: frames of low rank come late. Have less sent.")
+                self.tr("The bus is nearly full: frames of low priority come late. Send less.")
             )
         if snapshot.left_out or snapshot.beyond:
             text = self.tr(
@@ -305,7 +305,7 @@ class BusSummary(Translated, QWidget):
         )
         tips = (
             self.tr("Of the bit rate, stuff bits not counted; right button: show as curve"),
-            self.tr("A second, those of this program included"),
+            self.tr("Per second, this program's included"),
             self.tr("Errors on the bus that the adapter has reported since the counting began"),
             self.tr("Lost by the system's queue or by the adapter since the counting began"),
         )
@@ -556,7 +556,7 @@ class BusPage(Page):
         sendable = not row.flags and row.sender is not Sender.ARM
         if self.send_box.is_open and sendable:
             menu.addAction(
-                self.tr("Into the fields for sending"),
+                self.tr("Copy to the send fields"),
                 lambda: self.send_box.take(row.arbitration_id, row.data),
             )
         return menu

@@ -115,7 +115,7 @@ class FilterBar(Translated, QWidget):
 
     def _tip_ids(self, bad: str) -> None:
         use = self.tr("Identifiers in hexadecimal: 2A1, 2A1-2A8, or value/mask as in 150/7F0")
-        wrong = self.tr("“{value}” is no identifier; the filter stays as it was.")
+        wrong = self.tr("“{value}” is not an identifier; the filter is unchanged.")
         self.ids.setToolTip(f"{wrong.format(value=bad)} {use}" if bad else use)
 
     def _on_only_changed(self, wanted: bool) -> None:
@@ -143,11 +143,11 @@ class FilterBar(Translated, QWidget):
         for button in (self.by_id, self.in_order):  # the chosen one is written bolder
             button.setMinimumWidth(round(_BOLDER * button.sizeHint().width()))
         self.pause.setToolTip(
-            self.tr("The figures stand as they are; what comes meanwhile is counted (Ctrl+P)")
+            self.tr("Freezes the figures; frames that come meanwhile are still counted (Ctrl+P)")
         )
         self._name_pause()
         self.clear.setText(self.tr("Clear"))
-        self.clear.setToolTip(self.tr("Counting begins anew, from nothing"))
+        self.clear.setToolTip(self.tr("Starts counting from zero"))
         self.text.setPlaceholderText(self.tr("Name or identifier"))
         self.text.setAccessibleName(self.text.placeholderText())
         self.ids.setPlaceholderText("2A1-2A8, 150/7F0")
@@ -161,7 +161,7 @@ class FilterBar(Translated, QWidget):
         chosen = max(0, self.senders.currentIndex())
         with QSignalBlocker(self.senders):
             self.senders.clear()
-            self.senders.addItem(self.tr("From anybody"))
+            self.senders.addItem(self.tr("All senders"))
             self.senders.addItems([frames.frame_sender(sender) for sender in Sender])
             self.senders.setCurrentIndex(chosen)
         self.senders.setAccessibleName(self.tr("Sender"))

@@ -477,7 +477,7 @@ def _headers() -> tuple[str, ...]:
         App.translate("BusMonitor", "Message"),
         App.translate("BusMonitor", "Sender"),
         App.translate("BusMonitor", "Data"),
-        App.translate("BusMonitor", "Says"),
+        App.translate("BusMonitor", "Content"),
         App.translate("BusMonitor", "Rate, Hz"),
         App.translate("BusMonitor", "Jitter, ms"),
         App.translate("BusMonitor", "Count"),
@@ -491,7 +491,8 @@ def _header_tips() -> tuple[str, ...]:
         App.translate("BusMonitor", "What the frame is; its signals are below it"),
         App.translate(
             "BusMonitor",
-            "By the identifier: what is not this program's and no arm sends is another host's",
+            "Judged by the identifier: a frame that is neither this program's nor an arm's is "
+            "another host's",
         ),
         App.translate("BusMonitor", "Bytes that have changed within the last second are lit"),
         App.translate("BusMonitor", "What the last frame said, in physical units"),
@@ -502,5 +503,5 @@ def _header_tips() -> tuple[str, ...]:
             "cycle since the counting began",
         ),
         App.translate("BusMonitor", "Since the counting began"),
-        App.translate("BusMonitor", "When the last one came"),
+        App.translate("BusMonitor", "When the last frame came"),
     )

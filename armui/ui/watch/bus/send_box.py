@@ -212,8 +212,8 @@ class SendBox(Translated, QWidget):
     @property
     def _use(self) -> str:
         return self.tr(
-            "A frame sent by hand is checked for nothing but its form, and counts as another "
-            "program's: what this program is doing ends."
+            "A frame sent by hand is only checked for its form, and counts as another "
+            "program's: any motion of this program ends."
         )
 
     def retranslate_ui(self) -> None:

@@ -88,7 +88,7 @@ class TraceModel(TableModel):
             App.translate("BusMonitor", "Message"),
             App.translate("BusMonitor", "Sender"),
             App.translate("BusMonitor", "Data"),
-            App.translate("BusMonitor", "Says"),
+            App.translate("BusMonitor", "Content"),
         )
 
     def headerData(  # noqa: N802 - the name Qt calls

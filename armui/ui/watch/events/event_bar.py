@@ -225,7 +225,7 @@ class EventBar(Translated, QWidget):
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         only = self.tr("Only “{kind}”").format(kind=event_kind(kind))
         menu.addAction(only, partial(self._show_kinds, kind))
-        menu.addAction(self.tr("All sorts"), partial(self._show_kinds, None))
+        menu.addAction(self.tr("All kinds"), partial(self._show_kinds, None))
         menu.popup(self.kinds[kind].mapToGlobal(at))
 
     def _show_kinds(self, kind: EventKind | None) -> None:
@@ -258,7 +258,7 @@ class EventBar(Translated, QWidget):
         self.levels.setCurrentIndex(max(0, level))
         self.levels.setAccessibleName(self.tr("Level"))
         self.askers.clear()
-        self.askers.addItem(self.tr("Everybody"), None)
+        self.askers.addItem(self.tr("All sources"), None)
         for each in Asker:
             self.askers.addItem(asker(each), each)
         self.askers.setCurrentIndex(max(0, who))
@@ -267,5 +267,5 @@ class EventBar(Translated, QWidget):
         self.follow.setToolTip(self.tr("Keep the newest event in sight"))
         for kind, button in self.kinds.items():
             button.setText(event_kind(kind))
-            button.setToolTip(self.tr("Click: show or hide. Double-click: this sort alone."))
+            button.setToolTip(self.tr("Click: show or hide. Double-click: only this kind."))
         self._fit_toggles()

@@ -194,7 +194,7 @@ class EventPage(Page):
         menu.addAction(self.tr("Copy"), self.copy_chosen)
         menu.addSeparator()
         menu.addAction(self.tr("Only this kind"), lambda: self.bar.show_only(kind=entry.kind))
-        menu.addAction(self.tr("Only from here"), lambda: self.bar.show_only(who=entry.who))
+        menu.addAction(self.tr("Only this source"), lambda: self.bar.show_only(who=entry.who))
         menu.addAction(self.tr("Show all"), self.bar.show_all)
         menu.popup(self.table.viewport().mapToGlobal(at))
 

@@ -138,7 +138,7 @@ def _end(entry: EventEntry) -> str:
     if not entry.lasts:
         return ""
     if entry.ended_s is None:
-        return QCoreApplication.translate("EventTable", "goes on")
+        return QCoreApplication.translate("EventTable", "ongoing")
     if entry.unheard:
         return QCoreApplication.translate("EventTable", "not heard")
     return clock_text(entry, entry.ended_s)

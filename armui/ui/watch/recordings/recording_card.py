@@ -307,7 +307,7 @@ class RecordingCard(Translated, QFrame):
         if progress is None:
             self._before, self._rate = None, 0.0
             self.state_label.show_text(self.tr("Not recording"))
-            text = self.tr("The last minutes are kept in memory all the same.")
+            text = self.tr("The last minutes are kept in memory anyway.")
             if self._sessions.mf4.names:
                 names = ", ".join(sorted(self._sessions.mf4.names))
                 text = self.tr("Making the .mf4 file of {name}…").format(name=names)

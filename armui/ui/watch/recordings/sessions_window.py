@@ -69,16 +69,16 @@ _KINDS: Final = Texts("SessionKind") | {
 }
 _STATES: Final = Texts("SessionState") | {
     "under way": "under way",
-    "whole": "whole",
+    "complete": "complete",
     "cut off": "cut off: readable to its last second",
     "failed": "ended early: {text}",
     "empty": "empty",
-    "damaged": "what stands beside it cannot be read: {text}",
+    "damaged": "its description file cannot be read: {text}",
 }
 _TITLES: Final = (
     QT_TRANSLATE_NOOP("SessionsModel", "Name"),
     QT_TRANSLATE_NOOP("SessionsModel", "Begun"),
-    QT_TRANSLATE_NOOP("SessionsModel", "Length"),
+    QT_TRANSLATE_NOOP("SessionsModel", "Duration"),
     QT_TRANSLATE_NOOP("SessionsModel", "Size"),
     QT_TRANSLATE_NOOP("SessionsModel", "Faults"),
     QT_TRANSLATE_NOOP("SessionsModel", "Stops"),
@@ -222,7 +222,7 @@ class SessionsModel(TableModel):
         elif not entry.ended:
             key = "cut off"
         else:
-            key = "whole" if entry.path is not None else "empty"
+            key = "complete" if entry.path is not None else "empty"
         return _STATES.text(key, {"text": entry.failure})
 
     def _sort_key(self, entry: RecordingEntry, column: SessionColumn) -> Any:

@@ -346,7 +346,9 @@ class ReplayWindow(ArmDialog):
             text = self.tr("{count} places of the log could not be read; the rest is shown.")
             parts.append(text.format(count=fmt.count(session.damage_count)))
         if session.reversed_times:
-            text = self.tr("{count} frames had a time before the one in front of them: put right.")
+            text = self.tr(
+                "{count} frames had an earlier time than the frame before them; this was corrected."
+            )
             parts.append(text.format(count=fmt.count(session.reversed_times)))
         cut = getattr(session, "cut", "")
         if cut == "frames":
@@ -359,10 +361,13 @@ class ReplayWindow(ArmDialog):
             parts.append(text.format(count=fmt.count(session.frames)))
         own = self._surveys[0]
         if not own.arm_ids:
-            parts.append(self.tr("Nothing in it comes from an arm of this kind."))
+            parts.append(self.tr("It contains no frames of this kind of arm."))
         elif not own.is_certain:
             parts.append(
-                self.tr("Nothing tells which protocol the arm spoke: choose it below if you know.")
+                self.tr(
+                    "The log does not show which protocol the arm spoke: choose it under "
+                    "“Protocol” if you know."
+                )
             )
         if parts:
             self._say(" ".join(parts), Level.WARNING)

@@ -135,7 +135,7 @@ class TimeLine(Translated, QWidget):
 
     def retranslate_ui(self) -> None:
         """Put the words into the operator's language."""
-        self.setAccessibleName(self.tr("Time line of the recording"))
+        self.setAccessibleName(self.tr("Timeline of the recording"))
         self.update()
 
     def _recolor(self) -> None:

@@ -97,20 +97,20 @@ class Transport(Translated, QWidget):
         """Put the words into the operator's language."""
         self.buttons["previous_fault"].setText(self.tr("Previous fault"))
         self.buttons["next_fault"].setText(self.tr("Next fault"))
-        self._tell("previous_fault", self.tr("To the fault or stop before"))
+        self._tell("previous_fault", self.tr("To the previous fault or stop"))
         self._tell("next_fault", self.tr("To the next fault or stop"))
         self._tell("step_back", self.tr("Pause, at the moment of the frame before"))
         self._tell("step", self.tr("Pause, one frame further"))
         self.speeds.setAccessibleName(self.tr("Speed of the replay"))
         self.speeds.setToolTip(
-            self.tr("How many times as fast as it was. Above 4× not every frame is looked at.")
+            self.tr("Multiple of the original speed. Above 4× not every frame is processed.")
         )
         self._show_play()
 
     def _show_play(self) -> None:
         button = self.buttons["play"]
         button.setText(self.tr("Pause") if self._playing else self.tr("Play"))
-        self._tell("play", self.tr("Let the recording run, or stand still"))
+        self._tell("play", self.tr("Play or pause"))
         self._draw("play", "pause" if self._playing else "play")
         widest = max(
             button.fontMetrics().horizontalAdvance(word)
