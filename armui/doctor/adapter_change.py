@@ -11,7 +11,6 @@ import json
 import os
 import stat
 import subprocess
-import sys
 import threading
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -155,8 +154,6 @@ def helper_is_there() -> bool:
 
 def are_owned(files: Sequence[Path], owner: int = 0) -> bool:
     """Whether files are there, and nobody but their owner can change or replace them."""
-    if sys.platform != "linux":
-        return False
     try:
         found = [each.lstat() for each in (*files, *(each.parent for each in files))]
     except OSError:

@@ -45,9 +45,9 @@ def collect(work: Path, target: Path, root: Path) -> list[str]:
         for number, file in enumerate(texts):
             found = Path(str(each.locate_file(file)))
             _copy(found, target / name / (f"{number}-{found.name}" if number else found.name))
-        missing = [text for kind, own in _TEXTS if kind.match(name) for text in own]
-        for text in missing:
-            _copy(root / "resources/packaging/licences" / text, target / name / text)
+        missing = [own for kind, texts_of in _TEXTS if kind.match(name) for own in texts_of]
+        for own in missing:
+            _copy(root / "resources/packaging/licences" / own, target / name / own)
         if not texts and not missing:
             without.append(f"{name} {each.version}: {_said(each)}")
     _copy_python(target / "python")

@@ -20,6 +20,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from tests.packages.bare_root import USER, Root, bare_root
+from tests.posix import of_system
 
 LINUX = Path(__file__).resolve().parents[2] / "resources/packaging/linux"
 HELPER = "/usr/libexec/armui-adapter"
@@ -80,7 +81,7 @@ def with_password(root: Root, password: str) -> tuple[int, str]:
     """What comes of it where an agent asks at a terminal, as the desktop's does in a window."""
     asks = "pkttyagent --process $$ & sleep 3"
     command = f"{asks}; echo go | {PKEXEC} {HELPER} forget arm_left; said=$?; kill $!; exit $said"
-    pid, terminal = pty.fork()
+    pid, terminal = of_system("fork", pty)()
     if pid == 0:
         words = root._words(command, USER)
         os.execvp(words[0], words)

@@ -173,6 +173,7 @@ def set_up(name: str, bitrate: str | None) -> dict[str, Any]:
         name: A CAN interface.
         bitrate: ``None`` keeps it.
     """
+    can_interface(name)  # once more: since it was checked, the adapter may have been changed
     before = link_info(name)
     was_up = is_up(name)
     hardware = before["kind"] != "vcan"
@@ -210,6 +211,7 @@ def comes_back_by_itself(name: str) -> bool:
 
 def set_down(name: str) -> dict[str, Any]:
     """Down; then looked at."""
+    can_interface(name)
     set_link(name, "down")
     if is_up(name):
         raise RefusedError("not_down", name)
