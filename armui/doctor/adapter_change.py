@@ -32,85 +32,93 @@ _NOT_AUTHORISED: Final = 127
 _PASSED_ON: Final = ("DBUS_", "DISPLAY", "HOME", "LANG", "LC_", "WAYLAND_", "XAUTH", "XDG_")
 _LAST_WORDS: Final = 300
 
-DISMISSED = Reason(
+ADAPTER_DISMISSED = Reason(
     "adapter_dismissed", "The question for the password was closed: nothing was changed."
 )
-NOT_AUTHORISED = Reason(
+ADAPTER_NOT_AUTHORISED = Reason(
     "adapter_not_authorised",
     "The system did not allow it: {text}. Nothing was changed; the commands below do the same in a "
     "terminal.",
 )
-NO_ANSWER = Reason(
+ADAPTER_NO_ANSWER = Reason(
     "adapter_no_answer",
     "The helper ended without reporting what it did: {text}. Look at the diagnosis again.",
 )
 
 
-_NO_INTERFACE = Reason(
+ADAPTER_NO_INTERFACE = Reason(
     "adapter_no_interface", "{text} is not there any more. Plug the adapter in again."
 )
-_NOT_CAN = Reason("adapter_not_can", "{text} is not a CAN interface: nothing was changed.")
-_BAD_BITRATE = Reason(
+ADAPTER_NOT_CAN = Reason("adapter_not_can", "{text} is not a CAN interface: nothing was changed.")
+ADAPTER_BAD_BITRATE = Reason(
     "adapter_bad_bitrate", "{text} is not a bit rate of an arm: nothing was changed."
 )
-_BAD_NAME = Reason(
+ADAPTER_BAD_NAME = Reason(
     "adapter_bad_name",
-    "This name is not possible: small letters, digits and _, 15 at most, beginning with a "
-    "letter, and none that the system itself gives (can0, eth0). For example: arm_left",
+    "This name is not possible. Use small letters, digits and _, 15 at most, beginning with a "
+    "letter, as in arm_left, and no name that the system itself gives (can0, eth0).",
 )
-_NAME_TAKEN = Reason("adapter_name_taken", "{text} is the name of another adapter already.")
-_NO_SERIAL = Reason(
+ADAPTER_NAME_TAKEN = Reason("adapter_name_taken", "{text} is the name of another adapter already.")
+ADAPTER_NO_SERIAL = Reason(
     "adapter_no_serial",
     "The adapter of {text} has no serial number: it cannot be told from another one, so "
     "nothing was saved.",
 )
-_BAD_SERIAL = Reason("adapter_bad_serial", "The adapter's serial number cannot be used: {text}")
-_NO_CHANNEL = Reason("adapter_no_channel", "Which channel of its adapter {text} is, is not known.")
-_NOT_USB = Reason("adapter_not_usb", "{text} is not a USB serial adapter: nothing was changed.")
-_NOT_OURS = Reason("adapter_not_ours", "{text} belongs to another program: nothing was written.")
-_NOT_KEPT = Reason("adapter_not_kept", "Nothing is kept under the name {text}.")
-_NO_BITRATE = Reason(
+ADAPTER_BAD_SERIAL = Reason(
+    "adapter_bad_serial", "The adapter's serial number cannot be used: {text}."
+)
+ADAPTER_NO_CHANNEL = Reason(
+    "adapter_no_channel", "Which channel of its adapter {text} is, is not known."
+)
+ADAPTER_NOT_USB = Reason(
+    "adapter_not_usb", "{text} is not a USB serial adapter: nothing was changed."
+)
+ADAPTER_NOT_OURS = Reason(
+    "adapter_not_ours", "{text} belongs to another program: nothing was written."
+)
+ADAPTER_NOT_KEPT = Reason("adapter_not_kept", "Nothing is kept under the name {text}.")
+ADAPTER_NO_BITRATE = Reason(
     "adapter_no_bitrate", "{text} has no bit rate yet. Switch it on with one first."
 )
-_NOT_UP = Reason(
+ADAPTER_NOT_UP = Reason(
     "adapter_not_up",
     "The system said that it is done, and it is not: {text}. Unplug the adapter, plug it "
     "in again, and try once more.",
 )
-_NOT_DOWN = Reason(
+ADAPTER_NOT_DOWN = Reason(
     "adapter_not_down", "{text} is still switched on, though the system said that it is off."
 )
-_TOOL_MISSING = Reason(
+ADAPTER_TOOL_MISSING = Reason(
     "adapter_tool_missing", "The system's program {text} is missing. Install it."
 )
-_TOOL_HANGS = Reason(
+ADAPTER_TOOL_HANGS = Reason(
     "adapter_tool_hangs",
     "The system's program {text} did not answer within 5 s. Unplug the adapter and plug it "
     "in again.",
 )
-_TOOL_FAILED = Reason("adapter_tool_failed", "The system refused it: {text}")
-_SYSTEM = Reason("adapter_system", "The system refused it: {text}")
+ADAPTER_TOOL_FAILED = Reason("adapter_tool_failed", "The system refused it: {text}.")
+ADAPTER_SYSTEM = Reason("adapter_system", "The system refused it: {text}.")
 _SENTENCES: Final = {
     each.id: each
     for each in (
-        _NO_INTERFACE,
-        _NOT_CAN,
-        _BAD_BITRATE,
-        _BAD_NAME,
-        _NAME_TAKEN,
-        _NO_SERIAL,
-        _BAD_SERIAL,
-        _NO_CHANNEL,
-        _NOT_USB,
-        _NOT_OURS,
-        _NOT_KEPT,
-        _NO_BITRATE,
-        _NOT_UP,
-        _NOT_DOWN,
-        _TOOL_MISSING,
-        _TOOL_HANGS,
-        _TOOL_FAILED,
-        _SYSTEM,
+        ADAPTER_NO_INTERFACE,
+        ADAPTER_NOT_CAN,
+        ADAPTER_BAD_BITRATE,
+        ADAPTER_BAD_NAME,
+        ADAPTER_NAME_TAKEN,
+        ADAPTER_NO_SERIAL,
+        ADAPTER_BAD_SERIAL,
+        ADAPTER_NO_CHANNEL,
+        ADAPTER_NOT_USB,
+        ADAPTER_NOT_OURS,
+        ADAPTER_NOT_KEPT,
+        ADAPTER_NO_BITRATE,
+        ADAPTER_NOT_UP,
+        ADAPTER_NOT_DOWN,
+        ADAPTER_TOOL_MISSING,
+        ADAPTER_TOOL_HANGS,
+        ADAPTER_TOOL_FAILED,
+        ADAPTER_SYSTEM,
     )
 }
 """What the helper refuses by, by its code."""
@@ -219,7 +227,7 @@ class AdapterChange:
         return not self._thread.is_alive()
 
     def _on_late(self) -> None:
-        self._answer(_TOOL_HANGS(text=self._command[-1]))
+        self._answer(ADAPTER_TOOL_HANGS(text=self._command[-1]))
         self.end()
 
     def _answer(self, answer: Answer) -> None:
@@ -246,7 +254,7 @@ class AdapterChange:
                     env=_environment(),
                 )
         except OSError as error:
-            self._answer(NOT_AUTHORISED(text=error.strerror or str(error)))
+            self._answer(ADAPTER_NOT_AUTHORISED(text=error.strerror or str(error)))
             return
         self._listen(process)
 
@@ -258,10 +266,10 @@ class AdapterChange:
         said = "".join(_lines(process.stderr)).strip()[-_LAST_WORDS:]
         code = process.wait()
         if code == _DISMISSED:
-            self._answer(DISMISSED())
+            self._answer(ADAPTER_DISMISSED())
         elif code == _NOT_AUTHORISED:
-            self._answer(NOT_AUTHORISED(text=said.splitlines()[0] if said else "pkexec"))
-        self._answer(NO_ANSWER(text=said or str(code)))
+            self._answer(ADAPTER_NOT_AUTHORISED(text=said.splitlines()[0] if said else "pkexec"))
+        self._answer(ADAPTER_NO_ANSWER(text=said or str(code)))
         for pipe in (process.stdin, process.stdout, process.stderr):
             with contextlib.suppress(OSError, ValueError):
                 if pipe is not None:
@@ -279,7 +287,7 @@ def _understood(line: str) -> Answer | None:
             return Planned(content.get("files", {}), tuple(content.get("removed", ())))
         if word == "done":
             return Done(content)
-        reason = _SENTENCES.get(f"adapter_{content['code']}", _SYSTEM)
+        reason = _SENTENCES.get(f"adapter_{content['code']}", ADAPTER_SYSTEM)
         return reason(text=str(content["text"]))
     except (ValueError, AttributeError, KeyError, TypeError):
         return None

@@ -5287,7 +5287,7 @@ Lamps give no feedback: this is only what will be sent.</source>
 <context>
     <name>MotionEnd</name>
     <message>
-        <source>the arm stopped short of its target</source>
+        <source>the arm stopped before its target</source>
         <translation>机械臂未到目标即停下</translation>
     </message>
     <message>
@@ -9023,6 +9023,18 @@ The other program must have ended.</source>
         <translation>总线上还没有收到任何帧，没有可保存的内容。</translation>
     </message>
     <message>
+        <source>This name is not possible. Use small letters, digits and _, 15 at most, beginning with a letter, as in arm_left, and no name that the system itself gives (can0, eth0).</source>
+        <translation>名称不可用。请只用小写字母、数字和 _，以字母开头，最多 15 个字符，例如 arm_left；不能用系统自动分配的名称（can0、eth0）。</translation>
+    </message>
+    <message>
+        <source>The adapter&apos;s serial number cannot be used: {text}.</source>
+        <translation>适配器的序列号无法使用：{text}。</translation>
+    </message>
+    <message>
+        <source>The system refused it: {text}.</source>
+        <translation>系统拒绝：{text}。</translation>
+    </message>
+    <message>
         <source>The disk of {folder} is full. What was written before can be read. Free some room or choose another folder, then record again.</source>
         <translation>{folder} 所在的磁盘已满。此前写入的内容可以读取。请清理磁盘空间或选择其他文件夹，然后重新记录。</translation>
     </message>
@@ -9207,14 +9219,6 @@ The other program must have ended.</source>
         <translation>{text} 不是机械臂的波特率：没有更改任何设置。</translation>
     </message>
     <message>
-        <source>This name is not possible: small letters, digits and _, 15 at most, beginning with a letter, and none that the system itself gives (can0, eth0). For example: arm_left</source>
-        <translation>名称不可用：只能用小写字母、数字和 _，以字母开头，最多 15 个字符，且不能是系统自动分配的名称（can0、eth0）。例如：arm_left</translation>
-    </message>
-    <message>
-        <source>The adapter&apos;s serial number cannot be used: {text}</source>
-        <translation>适配器的序列号无法使用：{text}</translation>
-    </message>
-    <message>
         <source>The question for the password was closed: nothing was changed.</source>
         <translation>密码窗口已关闭：没有更改任何设置。</translation>
     </message>
@@ -9265,10 +9269,6 @@ The other program must have ended.</source>
     <message>
         <source>{text} is not a USB serial adapter: nothing was changed.</source>
         <translation>{text} 不是 USB 串口适配器：没有更改任何设置。</translation>
-    </message>
-    <message>
-        <source>The system refused it: {text}</source>
-        <translation>系统拒绝：{text}</translation>
     </message>
     <message>
         <source>The system&apos;s program {text} did not answer within 5 s. Unplug the adapter and plug it in again.</source>

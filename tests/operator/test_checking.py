@@ -175,12 +175,13 @@ def test_what_waits_for_the_operator_is_lit_and_said_in_the_line_above(operator,
         operator.click("run_send")
         operator.workers.work()
         assert (accept.property("primary"), send.property("primary")) == (True, False)
-        assert "“Test” has not begun" in operator.app_driver.read("recovery_text")
+        assert "“Test” has not started" in operator.app_driver.read("recovery_text")
 
     def answered():
         assert operator.app_driver.read("recovery_text") == "Ready"
         assert send.property("primary")
 
+    operator.app_driver.run_until(lambda: operator.app_driver.read("recovery_text") == "Ready")
     ask()
     operator.click("findings_close")
     answered()

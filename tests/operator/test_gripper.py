@@ -170,7 +170,7 @@ def test_one_that_does_not_hear(grip):
     grip.type_into(f"gripper_{grip.travel}_field", "30")
     grip.click("gripper_send_button")
     grip.run(1.0)
-    assert "stands at 0.000" in message(grip)
+    assert "stopped at 0.000" in message(grip)
     assert "instead of 30.000" in message(grip)
 
 

@@ -95,7 +95,7 @@ def test_a_question_answered_too_late_does_nothing(ready):
         ready.dialog(ConfirmDialog)
     ready.run(0.3)
     assert ready.heard() == []
-    assert "was withdrawn. What it was asked about is no more" in ready.read("notice_label")
+    assert "was withdrawn. What the question was about has changed" in ready.read("notice_label")
 
 
 def test_a_collision_is_cleared_once_the_obstacle_is_gone(ready):

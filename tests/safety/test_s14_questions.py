@@ -32,7 +32,7 @@ ASKING = {
     "ui/panels/panel.py": {"confirm": 1},
     "ui/panels/parameters/end_load_panel.py": {"_ask_to_hold": 1},
     "ui/panels/parameters/parameter_panel.py": {"confirm": 2},
-    "ui/panels/teaching_panel.py": {"HoldButton": 1, "confirm": 1},
+    "ui/panels/teaching_panel.py": {"HoldButton": 2, "confirm": 1},
     "ui/shell/leaving.py": {"CloseQuestion": 1, "UnsavedQuestion": 1, "confirm": 2},
     "ui/shell/recovery_line.py": {"HoldButton": 1, "confirm": 1},
     "ui/shell/top_bar.py": {"confirm": 2},

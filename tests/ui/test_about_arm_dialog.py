@@ -134,7 +134,7 @@ def test_how_long_and_how_often_the_arm_is_heard(qtbot, controller, dialog):
     controller.hear(controller.state._replace(last_feedback_s=NOW_S + 3_725, frames=7_450_000))
     dialog._timer.timeout.emit()
     assert value(dialog, "online") == "1:02:05"
-    assert value(dialog, "rate") == "2000 a second"
+    assert value(dialog, "rate") == "2000 per second"
     controller.be(operating_state(device=CAN0, link=LinkState.OFFLINE))
     assert value(dialog, "online") == "not heard"
     connect(controller, at_s=NOW_S + 4_000)

@@ -7,10 +7,10 @@ from PySide6.QtWidgets import QLineEdit, QPushButton
 from armui.arm.device import Device
 from armui.doctor import adapter_change
 from armui.doctor.adapter_change import (
+    ADAPTER_DISMISSED,
+    ADAPTER_NOT_AUTHORISED,
     BY_ANYBODY,
     BY_ROOT,
-    DISMISSED,
-    NOT_AUTHORISED,
     Done,
     Planned,
 )
@@ -162,14 +162,14 @@ def test_on_the_adapter_that_is_connected_the_frames_are_counted(
     assert examinations.arguments == []
 
 
-@pytest.mark.parametrize("reason", [DISMISSED, NOT_AUTHORISED], ids=str)
+@pytest.mark.parametrize("reason", [ADAPTER_DISMISSED, ADAPTER_NOT_AUTHORISED], ids=str)
 def test_polkit_says_no(qtbot, line, changes, reason):
     trouble = trouble_with(qtbot, line, DOWN)
     qtbot.mouseClick(trouble.findChildren(FindingRow)[0].remedy_buttons[0], LEFT)
     told(changes, reason(text="Not authorized"))
     assert "othing was changed" in line.text()
     row = trouble._rows[0]
-    if reason is NOT_AUTHORISED:  # the way by the terminal is left
+    if reason is ADAPTER_NOT_AUTHORISED:  # the way by the terminal is left
         assert row.findChild(QLineEdit).text().startswith("sudo ip link")
     else:
         assert len(row.remedy_buttons) == 2
@@ -226,7 +226,7 @@ def test_another_adapter_than_was_shown_is_not_written(qtbot, line, changes):
 
 def test_an_impossible_name_is_said_as_it_is_typed(qtbot, line, changes):
     line.choose(("remember", "can0", "1000000"))
-    told(changes, adapter_change._BAD_NAME(text="can0"))
+    told(changes, adapter_change._ADAPTER_BAD_NAME(text="can0"))
     dialog = keep_dialog(line)
     assert "This name is not possible" in words_of(dialog)
     assert not dialog.agree_button.isEnabled()

@@ -208,7 +208,7 @@ def test_an_event_of_an_older_file_reads_as_a_sentence(translated):
     translated("en")
     assert words.entry_text(read) == "J3 is at its limit of -12.500°. Jog the other way."
     translated("zh")
-    assert words.entry_text(read) == "关节 3 已到限位 -12.500°。请向反方向点动。"
+    assert words.entry_text(read) == "J3 已到限位 -12.500°，请向反方向点动。"
 
 
 def test_a_reason_of_a_newer_program_is_named(translated):

@@ -13,9 +13,9 @@ from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.control.link.adapter_use import why_not_switch
 from armui.doctor.adapter_change import (
+    ADAPTER_NOT_AUTHORISED,
     BY_ANYBODY,
     BY_ROOT,
-    NOT_AUTHORISED,
     AdapterChange,
     Answer,
     Done,
@@ -172,7 +172,7 @@ class AdapterLine(Translated, QWidget):
             return
         self._change = None
         if isinstance(answer, Refusal):
-            self._forbidden = answer.reason == NOT_AUTHORISED
+            self._forbidden = answer.reason == ADAPTER_NOT_AUTHORISED
             self._say(words.refusal(answer), Level.FAULT)
             self.changed.emit()
             return

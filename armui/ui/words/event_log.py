@@ -55,7 +55,7 @@ OBSERVED_CODES: Final = frozenset(_OBSERVED)
 """What there is a sentence for."""
 
 _ENDS: Final = Texts("MotionEnd") | {
-    "short": "the arm stopped short of its target",
+    "short": "the arm stopped before its target",
     End.REPLACED.name: "a newer command took its place",
     End.CANCELLED.name: "cancelled",
     End.STOPPED.name: "emergency stop",

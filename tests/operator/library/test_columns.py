@@ -43,7 +43,7 @@ def test_what_is_missing_is_said_until_nothing_is(operator):
         assert not button.isEnabled()
         missing = ", ".join(f"J{left}" for left in range(joint, 7))
         said = f"Still missing: {missing}. Say which columns hold them."
-        assert operator.message() == f"{said} What is needed depends on “Becomes”."
+        assert operator.message() == f"{said} What is needed depends on “Import as”."
         assert button.toolTip() == operator.message()
         operator.call(joint + 1, f"J{joint}")
     assert operator.message() == ""
@@ -157,7 +157,7 @@ def test_the_pose_of_a_tool_becomes_points(operator):
     assert operator.child("move").currentText() == "Points, MOVE P"
     operator.choose(operator.child("move"), "Points, MOVE J")
     assert operator.message().endswith(
-        "Or choose “Points, MOVE P” under “Becomes”: the columns suffice for that."
+        "Or choose “Points, MOVE P” under “Import as”: the columns suffice for that."
     )
     operator.choose(operator.child("move"), "Points, MOVE P")
     operator.take()

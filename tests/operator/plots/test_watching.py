@@ -214,7 +214,7 @@ def test_everything_follows_language_and_colours(plots):
     plots.draw()
     assert plots.window.title == "曲线"
     assert plots.board.panes[0].legend.title == "J1 角度"
-    assert plots.window.bar.sets.currentText() == "跟上了吗？"
+    assert plots.window.bar.sets.currentText() == "目标与测量"
     dark = plots.board.panes[0].curve_colors["arm.joint_angle.1"]
     plots.driver.store.change(theme="light")
     QApplication.processEvents()
