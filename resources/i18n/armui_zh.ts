@@ -3946,6 +3946,10 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <source>Gripper settings</source>
         <translation>夹爪设置</translation>
     </message>
+    <message>
+        <source>One of {choices}</source>
+        <translation>可选 {choices}</translation>
+    </message>
 </context>
 <context>
     <name>GuideWindow</name>

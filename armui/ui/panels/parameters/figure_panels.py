@@ -15,10 +15,12 @@ from armui.control.arm_controller import ArmController
 from armui.control.operations.operation import operation_of
 from armui.control.parameters.arm_settings import ArmSettings
 from armui.protocol.generation import Generation
+from armui.ui import format as fmt
 from armui.ui.panels.parameters.parameter_panel import ParameterPanel, parameter_commands
 from armui.ui.panels.parameters.setting_cell import FigureCell, SettingCell
 from armui.ui.widgets.layouts import empty_grid
 from armui.ui.words.parameters import parameter_name
+from armui.ui.words.text import listed
 
 _FIELD_PX: Final = 132
 _TALLEST_CARD_PX: Final = 260
@@ -176,6 +178,8 @@ class GripperSettingsPanel(ListedParameters):
 
     def remark(self, cell: SettingCell) -> str:
         """Return what can be chosen where there are few values."""
-        choices = cell.parameter.kind.choices
-        unit = f" {cell.parameter.kind.unit}" if choices else ""
-        return " / ".join(f"{choice:g}" for choice in choices) + unit
+        kind = cell.parameter.kind
+        if not kind.choices:
+            return ""
+        choices = listed(f"{choice:g}" for choice in kind.choices)
+        return self.tr("One of {choices}").format(choices=fmt.append_unit(choices, kind.unit))
