@@ -226,7 +226,7 @@ def test_another_adapter_than_was_shown_is_not_written(qtbot, line, changes):
 
 def test_an_impossible_name_is_said_as_it_is_typed(qtbot, line, changes):
     line.choose(("remember", "can0", "1000000"))
-    told(changes, adapter_change._ADAPTER_BAD_NAME(text="can0"))
+    told(changes, adapter_change.ADAPTER_BAD_NAME(text="can0"))
     dialog = keep_dialog(line)
     assert "This name is not possible" in words_of(dialog)
     assert not dialog.agree_button.isEnabled()
