@@ -206,7 +206,8 @@ class Hud:
             baseline = _PADDING_PX + self._metrics.ascent() + line_px
             for name, unit in rows:
                 painter.drawText(QPointF(left, baseline), name)
-                painter.drawText(QPointF(left + self._figures_end_px, baseline), f" {unit}")
+                unit_text = unit if unit == "°" else f" {unit}"
+                painter.drawText(QPointF(left + self._figures_end_px, baseline), unit_text)
                 baseline += line_px
             left += self._column_px + _GAP_PX
         painter.end()

@@ -19,7 +19,7 @@ _LEAST_ROWS: Final = 3
 _WIDTHS_PX: Final = {
     LibraryColumn.NAME: 142,
     LibraryColumn.POINTS: 106,
-    LibraryColumn.LENGTH: 62,
+    LibraryColumn.LENGTH: 76,
     LibraryColumn.MODIFIED: 124,
     LibraryColumn.CHECK: 82,
 }
