@@ -33,6 +33,8 @@ from armui.ui.words.text import sentence
 from tests.each import check_each
 from tests.translations import Constant, constants
 
+pytestmark = pytest.mark.usefixtures("trees_end_with_the_module")
+
 AT = datetime(2026, 1, 2, 3, 4, 5).astimezone()
 
 
@@ -50,11 +52,6 @@ def has_chinese(text: str) -> bool:
 
 
 # Every code ---------------------------------------------------------------------------------------
-
-
-REASONS = {
-    each.id: Reason(each.id, each.source) for each in constants() if each.context == Reason.context
-}
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -79,9 +76,11 @@ def test_there_is_a_sentence_for_every_event() -> None:
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_every_refusal_reads_as_sentences(translator: Translator, language: Language) -> None:
     translator.set_language(language)
+    said = [each for each in constants() if each.context == Reason.context]
+    reasons = {each.id: Reason(each.id, each.source) for each in said}
 
     def check_refusal(code: str) -> None:
-        text = words.refusal(REASONS[code]())
+        text = words.refusal(reasons[code]())
 
         assert has_chinese(text) is (language == "zh")
         assert code not in text
@@ -89,7 +88,7 @@ def test_every_refusal_reads_as_sentences(translator: Translator, language: Lang
         assert text.endswith(("。", ".", "can_raw", "1000000", "pip install —", "libusb-1.0-0"))
         assert words.refusal(Refusal(Reason(code))) == text  # as a file names it
 
-    check_each(sorted(REASONS), check_refusal)
+    check_each(sorted(reasons), check_refusal)
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
