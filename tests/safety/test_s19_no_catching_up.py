@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from armui.control.events import EventCode
 from armui.control.run.progress import RunPhase
 from armui.control.run.replay import Replay
 from armui.control.run.replayer import REPLAY_GAP
@@ -85,7 +84,7 @@ def test_a_long_pause_ends_the_replay_and_says_why(ready, pause_s):
     progress = replayer.progress
     assert (progress.phase, progress.refusal.code) == (RunPhase.FAILED, "replay_gap")
     assert progress.refusal.params == {"seconds": round(pause_s, 1)}
-    told = [event for event in ready.events if event.code == EventCode.REPLAY_FAILED]
+    told = [event for event in ready.events if event.code == "replay_failed"]
     assert told[-1].params["reason"].reason == REPLAY_GAP
     ready.run(0.5)
     at = ready.firmware.joints_deg

@@ -8,7 +8,7 @@ from typing import Final
 from armui.arm.limits import ANGLE_STEP_DEG, JointLimits, check_joint, check_joints
 from armui.arm.refusal import Reason, Refusal
 from armui.control.context import Context, ControllerPart
-from armui.control.events import EventCode
+from armui.control.events import Notice
 from armui.control.motion.jog_floor import JogFloor
 from armui.control.motion.jog_path import JOG_AT_LIMIT
 from armui.control.motion.motion_command import CommandKind
@@ -20,11 +20,30 @@ from armui.control.safety import interlocks
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode
+from armui.telemetry.events import EventKind, Level
 from armui.trajectory.files.errors import SPEED_OUT_OF_RANGE
 
 STEP_BEYOND_LIMIT = Reason(
     "step_beyond_limit",
     "J{joint}: this step would go beyond its limit of {limit}°. Take a smaller step.",
+)
+SENT_JOINTS = Notice(
+    "sent_joints",
+    "Sent J1 {j1}°  J2 {j2}°  J3 {j3}°  J4 {j4}°  J5 {j5}°  J6 {j6}°",
+    Level.INFO,
+    EventKind.COMMAND,
+)
+JOGGED = Notice("jogged", "Sent J{joint} {target}°", Level.INFO, EventKind.COMMAND, streams=True)
+WENT_HOME = Notice("went_home", "Home sent: all joints to 0°", Level.INFO, EventKind.COMMAND)
+SENT_SPEED = Notice(
+    "sent_speed", "Sent speed {percent} %", Level.INFO, EventKind.COMMAND, streams=True
+)
+SPEED_WAITS = Notice(
+    "speed_waits",
+    "{percent} % is kept: the arm gets it when the motion held back goes on",
+    Level.WARNING,
+    EventKind.COMMAND,
+    streams=True,
 )
 _HOME_DEG: Final = (0.0,) * 6
 _FIRST_SPEED_PERCENT: Final = 30
@@ -100,9 +119,9 @@ class Motion(ControllerPart):
         started = record_start(self.set_speed_percent)
         started.close(Ending.SENT)
         if tellable and self.tell_speed():
-            context.tell(EventCode.SENT_SPEED, started, percent=self.speed_percent)
+            context.tell(SENT_SPEED, started, percent=self.speed_percent)
         elif context.authority.holds:
-            context.tell(EventCode.SPEED_WAITS, started, percent=self.speed_percent)
+            context.tell(SPEED_WAITS, started, percent=self.speed_percent)
         context.refresh()
         return None
 
@@ -130,7 +149,7 @@ class Motion(ControllerPart):
         if refusal is not None:
             return context.refuse(refusal)
         figures = {"joint": joint, "target": target_deg[joint - 1]}
-        return self._move(record_start(self.jog), target_deg, EventCode.JOGGED, **figures)
+        return self._move(record_start(self.jog), target_deg, JOGGED, **figures)
 
     def jog_lagging(self, joint: int, step_deg: float) -> bool:
         """Tell whether the arm is so far behind that a held button should not step on."""
@@ -145,17 +164,15 @@ class Motion(ControllerPart):
     def send_joints(self, angles_deg: Sequence[float]) -> Refusal | None:
         """Move to six angles in degrees (MOVE J, 0x155–0x157 and 0x151)."""
         figures = reports.numbered(angles_deg)
-        return self._move(
-            record_start(self.send_joints), angles_deg, EventCode.SENT_JOINTS, **figures
-        )
+        return self._move(record_start(self.send_joints), angles_deg, SENT_JOINTS, **figures)
 
     @operation("motion.home", "Move to the factory zero angles", why_not_move, moves=True)
     def go_home(self) -> Refusal | None:
         """Move to the factory zero angles."""
-        return self._move(record_start(self.go_home), _HOME_DEG, EventCode.WENT_HOME)
+        return self._move(record_start(self.go_home), _HOME_DEG, WENT_HOME)
 
     def _move(
-        self, started: Started, angles_deg: Sequence[float], code: EventCode, **figures: object
+        self, started: Started, angles_deg: Sequence[float], notice: Notice, **figures: object
     ) -> Refusal | None:
         """Send six angles if that may be, and tell so with a notice."""
         context = self._context
@@ -175,7 +192,7 @@ class Motion(ControllerPart):
         )
         if isinstance(sent, Refusal):
             return context.refuse(sent)
-        context.tell(code, started, **figures)
+        context.tell(notice, started, **figures)
         return None
 
     def follow_arm(self) -> None:

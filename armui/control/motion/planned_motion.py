@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Reason, Refusal
 from armui.control.context import Context
-from armui.control.events import EventCode
+from armui.control.events import Notice
 from armui.control.motion.motion_command import Hold
 from armui.control.operating_state import LINK_LOST
 from armui.control.operations.operation import operation, record_start
@@ -15,6 +15,7 @@ from armui.control.safety import interlocks
 from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN, SPEED_ZERO
 from armui.protocol import commands
 from armui.protocol.codes import TrajectoryCommand
+from armui.telemetry.events import EventKind, Level
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -24,6 +25,12 @@ if TYPE_CHECKING:
 
 NOT_MOVING = Reason("not_moving", "The arm is not moving: there is nothing to pause.")
 NOTHING_HELD = Reason("nothing_held", "No motion is held back.")
+PLAN_SENT = Notice(
+    "plan_sent",
+    "Sent: {plan}. The arm does not report this; watch it.",
+    Level.INFO,
+    EventKind.COMMAND,
+)
 
 
 _ENDS: Final = frozenset(
@@ -98,7 +105,7 @@ class PlannedMotion:
             return context.refuse(refusal)
         started = record_start(self.command)
         started.close(Ending.SENT)
-        context.tell(EventCode.PLAN_SENT, started, plan=int(command))
+        context.tell(PLAN_SENT, started, plan=int(command))
         return None
 
     def _send(self, command: TrajectoryCommand, frames: Sequence[Frame]) -> bool:

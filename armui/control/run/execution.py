@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Signal
 
 from armui.arm.refusal import Refusal
 from armui.control.context import Context, ControllerPart
+from armui.control.events import Notice
 from armui.control.motion.motion_command import Hold
 from armui.control.motion_end import RUN_STOPPED, abort_motion, abort_motion_for
 from armui.control.operating_state import LINK_LOST
@@ -17,11 +18,15 @@ from armui.control.run.progress import OVER, Progress, RunPhase
 from armui.control.safety.standstill import RestWatch
 from armui.protocol import commands
 from armui.protocol.codes import TrajectoryCommand
+from armui.telemetry.events import Asker, EventKind, Level
 
 if TYPE_CHECKING:
     from armui.control.operations.started import Started
     from armui.protocol.codec import Codec
     from armui.protocol.frame import Frame
+
+RUN_STARTED = Notice("run_started", "Running “{name}”", Level.INFO, EventKind.COMMAND)
+RUN_DONE = Notice("run_done", "“{name}” has finished.", Level.DONE, EventKind.RESULT, Asker.RUN)
 
 _PAUSE_AGAIN_S: Final = 0.1
 """So long after it a pause is told once more."""
