@@ -197,8 +197,14 @@ class Context:
         return self.speed_frames(mode, speed_percent)
 
     def tell_percent(self, percent: int) -> bool:
-        """Send another speed percentage in the mode the arm is in; whether that is possible now."""
-        mode = None if self.why_no_motion() is not None else self.authority.mode_in_force()
+        """Send another speed percentage in the mode the arm is in; whether that is possible now.
+
+        What is held back is told 0 % only: nothing else would leave it where it is.
+        """
+        self.observe()
+        authority = self.authority
+        refusal = authority.why_not() if percent else authority.why_not_ours()
+        mode = None if refusal is not None else authority.mode_in_force()
         if mode is None or not self.connection.send(self.speed_frames(mode, percent)):
             return False
         self.authority.told_percent(percent)

@@ -48,6 +48,8 @@ SPEED_WAITS = Notice(
 _HOME_DEG: Final = (0.0,) * 6
 _FIRST_SPEED_PERCENT: Final = 30
 _LAG_STEPS: Final = 2
+_AGAIN_S: Final = 0.1
+"""So long after it a lower percentage is told once more: a frame may be lost."""
 _SETTLE_S: Final = 0.3
 """So long after a command of ours the operator's speed is not given back yet."""
 
@@ -89,6 +91,7 @@ class Motion(ControllerPart):
         self._context = context
         self._floor = floor
         self.speed_percent = _FIRST_SPEED_PERCENT
+        self._again_s: float | None = None
 
     @property
     def setpoint_deg(self) -> tuple[float, ...] | None:
@@ -110,7 +113,9 @@ class Motion(ControllerPart):
         operating_state = context.refresh()
         if (refusal := why_no_speed(operating_state)) is not None:
             return context.refuse(refusal)
+        lower = round(percent) < self.speed_percent
         self.speed_percent = round(percent)
+        self._again_s = None
         tellable = operating_state.control_certain and not operating_state.jogging
         tellable &= (
             interlocks.why_no_command(operating_state.unreachable, operating_state.stop, None)
@@ -120,6 +125,8 @@ class Motion(ControllerPart):
         started.close(Ending.SENT)
         if tellable and self.tell_speed():
             context.tell(SENT_SPEED, started, percent=self.speed_percent)
+            if lower and context.authority.may_be_ours:
+                self._again_s = context.clock() + _AGAIN_S
         elif context.authority.holds:
             context.tell(SPEED_WAITS, started, percent=self.speed_percent)
         context.refresh()
@@ -199,8 +206,9 @@ class Motion(ControllerPart):
         """A motion goes on by itself; afterwards the arm gets the operator's speed back.
 
         A lower speed that could not be told, as while the arm was not heard, does not wait for the
-        end of the motion.
+        end of the motion. One that was told in a motion is told once more.
         """
+        self._tell_lower_speed_again()
         context = self._context
         authority = context.authority
         given = authority.arm_percent
@@ -220,6 +228,18 @@ class Motion(ControllerPart):
             is None
         ):
             self.tell_speed()
+
+    def _tell_lower_speed_again(self) -> None:
+        if self._again_s is None or self._context.clock() < self._again_s:
+            return
+        self._again_s = None
+        now = self._context.operating_state()
+        if self._context.authority.may_be_ours and not (now.running or now.jogging):
+            self.tell_speed()
+
+    def forget_arm(self) -> None:
+        """Tell another arm nothing."""
+        self._again_s = None
 
     def _settled(self) -> bool:
         command = self._context.authority.command

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Reason, Refusal
-from armui.control.context import Context
+from armui.control.context import Context, ControllerPart
 from armui.control.events import Notice
 from armui.control.motion.motion_command import Hold
 from armui.control.operating_state import LINK_LOST
@@ -33,6 +33,8 @@ PLAN_SENT = Notice(
 )
 
 
+_PAUSE_AGAIN_S: Final = 0.1
+"""So long after it a pause is told once more."""
 _ENDS: Final = frozenset(
     {TrajectoryCommand.CLEAR_CURRENT, TrajectoryCommand.CLEAR_ALL, TrajectoryCommand.ABORT}
 )
@@ -61,7 +63,44 @@ def why_not_plan(now: OperatingState, command: TrajectoryCommand) -> Refusal | N
     return now.cannot_send_motion
 
 
-class PlannedMotion:
+class PauseCommand:
+    """Has the arm hold a planned motion back where it is (0x150 byte 1 = 1).
+
+    It is sent twice: a frame may be lost, and too slow a motion is not seen to go on.
+
+    Args:
+        context: What the parts of the controller share.
+    """
+
+    def __init__(self, context: Context) -> None:
+        self._context = context
+        self._again_s: float | None = None
+
+    def send(self) -> bool:
+        """Send it, and once more after 0.1 s; returns False where there is no bus to send it on."""
+        self._context.authority.paused()
+        self._again_s = self._context.clock() + _PAUSE_AGAIN_S
+        return self._send()
+
+    def repeat(self) -> None:
+        """Send it once more when that is due and the motion is still held back."""
+        if self._again_s is None or self._context.clock() < self._again_s:
+            return
+        self._again_s = None
+        if Hold.PAUSE in self._context.authority.holds:
+            self._send()
+
+    def drop(self) -> None:
+        """Send it no more: the motion is to go on."""
+        self._again_s = None
+
+    def _send(self) -> bool:
+        connection = self._context.connection
+        pause = commands.trajectory_command(connection.codec, TrajectoryCommand.PAUSE)
+        return connection.send(pause)
+
+
+class PlannedMotion(ControllerPart):
     """Sends commands that the feedback does not confirm: 0x2A1 has no code for a paused motion.
 
     Args:
@@ -76,6 +115,7 @@ class PlannedMotion:
         self._context = context
         self._end_all = end_all
         self._tell_speed = tell_speed
+        self._pause = PauseCommand(context)
 
     @operation(
         "planned.command",
@@ -111,8 +151,8 @@ class PlannedMotion:
     def _send(self, command: TrajectoryCommand, frames: Sequence[Frame]) -> bool:
         authority, connection = self._context.authority, self._context.connection
         if command is TrajectoryCommand.PAUSE:
-            authority.paused()
-            return connection.send(frames)
+            return self._pause.send()
+        self._pause.drop()
         if command is not TrajectoryCommand.CONTINUE:
             return connection.send(frames)
         holds, percent = authority.holds, self._context.operating_state().speed_percent
@@ -122,3 +162,13 @@ class PlannedMotion:
             authority.holds = holds
             return False
         return Hold.PAUSE not in holds or connection.send(frames)
+
+    # The controller's tick ----------------------------------------------------------------------
+
+    def follow_arm(self) -> None:
+        """Repeat a pause that is due."""
+        self._pause.repeat()
+
+    def forget_arm(self) -> None:
+        """Send nothing to another arm."""
+        self._pause.drop()

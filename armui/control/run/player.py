@@ -147,7 +147,7 @@ class Player(Execution):
         if self._phase not in {RunPhase.MOVING, RunPhase.DWELLING}:
             return self._context.refuse(NOT_RUNNING())
         if self._phase is RunPhase.MOVING:
-            self._hold_back()
+            self._hold.send()
         self._paused_phase, self._phase = self._phase, RunPhase.PAUSED
         self._paused_s = self._context.clock()
         started = record_start(self.pause)
@@ -236,7 +236,7 @@ class Player(Execution):
         elif self._phase is RunPhase.STOPPING:
             self._follow_stopping()
         elif self._phase is RunPhase.PAUSED:
-            self._follow_pause()
+            self._hold.repeat()
         self._publish()
 
     def _reason(self) -> Refusal | None:

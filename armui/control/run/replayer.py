@@ -36,8 +36,8 @@ if TYPE_CHECKING:
 
 REPLAY_GAP = Reason(
     "replay_gap",
-    "The program or the computer stood still for {seconds} s, so the replay was ended. Let the "
-    "computer do less beside it, keep it from sleeping, and start the replay anew.",
+    "The program, the computer or the adapter stood still for {seconds} s, so the replay was "
+    "ended. Let the computer do less beside it, keep it from sleeping, and start the replay anew.",
 )
 REPLAY_PAUSED = Notice(
     "replay_paused", "Replay paused: the arm holds", Level.INFO, EventKind.COMMAND
@@ -129,7 +129,7 @@ class Replayer(Execution):
 
     def _pause(self) -> None:
         if self._watch is not None:
-            self._hold_back()
+            self._hold.send()
         self._phase = RunPhase.PAUSED
         started = record_start(self.pause)
         started.close(Ending.SENT)
@@ -200,7 +200,7 @@ class Replayer(Execution):
         elif self._phase is RunPhase.MOVING or self._comes_to_a_stand(replay):
             self._stream(replay)
         elif self._phase is RunPhase.PAUSED and self._watch is not None:
-            self._follow_pause()
+            self._hold.repeat()
         self._publish()
 
     def _comes_to_a_stand(self, replay: Replay) -> bool:
@@ -276,7 +276,9 @@ class Replayer(Execution):
 
     def _stream(self, replay: Replay) -> None:
         now_s = self._context.clock()
-        if now_s <= self._since_s:
+        # a target that still waits for the driver is no place to add another to: both would go
+        # out at once
+        if now_s <= self._since_s or not self._context.connection.idle:
             return
         gap_s, self._since_s = now_s - self._since_s, now_s
         gone_s = gap_s if gap_s <= _GAP_S else PERIOD_MS / 1e3
