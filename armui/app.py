@@ -121,7 +121,7 @@ _LATE_ROOMS: Final = (
 
 
 def may_drive(modules: Collection[str]) -> bool:
-    """Tell whether a failure may leave the arm moving, by the modules in its traceback.
+    """Return whether a failure may leave the arm moving, by the modules in its traceback.
 
     A traceback without a module of ours counts: a slot that is called with the wrong arguments
     leaves none.

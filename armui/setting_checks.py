@@ -106,7 +106,7 @@ def shown(value: object) -> str:
 
 
 def _is_path(value: object) -> bool:
-    """Whether a value can be the name of a file, here and in Qt."""
+    """Return whether a value can be the name of a file, here and in Qt."""
     if not isinstance(value, str) or not 0 < len(value) <= _LONGEST_PATH or "\0" in value:
         return False
     try:
@@ -133,7 +133,7 @@ def _are_buttons(value: object) -> bool:
 
 
 def _are_of_arms(value: object, allowed: Sequence[object]) -> bool:
-    """Whether a value says something of arms, by what they are remembered by."""
+    """Return whether a value says something of arms, by what they are remembered by."""
     return (
         isinstance(value, dict)
         and len(value) <= _MOST_ARMS

@@ -153,7 +153,7 @@ Answer = Planned | Done | Refusal
 
 @cache
 def helper_is_there() -> bool:
-    """Whether the package has put the helper there, and nobody but root can change it.
+    """Return whether the package has put the helper there, and nobody but root can change it.
 
     It is looked for once, by whoever may wait for the disk.
     """
@@ -161,7 +161,7 @@ def helper_is_there() -> bool:
 
 
 def are_owned(files: Sequence[Path], owner: int = 0) -> bool:
-    """Whether files are there, and nobody but their owner can change or replace them."""
+    """Return whether files are there, and nobody but their owner can change or replace them."""
     try:
         found = [each.lstat() for each in (*files, *(each.parent for each in files))]
     except OSError:
@@ -222,7 +222,7 @@ class AdapterChange:
                     process.stdin.close()  # which a helper that waits for «go» takes for a no
 
     def wait(self, within_s: float) -> bool:
-        """Whether it has ended, after a time at most."""
+        """Return whether it has ended, after a time at most."""
         self._thread.join(within_s)
         return not self._thread.is_alive()
 

@@ -390,7 +390,7 @@ def judge(facts: Facts) -> list[Diagnosis]:
 
 
 def an_arm_answers(facts: Facts) -> bool:
-    """Whether an arm's own feedback was heard; and answers, where questions were sent."""
+    """Return whether an arm's own feedback was heard; and answers, where questions were sent."""
     return any(
         heard.arm is not None and (heard.answered or not heard.asked) for heard in facts.heard
     )

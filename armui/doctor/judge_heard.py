@@ -366,7 +366,7 @@ def _ask(heard: HeardFacts) -> tuple[str, ...]:
 
 
 def _all_zero(arm: ArmFacts) -> bool:
-    """Whether the end pose is all zero: no pose of this arm is."""
+    """Return whether the end pose is all zero: no pose of this arm is."""
     return all(each == 0 for each in arm.pose)
 
 

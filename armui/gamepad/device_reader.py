@@ -72,7 +72,7 @@ class Reader(Protocol):
 
     @property
     def running(self) -> bool:
-        """Whether it still reads, or is about to end."""
+        """True if it still reads, or is about to end."""
         ...
 
     def stop(self) -> None:
@@ -80,7 +80,7 @@ class Reader(Protocol):
         ...
 
     def end(self) -> bool:
-        """Stop reading, and wait a little; whether it has ended."""
+        """Stop reading, and wait a little and return whether it has ended."""
         ...
 
 
@@ -119,7 +119,7 @@ class DeviceReader:
 
     @property
     def running(self) -> bool:
-        """Whether the thread runs."""
+        """True if the thread runs."""
         return self._thread.is_alive()
 
     def stop(self) -> None:

@@ -183,7 +183,7 @@ def shaped(deflection: float, dead_zone: float) -> float:
 
 
 def centred(deflections: Sequence[float], dead_zone: float) -> bool:
-    """Whether every axis is at rest; one that is not a number is not."""
+    """Return whether every axis is at rest; one that is not a number is not."""
     return all(abs(each) <= dead_zone for each in deflections)
 
 

@@ -42,7 +42,7 @@ class SpaceMouseState:
 
     @property
     def displaced(self) -> bool:
-        """Whether the cap is away from its centre: such a device tells all the time."""
+        """True if the cap is away from its centre: such a device tells all the time."""
         return any(self.figures)
 
 

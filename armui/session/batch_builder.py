@@ -192,7 +192,7 @@ class BatchBuilder:
         return np.array([known.get(channel, further) for channel in channels], np.uint8)
 
     def _usable(self, message: can.Message, index: int, place: Callable[[int], str]) -> bool:
-        """Tell whether a message has an identifier, data and a time at all."""
+        """Return whether a message has an identifier, data and a time at all."""
         try:
             self._columns([message])
             reason = "" if math.isfinite(message.timestamp) else "its time is no number"

@@ -35,7 +35,7 @@ class _Database(can.SqliteReader):
         self._conn.execute("PRAGMA query_only = 1")
 
     def has_table(self) -> bool:
-        """Tell whether there is a table of frames; a view might never end."""
+        """Return whether there is a table of frames; a view might never end."""
         found = self._conn.execute(
             "SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = 'messages'"
         )

@@ -139,7 +139,7 @@ class DamageList:
 
     @property
     def full(self) -> bool:
-        """Whether further places are only counted."""
+        """True if further places are only counted."""
         return len(self._kept) >= MOST_DAMAGES
 
     @property

@@ -58,7 +58,7 @@ def model_of_log(
 def zeros_of_log(
     session: Session, channel: Channel, generation: Generation, feedback_offset: int
 ) -> bool | None:
-    """Tell whether poses in a log have the zeros before S-V1.6-3; ``None``: unknown."""
+    """Return whether poses in a log have the zeros before S-V1.6-3; ``None``: unknown."""
     return _agreed(session, channel, generation, feedback_offset, lambda arm: arm.older_zeros)
 
 

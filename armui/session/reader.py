@@ -158,7 +158,7 @@ def _looks_like(path: Path) -> str:
 
 
 def is_known_kind(path: Path) -> bool:
-    """Tell whether a file is a log by its name."""
+    """Return whether a file is a log by its name."""
     try:
         _log_suffix(path)
     except NotALogError:

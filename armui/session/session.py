@@ -130,7 +130,7 @@ class KeepsCounts(Protocol):
 
     @property
     def lacks_counts(self) -> bool:
-        """Whether nobody has counted them yet."""
+        """True if nobody has counted them yet."""
 
     def keep_counts(self, marks: Sequence[SessionMark]) -> None:
         """Keep how many the marks tell of; waits for a disk."""

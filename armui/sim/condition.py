@@ -140,7 +140,7 @@ class Condition:
         return self.activity
 
     def obeys(self, *move_modes: MoveMode) -> bool:
-        """Tell whether a target of one of these kinds of motion starts it as it arrives."""
+        """Return whether a target of one of these kinds of motion starts it as it arrives."""
         return self.control_mode is ControlMode.CAN_CONTROL and self.move_mode in move_modes
 
     def accept_target(self) -> None:
@@ -150,7 +150,7 @@ class Condition:
 
     @property
     def hindered(self) -> bool:
-        """Whether a fault keeps a joint from moving."""
+        """True if a fault keeps a joint from moving."""
         return self.alarms.any or any(self.communication_fault)
 
     def clear_errors(self) -> None:

@@ -187,7 +187,7 @@ class Firmware:
 
     @property
     def stopped(self) -> bool:
-        """Whether an emergency stop is in force."""
+        """True if an emergency stop is in force."""
         return self.condition.stopped
 
     @property
@@ -207,7 +207,7 @@ class Firmware:
 
     @property
     def motion_state(self) -> MotionState:
-        """Whether the last target is reached."""
+        """True if the last target is reached."""
         return self.condition.motion_state
 
     @property
@@ -227,12 +227,12 @@ class Firmware:
 
     @property
     def silent(self) -> bool:
-        """Whether the bus silence of 0x422 is in force."""
+        """True if the bus silence of 0x422 is in force."""
         return self._silent
 
     @property
     def leads(self) -> bool:
-        """Whether it is a teaching input: it sends commands, and obeys none."""
+        """True if it is a teaching input: it sends commands, and obeys none."""
         return self._linkage.leader is not None
 
     @property

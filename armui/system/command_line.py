@@ -78,7 +78,7 @@ def detach_output() -> None:
 
 
 def has_display() -> bool:
-    """Tell whether there is a desktop session to show a window in."""
+    """Return whether there is a desktop session to show a window in."""
     system: str = sys.platform
     if system in {"win32", "darwin"} or os.environ.get("QT_QPA_PLATFORM"):
         return True

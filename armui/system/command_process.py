@@ -65,7 +65,7 @@ class CommandProcess:
                 self._process.kill()
 
     def wait(self, within_s: float = _END_S) -> bool:
-        """Tell whether it has ended and was listened to, after a time at most."""
+        """Return whether it has ended and was listened to, after a time at most."""
         self._thread.join(within_s)
         return not self._thread.is_alive()
 

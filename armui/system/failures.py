@@ -51,7 +51,7 @@ def key_of(error: BaseException) -> Key:
 
 
 def is_our_own(error: BaseException) -> bool:
-    """Tell whether an exception was raised by this program, not by a library or driver."""
+    """Return whether an exception was raised by this program, not by a library or driver."""
     last = None
     for frame, _line in traceback.walk_tb(error.__traceback__):
         last = frame.f_globals.get("__name__", "")
@@ -99,7 +99,7 @@ class Repeats(logging.Filter):
         self._counts: Counter[Key] = Counter()
 
     def filter(self, record: logging.LogRecord) -> bool:
-        """Tell whether a record is logged; one that stands for others says for how many."""
+        """Return whether a record is logged; one that stands for others says for how many."""
         error = record.exc_info[1] if record.exc_info else None
         if error is None:
             return True

@@ -90,7 +90,7 @@ else:
 
 
 def lives_on_windows(kernel: Any, process: int, last_error: Any) -> bool:
-    """Tell whether there is a process of this number; `os.kill` would end it there.
+    """Return whether there is a process of this number; `os.kill` would end it there.
 
     Args:
         kernel: The library kernel32.

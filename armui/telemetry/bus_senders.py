@@ -70,7 +70,7 @@ def sender_of(frame: Frame, flags: int, addressing: Addressing) -> Sender:
 
 
 def speaks_for_arm(arbitration_id: int) -> bool:
-    """Tell whether only arms send frames with this identifier, under any offset (0x470)."""
+    """Return whether only arms send frames with this identifier, under any offset (0x470)."""
     return arbitration_id in FIXED_FEEDBACK or (
         arbitration_id in _FEEDBACK_OFFSETS and 1 <= arbitration_id & 0xF <= 8
     )

@@ -96,7 +96,7 @@ class FrameRow:
         return cycle_of(self.times_s)
 
     def is_silent(self, now_s: float) -> bool:
-        """Tell whether frames that came regularly come no more."""
+        """Return whether frames that came regularly come no more."""
         away_s = now_s - self.last_s
         if away_s <= SILENT_S or len(self.times_s) < 3:
             return False
@@ -104,7 +104,7 @@ class FrameRow:
         return cycle is not None and away_s * cycle.rate_hz > _SILENT_CYCLES
 
     def changed_since(self, at_s: float) -> bool:
-        """Tell whether a byte was seen to change after a time."""
+        """Return whether a byte was seen to change after a time."""
         return max(self.changed_s) > at_s
 
 
@@ -302,7 +302,7 @@ class BusStatistics(Listener):
 
     @property
     def generation_known(self) -> bool:
-        """Whether the arm is known to speak the codec's generation."""
+        """True if the arm is known to speak the codec's generation."""
         return self._codec is not None and self._codec.generation is self._generation
 
     def clear(self) -> None:

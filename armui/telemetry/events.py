@@ -128,7 +128,7 @@ class EventEntry:
 
     @property
     def goes_on(self) -> bool:
-        """Whether it has not ended yet."""
+        """True if it has not ended yet."""
         return self.lasts and self.ended_s is None
 
     @property

@@ -9,7 +9,7 @@ from armui.control.operating_state import LinkState, OperatingState
 
 
 def is_stale(heard: Reading[Any] | None, state: ArmState, operating_state: OperatingState) -> bool:
-    """Whether a value was heard and is too old by now.
+    """Return whether a value was heard and is too old by now.
 
     While the arm is online its last frame is the clock: a value that stays away for half a second
     while others arrive is stale. Without a link everything heard is.

@@ -121,7 +121,7 @@ _SAME_ANGLE_DEG: Final = 0.005
 
 
 def poses_equal(one: tuple[float, ...] | None, other: tuple[float, ...] | None) -> bool:
-    """Tell whether two poses, six angles in degrees each, look the same on a screen."""
+    """Return whether two poses, six angles in degrees each, look the same on a screen."""
     if one is None or other is None:
         return False
     return all(abs(a - b) < _SAME_ANGLE_DEG for a, b in zip(one, other, strict=True))

@@ -31,7 +31,7 @@ class Box:
     bottom: float
 
     def overlaps(self, other: Box) -> bool:
-        """Tell whether the two share any place."""
+        """Return whether the two share any place."""
         beside = self.right <= other.left or other.right <= self.left
         return not (beside or self.bottom <= other.top or other.bottom <= self.top)
 
@@ -74,7 +74,7 @@ class Room:
 
 
 def is_clear(camera: OrbitCamera, groups: Groups, room: Room, slack_px: float = 0.0) -> bool:
-    """Tell whether everything is in the picture, and nothing behind figures or buttons.
+    """Return whether everything is in the picture, and nothing behind figures or buttons.
 
     Args:
         camera: Takes the picture.

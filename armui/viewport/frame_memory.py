@@ -61,7 +61,7 @@ class FrameMemory:
         return MemoryName(self._memory.name, self.slot_bytes)
 
     def suits(self, image_bytes: int) -> bool:
-        """Tell whether images of a size fit, without most of the memory lying idle."""
+        """Return whether images of a size fit, without most of the memory lying idle."""
         enough = image_bytes <= self.slot_bytes
         return enough and self.slot_bytes <= max(_TOO_LARGE * image_bytes, _ROUND_UP_BYTES)
 

@@ -294,7 +294,7 @@ def _wheel_deg(aside: float) -> float:
 
 
 def _is_near(grip: Grip, projection: Projection, ahead: Vector, at_px: tuple[float, float]) -> bool:
-    """Tell whether the side that faces the eye is taken; where both are there, it is that."""
+    """Return whether the side that faces the eye is taken; where both are there, it is that."""
     pixels = [projection.pixel(place) for place in grip.places]
     away: list[tuple[float, float]] = []
     for place, (one, other) in zip(grip.places, itertools.pairwise(pixels), strict=False):

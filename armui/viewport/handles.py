@@ -70,11 +70,11 @@ class Handles:
 
     @property
     def is_held(self) -> bool:
-        """Tell whether one of them is held."""
+        """Return whether one of them is held."""
         return self._drag is not None
 
     def set_place(self, place: HandlePlace | None) -> bool:
-        """Stand elsewhere, or nowhere; whether that is anything new."""
+        """Stand elsewhere, or nowhere and return whether that is anything new."""
         is_new = place != self._place
         self._place = place
         if place is None:
@@ -135,7 +135,7 @@ class Handles:
         return None if amount is None else Dragged(self._drag.grip, amount)
 
     def let_go(self) -> bool:
-        """The button comes up; whether a handle was held."""
+        """The button comes up and return whether a handle was held."""
         was_held, self._drag = self._drag is not None, None
         return was_held
 

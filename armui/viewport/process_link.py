@@ -287,13 +287,13 @@ class Mailbox(Generic[T]):
 
     @property
     def is_closed(self) -> bool:
-        """Tell whether `close` was called."""
+        """Return whether `close` was called."""
         with self._changed:
             return self._is_closed
 
     @property
     def has_item(self) -> bool:
-        """Tell whether an item waits."""
+        """Return whether an item waits."""
         with self._changed:
             return self._item is not None
 

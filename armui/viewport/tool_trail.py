@@ -49,7 +49,7 @@ class ToolTrail:
         self._last_s = None
 
     def set_length(self, length_s: float) -> bool:
-        """Keep so many seconds of motion; whether the trail is another one now."""
+        """Keep so many seconds of motion and return whether the trail is another one now."""
         self.length_s = length_s
         return self._trim()
 

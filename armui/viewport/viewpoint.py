@@ -199,7 +199,7 @@ class Viewpoint:
             self._been = outermost(self.camera, [*self._groups(), *self._been])
 
     def _is_all_clear(self, shape: RobotShape) -> bool:
-        """Tell whether everything is in the picture; asked 12 times a second in a motion."""
+        """Return whether everything is in the picture; asked 12 times a second in a motion."""
         projection = Projection(self.camera, self._room.width_px, self._room.height_px)
         doubtful: list[Sequence[Vector]] = []
         for pose in self._poses:

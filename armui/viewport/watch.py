@@ -54,7 +54,7 @@ _LONGEST_FACTOR: Final = 20.0
 
 
 def is_stuck(busy: PictureBusy, busy_for_s: float, *, starved: bool = False) -> bool:
-    """Tell whether a process that gives signs of life gets nowhere.
+    """Return whether a process that gives signs of life gets nowhere.
 
     One that is starved by others takes long, too; it wants the processor and does not get it. One
     that hangs sleeps beside a free processor, or spins for far longer than the work takes.
@@ -93,7 +93,7 @@ class ThreadTurns:
 def is_starved(
     before: Mapping[int, ThreadTurns], after: Mapping[int, ThreadTurns], over_s: float
 ) -> bool:
-    """Tell whether a process that is silent stood in line for a processor, rather than hung.
+    """Return whether a process that is silent stood in line for a processor, rather than hung.
 
     Args:
         before: By thread; nothing where the system does not tell.
@@ -112,7 +112,7 @@ def _stood_in_line(before: ThreadTurns, now: ThreadTurns, over_s: float) -> bool
 
 
 def silent_too_long(phase: PicturePhase, silent_s: float, ran_s: float) -> bool:
-    """Tell whether even a starved process would have said something.
+    """Return whether even a starved process would have said something.
 
     Args:
         phase: What it is at.
@@ -133,7 +133,7 @@ class Restarts:
         self._lost_s: deque[float] = deque(maxlen=self.MOST)
 
     def lost(self, now_s: float) -> bool:
-        """Note a loss; whether to start again without being asked."""
+        """Note a loss and return whether to start again without being asked."""
         self._lost_s.append(now_s)
         return len(self._lost_s) < self.MOST or now_s - self._lost_s[0] > self.WITHIN_S
 
@@ -160,7 +160,7 @@ class PictureAge:
 
     @property
     def is_newest_shown(self) -> bool:
-        """Tell whether the picture shows the newest state."""
+        """Return whether the picture shows the newest state."""
         return not self._newer
 
     def wanted(self, sequence: int, now_s: float) -> None:
@@ -180,7 +180,7 @@ class PictureAge:
         return max(0.0, now_s - self._newer[0][1]) if self._newer else 0.0
 
     def looks_old(self, now_s: float) -> bool:
-        """Tell whether the picture must say that it is old."""
+        """Return whether the picture must say that it is old."""
         if self.age_s(now_s) > LONGEST_S:
             self._looks_old = True
         return self._looks_old

@@ -82,7 +82,7 @@ def look_at_adapters() -> CanFacts:
 
 
 def is_wsl(kernel: Path) -> bool:
-    """Whether Linux runs as a guest of Windows, by the name of its kernel."""
+    """Return whether Linux runs as a guest of Windows, by the name of its kernel."""
     return "microsoft" in _text(kernel).lower()
 
 

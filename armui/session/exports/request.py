@@ -39,7 +39,7 @@ class ExportFormat(enum.StrEnum):
 
     @property
     def is_folder(self) -> bool:
-        """Whether several files are written."""
+        """True if several files are written."""
         return self is ExportFormat.CSV_MESSAGES
 
     def named(self, path: Path) -> Path:

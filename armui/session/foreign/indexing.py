@@ -279,7 +279,7 @@ class _told_progress:  # noqa: N801 - used as a function is
 
 
 def _is_disk_full(folder: Path, frames: int) -> bool:
-    """Tell whether what is still to be written would leave too little to others."""
+    """Return whether what is still to be written would leave too little to others."""
     return shutil.disk_usage(folder).free < SPARE_BYTES + frames * (4 + 8)
 
 

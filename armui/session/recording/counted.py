@@ -54,7 +54,7 @@ def counts_of(marks: Sequence[SessionMark]) -> Counts:
 
 
 def _is_stopped(entry: Mapping[str, object]) -> bool:
-    """Tell whether the arm says that it is stopped: found in its frames, or as an event."""
+    """Return whether the arm says that it is stopped: found in its frames, or as an event."""
     params = entry.get("params")
     status = params.get("status") if isinstance(params, Mapping) else None
     as_event = entry.get("code") == "arm_status" and status == ArmStatusCode.EMERGENCY_STOP
@@ -83,7 +83,7 @@ def counts_in(lines: Sequence[Mapping[str, Any]]) -> Counts | None:
 
 
 def is_over(folder: Path, name: str, lines: Sequence[Mapping[str, Any]]) -> bool:
-    """Tell whether nobody writes a recording any more; another program may."""
+    """Return whether nobody writes a recording any more; another program may."""
     if any(line["kind"] == "end" for line in lines):
         return True
     try:

@@ -106,7 +106,7 @@ def name_for(at: datetime) -> str:
 
 
 def is_name(text: str) -> bool:
-    """Tell whether a recording can be called so, on every system."""
+    """Return whether a recording can be called so, on every system."""
     return (
         0 < len(text) <= LONGEST_NAME
         and text == text.strip()

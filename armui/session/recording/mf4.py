@@ -26,7 +26,7 @@ _TAKEN_IN: Final = 0.9
 
 
 def can_write() -> bool:
-    """Tell whether the package for it is installed; may wait for a disk."""
+    """Return whether the package for it is installed; may wait for a disk."""
     return importlib.util.find_spec(PACKAGE) is not None
 
 

@@ -226,7 +226,7 @@ class RecordedSession:
 
     @property
     def lacks_counts(self) -> bool:
-        """Whether nobody has counted its faults and stops yet."""
+        """True if nobody has counted its faults and stops yet."""
         return counts_in(self.lines) is None
 
     def keep_counts(self, marks: Sequence[SessionMark]) -> None:

@@ -67,7 +67,7 @@ class SessionRecording:
 
     @property
     def running(self) -> bool:
-        """Whether it is still being written."""
+        """True if it is still being written."""
         return self._thread.is_alive()
 
     @property
@@ -117,7 +117,7 @@ class SessionRecording:
         self._urgent.set()
 
     def wait(self, within_s: float) -> bool:
-        """Tell whether it has ended, within a time."""
+        """Return whether it has ended, within a time."""
         self._thread.join(within_s)
         return not self._thread.is_alive()
 

@@ -65,7 +65,7 @@ class Protection:
         self._mechanics.weight.pushes_nm = tuple(pushes_nm)
 
     def may_power(self, index: int) -> bool:
-        """Tell whether a motor may be switched on: nothing keeps its driver off."""
+        """Return whether a motor may be switched on: nothing keeps its driver off."""
         return not self._condition.alarms.of(index) & CUTS_POWER
 
     def watch(self, names: Collection[str], periods_ns: Mapping[str, int]) -> None:

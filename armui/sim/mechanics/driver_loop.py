@@ -176,5 +176,5 @@ class DriverLoop:
 
 
 def _same(one: SixValues, other: SixValues) -> bool:
-    """Tell whether angles differ by less than the rounding of degrees to radians and back."""
+    """Return whether angles differ by less than the rounding of degrees to radians and back."""
     return all(abs(a - b) < 1e-9 for a, b in zip(one, other, strict=True))

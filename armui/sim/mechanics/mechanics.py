@@ -127,7 +127,7 @@ class Mechanics:
 
     @property
     def moving(self) -> bool:
-        """Whether the motors are moving joints along a plan."""
+        """True if the motors are moving joints along a plan."""
         return self._motion.moving if self._path is None else self._path.moving
 
     @property
@@ -150,7 +150,7 @@ class Mechanics:
 
     @property
     def gives_way(self) -> bool:
-        """Whether a hand can move the joints."""
+        """True if a hand can move the joints."""
         return self._hand is not None
 
     def power_on(self, indices: Iterable[int]) -> None:
@@ -219,7 +219,7 @@ class Mechanics:
         self._path = path
 
     def follows(self, path: JointPath) -> bool:
-        """Tell whether the joints move along this very path."""
+        """Return whether the joints move along this very path."""
         return self._path is path
 
     def brake(self, accelerations_deg_s2: Sequence[float]) -> None:

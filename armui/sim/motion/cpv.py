@@ -70,7 +70,7 @@ class JointProfile:
 
     @property
     def moving(self) -> bool:
-        """Whether it turns or is about to."""
+        """True if it turns or is about to."""
         if self._goal is not None:
             return self.speed != 0.0 or self.angle != self._goal
         return self.speed != 0.0 or self._wanted_speed != 0.0
@@ -151,7 +151,7 @@ class CpvMotion:
 
     @property
     def moving(self) -> bool:
-        """Whether a joint turns or is about to."""
+        """True if a joint turns or is about to."""
         return any(each.moving for each in self._joints)
 
     def start_from(self, positions_deg: Sequence[float]) -> None:
@@ -236,7 +236,7 @@ class CpvControl:
             self._motion.run(0.0)
 
     def take_frame(self, name: str, signals: dict[str, float]) -> bool:
-        """Takes a frame of CPV; whether it was one that this firmware knows."""
+        """Takes a frame of CPV and return whether it was one that this firmware knows."""
         if name not in NAMES or not self._quirks.has_cpv:
             return False
         action, kind = signals["Action"], CpvKind(int(signals["Kind"]))

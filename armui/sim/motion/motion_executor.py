@@ -50,17 +50,17 @@ class MotionExecutor:
 
     @property
     def may_move(self) -> bool:
-        """Whether the arm is in a state to take targets at all."""
+        """True if the arm is in a state to take targets at all."""
         condition = self._condition
         able = not (condition.stopped or condition.hindered or condition.needs_reset)
         return able and all(self._mechanics.powered)
 
     def serves(self, order: Hashable) -> bool:
-        """Tell whether this very order is under way, or was done or refused just here."""
+        """Return whether this very order is under way, or was done or refused just here."""
         return self.pursues(order) or (order == self._order and self._settled == self._conditions())
 
     def pursues(self, order: Hashable) -> bool:
-        """Tell whether this very order is under way."""
+        """Return whether this very order is under way."""
         return bool(self._legs) and order == self._order
 
     def begin(

@@ -57,7 +57,7 @@ class MotionCommandHandler:
         self._enter = enter
 
     def obey(self, signals: dict[str, float]) -> bool:
-        """Obeys one command; whether it asks for an answer."""
+        """Obeys one command and return whether it asks for an answer."""
         if signals["EmergencyStop"] == StopCommand.EMERGENCY_STOP:
             self.drop_work()
             self._mechanics.power_off(_ALL_INDICES, UnpoweredJoints.DAMPED)
@@ -235,7 +235,7 @@ class Moves:
         return self._tool.ik_solution_deg
 
     def take_frame(self, name: str, signals: dict[str, float]) -> bool:
-        """Takes a frame that is part of a target; whether it was one."""
+        """Takes a frame that is part of a target and return whether it was one."""
         taker = self._takers.get(name)
         if taker is None:
             return self._direct.take_frame(name, signals) or self.cpv.take_frame(name, signals)
@@ -243,7 +243,7 @@ class Moves:
         return True
 
     def command(self, command: TrajectoryCommand) -> bool:
-        """Obeys 0x150 byte 1; whether it is a command about motions the arm knows.
+        """Obeys 0x150 byte 1 and return whether it is a command about motions the arm knows.
 
         A pause holds back new targets too, until the motion is continued or cleared. The protocol
         text says no more than the names of the commands. Assumed: «abort» and «clear current» drop

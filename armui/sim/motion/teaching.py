@@ -80,7 +80,7 @@ class SimulatedTeaching:
         self._condition.activity = ArmStatusCode.NORMAL
 
     def reset(self) -> bool:
-        """Leaves drag teaching, if the arm is near its rest pose; whether it is left."""
+        """Leaves drag teaching, if the arm is near its rest pose and return whether it is left."""
         if self.entered and max(map(abs, self._mechanics.positions_deg)) > _NEAR_REST_DEG:
             return False
         self.entered = False

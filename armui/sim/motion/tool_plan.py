@@ -51,12 +51,12 @@ class PathProfile:
 
     @property
     def at_end(self) -> bool:
-        """Whether the end is reached."""
+        """True if the end is reached."""
         return self.position == self._end
 
     @property
     def moving(self) -> bool:
-        """Whether it runs, or is about to."""
+        """True if it runs, or is about to."""
         return self.speed > 0.0 or (self._top_speed > 0.0 and not self.at_end)
 
     def run(self, top_speed: float) -> None:
@@ -156,12 +156,12 @@ class PathMotion:
 
     @property
     def at_end(self) -> bool:
-        """Whether the path is done."""
+        """True if the path is done."""
         return self._profile.at_end
 
     @property
     def moving(self) -> bool:
-        """Whether the joints turn, or are about to."""
+        """True if the joints turn, or are about to."""
         return self._profile.moving
 
     def run(self, share: float) -> None:

@@ -230,7 +230,7 @@ class ParameterServer:
         return []
 
     def _unchanged(self, message: str, signal: str, signals: Signals) -> bool:
-        """Tell whether a field asks to leave its value: the only word in its value table."""
+        """Return whether a field asks to leave its value: the only word in its value table."""
         return self._codec.word(message, signal, signals[signal]) is not None
 
     def _outward(self, message: str, signal: str, value_deg: float) -> float:

@@ -109,12 +109,12 @@ def likely_unit(quantity: ColumnQuantity, guess: Guess) -> str:
 
 
 def looks_like_radians(figures: Figures) -> bool:
-    """Tell whether figures of an angle are small enough for radians, and tell anything."""
+    """Return whether figures of an angle are small enough for radians, and tell anything."""
     return 0.0 < _largest(figures) <= _FULL_TURN_RAD
 
 
 def exceeds_radians(figures: Figures) -> bool:
-    """Tell whether figures of an angle are too large for radians."""
+    """Return whether figures of an angle are too large for radians."""
     return _largest(figures) > _FULL_TURN_RAD
 
 

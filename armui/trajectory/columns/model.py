@@ -182,7 +182,7 @@ def lines_of(text: str) -> Iterator[str]:
 
 
 def is_comment(text: str) -> bool:
-    """Tell whether a line or its first cell begins a comment."""
+    """Return whether a line or its first cell begins a comment."""
     return text.lstrip().startswith(_COMMENTS)
 
 

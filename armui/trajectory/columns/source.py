@@ -144,7 +144,7 @@ def _read(file_name: str, data: bytes, encoding: Encoding | None, dialect: Diale
 
 
 def look_closer(path: Path, error: TrajectoryFileError) -> tuple[TrajectoryFileError, bool]:
-    """Tell whether a file that could not be loaded can be imported by columns.
+    """Return whether a file that could not be loaded can be imported by columns.
 
     So can one that a format of ours mistook for its own: degrees for the maker's radians.
 

@@ -105,7 +105,7 @@ def name_in(path: Path) -> str | None:
 
 
 def is_ours(text: str) -> bool:
-    """Tell whether a text, sound or not, begins as a format that is no mere table of figures."""
+    """Return whether a text, sound or not, begins as a format that is no mere table of figures."""
     return log_file.is_log(text) or json_file.is_json(text)
 
 

@@ -47,7 +47,7 @@ Row = tuple[int, list[str]]
 
 
 def is_csv(text: str) -> bool:
-    """Tell whether a text has the titles of this format, in any order."""
+    """Return whether a text has the titles of this format, in any order."""
     titles = _titles(text.partition("\n")[0])
     return "move" in titles or titles >= set(SAMPLE_TITLES[:GRIPPER])
 
@@ -346,7 +346,7 @@ _STEP_DIGITS: Final = 6
 
 
 def is_maker_csv(text: str) -> bool:
-    """Tell whether the first row holds 7 or 8 numbers and nothing else."""
+    """Return whether the first row holds 7 or 8 numbers and nothing else."""
     first = text.lstrip().partition("\n")[0].split(",")
     try:
         return len(first) in _COUNTS and all(math.isfinite(float(cell)) for cell in first)

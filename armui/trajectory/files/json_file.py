@@ -35,7 +35,7 @@ _EMPTY: Final = {"note": "", "gripper": None, "light": None, "comments": ()}
 
 
 def is_json(text: str) -> bool:
-    """Tell whether a text begins as JSON does; nothing else of ours begins so."""
+    """Return whether a text begins as JSON does; nothing else of ours begins so."""
     return text.lstrip()[:1] in ("{", "[")
 
 

@@ -47,7 +47,7 @@ _ENTRY: Final = re.compile(r"([A-Za-z]\w*):[ \t]*(.*?)[ \t]*")
 
 
 def is_log(text: str) -> bool:
-    """Tell whether a text begins as this format does."""
+    """Return whether a text begins as this format does."""
     return _FIRST.match(text) is not None
 
 

@@ -47,7 +47,7 @@ class Deleted:
 
     @property
     def only_draft(self) -> bool:
-        """Whether nothing of it was ever saved, or what was saved is gone."""
+        """True if nothing of it was ever saved, or what was saved is gone."""
         return all(is_draft(place) for _, place in self.places)
 
 

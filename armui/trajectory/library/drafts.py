@@ -146,5 +146,5 @@ class Drafts:
 
 
 def is_draft(path: Path) -> bool:
-    """Tell whether a file holds a draft, by its name."""
+    """Return whether a file holds a draft, by its name."""
     return path.suffix == _SUFFIX

@@ -65,7 +65,7 @@ class Deletion:
         return ()
 
     def is_possible(self, _seen: Listing) -> bool:
-        """Tell whether something of it is still in the bin."""
+        """Return whether something of it is still in the bin."""
         return any(os.path.exists(place) for _, place in self.deleted.places)  # noqa: PTH110 - never raises
 
     def undo(self, library: Library) -> tuple[str, ...]:
@@ -96,7 +96,7 @@ class Renaming:
         return (self.new,)
 
     def is_possible(self, seen: Listing) -> bool:
-        """Tell whether it is there under its new name, and the old one is free."""
+        """Return whether it is there under its new name, and the old one is free."""
         names = {entry.name for entry in seen.entries}
         return self.new in names and self.old not in names
 
@@ -137,7 +137,7 @@ class Making:
         return self.names
 
     def is_possible(self, seen: Listing) -> bool:
-        """Tell whether some are there, and none has been worked on."""
+        """Return whether some are there, and none has been worked on."""
         there = {entry.name for entry in seen.entries}
         return not there.isdisjoint(self.names) and self._changed(seen) is None
 

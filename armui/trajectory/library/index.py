@@ -237,7 +237,7 @@ def _unpack(data: dict[str, Any]) -> dict[str, tuple[Stamp, IndexEntry]]:
 
 
 def _is_sound(entry: IndexEntry) -> bool:
-    """Tell whether every field of an entry is what the list can show."""
+    """Return whether every field of an entry is what the list can show."""
     length_s = entry.length_s
     return (
         all(
@@ -263,7 +263,7 @@ def _are_speeds(speeds: tuple[SpeedsFrom, ...]) -> bool:
 
 
 def _can_be_shown(text: str) -> bool:
-    """Tell whether a text holds no half of a character."""
+    """Return whether a text holds no half of a character."""
     try:
         text.encode("utf-8")
     except UnicodeEncodeError:

@@ -29,7 +29,7 @@ class RunOptions:
 
     @property
     def is_sound(self) -> bool:
-        """Tell whether every value is one that can be chosen: it may come from a damaged file."""
+        """Return whether every value is one that can be chosen: it may come from a damaged file."""
         return (
             all(type(number) is int for number in (self.cycles, self.first))
             and 0 <= self.cycles <= MOST_CYCLES

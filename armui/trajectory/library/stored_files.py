@@ -30,7 +30,7 @@ def call_directly(function: Callable[..., Any], *args: Any) -> Any:
 
 
 def is_large(content: Content) -> bool:
-    """Tell whether writing or checking it takes long."""
+    """Return whether writing or checking it takes long."""
     rows = content.samples if isinstance(content, Recording) else content.points
     return len(rows) >= _LARGE_COUNT
 

@@ -99,7 +99,7 @@ def segment_distances(a: Array, b: Array, c: Array, d: Array) -> Array:
 
 
 def _close(geometry: Geometry, arm: Links, tool_mm: float) -> npt.NDArray[np.bool_]:
-    """Tell whether hand or forearm could touch anything, by the spheres around them."""
+    """Return whether hand or forearm could touch anything, by the spheres around them."""
     half_mm = (geometry.hand_mm + tool_mm) / 2.0
     middle = arm.centre + half_mm * arm.hand
     reach_mm = half_mm + _FURTHEST_MM + geometry.wrist_mm

@@ -83,10 +83,10 @@ class Finding:
 
     @property
     def is_of_approach(self) -> bool:
-        """Tell whether it depends on where the arm is now."""
+        """Return whether it depends on where the arm is now."""
         return self.approach is not None or self.kind == FAR_FROM_START
 
     @property
     def severity(self) -> Severity:
-        """Whether it can be accepted."""
+        """True if it can be accepted."""
         return self.kind.severity

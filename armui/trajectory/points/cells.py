@@ -138,5 +138,5 @@ def _six(text: str) -> Values | Refusal:
 
 
 def editable(point: Waypoint, column: PointColumn) -> bool:
-    """Tell whether a cell takes anything: a middle pose belongs to arcs alone."""
+    """Return whether a cell takes anything: a middle pose belongs to arcs alone."""
     return column is not PointColumn.MIDDLE or point.move is MoveMode.MOVE_C

@@ -91,7 +91,7 @@ def _one_line(text: str) -> str:
 
 
 def _has_figure(line: str) -> bool:
-    """Tell whether a row has a cell that is a figure: titles have none."""
+    """Return whether a row has a cell that is a figure: titles have none."""
     return any(
         not isinstance(figure("X", cell), Refusal)
         for cell in line.replace("\t", " ").replace(",", " ").replace(";", " ").split()

@@ -147,7 +147,7 @@ class Waypoint:
 
     @property
     def is_joint(self) -> bool:
-        """Whether the target is six joint angles."""
+        """True if the target is six joint angles."""
         return self.move is MoveMode.MOVE_J
 
     @property
@@ -283,7 +283,7 @@ def check_point(point: Waypoint) -> Refusal | None:
 
 
 def check_name(name: str) -> Refusal | None:
-    """Tell whether a trajectory may be called so; any script and any sign of it is welcome."""
+    """Return whether a trajectory may be called so; any script and any sign of it is welcome."""
     if not name.strip():
         return NAME_EMPTY()
     if len(name) > LONGEST_NAME:
@@ -294,7 +294,7 @@ def check_name(name: str) -> Refusal | None:
 
 
 def check_text(field: str, text: str, *, lines: int = 0) -> Refusal | None:
-    """Tell whether a text can be kept in a file: of a decent length, no half of a character.
+    """Return whether a text can be kept in a file: of a decent length, no half of a character.
 
     Args:
         field: What the text is.

@@ -78,18 +78,18 @@ class Command:
 
     @property
     def shown_first(self) -> bool:
-        """Whether it is never done where the operator has not seen its page."""
+        """True if it is never done where the operator has not seen its page."""
         return self.leads or (self.operation is not None and self.operation.shown_first)
 
     @property
     def only_led_to(self) -> bool:
-        """Whether its button is never pressed from the list, as one that has to be held."""
+        """True if its button is never pressed from the list, as one that has to be held."""
         held = self.operation is not None and self.operation.consent is Consent.HELD
         return held or not self.presses
 
     @property
     def dangerous(self) -> bool:
-        """Whether it may lose a zero, a setting, or the power that holds the arm."""
+        """True if it may lose a zero, a setting, or the power that holds the arm."""
         asks = self.operation is not None and self.operation.consent is Consent.PRESS
         return self.risky or asks
 

@@ -36,7 +36,7 @@ class Names:
 
     @property
     def known(self) -> bool:
-        """Whether the names have been read."""
+        """True if the names have been read."""
         return bool(self._pinyin)
 
     def search_text(

@@ -200,7 +200,7 @@ class CommandPalette(ArmDialog):
 
     @property
     def knows_names(self) -> bool:
-        """Whether the file of translations and pinyin has been read: both are found, then."""
+        """True if the file of translations and pinyin has been read: both are found, then."""
         return self._names.known
 
     # -- what is offered ----------------------------------------------------------------------

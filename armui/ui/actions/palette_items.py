@@ -44,7 +44,7 @@ class PaletteItem:
 
     @property
     def must_be_opened(self) -> bool:
-        """Whether its page has to be opened before anything more is known of it."""
+        """True if its page has to be opened before anything more is known of it."""
         return not self.seen and self.source.show is not None and not self.source.asks_first
 
 

@@ -454,7 +454,7 @@ class ConnectDialog(ArmDialog):
         return same_device(device, self._operating_state.device)
 
     def _is_connected_so(self, device: Device) -> bool:
-        """Whether it is connected as the model that is chosen."""
+        """Return whether it is connected as the model that is chosen."""
         return self._is_connected(device) and (
             self.model_choice.model is self._operating_state.model
         )

@@ -33,7 +33,7 @@ class SetsUpAdapters(Protocol):
     """Who carries out remedies."""
 
     def is_there(self) -> bool:
-        """Whether it can: the package has brought the helper."""
+        """Return whether it can: the package has brought the helper."""
 
     def choose(self, remedy: Remedy) -> None:
         """A button was pressed."""

@@ -43,7 +43,7 @@ _KINDS: Final = {
 
 
 def same_device(one: Device, other: Device | None) -> bool:
-    """Whether two entries are one device: the bit rate chosen does not make it another."""
+    """Return whether two entries are one device: the bit rate chosen does not make it another."""
     return other is not None and _key(one) == _key(other)
 
 
@@ -215,7 +215,7 @@ class ModelChoice(Translated, QWidget):
 
     @property
     def is_assumed(self) -> bool:
-        """Whether it is only what was offered: the operator has not touched the list."""
+        """True if it is only what was offered: the operator has not touched the list."""
         return not self._by_hand
 
     def show_device(self, device: Device | None, now: OperatingState) -> None:

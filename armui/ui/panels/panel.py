@@ -177,7 +177,7 @@ class Panel(Translated, QWidget):
         message.setVisible(bool(message.text()) or wanted_px <= room_px)
 
     def _accepted(self, refusal: Refusal | None) -> bool:
-        """Show the controller's answer; whether it was a yes."""
+        """Show the controller's answer and return whether it was a yes."""
         self._refusal = refusal
         self._show_message()
         return refusal is None

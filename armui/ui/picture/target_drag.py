@@ -134,7 +134,7 @@ class DragTarget(Protocol):
         """Begin a drag: a handle of it was taken."""
 
     def is_as_begun(self) -> bool:
-        """Tell whether it still is what was taken hold of."""
+        """Return whether it still is what was taken hold of."""
 
     def carry(self, angles_deg: tuple[float, ...]) -> None:
         """Show that it is being dragged there; nothing is sent."""
@@ -298,7 +298,7 @@ class LedArm:
         self._held: HandGuide | None = None
 
     def gives_way(self) -> bool:
-        """Tell whether the connected arm is the simulated one, and says that it gives way."""
+        """Return whether the connected arm is the simulated one, and says that it gives way."""
         now = self._controller.operating_state
         device, status = now.device, now.status
         if device is None or not device.simulated or now.link is not LinkState.ONLINE:
@@ -318,7 +318,7 @@ class LedArm:
         self._held = self._hand()
 
     def is_as_begun(self) -> bool:
-        """Tell whether it is the same arm, and still gives way."""
+        """Return whether it is the same arm, and still gives way."""
         return self._held is not None and self._held is self._hand() and self.gives_way()
 
     def carry(self, angles_deg: tuple[float, ...]) -> None:
@@ -429,7 +429,7 @@ class TargetDrag(QObject):
         )
 
     def _is_elsewhere(self, angles_deg: Sequence[float] | None) -> bool:
-        """Tell whether a ghost there would not be one with the arm."""
+        """Return whether a ghost there would not be one with the arm."""
         measured_deg = self._controller.state.angles_deg()
         if angles_deg is None or measured_deg is None:
             return angles_deg is not None
@@ -475,7 +475,7 @@ class TargetDrag(QObject):
         return state.link, state.model_fit.geometry, state.limits, tool
 
     def _is_as_begun(self, held: DragTarget) -> bool:
-        """Tell whether the arm and what is dragged are still the same."""
+        """Return whether the arm and what is dragged are still the same."""
         same_target = self._target() is held and held.is_as_begun()
         return same_target and self._basis() == self._began_with
 

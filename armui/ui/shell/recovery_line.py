@@ -117,7 +117,7 @@ class RecoveryLine(Translated, QWidget):
 
     @property
     def _asks(self) -> bool:
-        """Whether a question about a run is the next step: nothing else stands in the way."""
+        """True if a question about a run is the next step: nothing else stands in the way."""
         return bool(self._asking) and self._step.kind is StepKind.READY
 
     @property

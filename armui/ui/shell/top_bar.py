@@ -152,7 +152,7 @@ class EnableButton(Translated, QAbstractButton):
 
     @property
     def turns_off(self) -> bool:
-        """Whether a click would disable: all six are enabled."""
+        """True if a click would disable: all six are enabled."""
         return all(self._enabled)
 
     def show_operating_state(self, operating_state: OperatingState) -> None:

@@ -203,7 +203,7 @@ class Workspace(QObject):
         return next((page for page in found if page.isVisible()), found[0] if found else None)
 
     def is_taken_out(self, page: Page) -> bool:
-        """Whether it stands in a window of its own now."""
+        """Return whether it stands in a window of its own now."""
         return page in self._windows
 
     def take_out(self, page: Page) -> None:

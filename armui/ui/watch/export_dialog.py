@@ -322,7 +322,7 @@ class ExportForm(Translated, QWidget):
         return ""
 
     def has_log(self) -> bool:
-        """Whether a recording is chosen."""
+        """Return whether a recording is chosen."""
         return self._log is not None
 
     def request(self) -> ExportRequest | None:

@@ -190,7 +190,7 @@ class PageStack(StackArea):
         return page if isinstance(page, Page) else None
 
     def holds(self, page: Page) -> bool:
-        """Tell whether a page is one of these."""
+        """Return whether a page is one of these."""
         return self._stack.indexOf(page) >= 0
 
     def show_page(self, page: Page) -> None:

@@ -29,7 +29,7 @@ def smooth(surface: Surface) -> pv.PolyData:
 
 
 def is_closed(surface: Surface) -> bool:
-    """Tell whether a surface bounds a body and all its triangles look outwards.
+    """Return whether a surface bounds a body and all its triangles look outwards.
 
     Of such a body the triangles that look away from the eye are never seen: they need not be drawn.
     """

@@ -411,11 +411,11 @@ class Scene:
 
     @property
     def is_unfinished(self) -> bool:
-        """Tell whether something that is asked for is still being worked out."""
+        """Return whether something that is asked for is still being worked out."""
         return self._reach.is_unfinished
 
     def catch_up(self) -> bool:
-        """Show what has been worked out meanwhile; whether there was anything."""
+        """Show what has been worked out meanwhile and return whether there was anything."""
         return self._reach.catch_up()
 
     def resize(self, width_px: int, height_px: int, pixel_ratio: float) -> None:

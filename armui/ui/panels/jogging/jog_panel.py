@@ -143,7 +143,7 @@ class TargetRow(JogRow):
             self._after_target()
 
     def differs_from(self, value: float) -> bool:
-        """Tell whether the operator has given a target, and it is another figure than this."""
+        """Return whether the operator has given a target, and it is another figure than this."""
         target = self.field.value
         return self.own and (target is None or abs(target - value) > _WRITTEN_ALIKE)
 
@@ -187,7 +187,7 @@ class StepBox(QComboBox):
 
     @property
     def continuous(self) -> bool:
-        """Whether − and + move for as long as they are held."""
+        """True if − and + move for as long as they are held."""
         return bool(self.currentData() == _CONTINUOUS)
 
     def set_step(self, step: float) -> None:
@@ -473,7 +473,7 @@ class JogPanel(Panel):
             row.show_target(value)
 
     def _differ_from(self, values: Sequence[float]) -> bool:
-        """Tell whether a target was given that is none of these."""
+        """Return whether a target was given that is none of these."""
         return any(row.differs_from(value) for row, value in zip(self._rows, values, strict=True))
 
     def _follow(self, values: Sequence[float]) -> None:

@@ -243,7 +243,7 @@ class ParameterPanel(Panel):
     # -- leaving ------------------------------------------------------------------------------
 
     def has_unsaved_changes(self) -> bool:
-        """Tell whether something was entered that is not in the arm."""
+        """Return whether something was entered that is not in the arm."""
         return self._draft.changed
 
     def discard_changes(self) -> None:

@@ -82,7 +82,7 @@ class EditorJog(Translated, QWidget):
 
     @property
     def with_gripper(self) -> bool:
-        """Whether a point that is inserted takes the measured opening of the gripper along."""
+        """True if a point that is inserted takes the measured opening of the gripper along."""
         return self._box is not None and self._box.gripper.inserted.isChecked()
 
     def retranslate_ui(self) -> None:

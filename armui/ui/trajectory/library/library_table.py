@@ -79,7 +79,7 @@ class LibraryTable(QTableView):
 
     @property
     def is_editing(self) -> bool:
-        """Whether a name is being typed."""
+        """True if a name is being typed."""
         return self.state() == QAbstractItemView.State.EditingState
 
     def edit_name(self) -> None:

@@ -68,7 +68,7 @@ class PreviewBar(Translated, QFrame):
 
     @property
     def is_playing(self) -> bool:
-        """Whether the ghost goes through the motion by itself."""
+        """True if the ghost goes through the motion by itself."""
         return self._play.isChecked()
 
     @property

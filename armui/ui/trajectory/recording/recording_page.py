@@ -244,7 +244,7 @@ class RecordingPage(Page):
 
     @property
     def in_use(self) -> bool:
-        """Whether it records, or holds what is not saved."""
+        """True if it records, or holds what is not saved."""
         return self._controller.recorder.recording or self._joining or self._unsaved
 
     # Recording --------------------------------------------------------------------------------

@@ -273,7 +273,7 @@ class ColumnsPage(Page):
 
     @property
     def busy(self) -> bool:
-        """Whether the table is being imported."""
+        """True if the table is being imported."""
         return self._work is not None
 
     def _import(self) -> None:

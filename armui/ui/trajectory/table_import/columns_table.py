@@ -91,22 +91,22 @@ class ColumnPicker(Translated, QWidget):
 
     @property
     def guessed(self) -> bool:
-        """Whether its unit, or what it holds, is neither the title's word nor the operator's."""
+        """True if its unit, or what it holds, is neither the title's word nor the operator's."""
         return self._guessed
 
     @property
     def looks_like_radians(self) -> bool:
-        """Whether its figures may be radians."""
+        """True if its figures may be radians."""
         return looks_like_radians(self._guess.figures)
 
     @property
     def exceeds_radians(self) -> bool:
-        """Whether a figure of it is more than any joint turns in radians."""
+        """True if a figure of it is more than any joint turns in radians."""
         return exceeds_radians(self._guess.figures)
 
     @property
     def is_titled(self) -> bool:
-        """Whether its title names its unit."""
+        """True if its title names its unit."""
         column = self.column
         return column is not None and column.unit == self._guess.titled_unit
 

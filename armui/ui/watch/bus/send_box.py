@@ -102,7 +102,7 @@ class SendBox(Translated, QWidget):
 
     @property
     def is_open(self) -> bool:
-        """Whether a frame can be sent."""
+        """True if a frame can be sent."""
         return self._timer.isActive()
 
     def close_lock(self) -> None:

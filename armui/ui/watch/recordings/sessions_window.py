@@ -138,7 +138,7 @@ class SessionsModel(TableModel):
         return True
 
     def is_written(self, name: str) -> bool:
-        """Whether a recording is still being written."""
+        """Return whether a recording is still being written."""
         return name in self._written
 
     # What Qt asks -----------------------------------------------------------------------------
