@@ -34,7 +34,7 @@ class DhRow(NamedTuple):
 
 
 class Wrist(enum.Enum):
-    """How joints 4, 5 and 6 lie; the α and fixed θ of the DH table in degrees, joint 1 first."""
+    """The arrangement of joints 4–6: α and fixed θ of the DH table in degrees, joint 1 first."""
 
     SPHERICAL = ((0.0, -90.0, 0.0, 90.0, -90.0, 90.0), (0.0, None, None, 0.0, 0.0, 0.0))
     """The axes meet in one place; joint 4 turns about the forearm."""

@@ -98,12 +98,12 @@ def flange_matrix(tool_point: Matrix, tool: Sequence[float]) -> Matrix:
 
 
 def tool_pose(flange: Sequence[float], tool: Sequence[float]) -> Pose:
-    """Return the tool centre point's pose from the flange's and the tool's in it (mm, °)."""
+    """Return the tool centre point's pose, from the flange's and the tool's on it (mm, °)."""
     return matrix_to_pose(tool_matrix(pose_to_matrix(flange), tool))
 
 
 def flange_pose(tool_point: Sequence[float], tool: Sequence[float]) -> Pose:
-    """Return the flange's pose, from that of the tool centre point and the tool's in the flange."""
+    """Return the flange's pose, from the tool centre point's and the tool's on the flange."""
     return matrix_to_pose(flange_matrix(pose_to_matrix(tool_point), tool))
 
 

@@ -53,7 +53,7 @@ def jacobians(geometry: Geometry, joints_deg: Matrix) -> Matrix:
 
 
 def margins(geometry: Geometry, joints_deg: Matrix) -> Matrix:
-    """(…) how far (…, 6) joint angles are from a singular pose, 0 to 1, quick to work out.
+    """Return (…) a quick measure, 0 to 1, of how far (…, 6) joint angles are from singular poses.
 
     It finds the pose of a path that is nearest to a singular one; how near that is, the smallest
     singular value tells.
@@ -70,7 +70,7 @@ def margins(geometry: Geometry, joints_deg: Matrix) -> Matrix:
 
 
 def smallest_singular_values(geometry: Geometry, joints_deg: Matrix) -> Matrix:
-    """(…) of the Jacobians at (…, 6) joint angles: 0 in a singular pose, some 0.1 in a good one.
+    """Return (…) that of the Jacobians at (…, 6) angles: 0 in a singular pose, 0.1 in a good one.
 
     Its inverse is the most a joint turns for 1 m, or 1 rad, of the flange's motion.
     """
@@ -79,7 +79,7 @@ def smallest_singular_values(geometry: Geometry, joints_deg: Matrix) -> Matrix:
 
 
 def fine_steps(length_mm: _Figure, angle_deg: _Figure) -> _Figure:
-    """Return how many fine steps tool paths have, from their lengths and the turns of the hand."""
+    """Return the number of fine steps of tool paths, from lengths and turns of the hand."""
     steps: _Figure = np.maximum(length_mm / _FINE_STEP_MM, angle_deg / _FINE_STEP_DEG)
     return steps
 

@@ -45,7 +45,7 @@ class Addressing:
         return arbitration_id
 
     def on_every_offset(self, arbitration_id: int) -> tuple[int, ...]:
-        """A motion command's identifier on the bus under each offset there is, one's own first."""
+        """Return a motion command's identifiers on the bus for all offsets, the arm's own first."""
         base = self.from_wire(arbitration_id)
         if base is None or base not in _CONTROL:
             return (arbitration_id,)

@@ -207,7 +207,7 @@ class Firmware:
 
     @property
     def motion_state(self) -> MotionState:
-        """True if the last target is reached."""
+        """The state of arrival: whether the last target has been reached."""
         return self.condition.motion_state
 
     @property
