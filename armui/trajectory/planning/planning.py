@@ -1,4 +1,4 @@
-"""Which way a trajectory takes: over all points the arm can reach, and why not over the others."""
+"""Plans the route of a trajectory over the points the arm can reach, with reasons for others."""
 
 from __future__ import annotations
 
