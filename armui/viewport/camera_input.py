@@ -36,7 +36,7 @@ class Drag:
 
     @property
     def is_pressed(self) -> bool:
-        """Return whether a button was pressed and not let go yet."""
+        """True if a button was pressed and not let go yet."""
         return self._last is not None
 
     def press(self, event: QMouseEvent) -> None:

@@ -94,7 +94,7 @@ class PictureClient(QObject):
 
     @property
     def is_running(self) -> bool:
-        """Return whether `start` was called and `stop` was not."""
+        """True if `start` was called and `stop` was not."""
         return self._link is not None
 
     @property
@@ -109,12 +109,12 @@ class PictureClient(QObject):
 
     @property
     def looks_old(self) -> bool:
-        """Return whether the picture is older than it may be without saying so (S24)."""
+        """True if the picture is older than it may be without saying so (S24)."""
         return self._looks_old
 
     @property
     def is_settled(self) -> bool:
-        """Return whether the last picture shows the newest state, with smooth edges."""
+        """True if the last picture shows the newest state, with smooth edges."""
         return self._age.is_newest_shown and not self._is_rough
 
     def start(self) -> None:

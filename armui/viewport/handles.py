@@ -70,7 +70,7 @@ class Handles:
 
     @property
     def is_held(self) -> bool:
-        """Return whether one of them is held."""
+        """True if one of them is held."""
         return self._drag is not None
 
     def set_place(self, place: HandlePlace | None) -> bool:

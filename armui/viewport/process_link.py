@@ -287,13 +287,13 @@ class Mailbox(Generic[T]):
 
     @property
     def is_closed(self) -> bool:
-        """Return whether `close` was called."""
+        """True if `close` was called."""
         with self._changed:
             return self._is_closed
 
     @property
     def has_item(self) -> bool:
-        """Return whether an item waits."""
+        """True if an item waits."""
         with self._changed:
             return self._item is not None
 

@@ -188,7 +188,7 @@ class ArmView(QWidget):
 
     @property
     def is_settled(self) -> bool:
-        """Return whether the picture on the screen shows the newest state, with smooth edges."""
+        """True if the picture on the screen shows the newest state, with smooth edges."""
         return (
             self._picture is not None
             and not self._is_frame_new
@@ -198,17 +198,17 @@ class ArmView(QWidget):
 
     @property
     def has_given_up(self) -> bool:
-        """Return whether there is no picture, and none will come by itself."""
+        """True if there is no picture, and none will come by itself."""
         return self._lost is not None and not self._lost.comes_back
 
     @property
     def is_current(self) -> bool:
-        """Return whether what is on the screen may be taken for what is there now."""
+        """True if what is on the screen may be taken for what is there now."""
         return self._picture is not None and not self._notice()
 
     @property
     def is_late(self) -> bool:
-        """Return whether the picture lags, or is gone: nothing is aimed at in it."""
+        """True if the picture lags, or is gone: nothing is aimed at in it."""
         return self._client.looks_old or self._lost is not None
 
     def grab_picture(self) -> QImage | None:

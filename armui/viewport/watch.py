@@ -160,7 +160,7 @@ class PictureAge:
 
     @property
     def is_newest_shown(self) -> bool:
-        """Return whether the picture shows the newest state."""
+        """True if the picture shows the newest state."""
         return not self._newer
 
     def wanted(self, sequence: int, now_s: float) -> None:

@@ -30,7 +30,7 @@ class RunOptions:
 
     @property
     def is_sound(self) -> bool:
-        """Return whether every value can be chosen; values may come from a damaged file."""
+        """True if every value can be chosen; values may come from a damaged file."""
         return (
             all(type(number) is int for number in (self.cycles, self.first))
             and 0 <= self.cycles <= MOST_CYCLES

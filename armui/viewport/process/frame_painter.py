@@ -67,7 +67,7 @@ class FramePainter:
 
     @property
     def is_rough(self) -> bool:
-        """Return whether the last picture would look better refined."""
+        """True if the last picture would look better refined."""
         return self._is_rough or (self._scene is not None and self._scene.is_unfinished)
 
     @property

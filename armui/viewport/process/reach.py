@@ -43,7 +43,7 @@ class ReachActor:
 
     @property
     def is_unfinished(self) -> bool:
-        """Return whether what was asked for is not in the picture yet, and may come."""
+        """True if what was asked for is not in the picture yet, and may come."""
         return self._job is not None and not self._actors and not self._job.has_failed
 
     def show(self, reach: Reach | None, robot: Robot, palette: ScenePalette) -> None:

@@ -411,7 +411,7 @@ class Scene:
 
     @property
     def is_unfinished(self) -> bool:
-        """Return whether something that is asked for is still being worked out."""
+        """True if something that is asked for is still being worked out."""
         return self._reach.is_unfinished
 
     def catch_up(self) -> bool:
