@@ -59,7 +59,7 @@ class _Level:
 
 
 def firsts(numbers: NDArray[np.int64]) -> NDArray[np.intp]:
-    """Return where each run of equal numbers begins; there must be one."""
+    """Return the index at which each run of equal numbers begins; at least one is needed."""
     begins = np.empty(numbers.size, np.bool_)
     begins[0] = True
     np.not_equal(numbers[1:], numbers[:-1], out=begins[1:])

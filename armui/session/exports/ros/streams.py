@@ -71,7 +71,7 @@ def mounted_transforms(gripper_turned_deg: float) -> NDArray[np.float64]:
 
 
 def finger_transforms(openings_mm: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return (n, 2, 7): the fingers in the gripper's base, each half the opening from its middle"""
+    """Return (n, 2, 7): the fingers in the gripper, each half the opening from its middle."""
     result = np.zeros((len(openings_mm), 2, 7))
     result[:, 0, 1] = openings_mm / 2.0 / _MM_PER_M
     result[:, 1, 1] = -result[:, 0, 1]
