@@ -1,4 +1,4 @@
-"""`armui doctor` for the window: in a process of its own, as what it looks at may hang or crash."""
+"""Runs `armui doctor` for the window in a process of its own: examined parts may hang or crash."""
 
 from __future__ import annotations
 

@@ -223,7 +223,7 @@ class RecoveryLine(Translated, QWidget):
         self._icon.setPixmap(icons.pixmap(name, ink, _ICON_PX, ratio))
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._show_step()
 
     def hasHeightForWidth(self) -> bool:  # noqa: N802 - the name Qt calls

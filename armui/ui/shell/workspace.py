@@ -107,7 +107,7 @@ class PageWindow(ArmDialog):
             self.set_title(self._page.title)
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._name()
         self._put_back.setText(self.tr("Put back"))
         tip = self.tr("Puts this page back beside the 3D picture.")

@@ -227,5 +227,5 @@ class UndoButton(Translated, QPushButton):
         self.setVisible(bool(text))
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.show_step()

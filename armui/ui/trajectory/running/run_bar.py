@@ -489,7 +489,7 @@ class RunBar(Translated, QWidget):
     # Words ------------------------------------------------------------------------------------
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._send.setText(self.tr("Send"))
         self._call_off.setText(self.tr("Call off"))
         for place, text in enumerate((self.tr("Once"), self.tr("Times"), self.tr("Loop"))):

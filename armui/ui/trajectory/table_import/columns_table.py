@@ -170,7 +170,7 @@ class ColumnPicker(Translated, QWidget):
         self._origin.show_text(self.tr("Guessed: check it") if self._guessed else "")
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         column = self.tr("Column {number}").format(number=self._number)
         titled = f"{self._number}. {self._title_text}"
         self._title.show_text(titled if self._title_text else column)
