@@ -1,8 +1,8 @@
 """Folders for files that only a running program needs; the next one removes what a killed one left.
 
-A folder's name tells the number of its process. Asking whether that process lives is the same
-everywhere; files in use protect themselves on Windows one by one, but not the folder of a program
-that is about to open more of them.
+Beside each folder lies a file that its program holds locked until it ends: that is asked first, as
+it is true whatever the system makes of process numbers. Where there is no such lock, in a folder
+of an older version or on a file system without locks, the number in the folder's name is asked for.
 """
 
 from __future__ import annotations
@@ -18,11 +18,16 @@ import time
 from pathlib import Path
 from typing import Any, Final
 
+from filelock import FileLock, Timeout
+
 _NAME: Final = re.compile(r"armui-(?:replay|work)-(?:(\d{1,10})-)?[a-z0-9_]+")
 _OLD_S: Final = 600.0
 """What is younger may belong to a program that has just begun."""
 _FORGOTTEN_S: Final = 7 * 86_400.0
 """A process number may be another's by now: nobody looks at one log for a week."""
+_LOCK: Final = ".lock"
+_HELD: Final[dict[Path, FileLock]] = {}
+"""The locks of this process by their folders."""
 _SYNCHRONIZE: Final = 0x100000
 _WAIT_TIMEOUT: Final = 0x102
 _ACCESS_DENIED: Final = 5
@@ -37,7 +42,17 @@ def make_folder(purpose: str) -> Path:
     Raises:
         OSError: There is no room, or no right to make it.
     """
-    return Path(tempfile.mkdtemp(prefix=f"armui-{purpose}-{os.getpid()}-"))
+    folder = Path(tempfile.mkdtemp(prefix=f"armui-{purpose}-{os.getpid()}-"))
+    lock = FileLock(_lock_of(folder), thread_local=False)
+    # a file system without locks: the number of the process has to do
+    with contextlib.suppress(OSError, NotImplementedError, Timeout):
+        lock.acquire(blocking=False)
+        _HELD[folder] = lock
+    return folder
+
+
+def _lock_of(folder: Path) -> Path:
+    return folder.with_name(f"{folder.name}{_LOCK}")
 
 
 def remove_leftovers() -> int:
@@ -47,23 +62,60 @@ def remove_leftovers() -> int:
     disk.
     """
     removed = 0
+    for folder in [each for each in _HELD if not each.exists()]:
+        _let_go(_HELD.pop(folder))
     with contextlib.suppress(OSError):
-        for folder in Path(tempfile.gettempdir()).glob("armui-*"):
+        for path in Path(tempfile.gettempdir()).glob("armui-*"):
             with contextlib.suppress(OSError):
-                if _is_left(folder):
-                    shutil.rmtree(folder)
+                if path.suffix == _LOCK:
+                    _remove_lock(path)
+                elif _is_left(path):
+                    shutil.rmtree(path)
+                    _lock_of(path).unlink(missing_ok=True)
                     removed += 1
     return removed
+
+
+def _let_go(lock: FileLock) -> None:
+    with contextlib.suppress(OSError):
+        lock.release()
+        Path(lock.lock_file).unlink(missing_ok=True)
+
+
+def _remove_lock(path: Path) -> None:
+    """Remove the lock of a folder that is gone, unless somebody holds it."""
+    folder = path.with_suffix("")
+    if _NAME.fullmatch(folder.name) and _is_ours(path) and not folder.exists():
+        young = time.time() - path.stat().st_mtime < _OLD_S
+        if not young and not _is_held(path):
+            path.unlink(missing_ok=True)
+
+
+def _is_ours(path: Path) -> bool:
+    return not hasattr(os, "getuid") or path.lstat().st_uid == os.getuid()
+
+
+def _is_held(path: Path) -> bool:
+    """Tell whether a running program holds a lock; where nobody can tell, it does."""
+    lock = FileLock(path, thread_local=False)
+    try:
+        lock.acquire(blocking=False)
+    except (OSError, NotImplementedError, Timeout):
+        return True
+    lock.release()
+    return False
 
 
 def _is_left(folder: Path) -> bool:
     named = _NAME.fullmatch(folder.name)
     if named is None or folder.is_symlink() or not folder.is_dir():
         return False
-    about = folder.stat()
-    if hasattr(os, "getuid") and about.st_uid != os.getuid():
+    if not _is_ours(folder):
         return False
-    age_s = time.time() - about.st_mtime
+    age_s = time.time() - folder.stat().st_mtime
+    lock = _lock_of(folder)
+    if lock.is_file():
+        return age_s > _OLD_S and not _is_held(lock)
     if named[1] is None or age_s > _FORGOTTEN_S:
         return age_s > _FORGOTTEN_S
     return age_s > _OLD_S and not _is_living(int(named[1]))
