@@ -43,6 +43,7 @@ class ProgramFacts:
         packages: What the program wants.
         goes_first: Whether its threads may go before other programs'; None: that was not tried.
         priority_reason: What stood against it, in the system's words.
+        packaged: It brings Python and all packages itself; pip can add nothing.
     """
 
     armui: str
@@ -54,6 +55,7 @@ class ProgramFacts:
     packages: tuple[PackageFacts, ...] = ()
     goes_first: bool | None = None
     priority_reason: str = ""
+    packaged: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -388,6 +388,10 @@
         <translation>适配器与所显示的不是同一个：没有写入任何文件。</translation>
     </message>
     <message>
+        <source>{channel} is switched off.</source>
+        <translation>{channel} 已停用。</translation>
+    </message>
+    <message>
         <source>Done; it takes effect at the next start of this computer.</source>
         <translation>已完成，下次启动电脑后生效。</translation>
     </message>
@@ -406,6 +410,10 @@
     <message>
         <source>{channel} is switched on, but nothing is heard: is the arm powered, the CAN cable plugged in, the bit rate the arm&apos;s?</source>
         <translation>{channel} 已启用，但没有收到报文：机械臂是否上电、CAN 线是否插好、波特率是否与机械臂一致？</translation>
+    </message>
+    <message>
+        <source>{channel}: nothing was found out. Run the diagnosis again.</source>
+        <translation>{channel}：没有得到结果。请重新诊断。</translation>
     </message>
 </context>
 <context>
@@ -1631,6 +1639,10 @@
         <translation>软件包 {package} 的版本为 {installed}，需要 {wanted}。</translation>
     </message>
     <message>
+        <source>The program is not whole: of its own packages, {package} is missing or another version ({installed}). Install armui once more, from the file it was installed from.</source>
+        <translation>程序不完整：自带的软件包 {package} 缺失或版本不符（{installed}）。请用原安装文件重新安装 armui。</translation>
+    </message>
+    <message>
         <source>The package {package} is not installed; some adapters, or a simulated arm in another process, need it.</source>
         <translation>未安装软件包 {package}；部分适配器或另一进程中的仿真机械臂需要它。</translation>
     </message>
@@ -1737,6 +1749,10 @@
     <message>
         <source>{device}: the package {package} is missing.</source>
         <translation>{device}：缺少软件包 {package}。</translation>
+    </message>
+    <message>
+        <source>{device} needs the Python package {package}, which is no part of this installed program, and cannot be added to it. Use another adapter, or armui from its source with that package.</source>
+        <translation>{device} 需要 Python 软件包 {package}，此安装版程序不含它，也无法添加。请换用其他适配器，或从源码运行 armui 并安装该软件包。</translation>
     </message>
     <message>
         <source>{device}: the maker&apos;s driver is missing: {text}</source>
@@ -3142,6 +3158,10 @@
     <message>
         <source>Bring back to the bus</source>
         <translation>恢复总线</translation>
+    </message>
+    <message>
+        <source>Switch off</source>
+        <translation>停用</translation>
     </message>
     <message>
         <source>Forget…</source>
@@ -8427,6 +8447,10 @@ The other program must have ended.</source>
         <translation>点动步长：“{value}”不是角度。请输入以度为单位的数字，例如 0.5。</translation>
     </message>
     <message>
+        <source>MF4 needs the Python package asammdf, which is no part of this installed program, and cannot be added to it. Use BLF.</source>
+        <translation>MF4 需要 Python 软件包 asammdf，此安装版程序不含它，也无法添加。请使用 BLF。</translation>
+    </message>
+    <message>
         <source>Robot description: the file {path} is not there. Choose another file, or use the built-in one.</source>
         <translation>机器人模型：找不到文件 {path}。请选择其它文件，或使用内置模型。</translation>
     </message>
@@ -9017,6 +9041,10 @@ The other program must have ended.</source>
     <message>
         <source>Cancelled. The recording itself is complete, as .blf.</source>
         <translation>已取消。录制本身完整，保存为 .blf。</translation>
+    </message>
+    <message>
+        <source>{device} needs the Python package {package}, which is no part of this installed program, and cannot be added to it. Use another adapter, or armui from its source with that package.</source>
+        <translation>{device} 需要 Python 软件包 {package}，此安装版程序不含它，也无法添加。请换用其他适配器，或从源码运行 armui 并安装该软件包。</translation>
     </message>
     <message>
         <source>The last minutes are being saved already. Wait a moment.</source>

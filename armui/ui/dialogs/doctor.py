@@ -101,6 +101,7 @@ class DoctorDialog(ArmDialog):
     ) -> None:
         super().__init__(controller, parent)
         self._adapter = adapter or AdapterLine(controller)
+        self._adapter.listens_elsewhere = self._listens_to
         self._controller = controller
         self._examine = examine
         self._device: Device | None = None
@@ -182,6 +183,13 @@ class DoctorDialog(ArmDialog):
         bitrate = [] if device.bitrate is None else ["--bitrate", str(device.bitrate)]
         return ["--interface", device.interface, "--channel", str(device.channel), *bitrate]
 
+    def _listens_to(self, interface: str) -> bool:
+        """Whether an examination that begins now listens to an interface."""
+        if self._controller.operating_state.device is not None or not self.isVisible():
+            return False
+        device = self._device
+        return device is None or device.simulated or str(device.channel) == interface
+
     def _on_adapter_changed(self) -> None:
         if self.isVisible():
             self.examine()
@@ -210,6 +218,7 @@ class DoctorDialog(ArmDialog):
             if connected:
                 answer = [each for each in answer if each.section is not Section.ARM]
             self._answer = [*answer, *connected]
+        self._adapter.tell_heard(self._answer)
         self._refresh()
 
     def _findings(self) -> list[Diagnosis]:
