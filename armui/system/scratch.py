@@ -1,7 +1,7 @@
 """Folders for files that only a running program needs; the next one removes what a killed one left.
 
-Beside each folder lies a file that its program holds locked until it ends: that is asked first, as
-it is true whatever the system makes of process numbers. Where there is no such lock, in a folder
+In each folder lies a file that its program holds locked until it ends: that is asked first, as it
+is true whatever the system makes of process numbers. Where there is no such lock, in a folder
 of an older version or on a file system without locks, the number in the folder's name is asked for.
 """
 
@@ -25,7 +25,8 @@ _OLD_S: Final = 600.0
 """What is younger may belong to a program that has just begun."""
 _FORGOTTEN_S: Final = 7 * 86_400.0
 """A process number may be another's by now: nobody looks at one log for a week."""
-_LOCK: Final = ".lock"
+_LOCK: Final = "in-use.lock"
+"""In the folder, which is closed to others: beside it, anybody could put a link in its place."""
 _HELD: Final[dict[Path, FileLock]] = {}
 """The locks of this process by their folders."""
 _SYNCHRONIZE: Final = 0x100000
@@ -43,7 +44,7 @@ def make_folder(purpose: str) -> Path:
         OSError: There is no room, or no right to make it.
     """
     folder = Path(tempfile.mkdtemp(prefix=f"armui-{purpose}-{os.getpid()}-"))
-    lock = FileLock(_lock_of(folder), thread_local=False)
+    lock = FileLock(folder / _LOCK, thread_local=False)
     # a file system without locks: the number of the process has to do
     with contextlib.suppress(OSError, NotImplementedError, Timeout):
         lock.acquire(blocking=False)
@@ -51,8 +52,13 @@ def make_folder(purpose: str) -> Path:
     return folder
 
 
-def _lock_of(folder: Path) -> Path:
-    return folder.with_name(f"{folder.name}{_LOCK}")
+def remove_folder(folder: Path) -> None:
+    """Remove a folder that `make_folder` has made; what cannot be removed is left for later."""
+    lock = _HELD.pop(folder, None)
+    if lock is not None:  # Windows removes no file that is open
+        with contextlib.suppress(OSError):
+            lock.release()
+    shutil.rmtree(folder, ignore_errors=True)
 
 
 def remove_leftovers() -> int:
@@ -62,37 +68,13 @@ def remove_leftovers() -> int:
     disk.
     """
     removed = 0
-    for folder in [each for each in _HELD if not each.exists()]:
-        _let_go(_HELD.pop(folder))
     with contextlib.suppress(OSError):
-        for path in Path(tempfile.gettempdir()).glob("armui-*"):
+        for folder in Path(tempfile.gettempdir()).glob("armui-*"):
             with contextlib.suppress(OSError):
-                if path.suffix == _LOCK:
-                    _remove_lock(path)
-                elif _is_left(path):
-                    shutil.rmtree(path)
-                    _lock_of(path).unlink(missing_ok=True)
+                if _is_left(folder):
+                    shutil.rmtree(folder)
                     removed += 1
     return removed
-
-
-def _let_go(lock: FileLock) -> None:
-    with contextlib.suppress(OSError):
-        lock.release()
-        Path(lock.lock_file).unlink(missing_ok=True)
-
-
-def _remove_lock(path: Path) -> None:
-    """Remove the lock of a folder that is gone, unless somebody holds it."""
-    folder = path.with_suffix("")
-    if _NAME.fullmatch(folder.name) and _is_ours(path) and not folder.exists():
-        young = time.time() - path.stat().st_mtime < _OLD_S
-        if not young and not _is_held(path):
-            path.unlink(missing_ok=True)
-
-
-def _is_ours(path: Path) -> bool:
-    return not hasattr(os, "getuid") or path.lstat().st_uid == os.getuid()
 
 
 def _is_held(path: Path) -> bool:
@@ -110,10 +92,11 @@ def _is_left(folder: Path) -> bool:
     named = _NAME.fullmatch(folder.name)
     if named is None or folder.is_symlink() or not folder.is_dir():
         return False
-    if not _is_ours(folder):
+    about = folder.stat()
+    if hasattr(os, "getuid") and about.st_uid != os.getuid():
         return False
-    age_s = time.time() - folder.stat().st_mtime
-    lock = _lock_of(folder)
+    age_s = time.time() - about.st_mtime
+    lock = folder / _LOCK
     if lock.is_file():
         return age_s > _OLD_S and not _is_held(lock)
     if named[1] is None or age_s > _FORGOTTEN_S:
