@@ -184,6 +184,65 @@
     </message>
 </context>
 <context>
+    <name>AboutDialog</name>
+    <message>
+        <source>About armui</source>
+        <translation>关于 armui</translation>
+    </message>
+    <message>
+        <source>Copy as text</source>
+        <translation>复制为文本</translation>
+    </message>
+    <message>
+        <source>Licences</source>
+        <translation>许可证</translation>
+    </message>
+    <message>
+        <source>Text of the licence</source>
+        <translation>许可证全文</translation>
+    </message>
+    <message>
+        <source>Licences of armui and of the libraries it comes with. Qt and PySide are under the LGPL 3: they are files of their own, and may be replaced.</source>
+        <translation>armui 及其所带各库的许可证。Qt 和 PySide 采用 LGPL 3：它们是独立的文件，可以替换。</translation>
+    </message>
+    <message>
+        <source>installed package</source>
+        <translation>安装包</translation>
+    </message>
+    <message>
+        <source>from the source or Python&apos;s packages</source>
+        <translation>源码或 Python 软件包</translation>
+    </message>
+    <message>
+        <source>No files of another version were taken over.</source>
+        <translation>没有接管其他版本的文件。</translation>
+    </message>
+    <message>
+        <source>an older version</source>
+        <translation>旧版本</translation>
+    </message>
+    <message>
+        <source>Files of {before} were taken over by {version} on {day}: settings {settings}, trajectories {trajectories}, session recordings {sessions}.</source>
+        <translation>{version} 于 {day} 接管了 {before} 的文件：设置{settings}，轨迹 {trajectories} 个，会话记录文件 {sessions} 个。</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>有</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>The texts were not installed; they are in the release&apos;s zip file.</source>
+        <translation>未安装许可证全文；见发布页的 zip 文件。</translation>
+    </message>
+    <message>
+        <source>Copied: paste it into a mail.</source>
+        <translation>已复制，可粘贴到邮件中。</translation>
+    </message>
+</context>
+<context>
     <name>ActButtons</name>
     <message>
         <source>Gives the motor power: it holds its position.</source>
@@ -1963,6 +2022,10 @@
     <message>
         <source>Run again</source>
         <translation>重新诊断</translation>
+    </message>
+    <message>
+        <source>Report a problem…</source>
+        <translation>报告问题…</translation>
     </message>
     <message>
         <source>Only looked and listened: nothing was sent. In a terminal: armui doctor</source>
@@ -7220,6 +7283,77 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
 </context>
 <context>
+    <name>ProblemReportDialog</name>
+    <message>
+        <source>Report a problem</source>
+        <translation>报告问题</translation>
+    </message>
+    <message>
+        <source>Save the report…</source>
+        <translation>保存报告…</translation>
+    </message>
+    <message>
+        <source>Add the last minutes of the bus</source>
+        <translation>加入总线最近几分钟的报文</translation>
+    </message>
+    <message>
+        <source>These files are put into one zip file on this computer: look at each before. Nothing is sent anywhere; you give the file to whoever helps. The folder of your user is called ~ in it; serial numbers of adapters stay.</source>
+        <translation>以下文件将存为本机上的一个 zip 文件，保存前可逐个查看。不会发送到任何地方；由您自己交给协助者。其中您的用户文件夹写作 ~，适配器的序列号保留。</translation>
+    </message>
+    <message>
+        <source>Files of the report</source>
+        <translation>报告中的文件</translation>
+    </message>
+    <message>
+        <source>The file that is chosen</source>
+        <translation>所选文件</translation>
+    </message>
+    <message>
+        <source>Looking at this computer, logs and settings…</source>
+        <translation>正在检查本机、日志和设置…</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>保存报告</translation>
+    </message>
+    <message>
+        <source>Saving {path}…</source>
+        <translation>正在保存 {path}…</translation>
+    </message>
+    <message>
+        <source>Saved: {path}</source>
+        <translation>已保存：{path}</translation>
+    </message>
+    <message>
+        <source>The disk does not answer. Save the report in another folder.</source>
+        <translation>磁盘没有响应。请把报告保存到其他文件夹。</translation>
+    </message>
+    <message>
+        <source>The report is being collected.</source>
+        <translation>正在收集报告。</translation>
+    </message>
+    <message>
+        <source>The frames are being written down.</source>
+        <translation>正在写出报文。</translation>
+    </message>
+    <message>
+        <source>The report is being saved.</source>
+        <translation>正在保存报告。</translation>
+    </message>
+    <message>
+        <source>There is nothing to save.</source>
+        <translation>没有可保存的内容。</translation>
+    </message>
+    <message>
+        <source>Nothing was heard on a bus.</source>
+        <translation>总线上没有收到过报文。</translation>
+    </message>
+    <message>
+        <source>… {size} are not shown here …</source>
+        <translation>…… 此处省略 {size} ……</translation>
+    </message>
+</context>
+<context>
     <name>QAbstractFileIconProvider</name>
     <message>
         <source>Folder</source>
@@ -9067,6 +9201,14 @@ The other program must have ended.</source>
         <translation>系统拒绝：{text}。</translation>
     </message>
     <message>
+        <source>{path} exists already, and is left as it is. Choose another name.</source>
+        <translation>{path} 已存在，保持不变。请另取名称。</translation>
+    </message>
+    <message>
+        <source>The report could not be saved as {path}: {text}. Free some room or choose another folder.</source>
+        <translation>报告无法保存为 {path}：{text}。请腾出空间或选择其他文件夹。</translation>
+    </message>
+    <message>
         <source>The disk of {folder} is full. What was written before can be read. Free some room or choose another folder, then record again.</source>
         <translation>{folder} 所在的磁盘已满。此前写入的内容可以读取。请清理磁盘空间或选择其他文件夹，然后重新记录。</translation>
     </message>
@@ -10085,6 +10227,10 @@ The other program must have ended.</source>
     <message>
         <source>About this arm…</source>
         <translation>关于本机械臂…</translation>
+    </message>
+    <message>
+        <source>About armui…</source>
+        <translation>关于 armui…</translation>
     </message>
     <message>
         <source>The built-in robot description is in use.</source>

@@ -243,7 +243,7 @@ def keeps_data(name: str) -> bool:
     if place.endswith((".pyx", ".pxi", ".pxd", ".pyi", ".h", ".hpp", ".ts")):
         return place.startswith("armui/")  # the doctor reads the program's own .ts
     return not re.match(
-        r"(pyvista/examples|pyarrow/(include|src|tests)|share/icons|jsonschema/benchmarks"
+        r"(armui/resources/licences|pyvista/examples|pyarrow/(include|src|tests)|share/icons|jsonschema/benchmarks"
         r"|pyqtgraph/icons/peegee|trimesh/resources/(javascript|templates))",
         place,
     )
