@@ -26,12 +26,12 @@ EXIT_NO_REPORT: Final = 2
 _SECONDS: Final = 2.0
 _LONGEST_S: Final = 60.0
 _DEFAULT_CHANNELS: Final = {"udp_multicast": "ff15:7079:7468:6f6e:6465:6d6f:6d63:6173"}
-"""Where `armui sim` is heard when neither of the two names a channel."""
+"""The channel on which `armui sim` is heard when neither command names one."""
 
 
 @dataclass(frozen=True, slots=True)
 class Probes:
-    """What looks at this computer; tests put others in."""
+    """The functions that examine this computer; tests replace them."""
 
     program: Callable[[], ProgramFacts] = look_at_program
     screen: Callable[[], ScreenFacts] = look_at_screen
@@ -40,7 +40,7 @@ class Probes:
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Says which options the command takes."""
+    """Declares the options of the command."""
     parser.description = (
         "Look at this computer, its CAN devices and the bus, and say what is wrong, each with a "
         "command that mends it. Nothing is sent but with --ask."
@@ -124,7 +124,7 @@ def _keep(path: Path, text: str, json_text: str, words: Words) -> bool:
 
 
 def look(options: argparse.Namespace, probes: Probes) -> Facts:
-    """Every fact the options ask for."""
+    """Return every fact that the options ask for."""
     program, screen, can = probes.program(), probes.screen(), probes.can()
     heard = () if options.no_listen else _listen(options, can, probes)
     return Facts(program, screen, can, heard)

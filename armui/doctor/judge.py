@@ -1,4 +1,7 @@
-"""From facts to findings. Pure: nothing here looks at anything, nor imports what may be missing."""
+"""Derives findings from facts.
+
+Pure: it examines nothing, and imports nothing that may be missing.
+"""
 
 from __future__ import annotations
 
@@ -195,7 +198,7 @@ BY_ID: Final = {
     for each in (*vars(heard_kinds).values(), *globals().values())
     if isinstance(each, DiagnosisKind)
 }
-"""Everything that can be found out, for what is read of another process."""
+"""Every kind of finding by id, for findings read from another process."""
 
 
 # From what there is of CAN devices.
@@ -206,14 +209,14 @@ _USBIPD: Final = (
     "usbipd bind --busid BUSID",
     "usbipd attach --wsl --busid BUSID",
 )
-"""For a terminal of Windows: they hand a USB device to WSL."""
+"""Commands for a Windows terminal: they pass a USB device to WSL."""
 _PASSIVE_COUNT: Final = 128
 _WARNING_COUNT: Final = 96
 """Error counters at which a controller warns and turns passive (ISO 11898-1)."""
 
 
 def judge_can(facts: CanFacts) -> list[Diagnosis]:
-    """Adapters, drivers, permissions, interfaces."""
+    """Return the findings on adapters, drivers, permissions and interfaces."""
     findings: list[Diagnosis] = []
     if facts.error:
         findings.append(SEARCH_FAILED(text=facts.error))
@@ -239,7 +242,7 @@ def judge_can(facts: CanFacts) -> list[Diagnosis]:
 
 
 def judge_link(link: LinkFacts) -> list[Diagnosis]:
-    """One CAN interface of Linux; one that is up can also be switched off."""
+    """Return the findings on one CAN interface of Linux; one that is up can be switched off."""
     params = {
         "channel": link.name,
         "bitrate": "—" if link.bitrate is None else str(link.bitrate),
@@ -374,14 +377,14 @@ _APT: Final = {
     "libxkbcommon.so.0": "libxkbcommon0",
     "libXrender.so.1": "libxrender1",
 }
-"""The Debian package of each library that Qt's Linux wheels leave to the system."""
+"""The Debian package of each library that Qt's Linux wheels do not include."""
 
 _APT_INSTALL: Final = "sudo apt install"
 _SOFTWARE_RENDERERS: Final = ("llvmpipe", "softpipe", "swrast", "software", "gdi generic")
 
 
 def judge(facts: Facts) -> list[Diagnosis]:
-    """Every finding, in the order of sections."""
+    """Return every finding, in the order of sections."""
     findings: list[Diagnosis] = []
     if facts.program is not None:
         findings += judge_program(facts.program)
@@ -397,14 +400,14 @@ def judge(facts: Facts) -> list[Diagnosis]:
 
 
 def an_arm_answers(facts: Facts) -> bool:
-    """Whether an arm's own feedback was heard; and answers, where questions were sent."""
+    """Return whether an arm's feedback was heard, and answers, if questions were sent."""
     return any(
         heard.arm is not None and (heard.answered or not heard.asked) for heard in facts.heard
     )
 
 
 def judge_program(facts: ProgramFacts) -> list[Diagnosis]:
-    """Python and packages."""
+    """Return the findings on Python and packages."""
     params = {"armui": facts.armui, "version": facts.python, "system": facts.system}
     findings = [(PYTHON if facts.python_suffices else PYTHON_OLD)(**params)]
     wrong = [each for each in facts.packages if not each.satisfied]
@@ -443,7 +446,7 @@ def _package(facts: PackageFacts, program: ProgramFacts) -> Diagnosis:
 
 
 def judge_screen(facts: ScreenFacts, program: ProgramFacts | None) -> list[Diagnosis]:
-    """Windows and the 3D picture."""
+    """Return the findings on windows and the 3D picture."""
     families = () if program is None else program.families
     findings: list[Diagnosis] = []
     if facts.missing_libraries:

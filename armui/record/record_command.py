@@ -54,7 +54,7 @@ _TOLD_S: Final = 0.5
 _END_S: Final = 10.0
 _LOOK_S: Final = 0.1
 _KEPT_S: Final = 1.0
-"""The ring holds next to nothing: nobody asks it."""
+"""The ring keeps next to nothing, because nobody reads it."""
 _LARGEST_MB: Final = 4000
 _WORDS: Final = {
     SESSION_DISK_FULL: "the disk is full: free some room, or name another folder (-o)",
@@ -64,7 +64,7 @@ _WORDS: Final = {
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Says which options the command takes."""
+    """Declares the options of the command."""
     parser.description = (
         "Record every frame on a CAN bus until Ctrl-C. Nothing is sent. What is written can be "
         "read at any moment; a kill loses the last second at most."

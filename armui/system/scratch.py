@@ -1,4 +1,4 @@
-"""Folders for files that only a running program needs; the next one removes what a killed one left.
+"""Folders for temporary files; the next program removes those that a killed one left.
 
 In each folder lies a file that its program holds locked until it ends: that is asked first, as it
 is true whatever the system makes of process numbers. Where there is no such lock, in a folder
@@ -22,7 +22,7 @@ from filelock import FileLock, Timeout
 
 _NAME: Final = re.compile(r"armui-(?:replay|work)-(?:(\d{1,10})-)?[a-z0-9_]+")
 _OLD_S: Final = 600.0
-"""What is younger may belong to a program that has just begun."""
+"""A younger folder may belong to a program that has just started."""
 _FORGOTTEN_S: Final = 7 * 86_400.0
 """A process number may be another's by now: nobody looks at one log for a week."""
 _LOCK: Final = "in-use.lock"
@@ -35,13 +35,13 @@ _ACCESS_DENIED: Final = 5
 
 
 def make_folder(purpose: str) -> Path:
-    """Return a new folder whose name tells what for, and which process it belongs to.
+    """Return a new folder whose name holds its purpose and the number of this process.
 
     Args:
         purpose: ``replay`` or ``work``.
 
     Raises:
-        OSError: There is no room, or no right to make it.
+        OSError: It cannot be created.
     """
     folder = Path(tempfile.mkdtemp(prefix=f"armui-{purpose}-{os.getpid()}-"))
     lock = FileLock(folder / _LOCK, thread_local=False)
@@ -62,10 +62,9 @@ def remove_folder(folder: Path) -> None:
 
 
 def remove_leftovers() -> int:
-    """Remove the folders of programs that live no more; how many.
+    """Remove the folders of ended programs, and return their number.
 
-    Only folders of this user, with the name that `make_folder` gives, are touched. Waits for a
-    disk.
+    Only folders of this user with a name by `make_folder` are touched. Waits for a disk.
     """
     removed = 0
     with contextlib.suppress(OSError):
@@ -125,12 +124,12 @@ else:
 
 
 def lives_on_windows(kernel: Any, process: int, last_error: Any) -> bool:
-    """Tell whether there is a process of this number; `os.kill` would end it there.
+    """Return whether a process exists; `os.kill` would end it on Windows.
 
     Args:
         kernel: The library kernel32.
         process: Its number.
-        last_error: Tells why the last call has failed.
+        last_error: Returns the error of the last call.
     """
     handle = kernel.OpenProcess(_SYNCHRONIZE, False, process)
     if not handle:

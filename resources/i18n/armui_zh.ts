@@ -447,10 +447,6 @@
         <translation>适配器与所显示的不是同一个：没有写入任何文件。</translation>
     </message>
     <message>
-        <source>{channel} is switched off.</source>
-        <translation>{channel} 已停用。</translation>
-    </message>
-    <message>
         <source>Done; it takes effect at the next start of this computer.</source>
         <translation>已完成，下次启动电脑后生效。</translation>
     </message>
@@ -469,6 +465,10 @@
     <message>
         <source>{channel} is switched on, but nothing is heard: is the arm powered, the CAN cable plugged in, the bit rate the arm&apos;s?</source>
         <translation>{channel} 已启用，但没有收到报文：机械臂是否上电、CAN 线是否插好、波特率是否与机械臂一致？</translation>
+    </message>
+    <message>
+        <source>{channel} is switched off.</source>
+        <translation>{channel} 已停用。</translation>
     </message>
     <message>
         <source>{channel}: nothing was found out. Run the diagnosis again.</source>
@@ -1698,10 +1698,6 @@
         <translation>软件包 {package} 的版本为 {installed}，需要 {wanted}。</translation>
     </message>
     <message>
-        <source>The program is not whole: of its own packages, {package} is missing or another version ({installed}). Install armui once more, from the file it was installed from.</source>
-        <translation>程序不完整：自带的软件包 {package} 缺失或版本不符（{installed}）。请用原安装文件重新安装 armui。</translation>
-    </message>
-    <message>
         <source>The package {package} is not installed; some adapters, or a simulated arm in another process, need it.</source>
         <translation>未安装软件包 {package}；部分适配器或另一进程中的仿真机械臂需要它。</translation>
     </message>
@@ -1808,10 +1804,6 @@
     <message>
         <source>{device}: the package {package} is missing.</source>
         <translation>{device}：缺少软件包 {package}。</translation>
-    </message>
-    <message>
-        <source>{device} needs the Python package {package}, which is no part of this installed program, and cannot be added to it. Use another adapter, or armui from its source with that package.</source>
-        <translation>{device} 需要 Python 软件包 {package}，此安装版程序不含它，也无法添加。请换用其他适配器，或从源码运行 armui 并安装该软件包。</translation>
     </message>
     <message>
         <source>{device}: the maker&apos;s driver is missing: {text}</source>
@@ -1961,6 +1953,14 @@
         <source>This Linux is a guest of Windows (WSL): the adapter has to be handed over to it, before the arm is powered. In a terminal of Windows, with the adapter&apos;s BUSID from the list:</source>
         <translation>当前 Linux 运行在 Windows 的 WSL 中：请先把适配器交给 WSL，再给机械臂上电。在 Windows 终端中运行（BUSID 取自列表）：</translation>
     </message>
+    <message>
+        <source>The program is not whole: of its own packages, {package} is missing or another version ({installed}). Install armui once more, from the file it was installed from.</source>
+        <translation>程序不完整：自带的软件包 {package} 缺失或版本不符（{installed}）。请用原安装文件重新安装 armui。</translation>
+    </message>
+    <message>
+        <source>{device} needs the Python package {package}, which is no part of this installed program, and cannot be added to it. Use another adapter, or armui from its source with that package.</source>
+        <translation>{device} 需要 Python 软件包 {package}，此安装版程序不含它，也无法添加。请换用其他适配器，或从源码运行 armui 并安装该软件包。</translation>
+    </message>
 </context>
 <context>
     <name>DialectBar</name>
@@ -2024,10 +2024,6 @@
         <translation>重新诊断</translation>
     </message>
     <message>
-        <source>Report a problem…</source>
-        <translation>报告问题…</translation>
-    </message>
-    <message>
         <source>Only looked and listened: nothing was sent. In a terminal: armui doctor</source>
         <translation>仅查看和监听，没有发送任何报文。终端命令：armui doctor</translation>
     </message>
@@ -2054,6 +2050,10 @@
     <message>
         <source>No fault was found.</source>
         <translation>没有发现故障。</translation>
+    </message>
+    <message>
+        <source>Report a problem…</source>
+        <translation>报告问题…</translation>
     </message>
 </context>
 <context>
@@ -3223,10 +3223,6 @@
         <translation>恢复总线</translation>
     </message>
     <message>
-        <source>Switch off</source>
-        <translation>停用</translation>
-    </message>
-    <message>
         <source>Forget…</source>
         <translation>不再保留…</translation>
     </message>
@@ -3237,6 +3233,10 @@
     <message>
         <source>Name and always at start: {channel}…</source>
         <translation>固定名称并开机启用：{channel}…</translation>
+    </message>
+    <message>
+        <source>Switch off</source>
+        <translation>停用</translation>
     </message>
 </context>
 <context>
@@ -8581,10 +8581,6 @@ The other program must have ended.</source>
         <translation>点动步长：“{value}”不是角度。请输入以度为单位的数字，例如 0.5。</translation>
     </message>
     <message>
-        <source>MF4 needs the Python package asammdf, which is no part of this installed program, and cannot be added to it. Use BLF.</source>
-        <translation>MF4 需要 Python 软件包 asammdf，此安装版程序不含它，也无法添加。请使用 BLF。</translation>
-    </message>
-    <message>
         <source>Robot description: the file {path} is not there. Choose another file, or use the built-in one.</source>
         <translation>机器人模型：找不到文件 {path}。请选择其它文件，或使用内置模型。</translation>
     </message>
@@ -9113,12 +9109,8 @@ The other program must have ended.</source>
         <translation>其间机械臂曾无应答，或应答的是另一台机械臂：未再发送。请确认是正确的机械臂，然后重试。</translation>
     </message>
     <message>
-        <source>The program or the computer stood still for {seconds} s, so the replay was ended. Let the computer do less beside it, keep it from sleeping, and start the replay anew.</source>
-        <translation>程序或计算机停顿了 {seconds} 秒，回放已结束。请减少计算机的其他任务并禁止休眠，然后重新开始回放。</translation>
-    </message>
-    <message>
         <source>Robot description: {path} ended the 3D view while it was loaded ({text}). It is put aside; choose another one.</source>
-        <translation>机器人描述：加载 {path} 时3D 视图意外结束（{text}）。该文件已停用，请另选一个。</translation>
+        <translation>机器人描述：加载 {path} 时 3D 视图意外结束（{text}）。该文件已停用，请另选一个。</translation>
     </message>
     <message>
         <source>Robot description: loading {path} does not come to an end. It is put aside; choose another one.</source>
@@ -9177,8 +9169,8 @@ The other program must have ended.</source>
         <translation>已取消。录制本身完整，保存为 .blf。</translation>
     </message>
     <message>
-        <source>{device} needs the Python package {package}, which is no part of this installed program, and cannot be added to it. Use another adapter, or armui from its source with that package.</source>
-        <translation>{device} 需要 Python 软件包 {package}，此安装版程序不含它，也无法添加。请换用其他适配器，或从源码运行 armui 并安装该软件包。</translation>
+        <source>The program, the computer or the adapter stood still for {seconds} s, so the replay was ended. Let the computer do less beside it, keep it from sleeping, and start the replay anew.</source>
+        <translation>程序、计算机或适配器停顿了 {seconds} 秒，回放已结束。请减少计算机的其他任务并禁止休眠，然后重新开始回放。</translation>
     </message>
     <message>
         <source>The last minutes are being saved already. Wait a moment.</source>
@@ -9199,14 +9191,6 @@ The other program must have ended.</source>
     <message>
         <source>The system refused it: {text}.</source>
         <translation>系统拒绝：{text}。</translation>
-    </message>
-    <message>
-        <source>{path} exists already, and is left as it is. Choose another name.</source>
-        <translation>{path} 已存在，保持不变。请另取名称。</translation>
-    </message>
-    <message>
-        <source>The report could not be saved as {path}: {text}. Free some room or choose another folder.</source>
-        <translation>报告无法保存为 {path}：{text}。请腾出空间或选择其他文件夹。</translation>
     </message>
     <message>
         <source>The disk of {folder} is full. What was written before can be read. Free some room or choose another folder, then record again.</source>
@@ -9459,6 +9443,22 @@ The other program must have ended.</source>
     <message>
         <source>{text} is still switched on, though the system said that it is off.</source>
         <translation>系统称 {text} 已停用，但它仍处于启用状态。</translation>
+    </message>
+    <message>
+        <source>MF4 needs the Python package asammdf, which is no part of this installed program, and cannot be added to it. Use BLF.</source>
+        <translation>MF4 需要 Python 软件包 asammdf，此安装版程序不含它，也无法添加。请使用 BLF。</translation>
+    </message>
+    <message>
+        <source>{device} needs the Python package {package}, which is no part of this installed program, and cannot be added to it. Use another adapter, or armui from its source with that package.</source>
+        <translation>{device} 需要 Python 软件包 {package}，此安装版程序不含它，也无法添加。请换用其他适配器，或从源码运行 armui 并安装该软件包。</translation>
+    </message>
+    <message>
+        <source>{path} exists already, and is left as it is. Choose another name.</source>
+        <translation>{path} 已存在，保持不变。请另取名称。</translation>
+    </message>
+    <message>
+        <source>The report could not be saved as {path}: {text}. Free some room or choose another folder.</source>
+        <translation>报告无法保存为 {path}：{text}。请腾出空间或选择其他文件夹。</translation>
     </message>
 </context>
 <context>
@@ -10229,10 +10229,6 @@ The other program must have ended.</source>
         <translation>关于本机械臂…</translation>
     </message>
     <message>
-        <source>About armui…</source>
-        <translation>关于 armui…</translation>
-    </message>
-    <message>
         <source>The built-in robot description is in use.</source>
         <translation>当前使用的就是内置模型。</translation>
     </message>
@@ -10279,6 +10275,10 @@ The other program must have ended.</source>
     <message>
         <source>Jogs end at a lowest height of the fingertip</source>
         <translation>点动止于末端最低高度</translation>
+    </message>
+    <message>
+        <source>About armui…</source>
+        <translation>关于 armui…</translation>
     </message>
 </context>
 <context>

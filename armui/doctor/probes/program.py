@@ -1,4 +1,4 @@
-"""Python and the packages the program wants."""
+"""Examines Python and the packages that the program uses."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _NUMBERS: Final = re.compile(r"\d+")
 
 
 def look_at_program() -> ProgramFacts:
-    """The facts."""
+    """Return the facts on the program."""
     rise = try_priority()
     return ProgramFacts(
         armui=__version__,
@@ -45,7 +45,7 @@ def look_at_program() -> ProgramFacts:
 
 
 def try_priority() -> Rise:
-    """Ask for a thread that does nothing and ends: whether it is granted, only trying tells."""
+    """Request priority for a thread that ends at once: only trying shows whether it is granted."""
     rises: list[Rise] = []
     thread = threading.Thread(
         target=lambda: rises.append(raise_threads([threading.get_native_id()]))
@@ -96,9 +96,9 @@ def _package(requirement: str) -> PackageFacts:
 
 
 def satisfies(installed: str, wanted: str) -> bool:
-    """Whether a version is within the bounds that pip's notation gives; letters count for nothing.
+    """Return whether a version satisfies pip's bounds; letters in it are ignored.
 
-    ``packaging`` would know the finer points, but may be what is missing.
+    ``packaging`` would be more exact, but may be missing itself.
     """
     version = _key(installed)
     for operator, text in _CLAUSE.findall(wanted):

@@ -34,4 +34,4 @@ PLACES: Final[Mapping[str, Text]] = {
 """The titles by the keys of the places; `operation_area.PANELS` has those of the panels."""
 
 MOVABLE: Final = ("library", "editor", "recording", "plots", "events", "bus")
-"""The pages that can be taken out into a window, by their keys."""
+"""The keys of the pages that can be moved into a window of their own."""

@@ -1,4 +1,4 @@
-"""The adapter set up by a click: what is under way, and what came of it; the window never waits."""
+"""Sets up an adapter by a click, and shows progress and result, without blocking the window."""
 
 from __future__ import annotations
 
@@ -41,46 +41,46 @@ _SIZE_PX: Final = (720, 520)
 
 
 class HelperRun(Protocol):
-    """Something under way that is told to go, and can be ended."""
+    """A change in progress that can be started and cancelled."""
 
     def go(self) -> None:
-        """Have it done."""
+        """Carry out the plan."""
 
     def end(self) -> None:
-        """Nobody wants it any more."""
+        """Cancel the change."""
 
 
 Begin = Callable[[Sequence[str], Callable[[Answer], object], Sequence[str]], HelperRun]
-"""Begins a change; see :class:`armui.doctor.adapter_change.AdapterChange`."""
+"""Starts a change; see :class:`armui.doctor.adapter_change.AdapterChange`."""
 
 
 class Examination(Protocol):
-    """Something under way that can be ended."""
+    """An examination in progress that can be cancelled."""
 
     def end(self) -> None:
-        """Nobody waits for it any more."""
+        """Cancel the examination."""
 
 
 Examine = Callable[[Sequence[str], Callable[[list[Diagnosis] | str], object]], Examination]
-"""Begins an examination; see :class:`armui.doctor.process.DoctorProcess`."""
+"""Starts an examination; see :class:`armui.doctor.process.DoctorProcess`."""
 
 
 class AdapterLine(Translated, QWidget):
-    """There while the adapter's helper is at work, and until its outcome was read.
+    """A line shown while the adapter's helper works, and until its result was read.
 
     Args:
-        controller: Knows whether an arm moves on that adapter.
-        begin: Begins a change.
-        examine: Listens to the adapter afterwards: a success is not believed.
-        is_there: Whether the helper can be used at all; asked after an examination, whose thread
-            has looked at the disk.
+        controller: Gives the state of the arm on that adapter.
+        begin: Starts a change.
+        examine: Examines the adapter afterwards to check the result.
+        is_there: Returns whether the helper can be used; called after an examination, whose thread
+            has read the disk.
 
     Attributes:
         listens_elsewhere: Whether whoever follows `changed` listens to an interface by that, and
             tells `tell_heard` what was found: two programs on one adapter take each other's frames.
 
     Signals:
-        changed: The helper has done something: what was found before is outdated.
+        changed: The helper has changed something: earlier findings are outdated.
     """
 
     changed = Signal()
@@ -119,11 +119,11 @@ class AdapterLine(Translated, QWidget):
         self.hide()
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.cancel_button.setText(self.tr("Cancel"))
 
     def text(self) -> str:
-        """What it says now."""
+        """Return the present text."""
         return self._line.text()
 
     def is_there(self) -> bool:
@@ -133,18 +133,18 @@ class AdapterLine(Translated, QWidget):
     # What the operator does -------------------------------------------------------------------
 
     def choose(self, remedy: Remedy) -> None:
-        """A button was pressed: files are shown before; anything else is begun."""
+        """Carry out a remedy, after showing the files that it would write or remove."""
         if remedy[0] in {"remember", "forget"}:
             KeepDialog(self._controller, self.window(), remedy, self.start, self._begin).open()
         else:
             self.start(remedy)
 
     def start(self, remedy: Remedy, shown: Planned | None = None) -> None:
-        """Begin; the system asks for the password.
+        """Start a remedy; the system asks for the password.
 
         Args:
-            remedy: Verb and words.
-            shown: What the operator has seen of it: anything else is not done.
+            remedy: The verb and its arguments.
+            shown: The plan that the operator has seen; another plan is not carried out.
         """
         if self._change is not None:
             return
@@ -160,7 +160,7 @@ class AdapterLine(Translated, QWidget):
         self._change = self._begin(remedy, lambda answer: self._told.emit(number, answer), BY_ROOT)
 
     def cancel(self) -> None:
-        """Nobody waits any more: what has not begun is not done."""
+        """Cancel; a change that has begun is completed."""
         if self._change is not None:
             self._change.end()
             self._change = None
@@ -287,21 +287,21 @@ class AdapterLine(Translated, QWidget):
             self._listening = None
 
     def end(self) -> None:
-        """The window closes."""
+        """Cancel and clear the line, because the window closes."""
         self.cancel()
         self._forbidden = False
         self._say("")
 
 
 class KeepDialog(ArmDialog):
-    """Shows the files before they are written, or taken away; the adapter gets its name here.
+    """Shows the files before they are written or removed; the adapter gets its name here.
 
     Args:
-        controller: Whom the emergency stop tells.
+        controller: Receives the emergency stop.
         parent: The window that asks.
         remedy: ``remember`` an interface with its bit rate, or a port; or ``forget`` a name.
-        agreed: Called with the helper's words and what was shown.
-        begin: Begins a change; here only its plan is asked for, without being root.
+        agreed: Called with the helper's arguments and the plan that was shown.
+        begin: Starts a change; here only for its plan, without root's rights.
     """
 
     _told = Signal(object, object)
@@ -353,7 +353,7 @@ class KeepDialog(ArmDialog):
         return self._remedy[0] == "remember" and len(self._remedy) > 2
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         keeps = self._remedy[0] == "remember"
         self.set_title(self.tr("Keep at every start") if keeps else self.tr("Forget"))
         self._name_label.setText(self.tr("Name of the adapter"))
@@ -426,7 +426,7 @@ class KeepDialog(ArmDialog):
             self._agreed(wanted, planned)
 
     def done(self, result: int) -> None:
-        """Nobody waits for a plan any more."""
+        """Cancel the request for a plan, and close."""
         self._timer.stop()
         self._forget_plan()
         super().done(result)

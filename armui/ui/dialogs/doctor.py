@@ -1,4 +1,4 @@
-"""The window 诊断: what is wrong with this computer, the bus and the arm, and what mends it."""
+"""The window 诊断: faults of this computer, the bus and the arm, with their remedies."""
 
 from __future__ import annotations
 
@@ -40,12 +40,12 @@ _AT_ONCE: Final = 8
 
 
 def judge_connected(controller: ArmController, *, frames: int, seconds: float) -> list[Diagnosis]:
-    """Findings about the arm on the open device; none where no device is open.
+    """Return the findings on the arm on the open device; none if no device is open.
 
     Args:
-        controller: Who hears it.
-        frames: So many frames were received while it was listened to.
-        seconds: So long that was.
+        controller: Gives the arm's state.
+        frames: The number of frames received while listening.
+        seconds: The time of listening.
     """
     now = controller.operating_state
     if now.device is None:
@@ -96,12 +96,12 @@ def with_connected(
 
 
 class DoctorDialog(ArmDialog):
-    """Examines at each opening, in a process of its own; an open device is left alone.
+    """Examines at each opening, in a process of its own; an open device is not disturbed.
 
     Args:
-        controller: Tells about the arm that is connected.
+        controller: Gives the state of the connected arm.
         parent: The main window.
-        examine: Begins an examination.
+        examine: Starts an examination.
         adapter: Sets an adapter up by a click.
 
     Signals:
@@ -144,7 +144,7 @@ class DoctorDialog(ArmDialog):
         self.retranslate_ui()
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
+        """Return the target of each command, by the command's name."""
         return {"doctor.copy": self.copy_button, "doctor.again": self.again_button}
 
     # Layout -----------------------------------------------------------------------------------
@@ -167,7 +167,7 @@ class DoctorDialog(ArmDialog):
         fill(self.footer, *kept, STRETCH, self.again_button, self.close_button)
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.set_title(self.tr("Diagnosis"))
         self.copy_button.setText(self.tr("Copy report"))
         self.report_button.setText(self.tr("Report a problem…"))
@@ -180,7 +180,7 @@ class DoctorDialog(ArmDialog):
     # What the operator does -------------------------------------------------------------------
 
     def examine_device(self, device: Device | None) -> None:
-        """Open the dialog for a device that could not be connected, or ``None``: for all."""
+        """Open the dialog for a device that could not be connected, or for all with ``None``."""
         self._device = device
         self.open()
 
@@ -190,7 +190,7 @@ class DoctorDialog(ArmDialog):
         self.examine()
 
     def examine(self) -> None:
-        """Begin anew."""
+        """Start the examination again."""
         self._end()
         self._number += 1
         number = self._number
@@ -225,7 +225,7 @@ class DoctorDialog(ArmDialog):
         QGuiApplication.clipboard().setText(self.report())
 
     def report(self) -> str:
-        """The report as text, for a support mail."""
+        """Return the report as text, for a support mail."""
         findings = self._findings()
         answers = any(each.kind == ARM for each in findings)
         return as_text(findings, WORDS, arm_answers=answers, asked=False)
@@ -305,14 +305,14 @@ class DoctorDialog(ArmDialog):
     # The end ----------------------------------------------------------------------------------
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Nobody waits for an examination any more."""
+        """Cancel the examination."""
         self._end()
         self._adapter.end()
         self._refresh()
         super().closeEvent(event)
 
     def reject(self) -> None:
-        """Escape does the same."""
+        """Cancel the examination and close, by Escape."""
         self._end()
         self._adapter.end()
         super().reject()

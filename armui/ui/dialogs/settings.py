@@ -45,15 +45,15 @@ if TYPE_CHECKING:
 _SIZE_PX: Final = (680, 500)
 _STEP_WIDTH_PX: Final = 110
 _LANGUAGES: Final = (("zh", "中文"), ("en", "English"))
-"""Each in its own words: who cannot read the present language must find their own."""
+"""The languages, each in its own name, so that its readers find it."""
 
 
 class SettingsDialog(ArmDialog):
-    """Changes the program's settings; each holds at once and is saved.
+    """Changes the program's settings; each takes effect at once and is saved.
 
     Args:
         store: The settings.
-        controller: Whom the emergency stop tells.
+        controller: Receives the emergency stop.
         parent: The main window.
 
     Signals:
@@ -109,7 +109,7 @@ class SettingsDialog(ArmDialog):
         self._show_problem(reason)
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
+        """Return the target of each command, by the command's name."""
         return {
             "settings.gamepad": self.gamepad_button,
             "settings.stop_again": self.stop_again_box,
@@ -166,7 +166,7 @@ class SettingsDialog(ArmDialog):
         fill(self.footer, *told, STRETCH, CloseButton(self))
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.set_title(self.tr("Settings"))
         self._language_label.setText(self.tr("Language"))
         self._theme_label.setText(self.tr("Theme"))
@@ -205,14 +205,14 @@ class SettingsDialog(ArmDialog):
         self._refresh()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Show what holds now."""
+        """Show the present settings."""
         super().showEvent(event)
         if not event.spontaneous():
             self._mark_jog_step(wrong=False)
             self._refresh()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """What was said stands no longer at the next opening."""
+        """Clear the message for the next opening."""
         super().hideEvent(event)
         if not event.spontaneous():
             self._problem = None

@@ -158,7 +158,7 @@ class RingCard(Translated, QFrame):
         self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._title.setText(self.tr("The last minutes, in memory"))
         self.at_faults_box.setText(self.tr("Save by itself at a fault or a stop"))
         self.at_faults_box.setToolTip(
@@ -273,7 +273,7 @@ class RecordingCard(Translated, QFrame):
         in_column(self._title, head, grid, STRETCH, on=self, spacing=12, margins=(16, 12, 16, 14))
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._title.setText(self.tr("Record to the disk"))
         self._format_label.setText(self.tr("Format"))
         self._size_label.setText(self.tr("New file at"))
@@ -415,7 +415,7 @@ class RecordingMark(Translated, QToolButton):
         self._on_changed()
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.setAccessibleName(self.tr("Recording of the session"))
         self.setToolTip(self.tr("The session is being recorded. Click for the recordings."))
         self._show_time()
