@@ -39,8 +39,8 @@ from armui.system.failures import Failure, FailureHandler
 from armui.system.helper_process import FileThread, HelperProcess
 from armui.system.log_file import log_to
 from armui.system.thread_priority import raise_in_background
-from armui.telemetry.events import EventKind, Level
 from armui.system.version_record import TakenOver, note_version
+from armui.telemetry.events import EventKind, Level
 from armui.ui.dialogs.kept_models import KeptModels, NodeKeeper, last_model
 from armui.ui.garbage import GarbageSearch
 from armui.ui.main_window import MainWindow
