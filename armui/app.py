@@ -24,7 +24,7 @@ from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
 from armui.control.event_log.keeper import EventKeeper
-from armui.control.events import Event, EventCode
+from armui.control.events import Event, Notice
 from armui.control.link.instance_registry import InstanceRegistry
 from armui.control.operating_state import LinkState, OperatingState
 from armui.control.sessions.choices import SessionChoices, choices_of
@@ -38,6 +38,7 @@ from armui.system.failures import Failure, FailureHandler
 from armui.system.helper_process import FileThread, HelperProcess
 from armui.system.log_file import log_to
 from armui.system.thread_priority import raise_in_background
+from armui.telemetry.events import EventKind, Level
 from armui.ui.dialogs.kept_models import KeptModels, NodeKeeper, last_model
 from armui.ui.garbage import GarbageSearch
 from armui.ui.main_window import MainWindow
@@ -55,6 +56,20 @@ if TYPE_CHECKING:
     from armui.sim.mechanics.mechanics import HandGuiding
     from armui.ui.picture.target_drag import HandGuide
     from armui.viewport.client import PictureClient
+
+FILES_HANG = Notice(
+    "files_hang",
+    "A disk or network folder has spent more than 10 s on one file. Other files no longer "
+    "wait for it. If it does not finish, check the cable or network. (Under way: {count})",
+    Level.WARNING,
+    EventKind.PROGRAM,
+)
+SETTINGS_UNSAVED = Notice(
+    "settings_unsaved",
+    "The change is in effect, but not saved. {reason}",
+    Level.WARNING,
+    EventKind.PROGRAM,
+)
 
 _LOG: Final = logging.getLogger(__name__)
 
@@ -267,15 +282,15 @@ class Program:
         self.window.show_failure(failure, motion_ended=ended)
 
     def _on_unsaved(self, reason: Refusal) -> None:
-        self._notice(EventCode.SETTINGS_UNSAVED, reason=reason)
+        self._tell(SETTINGS_UNSAVED, reason=reason)
 
     def _replace_hung(self, files: FileThread) -> None:
         if files.replace_hung():
-            self._notice(EventCode.FILES_HANG, count=files.hanging)
+            self._tell(FILES_HANG, count=files.hanging)
 
-    def _notice(self, code: EventCode, **params: object) -> None:
+    def _tell(self, notice: Notice, **params: object) -> None:
         at = datetime.now().astimezone()
-        self.controller.noticed.emit(Event(at, code.level, code, params))
+        self.controller.noticed.emit(Event(at, notice, params))
 
     def _on_settings_changed(self, settings: Settings) -> None:
         apply_theme(self._app, Theme(settings.theme))

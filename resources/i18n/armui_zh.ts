@@ -8955,12 +8955,8 @@ The other program must have ended.</source>
         <translation>其间机械臂曾无应答，或应答的是另一台机械臂：未再发送。请确认是正确的机械臂，然后重试。</translation>
     </message>
     <message>
-        <source>The program or the computer stood still for {seconds} s, so the replay was ended. Let the computer do less beside it, keep it from sleeping, and start the replay anew.</source>
-        <translation>程序或计算机停顿了 {seconds} 秒，回放已结束。请减少计算机的其他任务并禁止休眠，然后重新开始回放。</translation>
-    </message>
-    <message>
         <source>Robot description: {path} ended the 3D view while it was loaded ({text}). It is put aside; choose another one.</source>
-        <translation>机器人描述：加载 {path} 时3D 视图意外结束（{text}）。该文件已停用，请另选一个。</translation>
+        <translation>机器人描述：加载 {path} 时 3D 视图意外结束（{text}）。该文件已停用，请另选一个。</translation>
     </message>
     <message>
         <source>Robot description: loading {path} does not come to an end. It is put aside; choose another one.</source>
@@ -9289,6 +9285,10 @@ The other program must have ended.</source>
     <message>
         <source>{text} is still switched on, though the system said that it is off.</source>
         <translation>系统称 {text} 已停用，但它仍处于启用状态。</translation>
+    </message>
+    <message>
+        <source>The program, the computer or the adapter stood still for {seconds} s, so the replay was ended. Let the computer do less beside it, keep it from sleeping, and start the replay anew.</source>
+        <translation>程序、计算机或适配器停顿了 {seconds} 秒，回放已结束。请减少计算机的其他任务并禁止休眠，然后重新开始回放。</translation>
     </message>
 </context>
 <context>

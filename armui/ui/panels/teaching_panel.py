@@ -10,9 +10,9 @@ from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QPushButton, QToolBut
 
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
-from armui.control.devices.teaching import TeachingControl
+from armui.control.devices.teaching import TEACHING_UNANSWERED, TeachingControl
 from armui.control.devices.teaching_phase import TeachingPhase, phase_of, why_not_teach
-from armui.control.events import Event, EventCode, Level
+from armui.control.events import Event, Level
 from armui.control.motion.planned_motion import PlannedMotion, why_not_plan
 from armui.control.operating_state import OperatingState
 from armui.control.operations.operation import operation_of
@@ -337,7 +337,7 @@ class TeachingPanel(Panel):
         self._show_new()
 
     def _on_noticed(self, event: Event) -> None:
-        if event.code == EventCode.TEACHING_UNANSWERED:
+        if event.notice == TEACHING_UNANSWERED:
             self._unanswered = event
             self._show_all()
 

@@ -22,9 +22,15 @@ from PySide6.QtWidgets import (
 from armui.arm.joint_status import UNITS, Item, StatusCell, Word, rows
 from armui.arm.limits import JOINTS
 from armui.control.arm_controller import ArmController
-from armui.control.devices.joint_errors import JointErrors, why_not_clear
+from armui.control.devices.joint_errors import (
+    CLEAR_ERROR_ANSWERED,
+    CLEAR_ERROR_SENT,
+    CLEAR_ERROR_UNANSWERED,
+    JointErrors,
+    why_not_clear,
+)
 from armui.control.devices.joint_monitor import JointMonitor
-from armui.control.events import Event, EventCode, Level
+from armui.control.events import Event, Level
 from armui.control.operating_state import OperatingState
 from armui.control.operations.operation import operation_of
 from armui.protocol.generation import Generation
@@ -47,9 +53,7 @@ _FRAME_PX: Final = 2
 _BETWEEN_PX: Final = 3
 _MOST: Final = 100
 """The table's share of the height: all of it until its rows are as high as they get."""
-_OURS: Final = frozenset(
-    {EventCode.CLEAR_ERROR_SENT, EventCode.CLEAR_ERROR_ANSWERED, EventCode.CLEAR_ERROR_UNANSWERED}
-)
+_OURS: Final = frozenset({CLEAR_ERROR_SENT, CLEAR_ERROR_ANSWERED, CLEAR_ERROR_UNANSWERED})
 _MARK_PX: Final = 6.0
 _LEFT_PX: Final = 6.0
 _GAP_PX: Final = 6.0
@@ -461,7 +465,7 @@ class JointStatusPage(Page):
             self._say(words.refusal(refusal), Level.WARNING)
 
     def _on_noticed(self, event: Event) -> None:
-        if event.code in _OURS:
+        if event.notice in _OURS:
             self._event = event
             self._show_notice()
 

@@ -11,8 +11,9 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QButtonGroup, QCheckBox, QFrame, QLabel, QSizePolicy, QWidget
 
 from armui.arm.refusal import Refusal
-from armui.control.events import Event, EventCode
+from armui.control.events import Event
 from armui.control.motion.jog_path import JointJog, ToolJog
+from armui.control.motion.jogging import JOG_ENDED
 from armui.kinematics.axes import AXES, LINEAR_AXES, JogFrame
 from armui.ui import format as fmt
 from armui.ui import words
@@ -309,7 +310,7 @@ class JogBox(Translated, QFrame):
 
     def _on_noticed(self, event: Event) -> None:
         reason = event.params.get("reason")
-        if event.code == EventCode.JOG_ENDED and isinstance(reason, Refusal) and self.isVisible():
+        if event.notice == JOG_ENDED and isinstance(reason, Refusal) and self.isVisible():
             self.refused.emit(reason)
 
     # What the arm says ------------------------------------------------------------------------

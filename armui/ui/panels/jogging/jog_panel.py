@@ -13,7 +13,9 @@ from PySide6.QtWidgets import QComboBox, QFrame, QLabel, QLayout, QPushButton, Q
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
-from armui.control.events import ZEROING_ENDED, Event, EventCode
+from armui.control.devices.zeroing import ZEROING_ENDED
+from armui.control.events import Event
+from armui.control.motion.jogging import JOG_ENDED
 from armui.control.operating_state import OperatingState
 from armui.ui import words
 from armui.ui.panels.panel import Panel
@@ -548,9 +550,9 @@ class JogPanel(Panel):
     def _on_noticed(self, event: Event) -> None:
         """What ended a jog is said where the operator looks; a new zero makes targets void."""
         reason = event.params.get("reason")
-        if event.code == EventCode.JOG_ENDED and isinstance(reason, Refusal) and self.isVisible():
+        if event.notice == JOG_ENDED and isinstance(reason, Refusal) and self.isVisible():
             self._accepted(reason)
-        elif event.code in ZEROING_ENDED:
+        elif event.notice in ZEROING_ENDED:
             # the same figures are another place by the new zero
             self._forget_targets()
             self._show_message()

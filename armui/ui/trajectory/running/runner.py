@@ -87,11 +87,6 @@ def can_pause(progress: Progress) -> bool:
     return progress.phase in {RunPhase.MOVING, RunPhase.DWELLING}
 
 
-def can_go_on(progress: Progress) -> bool:
-    """Tell whether the run waits for the operator."""
-    return progress.phase in {RunPhase.PAUSED, RunPhase.WAITING}
-
-
 def ended_early(progress: Progress) -> bool:
     """Tell whether a run of points ended before its end, so that it can be taken up again."""
     return progress.phase in OVER - {RunPhase.IDLE, RunPhase.DONE} and progress.count > 0

@@ -22,7 +22,16 @@ from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QLabel, QTableView
 
 from armui.arm.refusal import Reason, Refusal
-from armui.control.events import Event, EventCode, Level
+from armui.control.events import Event, Level
+from armui.control.sessions.progress import SESSION_FRAMES_LOST
+from armui.control.sessions.session_recorder import (
+    MF4_NOT_SAVED,
+    MF4_SAVED,
+    RING_NOT_SAVED,
+    RING_SAVED,
+    SESSION_ENDED,
+    SESSION_FAILED_NOTICE,
+)
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.command import Command, Target
@@ -251,13 +260,13 @@ _WIDTHS_PX: Final = {
 }
 _SAID_HERE: Final = frozenset(
     {
-        EventCode.SESSION_ENDED,
-        EventCode.SESSION_FAILED,
-        EventCode.SESSION_FRAMES_LOST,
-        EventCode.MF4_SAVED,
-        EventCode.MF4_NOT_SAVED,
-        EventCode.RING_SAVED,
-        EventCode.RING_NOT_SAVED,
+        SESSION_ENDED,
+        SESSION_FAILED_NOTICE,
+        SESSION_FRAMES_LOST,
+        MF4_SAVED,
+        MF4_NOT_SAVED,
+        RING_SAVED,
+        RING_NOT_SAVED,
     }
 )
 
@@ -436,7 +445,7 @@ class SessionsPage(Page):
 
     def _on_noticed(self, event: Event) -> None:
         refused = event.params.get("reason")
-        ours = event.code in _SAID_HERE or (
+        ours = event.notice in _SAID_HERE or (
             isinstance(refused, Refusal) and refused.code.startswith("session_")
         )
         if ours and self.isVisible():
