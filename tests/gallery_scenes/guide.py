@@ -18,11 +18,11 @@ PICTURES: Final = {
     "parameters": "window-joint-settings",
     "library": "window-library",
     "editor": "window-editor",
-    "joint-status": "window-drawer-joint-status",
+    "joint-status": "dialog-joint-status",
     "drawer": "window-drawer-curves",
     "plots": "dialog-plots-follow",
     "events": "dialog-events",
-    "sessions": "window-drawer-sessions",
+    "sessions": "dialog-sessions",
     "palette": "dialog-palette",
 }
 """By the name in the guide: the kind and the name of the scene."""
