@@ -6,7 +6,7 @@ from datetime import datetime, timedelta
 
 import pytest
 from PySide6.QtCore import QPointF, Qt
-from PySide6.QtGui import QColor, QImage, QPainter
+from PySide6.QtGui import QColor, QFontMetrics, QImage, QPainter
 from PySide6.QtWidgets import QApplication, QLabel
 from pytestqt.qtbot import QtBot
 
@@ -17,14 +17,14 @@ from armui.control.operating_state import LINK_LOST, LinkState
 from armui.protocol.generation import Generation
 from armui.ui import words
 from armui.ui.shell.side_menu import JointStatusButton
-from armui.ui.theme import DARK, LIGHT, Colors, Theme, apply_theme
+from armui.ui.theme import DARK, LIGHT, Colors, Theme, apply_theme, scaled_font
 from armui.ui.translation import LANGUAGES, Language, Translator
 from armui.ui.watch.joint_status_page import (
     CELL_ROLE,
     CellView,
     JointStatusModel,
     JointStatusPage,
-    cell_width,
+    word_width,
 )
 from armui.ui.widgets import state_mark
 from armui.ui.widgets.state_mark import Mark
@@ -257,11 +257,23 @@ def test_in_the_drawer_of_a_small_window_all_rows_are_seen(
 def test_a_fault_has_its_figure_beside_its_word(
     qapp: QApplication, page: JointStatusPage, translator: Translator, language: Language
 ) -> None:
-    """The columns are as wide as the longest word, the widest figure and what lies between."""
+    """Each column of the drawer has room for the longest word and the widest figure."""
     apply_theme(qapp, Theme.LIGHT)
     translator.set_language(language)
     QApplication.processEvents()
-    assert min(page.table.columnWidth(column) for column in range(6)) >= cell_width(page.table)
+    figure = QFontMetrics(scaled_font(page.table, 0.84)).horizontalAdvance(" -00.00 A ")
+    columns = [page.table.columnWidth(column) for column in range(6)]
+    assert min(columns) >= word_width(page.table) + figure
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_in_the_smallest_window_every_word_is_seen(
+    qapp: QApplication, page: JointStatusPage, translator: Translator, language: Language
+) -> None:
+    apply_theme(qapp, Theme.LIGHT)
+    translator.set_language(language)
+    QApplication.processEvents()
+    assert page.minimumSizeHint().width() <= 816
 
 
 # The button ---------------------------------------------------------------------------------------

@@ -65,7 +65,6 @@ _ROWS: Final = 10
 _WORD: Final = 0.92
 """The size of the words where figures stand beside them."""
 _SMALL: Final = 0.84
-_WIDEST_FIGURE: Final = "-00.00 A"
 CELL_ROLE: Final = Qt.ItemDataRole.UserRole
 """A :class:`CellView`: what the delegate draws."""
 
@@ -275,7 +274,7 @@ class JointCellDelegate(QStyledItemDelegate):
             painter.drawText(below, align.AlignLeft, view.small)
             return
         room = width - word.horizontalAdvance(view.text) - 2 * _GAP_PX
-        # the time a fault began is also in the tooltip, and below the table
+        # what has no room is in the tooltip, and below the table
         fits = (text for text in (view.small, view.figure) if small.horizontalAdvance(text) <= room)
         beside = box.adjusted(0, 0, -_GAP_PX, 0)
         painter.drawText(beside, align.AlignRight | align.AlignVCenter, next(fits, ""))
@@ -285,13 +284,11 @@ class JointCellDelegate(QStyledItemDelegate):
         return QSize(0, _HIGHEST_ROW_PX)
 
 
-def cell_width(table: QWidget) -> int:
-    """Return how wide a column must be for every word, bold, and its figure beside it, in px."""
-    word = QFontMetrics(scaled_font(table, _WORD, bold=True))
-    small = QFontMetrics(scaled_font(table, _SMALL))
-    widest = max(word.horizontalAdvance(words.joint_word(each)) for each in Word)
-    figure = small.horizontalAdvance(_WIDEST_FIGURE)
-    return int(_TEXT_LEFT_PX + widest + 2 * _GAP_PX + figure)
+def word_width(table: QWidget) -> int:
+    """Return how wide a column must be for every word, bold, in pixels."""
+    metrics = QFontMetrics(scaled_font(table, _WORD, bold=True))
+    widest = max(metrics.horizontalAdvance(words.joint_word(each)) for each in Word)
+    return int(_TEXT_LEFT_PX + widest + _GAP_PX)
 
 
 _CLEAR: Final = Text("JointStatusPage", "Clear error")
@@ -408,14 +405,14 @@ class JointStatusPage(Page):
         self._show_notice()
 
     def _fit_columns(self) -> None:
-        """Make them wide enough for every word there is: nothing moves when one changes."""
+        """Make them wide enough for every word there is, whatever room figures have."""
         metrics = self.table.fontMetrics()
         names = max(metrics.horizontalAdvance(words.joint_item(item)) for item in Item)
         header_px = names + _HEADER_PAD_PX
         self.table.verticalHeader().setFixedWidth(header_px)
         self._joint_label.setFixedWidth(header_px)
         column_px = max(button.sizeHint().width() for button in self.clear_buttons)
-        column_px = max(column_px + 4 * _BETWEEN_PX, cell_width(self.table))
+        column_px = max(column_px + 4 * _BETWEEN_PX, word_width(self.table))
         self.table.setMinimumWidth(header_px + len(JOINTS) * column_px + 2 * _FRAME_PX)
 
     # What the arm says ------------------------------------------------------------------------

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
     QFrame,
     QLabel,
     QProgressBar,
+    QSizePolicy,
     QSpinBox,
     QToolButton,
     QWidget,
@@ -58,7 +59,9 @@ _HOUR_S: Final = 3600
 _MARK_ICON_PX: Final = 14
 _LOOK_MS: Final = 1000
 _BETWEEN_PX: Final = 12
-_INSIDE: Final = (10, 6, 10, 6)
+_FOLDER_PX: Final = 70
+_FIGURES_PX: Final = 215
+_INSIDE: Final = (8, 6, 8, 6)
 """The margins of a card: two lines each, so that the list below has the drawer."""
 
 
@@ -134,8 +137,13 @@ class RingCard(Translated, QFrame):
         self._sessions = sessions
         self._store = store
         self.setProperty("card", True)
-        self.content_label = text_label("ring_content")
-        self.memory_label = text_label("ring_memory", rank="muted")
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        self.content_label = named("ring_content", ElidedLabel())
+        self.memory_label = named("ring_memory", ElidedLabel())
+        self.memory_label.setProperty("rank", "muted")
+        for label in (self.content_label, self.memory_label):
+            label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+            label.setMinimumWidth(_FIGURES_PX)
         self._bar = QProgressBar(minimum=0, maximum=round(KEPT_S), textVisible=False)
         self._bar.setFixedHeight(6)
         self.save_button = push_button("ring_save", primary=True)
@@ -143,7 +151,8 @@ class RingCard(Translated, QFrame):
         self.at_faults_box = named("ring_save_at_faults", QCheckBox())
         words = in_column(self.content_label, self.memory_label, spacing=0)
         head = in_row(self.save_button, (words, 1), spacing=_BETWEEN_PX)
-        in_column(head, self._bar, STRETCH, self.at_faults_box, on=self, spacing=4, margins=_INSIDE)
+        below = in_row(self.at_faults_box, STRETCH)
+        in_column(head, self._bar, STRETCH, below, on=self, spacing=4, margins=_INSIDE)
         self.save_button.clicked.connect(lambda: self._sessions.save_ring())  # noqa: PLW0108
         self.at_faults_box.clicked.connect(
             lambda checked: self._store.change(session_save_at_faults=checked)
@@ -173,21 +182,21 @@ class RingCard(Translated, QFrame):
         )
         self.save_button.setEnabled(bool(ring.frames) and not saving)
         if not ring.frames:
-            self.content_label.setText(self.tr("Nothing heard yet"))
-            self.memory_label.setText(
+            self.content_label.show_text(self.tr("Nothing heard yet"))
+            self.memory_label.show_text(
                 self.tr("Everything on the bus, for {minutes} minutes.").format(
                     minutes=round(KEPT_S / 60)
                 )
             )
             return
-        self.content_label.setText(
+        self.content_label.show_text(
             self.tr("{length} of {minutes} minutes · {frames} frames").format(
                 length=length_text(ring.span_s),
                 minutes=round(KEPT_S / 60),
                 frames=fmt.count(ring.frames),
             )
         )
-        self.memory_label.setText(
+        self.memory_label.show_text(
             self.tr("{now} of memory, {most} at most").format(
                 now=fmt.size_text(ring.bytes_kept), most=fmt.size_text(ring.most_bytes)
             )
@@ -214,6 +223,7 @@ class RecordingCard(Translated, QFrame):
         self._rate = 0.0
         self._can_write_mf4 = True
         self.setProperty("card", True)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         self._make_widgets()
         self._lay_out()
         self.record_button.clicked.connect(self._on_record)
@@ -246,6 +256,9 @@ class RecordingCard(Translated, QFrame):
         self.size_box.setSingleStep(50)
         self.folder_name = named("session_folder", ElidedLabel())
         self.folder_button = push_button("session_choose_folder")
+        for cut in (self.state_label, self.folder_name):
+            cut.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self.folder_name.setMinimumWidth(_FOLDER_PX)
         for button in (self.record_button, self.folder_button):
             button.setAutoDefault(False)
 
@@ -253,9 +266,9 @@ class RecordingCard(Translated, QFrame):
         words = in_column(self.state_label, self.figures_label, self.making, spacing=0)
         head = in_row(self.record_button, (words, 1), spacing=_BETWEEN_PX)
         chosen = in_row(
-            *(self._format_label, self.format_box, 6, self._size_label, self.size_box, 6),
+            *(self._format_label, self.format_box, 4, self._size_label, self.size_box, 4),
             *(self._folder_label, (self.folder_name, 1), self.folder_button),
-            spacing=6,
+            spacing=5,
         )
         in_column(head, chosen, self.format_note, STRETCH, on=self, spacing=4, margins=_INSIDE)
 

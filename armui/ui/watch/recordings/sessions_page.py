@@ -44,7 +44,8 @@ from armui.ui.watch.recordings.recording_card import (
     moment_text,
 )
 from armui.ui.widgets.buttons import named, push_button
-from armui.ui.widgets.layouts import STRETCH, fill, in_row
+from armui.ui.widgets.flow import in_flow
+from armui.ui.widgets.layouts import STRETCH, fill
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.page import Page
 from armui.ui.widgets.seen_timer import SeenTimer
@@ -369,7 +370,7 @@ class SessionsPage(Page):
     def _lay_out(self) -> None:
         self.body.setSpacing(_GAP_PX)
         self.table.setMinimumHeight(_LEAST_PX)
-        cards = in_row((self.recording, 3), (self.ring, 2), spacing=_GAP_PX)
+        cards = in_flow(self.recording, self.ring, spacing_px=_GAP_PX)
         fill(self.body, cards, (self.table, 1), self._hint, self._message)
         of_chosen = (self.open_button, self.export_button, self.rename_button, self.delete_button)
         fill(self.footer, *of_chosen, STRETCH, self.other_button, self.folder_button)
