@@ -33,10 +33,10 @@ _INDENT: Final = "    "
 
 
 class GuidePage(Page):
-    """Reads the guide of the language that is shown, in another thread.
+    """Shows the guide in the present language, read in another thread.
 
     Args:
-        background: Where files are read.
+        background: Reads files.
         read: Reads the sections of a language.
     """
 
@@ -99,7 +99,7 @@ class GuidePage(Page):
 
     @property
     def shown(self) -> str:
-        """The section that is shown; empty: none yet."""
+        """The name of the section shown; empty if none is."""
         section = self.browser.section
         return "" if section is None else section.anchor
 
@@ -152,7 +152,7 @@ class GuidePage(Page):
             self.browser.show_section(section, tuple(self.search.text().split()))
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.set_title(self.tr("User guide"))
         self.search.setPlaceholderText(self.tr("Search the guide"))
         self.search.setAccessibleName(self.tr("Search the guide"))

@@ -106,5 +106,5 @@ class HelpPage(Page):
         self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.set_title(self.tr("Help: 3D view"))

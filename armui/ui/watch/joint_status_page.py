@@ -1,4 +1,4 @@
-"""The page 关节状态: what each driver says of itself, beside the work (manual 1.0.10)."""
+"""The page 关节状态: the reports of each driver, open beside the work (manual 1.0.10)."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ _WORD: Final = 0.92
 """The size of the words where figures stand beside them."""
 _SMALL: Final = 0.84
 CELL_ROLE: Final = Qt.ItemDataRole.UserRole
-"""A :class:`CellView`: what the delegate draws."""
+"""The role of a :class:`CellView`, which the delegate draws."""
 
 _DECIMALS: Final = {
     Item.SUPPLY_VOLTAGE: 1,
@@ -75,7 +75,7 @@ _DECIMALS: Final = {
     Item.DRIVER_TEMPERATURE: 0,
     Item.DRIVER_ENABLED: 1,
 }
-"""Of the figures, so that columns of them stand still."""
+"""The decimals of the figures, fixed so that columns do not jitter."""
 
 _KINDS: Final = {
     Item.SUPPLY_VOLTAGE: ("voltage",),
@@ -84,19 +84,19 @@ _KINDS: Final = {
     Item.DRIVER_TEMPERATURE: ("driver_temperature",),
     Item.DRIVER_ENABLED: ("motor_speed", "enabled"),
 }
-"""Which curves belong to a row; the others are faults of the driver."""
+"""The curves of a row; those of other rows are faults of the driver."""
 
 
 @dataclass(frozen=True, slots=True)
 class CellView:
-    """A cell ready to be drawn.
+    """The content of a cell.
 
     Attributes:
         text: The word, or the status code.
         figure: The figure behind it, if it has one.
         since: Of a fault, the time of day when it began.
-        mark: What stands before the word; the status code has none.
-        stale: It was heard a while ago.
+        mark: The sign before the word; the status code has none.
+        stale: True if it is too old to count as present.
     """
 
     text: str
@@ -112,10 +112,10 @@ class CellView:
 
 
 class JointStatusModel(TableModel):
-    """Shows what a monitor knows; told by :meth:`refresh` to look.
+    """Shows the content of a monitor; updated by :meth:`refresh`.
 
     Args:
-        monitor: Knows the joints.
+        monitor: Gives the state of the joints.
     """
 
     _columns = len(JOINTS)
@@ -128,7 +128,7 @@ class JointStatusModel(TableModel):
         self._cells = {(row, column): StatusCell() for row in range(_ROWS) for column in range(6)}
 
     def refresh(self) -> None:
-        """Look at the joints and tell the view which cells have changed."""
+        """Read the joints and report the changed cells to the view."""
         if self._monitor.generation is not self._generation:
             self._generation = self._monitor.generation
             self._rows = rows(self._generation)
@@ -142,12 +142,12 @@ class JointStatusModel(TableModel):
                     self.dataChanged.emit(index, index)
 
     def retranslate(self) -> None:
-        """Every word anew: the language has changed."""
+        """Update every text after a change of language."""
         self.redraw()
         self.headerDataChanged.emit(Qt.Orientation.Vertical, 0, len(self._rows) - 1)
 
     def describe(self, index: Index) -> str:
-        """A cell in full: joint, item, word, figure, and since when."""
+        """Return the full text of a cell: joint, item, word, figure, and since when."""
         cell, item = self._cells[index.row(), index.column()], self._rows[index.row()]
         parts = [f"J{index.column() + 1}  {words.joint_item(item)} {_text(item, cell)}"]
         if item in UNITS:
@@ -159,7 +159,7 @@ class JointStatusModel(TableModel):
         return " · ".join(parts)
 
     def quantities(self, index: Index) -> list[str]:
-        """The keys of what a cell shows, as far as it can be drawn as a curve."""
+        """Return the keys of a cell's quantities that can be drawn as curves."""
         joint = JOINTS[index.column()]
         kinds = _KINDS.get(self._rows[index.row()], ("driver_faults",))
         keys = [f"arm.{kind}.{joint}" for kind in kinds]
@@ -172,7 +172,7 @@ class JointStatusModel(TableModel):
     def headerData(  # noqa: N802 - the name Qt calls
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
     ) -> Any:
-        """The joint's number above, the item's name on the left."""
+        """Return the joint's number for a column, the item's name for a row."""
         if role != Qt.ItemDataRole.DisplayRole:
             return None
         if orientation is Qt.Orientation.Horizontal:
@@ -180,7 +180,7 @@ class JointStatusModel(TableModel):
         return words.joint_item(self._rows[section])
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        """The word of a cell; more of it under the other roles."""
+        """Return the word of a cell, or more of it under the other roles."""
         if not index.isValid():
             return None
         item, cell = self._rows[index.row()], self._cells[index.row(), index.column()]
@@ -218,7 +218,7 @@ def _mark(item: Item, cell: StatusCell) -> Mark | None:
 
 
 class JointCellDelegate(QStyledItemDelegate):
-    """Draws a :class:`CellView`; a fault stands on a ground of its own."""
+    """Draws a :class:`CellView`; a fault has a background of its own."""
 
     def paint(
         self,
@@ -280,7 +280,7 @@ class JointCellDelegate(QStyledItemDelegate):
         painter.drawText(beside, align.AlignRight | align.AlignVCenter, next(fits, ""))
 
     def sizeHint(self, _option: QStyleOptionViewItem, _index: Index) -> QSize:
-        """Two lines; the columns share the table's width."""
+        """Return the height of a row with two lines; the columns share the table's width."""
         return QSize(0, _HIGHEST_ROW_PX)
 
 
@@ -295,11 +295,11 @@ _CLEAR: Final = Text("JointStatusPage", "Clear error")
 
 
 class JointStatusPage(Page):
-    """Stands below the work; looks at the joints only while it is seen.
+    """Stands below the work, and is updated only while visible.
 
     Args:
         controller: Clears errors.
-        monitor: Knows the joints.
+        monitor: Gives the state of the joints.
 
     Attributes:
         table: A row an item, a column a joint.
@@ -336,7 +336,7 @@ class JointStatusPage(Page):
         self.retranslate_ui()
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
+        """Return the target of each command, by the command's name."""
         names = (command.name for command in self.commands)
         return dict(zip(names, self.clear_buttons, strict=True))
 
@@ -383,7 +383,7 @@ class JointStatusPage(Page):
             row.addLayout(in_row(number, STRETCH, button, spacing=0, margins=cell), 1)
 
     def quantities_at(self, place: QPoint) -> list[str]:
-        """Return what the cell at a place of the page shows."""
+        """Return the quantities of the cell at a place of the page."""
         viewport = self.table.viewport()
         if not viewport.rect().contains(viewport.mapFrom(self, place)):
             return []
@@ -391,7 +391,7 @@ class JointStatusPage(Page):
         return self._model.quantities(index) if index.isValid() else []
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.set_title(self.tr("Joint status"))
         self._joint_label.setText(self.tr("Joint"))
         self.table.setAccessibleName(self.tr("Joint status"))
@@ -448,7 +448,7 @@ class JointStatusPage(Page):
             )
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Catch up with what went by while the page was hidden."""
+        """Update the joints, which were not updated while the page was hidden."""
         self._model.refresh()
         self._show_usable(self._controller.operating_state)
         super().showEvent(event)
