@@ -84,7 +84,7 @@ class GuidePage(Page):
 
         Args:
             anchor: The section.
-            reads: Whether the operator reads the guide: it stays where it is then, unless another
+            reads: True if the operator reads the guide: it stays where it is then, unless another
                 panel or page is seen by now.
         """
         if not reads or anchor != self._answered:
@@ -93,7 +93,7 @@ class GuidePage(Page):
 
     @property
     def has_focus_inside(self) -> bool:
-        """Whether the keys go to the guide."""
+        """True if the keys go to the guide."""
         focus = QApplication.focusWidget()
         return focus is not None and self.isAncestorOf(focus)
 

@@ -28,8 +28,8 @@ class DrawerEntry:
 
     Attributes:
         key: Of the page; its tab is called ``drawer_<key>``.
-        title: What the tab says.
-        tip: What the page is for.
+        title: The text of the tab.
+        tip: The purpose of the page.
         open_page: Shows it, in the drawer or in its window.
     """
 

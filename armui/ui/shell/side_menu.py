@@ -134,7 +134,7 @@ class WatchEntry:
     Attributes:
         key: Its icon's name; the button is called ``<key>_button``.
         title: What the button says.
-        tip: What the page is for.
+        tip: The purpose of the page.
         open_page: Shows it.
         command: Opens it from the command palette.
     """

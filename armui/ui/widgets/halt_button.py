@@ -25,7 +25,7 @@ class HaltButton(Translated, PressButton):
 
     Args:
         controller: Whom to tell.
-        slim: Whether it is one line high: in the windows beside the main one.
+        slim: True for one line, as in the windows beside the main one.
     """
 
     def __init__(

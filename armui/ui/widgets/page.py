@@ -28,7 +28,7 @@ class Page(Translated, QWidget):
 
     Attributes:
         above: The page that leads to it, and to which the way back leads.
-        first: What the keys go to when the operator first comes here; ``None``: the page itself.
+        first: The widget that gets the keys at first; ``None``: the page itself.
         body: Where its content goes.
         footer: Where its last buttons go, from left to right.
         commands: What the command palette offers of it.

@@ -21,7 +21,7 @@ class Face:
         padding_px: Left and right of them.
         tight_px: The same where there is no room.
         word_scale: The word's font, by the window's.
-        has_caption: Whether a second line stands below the word.
+        has_caption: True if a second line stands below the word.
     """
 
     height_px: int

@@ -32,7 +32,7 @@ class StopButton(Translated, PressButton):
         controller: Whom to tell.
         ask_to_resume: Asks the operator whether to recover an arm that has stopped; without it the
             button only ever stops, as in the dialogs.
-        slim: Whether it is one line high: in the windows beside the main one.
+        slim: True for one line, as in the windows beside the main one.
     """
 
     def __init__(
