@@ -4664,10 +4664,6 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
 <context>
     <name>LibraryActions</name>
     <message>
-        <source>Trajectory</source>
-        <translation>轨迹</translation>
-    </message>
-    <message>
         <source>Deleted: {names}</source>
         <translation>已删除：{names}</translation>
     </message>
@@ -4931,6 +4927,18 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>“{name}” ended at row {row}. {reason}</source>
         <translation>“{name}”在第 {row} 行结束。{reason}</translation>
+    </message>
+    <message>
+        <source>Name of the trajectory</source>
+        <translation>轨迹名称</translation>
+    </message>
+    <message>
+        <source>Create</source>
+        <translation>创建</translation>
+    </message>
+    <message>
+        <source>Trajectory</source>
+        <translation>轨迹</translation>
     </message>
     <message>
         <source>Trajectory library</source>
@@ -5583,6 +5591,13 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>CPV mode</source>
         <translation>CPV 模式</translation>
+    </message>
+</context>
+<context>
+    <name>NameBar</name>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
     </message>
 </context>
 <context>

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import contextlib
 import threading
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Container, Iterator, Sequence
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
@@ -199,16 +199,7 @@ class Library:
         Args:
             wanted: Any text; what no name can hold is left out of it.
         """
-        if check_name(wanted) is not None:
-            plain = wanted.encode(errors="ignore").decode().replace("\0", "")
-            wanted = " ".join(plain.split()) or "?"
-        wanted = wanted[: LONGEST_NAME - _ROOM_FOR_NUMBER].rstrip()
-        taken = {*self._scan(), *self._drafts.names()}
-        name, number = wanted, 1
-        while name in taken:
-            number += 1
-            name = f"{wanted} {number}"
-        return name
+        return free_name(wanted, {*self._scan(), *self._drafts.names()})
 
     # Changes --------------------------------------------------------------------------------------
 
@@ -234,6 +225,20 @@ class Library:
         for name in {content.name, replacing or content.name}:
             self.drop_draft(name)
         return displaced
+
+    def create(self, name: str) -> Trajectory:
+        """Keep a new trajectory without points.
+
+        Raises:
+            LibraryError: The name is taken, also by an unsaved state, or no name; or the disk
+                refuses.
+        """
+        if name in self._drafts.names():
+            raise LibraryError(NAME_TAKEN(name=name))
+        trajectory = Trajectory(name, modified=self._now())
+        self._verify(trajectory)
+        self._write(trajectory, None)
+        return trajectory
 
     def rename(self, name: str, new: str) -> None:
         """Give a trajectory another name; its draft goes along.
@@ -587,6 +592,24 @@ def _first_fault(content: Content) -> tuple[int, Refusal] | None:
     if isinstance(content, Recording):
         return check_recording(content)
     return check_trajectory(content)
+
+
+def free_name(wanted: str, taken: Container[str]) -> str:
+    """Return a name that is not taken: the wanted, or the wanted with a number.
+
+    Args:
+        wanted: Any text; what no name can hold is left out of it.
+        taken: The names there are.
+    """
+    if check_name(wanted) is not None:
+        plain = wanted.encode(errors="ignore").decode().replace("\0", "")
+        wanted = " ".join(plain.split()) or "?"
+    wanted = wanted[: LONGEST_NAME - _ROOM_FOR_NUMBER].rstrip()
+    name, number = wanted, 1
+    while name in taken:
+        number += 1
+        name = f"{wanted} {number}"
+    return name
 
 
 @dataclass(frozen=True, slots=True)

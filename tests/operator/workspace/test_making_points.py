@@ -119,6 +119,7 @@ def test_motors_that_are_off_are_said_at_the_buttons(pages):
 def test_an_empty_trajectory_says_what_to_do_first(pages):
     pages.driver.ready()
     pages.driver.click(pages.open_library().findChild(QWidget, "library_create"))
+    QTest.keyClick(pages.driver.find("library_name"), Qt.Key.Key_Return)
     editor = pages.driver.page(EditorPage)
     hint = editor.findChild(QWidget, "editor_hint")
     assert hint.isVisible()

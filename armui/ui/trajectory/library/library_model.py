@@ -58,6 +58,11 @@ class LibraryModel(TableModel):
         self._kind = ""
         self._sort_keys: dict[tuple[int, int], tuple[Any, ...]] = {}
 
+    @property
+    def names(self) -> frozenset[str]:
+        """The names of all there are, also of what has unsaved changes alone."""
+        return self._drafts.union(entry.name for entry in self._rows)
+
     def is_unsaved(self, name: str) -> bool:
         """Tell whether nothing is known of a trajectory but changes that are not saved."""
         return any(entry.name == name and entry.kind == "draft" for entry in self._rows)

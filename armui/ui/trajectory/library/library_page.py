@@ -10,6 +10,7 @@ from PySide6.QtCore import QEvent, QModelIndex, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QHeaderView
 
+from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.control.operating_state import OperatingState
@@ -18,7 +19,14 @@ from armui.control.run.progress import Progress
 from armui.control.run.replay import RUN_EMPTY
 from armui.trajectory.files import Content
 from armui.trajectory.library.run_options import RunOptions
-from armui.trajectory.library.store import IndexEntry, Library, Listing
+from armui.trajectory.library.store import (
+    NAME_TAKEN,
+    IndexEntry,
+    Library,
+    Listing,
+    free_name,
+)
+from armui.trajectory.points.program import Trajectory, check_name
 from armui.ui import words
 from armui.ui.actions.command import Command, Target
 from armui.ui.background import Background
@@ -37,6 +45,7 @@ from armui.ui.trajectory.library.library_presence import (
 )
 from armui.ui.trajectory.library.library_table import LibraryHint, LibraryTable
 from armui.ui.trajectory.library.library_work import LibraryWork
+from armui.ui.trajectory.library.name_bar import NameBar, NameQuestion
 from armui.ui.trajectory.recording.recording_page import RecordingPage
 from armui.ui.trajectory.recording.unsaved_line import UnsavedRecordingLine
 from armui.ui.trajectory.running.run_bar import RunBar, RunChoices, run_commands
@@ -98,6 +107,7 @@ class LibraryPage(Page):
         self.editors = LibraryEditors(
             controller, background, self._checks, self._work, choices=self._choices, parent=self
         )
+        self._name_bar = NameBar()
         self._unsaved = UnsavedRecordingLine(self._work)
         self._unsaved.look()
         self._model = LibraryModel(self)
@@ -141,7 +151,8 @@ class LibraryPage(Page):
             below.push(button)  # at the right, also while there is no message
         self._bar.add_button(self._bin_button)
         # what comes and goes takes its room from the list: 发送 stays where it is
-        fill(self.body, self._bar, self._shared_use, self._unsaved, (self._table, 1))
+        fill(self.body, self._bar, self._name_bar, self._shared_use, self._unsaved)
+        fill(self.body, (self._table, 1))
         fill(self.body, self._findings, below, self._run_bar)
 
     def _connect(self) -> None:
@@ -158,6 +169,7 @@ class LibraryPage(Page):
         self._bar.open_wanted.connect(self._open_chosen)
         self._bar.listen(self, self._table)
         self._bar.search.textChanged.connect(self._on_search)
+        self._name_bar.closed.connect(self._table.setFocus)
         self._hint.clear_wanted.connect(self._bar.search.clear)
         self._table.doubleClicked.connect(self._on_double_click)
         self._table.selectionModel().selectionChanged.connect(self._show_usable)
@@ -226,6 +238,7 @@ class LibraryPage(Page):
         changed = self._model.show(listing.entries, listing.drafts)
         self._watch.follow(exists=listing.exists)
         self._shared_use.show_others(others)
+        self._name_bar.look()
         self._bin_button.refresh()
         self._undo_button.show_step()
         if choose:
@@ -396,7 +409,30 @@ class LibraryPage(Page):
         self._work.do(lambda: self._library.note_run(name, options), refused=self._on_refused)
 
     def _create(self) -> None:
-        self._actions.create(self.editors.open_editor)
+        """Ask for the name of a new trajectory; Enter opens its editor."""
+        self._name_bar.ask(
+            NameQuestion(
+                label=lambda: self.tr("Name of the trajectory"),
+                act=lambda: self.tr("Create"),
+                suggest=lambda: free_name(self.tr("Trajectory"), self._model.names),
+                why_not=self._why_not_called,
+                give=self._on_named,
+            )
+        )
+
+    def _why_not_called(self, name: str) -> Refusal | None:
+        return NAME_TAKEN(name=name) if name in self._model.names else check_name(name)
+
+    def _on_named(self, name: str) -> None:
+        def made(trajectory: Trajectory) -> None:
+            self._name_bar.put_away()
+            self.editors.open_editor(trajectory)
+
+        def refused(text: str) -> None:
+            self._name_bar.refuse(text)
+            self.refresh()  # somebody else may have taken the name
+
+        self._actions.create(name, made, refused)
 
     def _chosen_names(self) -> list[str]:
         return [entry.name for entry in self.chosen()]
