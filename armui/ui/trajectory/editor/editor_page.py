@@ -138,7 +138,7 @@ class EditorPage(Page):
         *,
         draft: Trajectory | None = None,
     ) -> None:
-        super().__init__("editor")
+        super().__init__("editor", footed=True)
         self._controller = controller
         self._work = work
         work.setParent(self)
@@ -210,7 +210,8 @@ class EditorPage(Page):
         # what comes and goes takes room from the table: jog buttons and 发送 stay where they are
         fill(self.body, self._actions.bar(self._note), self._find_bar, (self.table, 1))
         fill(self.body, self._findings, self._other_arm, self._message)
-        fill(self.body, self._jog, self._run_bar)
+        fill(self.body, self._jog)
+        fill(self.footer, (self._run_bar, 1))
 
     def _connect(self) -> None:
         stack = self.document.stack
@@ -351,6 +352,7 @@ class EditorPage(Page):
 
     def _show_check(self, checked: Preflight, accept: Callable[[], object] | None) -> None:
         self._findings.show_check(checked, accept)
+        self.bring_into_sight(self._findings)
         faults: dict[int, bool] = {}
         for finding in checked.findings:
             if finding.row is not None and finding.approach is None:

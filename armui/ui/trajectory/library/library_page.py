@@ -94,7 +94,7 @@ class LibraryPage(Page):
     run_asks = Signal(str)
 
     def __init__(self, controller: ArmController, background: Background, library: Library) -> None:
-        super().__init__("library")
+        super().__init__("library", footed=True)
         self._controller = controller
         self._checks = Checks(controller, background)
         self._checks.get_ready()
@@ -153,7 +153,8 @@ class LibraryPage(Page):
         # what comes and goes takes its room from the list: 发送 stays where it is
         fill(self.body, self._bar, self._name_bar, self._shared_use, self._unsaved)
         fill(self.body, (self._table, 1))
-        fill(self.body, self._findings, below, self._run_bar)
+        fill(self.body, self._findings, below)
+        fill(self.footer, (self._run_bar, 1))
 
     def _connect(self) -> None:
         handlers: dict[str, Callable[[], object]] = {
@@ -392,6 +393,7 @@ class LibraryPage(Page):
         self._say("")
         self._findings.show_check(checked, accept)
         self._findings.setVisible(bool(checked.findings) or accept is not None)
+        self.bring_into_sight(self._findings)
         self.preview_wanted.emit(checked)
 
     def _drop_findings(self) -> None:
@@ -419,6 +421,7 @@ class LibraryPage(Page):
                 give=self._on_named,
             )
         )
+        self.bring_into_sight(self._name_bar)
 
     def _why_not_called(self, name: str) -> Refusal | None:
         return NAME_TAKEN(name=name) if name in self._model.names else check_name(name)
