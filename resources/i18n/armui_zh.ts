@@ -4222,6 +4222,14 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>关节</translation>
     </message>
     <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>The speed in the top bar: it counts for every jog and step, also while one goes on. The override of a run does not.</source>
+        <translation>顶栏的速度：对每次点动和步进都有效，进行中也立即生效。运行的倍率对点动无效。</translation>
+    </message>
+    <message>
         <source>Step of − and +</source>
         <translation>− 和 + 的步长</translation>
     </message>
