@@ -4874,6 +4874,10 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>该轨迹从未保存过，或其文件已不存在，这里是未保存的更改。请打开后保存，或将其删除。</translation>
     </message>
     <message>
+        <source>It is being worked out.</source>
+        <translation>正在计算。</translation>
+    </message>
+    <message>
         <source>✓ checked</source>
         <translation>✓ 通过</translation>
     </message>
@@ -9577,6 +9581,18 @@ The other program must have ended.</source>
         <translation>运行次数</translation>
     </message>
     <message>
+        <source>{text} · {time}</source>
+        <translation>{text} · {time}</translation>
+    </message>
+    <message>
+        <source>≈ {time} a run</source>
+        <translation>每次 ≈ {time}</translation>
+    </message>
+    <message>
+        <source>Step by step it takes as long as the operator.</source>
+        <translation>逐点运行时，时长取决于操作者。</translation>
+    </message>
+    <message>
         <source>Speed</source>
         <translation>速度</translation>
     </message>
@@ -9635,6 +9651,17 @@ The other program must have ended.</source>
     <message>
         <source>The speed of each row × that of the run, 1–100 %; from row {row} on.</source>
         <translation>各行速度 × 运行速度，1–100 %；从第 {row} 行起。</translation>
+    </message>
+</context>
+<context>
+    <name>RunEstimate</name>
+    <message>
+        <source>An estimate, without the way to the first point. A check tells it exactly.</source>
+        <translation>估计值，不含到第一点的路程。检查后显示准确值。</translation>
+    </message>
+    <message>
+        <source>How long it takes is not known: the arm cannot reach a point or go a way, or there are too many points. A check tells more.</source>
+        <translation>时长未知：机械臂到不了某个点或走不了某段路径，或者点太多。检查会给出详情。</translation>
     </message>
 </context>
 <context>

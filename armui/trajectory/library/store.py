@@ -9,12 +9,14 @@ from __future__ import annotations
 
 import contextlib
 import threading
-from collections.abc import Callable, Container, Iterator, Sequence
+import time
+from collections.abc import Callable, Container, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Final
 
+from armui.arm.models import ArmModel
 from armui.arm.refusal import Reason, Refusal
 from armui.system.atomic import remove_abandoned
 from armui.system.files import error_text
@@ -42,6 +44,7 @@ from armui.trajectory.library.stored_files import (
     suffix_of,
     write_content,
 )
+from armui.trajectory.planning.estimate import estimate_s
 from armui.trajectory.points.program import LONGEST_NAME, Trajectory, check_name, check_trajectory
 from armui.trajectory.samples.recording import Array, Recording, check_recording
 
@@ -106,6 +109,8 @@ __all__ = ["Check", "Deleted", "IndexEntry", "Library", "LibraryError", "Listing
 _BIN: Final = ".deleted"
 _RECORDINGS: Final = ".recordings"
 _ROOM_FOR_NUMBER: Final = 8
+_MOMENT_S: Final = 0.2
+"""So long others wait for estimates of trajectories."""
 
 
 class Library:
@@ -404,6 +409,36 @@ class Library:
         if kept is not None and kept.entry.damage is None:
             entry = replace(kept.entry, ran_with=replace(options, first=0))
             self._file_store.mark(kept, entry)
+
+    def estimate(self, names: Iterable[str], arm: ArmModel) -> dict[str, float | None]:
+        """Work out how long trajectories will take, until that has taken a moment itself.
+
+        Args:
+            names: Which, the first ones first; those that are gone or damaged are left out.
+            arm: By which it is planned.
+
+        Returns:
+            By name how many seconds, or ``None`` where it is not known; it is kept until the file
+            changes. Those that are missing were not come to.
+
+        Raises:
+            LibraryError: The folder cannot be read.
+        """
+        found, begun_s = self._scan(), time.monotonic()
+        marked: dict[str, tuple[StoredFile, IndexEntry]] = {}
+        for name in names:
+            kept = found.get(name)
+            if kept is None or kept.entry.damage is not None:
+                continue
+            with contextlib.suppress(TrajectoryFileError):  # gone, or damaged since
+                content = load_by(self._call, kept.path, kept.stamp.size)
+                seconds: float | None = self._call(estimate_s, content, arm)
+                entry = replace(kept.entry, estimated_s=seconds, estimated_for=arm.fingerprint)
+                marked[name] = kept, entry
+            if time.monotonic() - begun_s > _MOMENT_S:
+                break
+        self._file_store.mark_all(marked.values())
+        return {name: entry.estimated_s for name, (_, entry) in marked.items()}
 
     # Drafts ---------------------------------------------------------------------------------------
 

@@ -157,7 +157,9 @@ class EditorPage(Page):
         self._message = named("editor_message", MessageLine(keeps_room=False))
         self._findings = FindingsPane()
         self._run_bar = RunBar(
-            controller, checks, choices, lambda then: then(self.document.trajectory())
+            *(controller, checks, choices),
+            lambda then: then(self.document.trajectory()),
+            lambda then: then(self.document.trajectory()),
         )
         self._actions = EditorActions(self, self.table, self._handlers())
         EditorHint(self.table, self._actions)
@@ -336,6 +338,7 @@ class EditorPage(Page):
         self._findings.clear()
         self._run_bar.drop_check()
         self._show_count()
+        self._run_bar.renew_estimate()
         self.preview_wanted.emit(None)
 
     def _show_count(self) -> None:
@@ -366,7 +369,7 @@ class EditorPage(Page):
 
     def _note_check(self, checked: Preflight) -> None:
         """Have the list show how the check ended."""
-        length_s = sum(checked.outcome.expected_s)
+        length_s = checked.length_s
         name = self.document.name
         self._work.do(
             lambda: self._library.mark(

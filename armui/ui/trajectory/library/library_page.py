@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
+from typing import Final
 
-from PySide6.QtCore import QEvent, QModelIndex, Signal
+from PySide6.QtCore import QEvent, QModelIndex, QTimer, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QHeaderView
 
@@ -56,6 +57,9 @@ from armui.ui.widgets.layouts import fill
 from armui.ui.widgets.message_line import MessageLine, Words
 from armui.ui.widgets.page import Page
 from armui.ui.words.text import Text
+
+_PAUSE_MS: Final = 300
+"""So long a list stands before lengths are worked out: what it is asked for comes first."""
 
 
 class LibraryPage(Page):
@@ -124,7 +128,12 @@ class LibraryPage(Page):
         self._findings = FindingsPane()
         self._found_of = ""
         """The name of what the findings are about."""
-        self._run_bar = RunBar(controller, self._checks, self._choices, self._to_run)
+        self._run_bar = RunBar(
+            controller, self._checks, self._choices, self._to_run, self._to_estimate
+        )
+        self._estimates = QTimer(self, singleShot=True, interval=_PAUSE_MS)
+        self._estimates.timeout.connect(self._estimate)
+        self._estimating = False
         self._lay_out()
         self._connect()
         self.retranslate_ui()
@@ -244,6 +253,7 @@ class LibraryPage(Page):
         self._undo_button.show_step()
         if choose:
             self._uncover(names)
+        self._estimates.start()
         if changed or choose is not None:
             self._table.choose(names, show=choose is not None)
         if not self.chosen():
@@ -312,11 +322,47 @@ class LibraryPage(Page):
         elif one.count == 0:
             nothing = RUN_EMPTY(name=one.name)
         name, count, speeds = ("", 0, ()) if one is None else (one.name, one.count, one.speeds)
-        self._run_bar.show_content(name, count, speeds=speeds, recording=recording, nothing=nothing)
+        self._run_bar.show_content(
+            name,
+            count,
+            speeds=speeds,
+            recording=recording,
+            nothing=nothing,
+            state=None if one is None else one.modified,
+        )
         if chosen:  # while the list is made anew, nothing is chosen for a moment
             self._run_bar.drop_check(but=name)
             if name != self._found_of:
                 self._drop_findings()
+
+    # How long they take -----------------------------------------------------------------------
+
+    def _estimate(self) -> None:
+        """Have some worked out whose length is not known; then the next ones, while it is seen."""
+        names = self._model.unestimated()
+        if not names or self._estimating or not self.isVisible():
+            return
+        arm = self._checks.arm
+        self._estimating = True
+
+        def known(estimates: Mapping[str, float | None]) -> None:
+            self._estimating = False
+            self._model.note_estimates(estimates, arm.fingerprint)
+            if estimates:  # else they are gone, or the disk has to be looked at anew first
+                self._estimate()
+
+        def refused(_text: str) -> None:
+            self._estimating = False  # tried again when the list is shown anew, which says why
+
+        self._work.do(lambda: self._library.estimate(names, arm), known, refused)
+
+    def _to_estimate(self, then: Callable[[Content | None], object]) -> None:
+        """Hand on what is chosen, once it is read, and say nothing of it."""
+        chosen = self._chosen_names()
+        if len(chosen) != 1 or self._model.is_unsaved(chosen[0]):
+            then(None)
+            return
+        self._work.do(lambda: self._library.load(chosen[0]), then, lambda _text: then(None))
 
     # Opening ----------------------------------------------------------------------------------
 
@@ -380,7 +426,7 @@ class LibraryPage(Page):
 
     def _show_check(self, checked: Preflight, accept: Callable[[], object] | None) -> None:
         name = checked.content.name
-        length_s = checked.path.first_cycle_s if checked.order.speed_factor == 1.0 else None
+        length_s = checked.length_s
         if checked.whole:
             self._work.do(
                 lambda: self._library.mark(
