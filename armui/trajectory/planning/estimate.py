@@ -13,7 +13,7 @@ from armui.trajectory.planning.timing import plan_path
 from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.trajectory.samples.recording import Recording
 
-MOST_POINTS: Final = 20_000
+MOST_POINTS: Final = 5_000
 """More are planned by a check alone: a check that is asked for meanwhile would wait."""
 _ZEROS_DEG: Final = (0.0,) * 6
 _ONCE: Final = RunOptions()
