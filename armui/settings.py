@@ -19,7 +19,6 @@ from dataclasses import asdict, dataclass, field, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, TypedDict, Unpack
 
-import platformdirs
 from filelock import FileLock, Timeout
 
 from armui.arm.refusal import Reason, Refusal
@@ -158,7 +157,7 @@ Subscriber = Callable[[Settings], None]
 
 def default_path() -> Path:
     """Where the operating system keeps settings of a user's programs."""
-    return platformdirs.user_config_path("armui", appauthor=False) / "settings.json"
+    return paths.settings_file()
 
 
 class SettingsStore:

@@ -6,7 +6,6 @@ import argparse
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Final
 
 from armui.doctor.facts import CanFacts, Facts, HeardFacts, ProgramFacts, ScreenFacts
@@ -15,7 +14,8 @@ from armui.doctor.probes.can_devices import look_at_can
 from armui.doctor.probes.listening import listen
 from armui.doctor.probes.program import look_at_program
 from armui.doctor.probes.screen import TRIALS, look_at_screen
-from armui.doctor.report import Language, Words, as_json, as_text, language_of_system, translation
+from armui.doctor.report import Words, as_json, as_text
+from armui.system.plain_words import Language, language_of_system, settings_file, translation
 
 EXIT_ARM_ANSWERS: Final = 0
 EXIT_NO_ARM: Final = 1
@@ -77,7 +77,7 @@ def run(options: argparse.Namespace, probes: Probes = Probes()) -> int:
     facts = look(options, probes)
     findings = judge(facts)
     answers = an_arm_answers(facts)
-    language: Language = options.lang or language_of_system(_settings_file())
+    language: Language = options.lang or language_of_system(settings_file())
     render = as_json if options.json else as_text
     text = render(findings, Words(translation(language)), arm_answers=answers, asked=options.ask)
     try:
@@ -123,15 +123,6 @@ def _listen(options: argparse.Namespace, can: CanFacts, probes: Probes) -> tuple
 def _number(channel: str) -> int | str:
     """Back-ends that count their channels want a number."""
     return int(channel) if channel.isdigit() else channel
-
-
-def _settings_file() -> Path | None:
-    try:
-        from armui.settings import default_path  # noqa: PLC0415 - packages may be missing
-
-        return default_path()
-    except ImportError:
-        return None
 
 
 def _seconds(text: str) -> float:

@@ -26,6 +26,11 @@ URDF = _data_folder("urdf")
 """The robot description with its meshes."""
 
 
+def settings_file() -> Path:
+    """Return where the operating system keeps settings of a user's programs."""
+    return platformdirs.user_config_path("armui", appauthor=False) / "settings.json"
+
+
 def runtime() -> Path:
     """Return where running programs of one user meet: locks, void when they have ended.
 
