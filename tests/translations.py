@@ -1,10 +1,10 @@
 """The Qt Linguist files: ``python -m tests.translations`` brings them up to date with the code.
 
 It also writes ``names.json`` anew: short Chinese texts with their English and their pinyin, for the
-search of the command palette; and ``refusals.json``: the sentence of each reason by its id, as
-recordings and event files keep it. Ids that the code no longer has stay in it: older files hold
-them. New strings come in as unfinished (translate them in Qt Linguist or
-any editor), strings that the code no longer has go out, and the compiled ``.qm`` is written anew.
+search of the command palette; and ``sentences.json``: the sentence of each reason and each event by
+its id, as recordings and event files keep it. Ids that the code no longer has stay in it: older
+files hold them. New strings come in as unfinished (translate them in Qt Linguist or any editor),
+strings that the code no longer has go out, and the compiled ``.qm`` is written anew.
 
 ``python -m tests.translations columns`` writes every text of the program as two columns, Chinese
 and English, to be read in one go.
@@ -26,6 +26,8 @@ from unittest.mock import patch
 
 from armui import cli
 from armui.arm.refusal import Reason
+from armui.control.event_log.observed import Observed
+from armui.control.events import Notice
 from armui.control.safety.recovery_steps import ActionText, StepText
 from armui.doctor.facts import OfArm, OfCan, OfProgram, OfScreen
 from armui.doctor.report import ReportText
@@ -39,7 +41,7 @@ from armui.ui.words.frames import signal_word
 ROOT = Path(__file__).resolve().parent.parent
 TS = ROOT / "resources" / "i18n" / "armui_zh.ts"
 NAMES = TS.with_name("names.json")
-REFUSALS = TS.with_name("refusals.json")
+SENTENCES = TS.with_name("sentences.json")
 LONGEST = 20
 """Characters of a Chinese text that may be a name; a longer one is a sentence."""
 
@@ -47,8 +49,11 @@ LONGEST = 20
 KINDS: Final[tuple[type[Sentence], ...]] = (
     *(Reason, FindingKind, ReportText, StepText, ActionText),
     *(OfProgram, OfScreen, OfCan, OfArm),
+    *(Notice, Observed),
 )
 """What says sentences: the classes whose constants stand beside what raises them."""
+KEPT: Final[tuple[type[Sentence], ...]] = (Reason, Notice, Observed)
+"""Those whose ids files keep."""
 
 
 class Constant(NamedTuple):
@@ -101,10 +106,12 @@ def constants() -> tuple[Constant, ...]:
     return tuple(found)
 
 
-def refusals(kept: str) -> str:
-    """The sentences by id as JSON, together with those kept before that the code has no more."""
-    said = {each.id: each.source for each in constants() if each.context == Reason.context}
-    rows = json.loads(kept) | said
+def sentences(kept: str) -> str:
+    """Those of `KEPT` by context and id as JSON, with those of before that the code has no more."""
+    rows: dict[str, dict[str, str]] = json.loads(kept)
+    for context in (kind.context for kind in KEPT):
+        said = {each.id: each.source for each in constants() if each.context == context}
+        rows[context] = rows.get(context, {}) | said
     return json.dumps(rows, ensure_ascii=False, indent=0, sort_keys=True) + "\n"
 
 
@@ -118,7 +125,8 @@ def lupdate(ts: Path) -> None:
         for each in constants():
             texts += [(each.context, text) for text in (each.source, *each.more)]
         texts += [(command_line.CONTEXT, text) for text in command_texts()]
-        texts += [("Refusal", text) for text in json.loads(REFUSALS.read_text("utf-8")).values()]
+        for context, kept in json.loads(SENTENCES.read_text("utf-8")).items():
+            texts += [(context, text) for text in kept.values()]
         tables.write_text("\n".join(map(_marked, texts)), encoding="utf-8")
         of_code = [*(str(path) for path, _ in modules()), str(tables)]
         _run("lupdate", *options, "-target-language", "zh_CN", *of_code, "-ts", str(ts))
@@ -244,7 +252,7 @@ def main(arguments: Sequence[str]) -> None:
     if arguments == ["columns"]:
         print("\n".join(columns(TS)))
         return
-    REFUSALS.write_text(refusals(REFUSALS.read_text(encoding="utf-8")), encoding="utf-8")
+    SENTENCES.write_text(sentences(SENTENCES.read_text(encoding="utf-8")), encoding="utf-8")
     lupdate(TS)
     lrelease(TS, TS.with_suffix(".qm"))
     NAMES.write_text(names(TS), encoding="utf-8")

@@ -22,8 +22,14 @@ from armui.control.authority import Authority
 from armui.control.authority_watch import AuthorityWatch
 from armui.control.context import Context
 from armui.control.controller_parts import ControllerParts
-from armui.control.events import LINK_BREAKS, Event, EventCode
-from armui.control.link.connection import Connection
+from armui.control.events import Event, Notice
+from armui.control.link.connection import (
+    CONNECT_FAILED,
+    DISCONNECTED,
+    LINK_BREAKS,
+    LINK_LOST_NOTICE,
+    Connection,
+)
 from armui.control.link.device_finder import DeviceFinder
 from armui.control.link.link_watch import LinkWatch
 from armui.control.motion.motion_command import End
@@ -34,11 +40,12 @@ from armui.control.safety.emergency_stop import is_stopped
 from armui.control.safety.stopping import Stopping
 from armui.protocol.codes import TrajectoryCommand
 from armui.system.clock import steady_s, wall_clock
+from armui.telemetry.events import EventKind, Level
 
 if TYPE_CHECKING:
     from armui.bus.worker import Opener
     from armui.control.link.arm_mark import ArmMark
-    from armui.control.link.connection import MakeWorker
+    from armui.control.link.connection import LINK_BREAKS, MakeWorker
     from armui.control.operations.started import Started
     from armui.telemetry.store import Telemetry
 
@@ -50,6 +57,9 @@ SYSTEM_ENDS = Reason(
     "system_ends",
     "The computer was about to sleep, or to end this program: the arm was told before to end "
     "its motion.",
+)
+QUESTION_WITHDRAWN = Notice(
+    "question_withdrawn", "“{question}” was withdrawn. {reason}", Level.WARNING, EventKind.COMMAND
 )
 
 
@@ -111,14 +121,14 @@ class ArmController(ControllerParts):
         self._connection = Connection(opener, clock, self, make_worker)
         self._connection.changed.connect(self._on_connection)
         self._connection.arm_came.connect(self._on_arm_came)
-        self._stop = Stopping(self._connection, self._notice, clock, lambda: self._parts.halt())  # noqa: PLW0108
+        self._stop = Stopping(self._connection, self._tell, clock, lambda: self._parts.halt())  # noqa: PLW0108
         authority = self._authority = Authority()
-        self._watch = AuthorityWatch(authority, self._connection, self._notice, self._end_too_fast)
+        self._watch = AuthorityWatch(authority, self._connection, self._tell, self._end_too_fast)
         self._assessor = Assessor(self, self._connection, self._stop, self._watch, clock)
         self._refresh = self._assessor.refresh
         self._context = Context(
             self._connection,
-            self._notice,
+            self._tell,
             clock,
             lambda: self._state,
             self._assessor.read,
@@ -126,11 +136,11 @@ class ArmController(ControllerParts):
             self._assessor.observe,
             authority,
         )
-        self._parts = Parts(self._notice, self._on_part_failed)
+        self._parts = Parts(self._tell, self._on_part_failed)
         self._motion_end = MotionEnd(
             self, self._context, lambda: self._stop.emergency_stop.requested
         )
-        self._link_watch = LinkWatch(self._connection, self._notice)
+        self._link_watch = LinkWatch(self._connection, self._tell)
         self._was_stopped = self._lets_finish = False
         self._state = ArmState()
         self._timer = QTimer(self, interval=_TICK_MS, timerType=Qt.TimerType.PreciseTimer)
@@ -163,7 +173,7 @@ class ArmController(ControllerParts):
             question: Its title in the operator's language.
             reason: Why not.
         """
-        self._notice(EventCode.QUESTION_WITHDRAWN, question=question, reason=reason)
+        self._tell(QUESTION_WITHDRAWN, question=question, reason=reason)
 
     # Devices ----------------------------------------------------------------------------------
 
@@ -207,7 +217,7 @@ class ArmController(ControllerParts):
         self._connection.close()
         self._timer.stop()
         self._state = ArmState()
-        self._notice(EventCode.DISCONNECTED, device=device)
+        self._tell(DISCONNECTED, device=device)
         self.state_changed.emit(self._state)
         self._refresh()
         self.recovery.follow_arm()
@@ -278,8 +288,8 @@ class ArmController(ControllerParts):
         begun = (each.started for each in told if each.started is not None)
         return refusal or next((each for each in begun if each.operation == name), None)
 
-    def _notice(self, code: EventCode, started: Started | None = None, /, **params: object) -> None:
-        self.noticed.emit(Event(self._wall(self._clock()), code.level, code, params, started))
+    def _tell(self, notice: Notice, started: Started | None = None, /, **params: object) -> None:
+        self.noticed.emit(Event(self._wall(self._clock()), notice, params, started))
 
     def _on_noticed(self, event: Event) -> None:
         self.event_collector.on_noticed(event)
@@ -357,14 +367,14 @@ class ArmController(ControllerParts):
         self.jogging.stop()
         abort_motion(self._context)
 
-    def _on_connection(self, report: BusReport, code: EventCode) -> None:
-        if code == EventCode.LINK_LOST:
+    def _on_connection(self, report: BusReport, notice: Notice) -> None:
+        if notice == LINK_LOST_NOTICE:
             self._parts.forget_arm()
-        elif code == EventCode.CONNECT_FAILED:
+        elif notice == CONNECT_FAILED:
             self._timer.stop()
             self._forget_arm()
-        if report.device.recorded is None or code not in LINK_BREAKS:  # a log is jumped in
-            self._notice(code, device=report.device, reason=report.problem)
+        if report.device.recorded is None or notice not in LINK_BREAKS:  # a log is jumped in
+            self._tell(notice, device=report.device, reason=report.problem)
         self._refresh()
         self.recovery.follow_arm()
 

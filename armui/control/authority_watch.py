@@ -7,19 +7,56 @@ from datetime import datetime
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
-from armui.control.event_log.observed import ObservedCode
-from armui.control.events import EventCode
+from armui.control.event_log.observed import Observed
+from armui.control.events import Notice
 from armui.control.motion.motion_command import CommandKind, End, MotionCommand, Observation
 from armui.control.operating_state import LinkState, OtherHostReport
 from armui.control.operations.started import Ending
 from armui.control.safety.command_acknowledgement import AcknowledgementMonitor
 from armui.protocol.addressing import OFFSETS
-from armui.telemetry.events import EventOutcome, Level
+from armui.telemetry.events import EventKind, EventOutcome, Level
 
 if TYPE_CHECKING:
     from armui.control.authority import Authority
     from armui.control.link.connection import Connection
     from armui.control.operations.started import Tell
+
+OTHER_HOST_MOVES = Notice(
+    "other_host_moves",
+    "Another program controls the arm ({frames}).",
+    Level.WARNING,
+    EventKind.OTHER_HOST,
+)
+LEADER_ARM_MOVES = Notice(
+    "leader_arm_moves",
+    "A leader arm moves this arm ({frames}).",
+    Level.WARNING,
+    EventKind.OTHER_HOST,
+)
+OTHER_HOST_GONE = Notice(
+    "other_host_gone", "Nobody else controls the arm any more.", Level.INFO, EventKind.OTHER_HOST
+)
+TAKEN_OVER = Notice(
+    "taken_over", "Taken over: this program may move the arm.", Level.DONE, EventKind.COMMAND
+)
+CANCEL_UNHEEDED = Notice(
+    "cancel_unheeded",
+    "The arm was told to end its motion and still moves. Stop it, or cut its power.",
+    Level.FAULT,
+    EventKind.RESULT,
+)
+MOTION_UNHEEDED = Notice(
+    "motion_unheeded",
+    "The arm has not taken the last motion: it is heard, and does not move. It may listen "
+    "under another control offset (Linkage control), or a frame was lost.",
+    Level.FAULT,
+    EventKind.RESULT,
+)
+MOTION_TOO_FAST = Notice(
+    "motion_too_fast", "Motion ended: too fast. {reason}", Level.FAULT, EventKind.RESULT
+)
+ARRIVED = Observed("arrived", "Target reached, as the arm reports")
+MOTION_CUT = Observed("motion_cut", "Did not reach its end: {end}")
 
 
 _NAMED_AFTER_S: Final = 0.1
@@ -87,25 +124,28 @@ class AuthorityWatch:
         commanded = other.commands and (named or self._was_commanded)
         if commanded is not self._was_commanded:
             self._was_commanded = commanded
-            code = EventCode.LEADER_ARM_MOVES if other.is_leader else EventCode.OTHER_HOST_MOVES
-            self._tell(code if commanded else EventCode.OTHER_HOST_GONE, frames=other.frames)
+            notice = LEADER_ARM_MOVES if other.is_leader else OTHER_HOST_MOVES
+            self._tell(notice if commanded else OTHER_HOST_GONE, frames=other.frames)
         if authority.cancel_unheeded and not self._was_unheeded:
-            self._tell(EventCode.CANCEL_UNHEEDED)
+            self._tell(CANCEL_UNHEEDED)
         self._was_unheeded = authority.cancel_unheeded
         if authority.holds:
             self._acknowledgement.reset()
         elif self._acknowledgement.observe(
             authority.command, authority.ended, self._connection.newest, now_s
         ):
-            code = EventCode.MOTION_UNHEEDED
             unheeded = authority.command or authority.over[-1][0]
-            _close(unheeded, Ending.FAILED, EventOutcome(code, now_s, code.level))
-            self._tell(code)
+            _close(
+                unheeded,
+                Ending.FAILED,
+                EventOutcome(MOTION_UNHEEDED.id, now_s, MOTION_UNHEEDED.level),
+            )
+            self._tell(MOTION_UNHEEDED)
         self._follow_motion(now_s)
         if authority.overspeed is not None:
             reason = authority.overspeed
             self._end_motion(reason)
-            self._tell(EventCode.MOTION_TOO_FAST, reason=reason)
+            self._tell(MOTION_TOO_FAST, reason=reason)
 
     def _follow_motion(self, now_s: float) -> None:
         """Close the commands of ours that have ended, or come to rest; a replay does so itself."""
@@ -114,17 +154,17 @@ class AuthorityWatch:
         for over, end in authority.over:
             if command is None or over.started is not command.started:
                 level = _CUT_LEVELS.get(end, Level.WARNING)
-                cut = EventOutcome(ObservedCode.MOTION_CUT, now_s, level, {"end": end.name})
+                cut = EventOutcome(MOTION_CUT.id, now_s, level, {"end": end.name})
                 _close(over, Ending.CUT_OFF, cut)
         authority.over.clear()
         if command is None or authority.under_way or authority.holds or self._acknowledgement.waits:
             return
         status = self._connection.newest.status
         if status is not None and status.value.reached:
-            _close(command, Ending.DONE, EventOutcome(ObservedCode.ARRIVED, now_s, Level.DONE))
+            _close(command, Ending.DONE, EventOutcome(ARRIVED.id, now_s, Level.DONE))
         else:
             figures = {"end": "short"}
-            short = EventOutcome(ObservedCode.MOTION_CUT, now_s, Level.WARNING, figures)
+            short = EventOutcome(MOTION_CUT.id, now_s, Level.WARNING, figures)
             _close(command, Ending.FAILED, short)
 
     def take_over(self, now_s: float) -> Refusal | None:
@@ -135,7 +175,7 @@ class AuthorityWatch:
         self.observe(now_s)
         refusal = self.authority.other.take_over()
         if refusal is None:
-            self._tell(EventCode.TAKEN_OVER)
+            self._tell(TAKEN_OVER)
         return refusal
 
     def report(self) -> OtherHostReport | None:

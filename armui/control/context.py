@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.control.authority import Authority
-from armui.control.events import EventCode
+from armui.control.events import Notice
 from armui.control.motion.motion_command import CommandKind, End, MotionCommand
 from armui.control.operating_state import LINK_LOST, OperatingState, why_unreachable
 from armui.control.operations.started import (
@@ -23,6 +23,7 @@ from armui.control.parameters.arm_model import planning_model
 from armui.control.safety.overspeed import tool_pace
 from armui.protocol import commands
 from armui.protocol.codes import ControlMode
+from armui.telemetry.events import EventKind, Level
 
 if TYPE_CHECKING:
     from armui.control.link.connection import Connection
@@ -38,6 +39,7 @@ GENERATION_UNKNOWN = Reason(
     "generation_unknown",
     "The program is still finding out which protocol the arm speaks. Wait a second.",
 )
+REFUSED = Notice("refused", "Not sent. {reason}", Level.WARNING, EventKind.COMMAND)
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,25 +71,25 @@ class Context:
 
     def refuse(self, refusal: Refusal) -> Refusal:
         """Tell the operator why something was not done; returns the reason."""
-        self.tell(EventCode.REFUSED, reason=refusal)
+        self.tell(REFUSED, reason=refusal)
         return refusal
 
     def close(
-        self, started: Started | None, ending: Ending, code: EventCode, **params: object
+        self, started: Started | None, ending: Ending, notice: Notice, **params: object
     ) -> None:
         """Note how a command ended, and tell the operator so.
 
         Args:
             started: The command.
             ending: How it ended.
-            code: What the operator is told.
+            notice: What the operator is told.
             **params: The figures of that.
         """
-        close_and_tell(self.tell, self.clock(), started, ending, code, **params)
+        close_and_tell(self.tell, self.clock(), started, ending, notice, **params)
 
-    def report(self, started: Started, code: EventCode, **params: object) -> None:
+    def report(self, started: Started, notice: Notice, **params: object) -> None:
         """Tell the operator what is known of a command that has not ended."""
-        report_and_tell(self.tell, self.clock(), started, code, **params)
+        report_and_tell(self.tell, self.clock(), started, notice, **params)
 
     def why_no_motion(self) -> Refusal | None:
         """Return the reason against a motion frame of ours by who moves the arm now, or ``None``.
@@ -195,8 +197,14 @@ class Context:
         return self.speed_frames(mode, speed_percent)
 
     def tell_percent(self, percent: int) -> bool:
-        """Send another speed percentage in the mode the arm is in; whether that is possible now."""
-        mode = None if self.why_no_motion() is not None else self.authority.mode_in_force()
+        """Send another speed percentage in the mode the arm is in; whether that is possible now.
+
+        What is held back is told 0 % only: nothing else would leave it where it is.
+        """
+        self.observe()
+        authority = self.authority
+        refusal = authority.why_not() if percent else authority.why_not_ours()
+        mode = None if refusal is not None else authority.mode_in_force()
         if mode is None or not self.connection.send(self.speed_frames(mode, percent)):
             return False
         self.authority.told_percent(percent)

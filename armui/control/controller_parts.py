@@ -244,6 +244,7 @@ class ControllerParts(QObject):
         return (
             self.motors,
             self.motion,
+            self.planned_motion,
             self.player,
             self.speed_override,
             self.cartesian,

@@ -6,8 +6,17 @@ import logging
 from collections.abc import Callable, Sequence
 
 from armui.control.context import ControllerPart
-from armui.control.events import EventCode
+from armui.control.events import Notice
 from armui.control.operations.started import Tell
+from armui.telemetry.events import EventKind, Level
+
+PART_FAILED_NOTICE = Notice(
+    "part_failed",
+    "A part of the program has failed ({part}). The emergency stop still works; every motion "
+    "of this program is ended. Start the program again.",
+    Level.FAULT,
+    EventKind.PROGRAM,
+)
 
 _LOG = logging.getLogger(__name__)
 
@@ -92,6 +101,6 @@ class Parts:
             _LOG.exception("%s has failed", name)
             if name not in self._failed:
                 self._failed.add(name)
-                self._tell(EventCode.PART_FAILED, part=name)
+                self._tell(PART_FAILED_NOTICE, part=name)
             return False
         return True

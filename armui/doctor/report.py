@@ -53,31 +53,31 @@ class Words:
     """The words of one language.
 
     Args:
-        translate: Puts them into it.
+        translate: Translates them.
     """
 
     def __init__(self, translate: Translate) -> None:
         self._translate = translate
 
     def text(self, finding: Diagnosis) -> str:
-        """A finding as a sentence."""
+        """Return a finding as a sentence."""
         return self.plain(finding.kind).format_map(finding.params)
 
     def section(self, section: Section) -> str:
-        """What a section is called."""
+        """Return the title of a section."""
         return self.plain(_SECTIONS[section])
 
     def plain(self, text: Sentence) -> str:
-        """A text without figures."""
+        """Return a text without figures."""
         return self._translate(text.context, text.source)
 
     def mark(self, severity: DiagnosisLevel) -> str:
-        """How a severity is marked at the beginning of a line."""
+        """Return the mark of a severity at the beginning of a line."""
         return self.plain(_MARKS[severity])
 
 
 def as_text(findings: Sequence[Diagnosis], words: Words, *, arm_answers: bool, asked: bool) -> str:
-    """The report for people, and for a support mail."""
+    """Return the report for people, and for a support mail."""
     lines = [f"armui doctor {__version__}"]
     lines.append(words.plain(ASKED if asked else LISTENED))
     for section in Section:
@@ -92,7 +92,7 @@ def as_text(findings: Sequence[Diagnosis], words: Words, *, arm_answers: bool, a
 
 
 def as_json(findings: Sequence[Diagnosis], words: Words, *, arm_answers: bool, asked: bool) -> str:
-    """One object: "armui", "arm_answers", "asked", and "findings" with their parts and words."""
+    """Return one object: "armui", "arm_answers", "asked", and "findings" with their sentences."""
     return (
         json.dumps(
             {
@@ -120,10 +120,10 @@ def as_json(findings: Sequence[Diagnosis], words: Words, *, arm_answers: bool, a
 
 
 def findings_of_json(text: str) -> list[Diagnosis]:
-    """The findings in what :func:`as_json` made.
+    """Return the findings in a text by :func:`as_json`.
 
     Raises:
-        ValueError, KeyError: It is something else.
+        ValueError, KeyError: The text is something else.
     """
     return [
         Diagnosis(

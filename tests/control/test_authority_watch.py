@@ -10,8 +10,16 @@ from armui.arm.other_hosts import OtherHosts
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, Reading
 from armui.control.authority import Authority
-from armui.control.authority_watch import AuthorityWatch
-from armui.control.events import EventCode
+from armui.control.authority_watch import (
+    CANCEL_UNHEEDED,
+    LEADER_ARM_MOVES,
+    MOTION_TOO_FAST,
+    OTHER_HOST_GONE,
+    OTHER_HOST_MOVES,
+    TAKEN_OVER,
+    AuthorityWatch,
+)
+from armui.control.events import Notice
 from armui.control.link.offsets import OffsetFollower
 from armui.control.motion.motion_command import CommandKind, End, Mover
 from armui.control.operating_state import LinkState
@@ -65,13 +73,13 @@ class Program:
     """An `AuthorityWatch` and what came of it.
 
     Attributes:
-        told: Code and figures of each notice.
+        told: Each notice with its figures.
         ended: The reasons for which our motion was ended.
     """
 
     def __init__(self) -> None:
         self.now_s = BEGIN_S
-        self.told: list[tuple[EventCode, dict[str, Any]]] = []
+        self.told: list[tuple[Notice, dict[str, Any]]] = []
         self.ended: list[Refusal] = []
         self.authority = Authority()
         self.connection = Connection(self)
@@ -80,8 +88,8 @@ class Program:
         )
         self.wait(0.5)
 
-    def _tell(self, code, _started=None, /, **params) -> None:
-        self.told.append((code, params))
+    def _tell(self, notice, _started=None, /, **params) -> None:
+        self.told.append((notice, params))
 
     def wait(self, seconds: float, deg: float = 0.0) -> None:
         """Advance every 1/64 s while joint 1 turns so far each time."""
@@ -108,9 +116,9 @@ class Program:
         )
 
     @property
-    def codes(self) -> list[EventCode]:
-        """The codes of the notices."""
-        return [code for code, _ in self.told]
+    def notices(self) -> list[Notice]:
+        """Those that were told."""
+        return [notice for notice, _ in self.told]
 
 
 @pytest.fixture
@@ -185,18 +193,18 @@ def test_another_host_is_named_a_tenth_of_a_second_later_and_when_it_is_gone(pro
     program.wait(0.09375)
     assert program.told == []
     program.wait(STEP_S)
-    assert program.told == [(EventCode.OTHER_HOST_MOVES, {"frames": "0x151, 0x155"})]
+    assert program.told == [(OTHER_HOST_MOVES, {"frames": "0x151, 0x155"})]
     program.wait(1.5)
     assert len(program.told) == 1
     program.wait(0.5)
-    assert program.codes == [EventCode.OTHER_HOST_MOVES, EventCode.OTHER_HOST_GONE]
+    assert program.notices == [OTHER_HOST_MOVES, OTHER_HOST_GONE]
 
 
 def test_a_leader_is_named_as_one(program):
     for _ in range(12):
         program.other(*LEADER)
         program.wait(STEP_S)
-    assert program.codes == [EventCode.LEADER_ARM_MOVES]
+    assert program.notices == [LEADER_ARM_MOVES]
 
 
 def test_the_same_host_beginning_anew_is_named_at_once(program):
@@ -205,14 +213,14 @@ def test_the_same_host_beginning_anew_is_named_at_once(program):
     program.wait(0.6)
     assert program.watch.take_over(program.now_s) is None
     program.wait(STEP_S)
-    assert program.codes == [
-        EventCode.OTHER_HOST_MOVES,
-        EventCode.TAKEN_OVER,
-        EventCode.OTHER_HOST_GONE,
+    assert program.notices == [
+        OTHER_HOST_MOVES,
+        TAKEN_OVER,
+        OTHER_HOST_GONE,
     ]
     program.other(0x155)
     program.wait(0.125)
-    assert program.codes[3:] == [EventCode.OTHER_HOST_MOVES]
+    assert program.notices[3:] == [OTHER_HOST_MOVES]
 
 
 def test_a_stream_is_not_taken_over(program):
@@ -220,7 +228,7 @@ def test_a_stream_is_not_taken_over(program):
     program.wait(0.25)
     refusal = program.watch.take_over(program.now_s)
     assert refusal.reason == OTHER_HOST_STREAMS
-    assert EventCode.TAKEN_OVER not in program.codes
+    assert TAKEN_OVER not in program.notices
 
 
 def test_a_frame_heard_just_before_a_take_over_counts(program):
@@ -234,7 +242,7 @@ def test_a_cancel_that_is_not_heeded_is_told_once(program):
     for count in (1, 2):
         program.authority.cancelled(program.now_s)
         program.wait(1.5, deg=1.0)
-        assert program.codes == [EventCode.CANCEL_UNHEEDED] * count
+        assert program.notices == [CANCEL_UNHEEDED] * count
         program.wait(1.0)
 
 
@@ -243,8 +251,8 @@ def test_a_motion_that_is_far_too_fast_is_ended_and_told(program):
     program.send(5)
     program.wait(0.25, deg=1.0)
     assert {each.reason for each in program.ended} == {TOO_FAST}
-    code, params = program.told[0]
-    assert code == EventCode.MOTION_TOO_FAST
+    notice, params = program.told[0]
+    assert notice == MOTION_TOO_FAST
     assert params == {"reason": program.ended[0]}
 
 
@@ -316,7 +324,7 @@ def test_over_another_connection_it_is_told_anew(program):
     program.wait(0.2)
     program.watch.reset(program.now_s)
     program.wait(STEP_S)
-    assert program.codes == [EventCode.OTHER_HOST_MOVES] * 2
+    assert program.notices == [OTHER_HOST_MOVES] * 2
 
 
 def test_over_another_connection_a_cancel_is_told_anew(program):
@@ -324,4 +332,4 @@ def test_over_another_connection_a_cancel_is_told_anew(program):
     program.wait(1.5, deg=1.0)
     program.watch.reset(program.now_s)
     program.wait(STEP_S, deg=1.0)
-    assert program.codes == [EventCode.CANCEL_UNHEEDED] * 2
+    assert program.notices == [CANCEL_UNHEEDED] * 2

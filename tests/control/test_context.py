@@ -8,8 +8,7 @@ from typing import Any, cast
 import pytest
 
 from armui.arm.state import ArmState
-from armui.control.context import COMMAND_OVER, Context
-from armui.control.events import EventCode
+from armui.control.context import COMMAND_OVER, REFUSED, Context
 from armui.control.motion.motion_command import CommandKind, End, MotionCommand
 from armui.control.operating_state import LINK_LOST, OFFLINE, OperatingState
 from armui.control.operations.started import Started
@@ -83,7 +82,7 @@ def other_host(part):
 def test_what_is_not_done_is_told(part):
     refusal = OFFLINE()
     assert part.context.refuse(refusal) is refusal
-    assert part.told == [(EventCode.REFUSED, {"reason": refusal})]
+    assert part.told == [(REFUSED, {"reason": refusal})]
 
 
 # A motion -----------------------------------------------------------------------------------------

@@ -1,11 +1,10 @@
 """Frames lost before the program could read them are told, and not too often."""
 
-from armui.control.events import EventCode
 from armui.control.link.link_watch import DroppedFrames
 
 
 def told(rig):
-    return [event.params for event in rig.events if event.code == EventCode.FRAMES_DROPPED]
+    return [event.params for event in rig.events if event.code == "frames_dropped"]
 
 
 def test_they_are_told_at_once_and_then_every_ten_seconds(rig):

@@ -8,10 +8,26 @@ import pytest
 
 from armui.arm.device import Device
 from armui.arm.state import ArmState, Reading
-from armui.control.events import EventCode
+from armui.control.context import REFUSED
+from armui.control.events import Notice
 from armui.control.link.offsets import OffsetFollower
 from armui.control.operating_state import LINK_LOST, NOT_CONNECTED, OFFLINE, LinkState, StopState
-from armui.control.safety.stopping import HALT_LISTEN_ONLY, Stopping
+from armui.control.safety.stopping import (
+    HALT_AT_REST,
+    HALT_LISTEN_ONLY,
+    HALT_NOT_OUT,
+    HALT_SENT,
+    STOP_ABANDONED,
+    STOP_CONFIRMED,
+    STOP_LAPSED,
+    STOP_NOT_SENT,
+    STOP_REACHES_OTHER,
+    STOP_SENT,
+    STOP_UNCONFIRMED,
+    STOP_UNDONE,
+    STOP_WITHDRAWN,
+    Stopping,
+)
 from armui.protocol.addressing import OFFSETS, Addressing
 from armui.protocol.codec import Codec
 from armui.protocol.codes import ArmStatusCode, ControlMode, TeachingState
@@ -63,7 +79,7 @@ class Console:
 
     def __init__(self) -> None:
         self.now_s = BEGIN_S
-        self.happened: list[str] = []
+        self.happened: list[str | Notice] = []
         self.params: dict[str, Any] = {}
         self.named: list[Any] = []
         self.connection = Connection(self.happened)
@@ -74,12 +90,12 @@ class Console:
             lambda: self.happened.append("all ended"),
         )
 
-    def _tell(self, code, _started=None, /, **params) -> None:
-        self.happened.append(code)
+    def _tell(self, notice, _started=None, /, **params) -> None:
+        self.happened.append(notice)
         self.params = params
         self.named.extend(params.values())
 
-    def take(self) -> list[str]:
+    def take(self) -> list[str | Notice]:
         """What happened since this was asked last."""
         happened, self.happened[:] = list(self.happened), []
         return happened
@@ -94,7 +110,7 @@ class Console:
         """A stop, and the arm's word."""
         self.stopping.stop()
         self.advance(STOPPED)
-        assert self.take()[-1] == EventCode.STOP_CONFIRMED
+        assert self.take()[-1] == STOP_CONFIRMED
 
 
 @pytest.fixture
@@ -118,19 +134,17 @@ def test_it_goes_out_on_all_three_its_own_first(console, offset):
     assert console.connection.sent == [on_all(STOP, offset)]
 
 
-@pytest.mark.parametrize(
-    ("on_the_bus", "code"), [(True, EventCode.STOP_SENT), (False, EventCode.STOP_NOT_SENT)]
-)
-def test_it_is_sent_before_anything_else_is_done(console, on_the_bus, code):
+@pytest.mark.parametrize(("on_the_bus", "notice"), [(True, STOP_SENT), (False, STOP_NOT_SENT)])
+def test_it_is_sent_before_anything_else_is_done(console, on_the_bus, notice):
     console.connection.on_the_bus = on_the_bus
     console.stopping.stop()
-    assert console.take() == ["sent", "all ended", code]
+    assert console.take() == ["sent", "all ended", notice]
 
 
 def test_without_a_device_it_is_said_that_it_was_not_sent(console):
     console.connection.device = None
     console.stopping.stop()
-    assert console.take() == [EventCode.STOP_NOT_SENT]
+    assert console.take() == [STOP_NOT_SENT]
     assert not console.stopping.emergency_stop.requested
 
 
@@ -150,7 +164,7 @@ def test_other_arms_that_are_heard_are_named(console, own, heard, named):
     console.connection.newest = ArmState(status_heard_s=times)
     console.stopping.stop()
     assert console.named == named
-    assert console.take()[3:] == [EventCode.STOP_REACHES_OTHER] * len(named)
+    assert console.take()[3:] == [STOP_REACHES_OTHER] * len(named)
 
 
 def test_what_becomes_of_it_is_told_once(console):
@@ -159,11 +173,11 @@ def test_what_becomes_of_it_is_told_once(console):
     console.advance(seconds=0.5)
     assert console.take() == ["sent"]
     console.advance()
-    assert console.take() == [EventCode.STOP_UNCONFIRMED]
+    assert console.take() == [STOP_UNCONFIRMED]
     console.advance()
     assert console.take() == []
     console.advance(STOPPED)
-    assert console.take() == [EventCode.STOP_CONFIRMED]
+    assert console.take() == [STOP_CONFIRMED]
     console.advance(STOPPED)
     assert console.take() == []
 
@@ -173,7 +187,7 @@ def test_the_next_one_that_is_overdue_is_told_again(console):
         console.stopping.stop()
         console.take()
         console.advance(seconds=0.6)
-        assert EventCode.STOP_UNCONFIRMED in console.take()
+        assert STOP_UNCONFIRMED in console.take()
         console.advance(STOPPED)
         console.take()
 
@@ -182,30 +196,30 @@ def test_that_it_has_lapsed_is_told_once(console):
     console.stopping.stop()
     console.connection.link = LinkState.OFFLINE
     console.advance(seconds=9.0)
-    assert EventCode.STOP_LAPSED not in console.take()
+    assert STOP_LAPSED not in console.take()
     console.advance(seconds=2.0)
-    assert console.take() == [EventCode.STOP_LAPSED]
+    assert console.take() == [STOP_LAPSED]
     console.advance()
     assert console.take() == []
     console.stopping.stop()
     console.advance()
     console.take()
     console.advance(seconds=11.0)
-    assert EventCode.STOP_LAPSED in console.take()
+    assert STOP_LAPSED in console.take()
 
 
 def test_that_it_has_lapsed_is_told_at_the_first_look(console):
     console.stopping.stop()
     console.connection.link = LinkState.OFFLINE
     console.advance(seconds=11.0)
-    assert EventCode.STOP_LAPSED in console.take()
+    assert STOP_LAPSED in console.take()
 
 
 def test_an_arm_that_is_online_is_not_away(console):
     console.stopping.stop()
     for _ in range(12):
         console.advance(seconds=1.0)
-    assert EventCode.STOP_LAPSED not in console.take()
+    assert STOP_LAPSED not in console.take()
 
 
 def test_where_it_stands_is_by_an_arm_that_is_online(console):
@@ -224,7 +238,7 @@ def test_a_stop_that_is_outstanding_may_be_withdrawn(console):
     console.stopping.stop()
     console.take()
     console.stopping.withdraw()
-    assert console.take() == [EventCode.STOP_WITHDRAWN]
+    assert console.take() == [STOP_WITHDRAWN]
     assert not console.stopping.emergency_stop.requested
 
 
@@ -237,7 +251,7 @@ def test_an_outstanding_stop_holds_for_the_device_it_was_asked_of(console, devic
     console.take()
     console.stopping.on_connecting(device)
     assert console.stopping.emergency_stop.requested is kept
-    assert console.take() == ([] if kept else [EventCode.STOP_ABANDONED])
+    assert console.take() == ([] if kept else [STOP_ABANDONED])
     assert console.params == ({} if kept else {"device": DEVICE})
 
 
@@ -264,7 +278,7 @@ def test_another_host_that_undoes_it_is_told_and_not_stopped_again_by_itself(con
     console.stop_and_confirm()
     console.advance(STOPPED)
     console.advance(RUNNING)
-    assert console.take() == [EventCode.STOP_UNDONE]
+    assert console.take() == [STOP_UNDONE]
     assert not console.stopping.emergency_stop.requested
 
 
@@ -272,7 +286,7 @@ def test_as_a_setting_it_is_stopped_again(console):
     console.stopping.stop_again = True
     console.stop_and_confirm()
     console.advance(RUNNING)
-    assert console.take() == [EventCode.STOP_UNDONE, "sent", "all ended", EventCode.STOP_SENT]
+    assert console.take() == [STOP_UNDONE, "sent", "all ended", STOP_SENT]
     assert console.stopping.emergency_stop.requested
 
 
@@ -290,13 +304,11 @@ def halt(console):
     return console.stopping.halt(lambda: console.happened.append("driven ended"))
 
 
-@pytest.mark.parametrize(
-    ("on_the_bus", "code"), [(True, EventCode.HALT_SENT), (False, EventCode.HALT_NOT_OUT)]
-)
-def test_a_halt_is_sent_before_anything_else_is_done(console, on_the_bus, code):
+@pytest.mark.parametrize(("on_the_bus", "notice"), [(True, HALT_SENT), (False, HALT_NOT_OUT)])
+def test_a_halt_is_sent_before_anything_else_is_done(console, on_the_bus, notice):
     console.connection.on_the_bus = on_the_bus
     assert halt(console) is None
-    assert console.take() == ["sent", "driven ended", code]
+    assert console.take() == ["sent", "driven ended", notice]
     assert console.connection.sent == [on_all(ABORT)]
 
 
@@ -338,7 +350,7 @@ def test_when_there_is_nothing_to_halt(console, device, link, code):
     assert (refusal and refusal.reason) == code
     assert halt(console) == refusal
     if code is not None:
-        assert console.take() == [EventCode.REFUSED]
+        assert console.take() == [REFUSED]
         assert console.params == {"reason": refusal}
         assert console.connection.sent == []
 
@@ -349,7 +361,7 @@ def test_rest_after_a_halt_is_told_once(console):
     console.advance(seconds=1.25)
     assert console.take() == []
     console.advance(still=True, seconds=0.05)
-    assert console.take() == [EventCode.HALT_AT_REST]
+    assert console.take() == [HALT_AT_REST]
     console.advance(still=True)
     assert console.take() == []
 
@@ -361,7 +373,7 @@ def test_later_than_that_the_rest_of_the_arm_is_not_its_doing(console, after_s, 
     console.advance(seconds=after_s)
     console.take()
     console.advance(still=True)
-    assert console.take() == ([EventCode.HALT_AT_REST] if its_doing else [])
+    assert console.take() == ([HALT_AT_REST] if its_doing else [])
 
 
 ENDS = {
@@ -375,7 +387,7 @@ def test_what_ends_the_following_of_a_halt(console, what):
     halt(console)
     ENDS[what](console)
     console.advance(still=True)
-    assert EventCode.HALT_AT_REST not in console.take()
+    assert HALT_AT_REST not in console.take()
 
 
 def test_a_rest_nobody_asked_for_is_not_told(console):

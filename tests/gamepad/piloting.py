@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from armui.arm.refusal import Reason, Refusal
-from armui.control.events import EventCode
 from armui.control.gamepad.pilot import GamepadPilot
 from armui.gamepad.device_state import DeviceInfo
 from tests.app_driver import AppDriver
@@ -73,7 +72,7 @@ def reasons(app_driver: AppDriver) -> list[Reason]:
     """Why jogs have ended."""
     found: list[Reason] = []
     for event in app_driver.events:
-        if event.code == EventCode.JOG_ENDED:
+        if event.code == "jog_ended":
             reason = event.params["reason"]
             assert isinstance(reason, Refusal)
             found.append(reason.reason)

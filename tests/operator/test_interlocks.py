@@ -3,7 +3,6 @@
 import pytest
 from PySide6.QtWidgets import QTableView, QWidget
 
-from armui.control.events import EventCode
 from armui.control.run.progress import RunPhase
 from armui.protocol.frame import Frame
 from armui.trajectory.library.store import Library
@@ -94,7 +93,7 @@ def test_disabling_and_stopping_stay_on(ready):
     ready.hold()
     ready.step()
     assert [frame.arbitration_id for frame in ready.ear.heard] == [0x150, 0x471]
-    failed = next(event for event in ready.events if event.code == EventCode.RUN_FAILED)
+    failed = next(event for event in ready.events if event.code == "run_failed")
     assert "Motors were disabled while it ran" in words.event(failed)
 
 

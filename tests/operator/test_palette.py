@@ -346,5 +346,5 @@ def test_the_next_step_of_a_run_that_waits_is_not_taken_unseen(app_driver):
     operator.until(lambda: operator.progress.phase is RunPhase.WAITING)
     app_driver.run_until(lambda: app_driver.controller.recovery.step.kind is StepKind.RUN_WAITS)
     command(app_driver, "next step")
-    assert app_driver.window.focusWidget() is app_driver.find("run_pause")
+    assert app_driver.window.focusWidget() is app_driver.find("run_next")
     assert operator.progress.phase is RunPhase.WAITING

@@ -163,12 +163,12 @@ def test_step_by_step_from_the_second_row(app_driver):
     operator.child("run_steps").setChecked(True)
     operator.send()
     operator.until(lambda: operator.progress.phase is RunPhase.WAITING)
-    assert operator.text("run_pause") == "Next step"
+    assert operator.text("run_next") == "Next step"
     assert (operator.visits(OUT), operator.visits(BACK)) == (0, 1)
     operator.app_driver.run(1.0)
     assert operator.progress.index == 1
     assert operator.text("recovery_text") == "Waiting: press “Next step”"
-    operator.app_driver.click("run_pause")
+    operator.app_driver.click("run_next")
     operator.until_over()
     operator.app_driver.run(0.5)
     assert operator.text("recovery_text") == "Ready"

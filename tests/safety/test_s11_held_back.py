@@ -112,3 +112,43 @@ def test_it_is_not_forgotten_over_a_lost_cable(held):
 
     assert controller.operating_state.holds
     assert rig.firmware.mechanics.positions_deg == pytest.approx(stood_deg, abs=0.01)
+
+
+@pytest.mark.parametrize("percent", [80, 1])
+@pytest.mark.parametrize("how", ["speed", "pause"])
+def test_holding_back_a_single_motion_is_told_again_when_it_was_lost(any_rig, how, percent):
+    """At 1 % a joint moves at 1.8 °/s: slower than what may be the trembling of one that holds."""
+    rig, controller = any_rig, any_rig.controller
+    rig.ready()
+    controller.motion.set_speed_percent(percent)
+    assert controller.motion.send_joints(FAR) is None
+    rig.run(0.6)
+    if how == "speed":
+        rig.node.link.lose_to_arm(0x151)
+        controller.motion.set_speed_percent(0)
+    else:
+        rig.node.link.lose_to_arm(0x150)
+        assert controller.planned_motion.command(TrajectoryCommand.PAUSE) is None
+    rig.run(1.5)
+    assert controller.operating_state.holds
+    stood_deg = rig.firmware.mechanics.positions_deg
+    rig.heard()
+    rig.run(0.5)
+    assert rig.firmware.mechanics.positions_deg == pytest.approx(stood_deg, abs=0.01)
+    assert not {0x150, 0x151} & {frame.arbitration_id for frame in rig.heard()}
+
+
+def test_a_pause_that_was_gone_on_with_or_dropped_is_not_told_again(any_rig):
+    rig, controller = any_rig, any_rig.controller
+    for after in (TrajectoryCommand.CONTINUE, TrajectoryCommand.ABORT):
+        rig.ready()
+        assert controller.motion.send_joints(FAR) is None
+        rig.run(0.6)
+        rig.heard()
+        for command in (TrajectoryCommand.PAUSE, after):
+            assert controller.planned_motion.command(command) is None
+        rig.run(0.5)
+        pauses = [one for one in rig.heard() if one.arbitration_id == 0x150 and one.data[1] == 1]
+        assert len(pauses) <= 1  # an end drops what still waits
+        rig.controller.planned_motion.command(TrajectoryCommand.ABORT)
+        rig.run(1.0)

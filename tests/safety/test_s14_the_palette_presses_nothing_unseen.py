@@ -83,7 +83,6 @@ def test_what_asks_first_asks_whether_its_panel_was_seen_or_not(app_driver):
 
 @pytest.mark.parametrize("name", ["run.go_on", "run.pause"])
 def test_a_run_that_waits_is_not_set_going(app_driver, name):
-    """Its button pauses at one time and goes on at another."""
     operator = Operator(app_driver, to(OUT), to(BACK))
     operator.child("run_steps").setChecked(True)
     operator.send()

@@ -4,7 +4,6 @@ import pytest
 from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import QApplication, QMenu
 
-from armui.control.events import EventCode
 from armui.control.gamepad.pilot import GAMEPAD_NOT_IN_FRONT
 from armui.control.motion.jog_path import JointJog
 from armui.gamepad.dead_man import HoldPhase
@@ -256,7 +255,7 @@ def test_the_mode_button_and_the_sign_in_the_window(ready, pads):
 def test_the_event_log_says_that_the_operator_asked_by_gamepad(ready, pads):
     drive(ready, pads)
     entries = ready.controller.events.entries()
-    found = [each for each in entries if each.code == EventCode.DEVICE_JOGS_JOINTS]
+    found = [each for each in entries if each.code == "device_jogs_joints"]
     assert found[-1].who is Asker.OPERATOR
     assert found[-1].params == {"axes": "J1+", "device": PAD.name}
     assert f"{PAD.name} jogs J1+ (joints)" in ready.read("notice_label")

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from armui.control.events import EventCode
 from armui.control.run.progress import RunPhase
 from armui.control.run.replay import Replay
 from armui.control.run.replayer import REPLAY_GAP
@@ -85,9 +84,41 @@ def test_a_long_pause_ends_the_replay_and_says_why(ready, pause_s):
     progress = replayer.progress
     assert (progress.phase, progress.refusal.code) == (RunPhase.FAILED, "replay_gap")
     assert progress.refusal.params == {"seconds": round(pause_s, 1)}
-    told = [event for event in ready.events if event.code == EventCode.REPLAY_FAILED]
+    told = [event for event in ready.events if event.code == "replay_failed"]
     assert told[-1].params["reason"].reason == REPLAY_GAP
     ready.run(0.5)
     at = ready.firmware.joints_deg
     ready.run(1.0)
     assert ready.firmware.joints_deg == at
+
+
+@pytest.mark.parametrize("held_s", [0.1, 0.3, 0.4])
+def test_the_recorded_time_stands_still_while_the_driver_holds_a_target(ready, held_s):
+    """What had waited went out at once: joint 1 caught up 3° at the arm's own speed."""
+    recording = ramp()
+    replayer = replaying(ready, recording)
+    ready.heard()
+    before_s = recorded_s(replayer, recording)
+    ready.hold_driver()
+    ready.run(held_s)
+    ready.free_driver()
+    speeds = []
+    for _ in range(25):
+        before = ready.firmware.joints_deg[0]
+        ready.step()
+        speeds.append(abs(ready.firmware.joints_deg[0] - before) / PERIOD_S)
+    assert recorded_s(replayer, recording) - before_s == pytest.approx(0.52, abs=0.045)
+    assert max(speeds) < 1.3 * 10.0
+    assert replayer.progress.phase is RunPhase.MOVING
+
+
+def test_a_driver_that_holds_a_target_for_half_a_second_ends_the_replay(ready):
+    replayer = replaying(ready, ramp())
+    ready.hold_driver()
+    ready.run_until(lambda: not replayer.running, seconds=2.0)
+    ready.run(0.5)
+    ready.heard()
+    stood_deg = ready.firmware.joints_deg[0]
+    ready.free_driver()
+    ready.run(2.0)
+    assert ready.firmware.joints_deg[0] == pytest.approx(stood_deg, abs=0.5)

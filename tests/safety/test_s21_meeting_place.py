@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from armui.control.events import Event, EventCode
-from armui.control.link.instance_registry import InstanceRegistry
+from armui.control.events import Event
+from armui.control.link.instance_registry import SETTINGS_SHARED, InstanceRegistry
 from armui.settings import SettingsStore
 from armui.system import paths
 from armui.system.presence import Presence
@@ -129,7 +129,7 @@ def test_that_nobody_can_be_met_is_said_once(qapp, qtbot, tmp_path, monkeypatch,
     controller.noticed.connect(told.append)
     registry = InstanceRegistry(controller.as_real, tmp_path / "s.json", place, 0.01)
     qtbot.waitUntil(lambda: bool(told))
-    again = registry._watch(EventCode.SETTINGS_SHARED, "another", "another")
+    again = registry._watch(SETTINGS_SHARED, "another", "another")
     again._thread.join(10.0)
     qapp.processEvents()
     assert [each.code for each in told] == ["nobody_met"]

@@ -12,44 +12,69 @@ from PySide6.QtWidgets import QApplication
 
 from armui.arm.joint_status import FAULTS, Item
 from armui.arm.state import GripperFault
-from armui.control.event_log.observed import ObservedCode
-from armui.control.events import EventCode
+from armui.control.authority_watch import MOTION_CUT
+from armui.control.event_log.collector import NOT_KEPT, PROBLEM, RUN_POINT
+from armui.control.event_log.log_events import LOGGED_TARGETS, UNKNOWN_MARK
+from armui.control.event_log.observed import Observed
+from armui.control.event_log.observer import (
+    ARM_STATUS,
+    BEYOND_LIMIT,
+    CONTROL_MODE,
+    FEWER_FRAMES,
+    GRIPPER_FAULT,
+    INVALID_FRAMES,
+    JOINT_FAULT,
+    LIMITS_UNUSABLE,
+    MOTORS_OFF,
+    MOTORS_ON,
+    MOVE_MODE,
+    OTHER_FRAMES,
+    TEACHING,
+)
+from armui.control.events import Notice
 from armui.control.motion.motion_command import End
 from armui.control.operating_state import LINK_LOST
+from armui.control.operations.started import ANSWERED
 from armui.protocol.codec import InvalidFrameKind
 from armui.setting_checks import Language
+from armui.system.sentence import Sentence
 from armui.telemetry.event_json import from_json
 from armui.telemetry.events import Asker, EventEntry, EventKind, EventOutcome, Level
 from armui.ui.translation import Translator
 from armui.ui.words import event_log as words
 from armui.ui.words.text import NOT_KNOWN
 from tests.each import check_each
+from tests.translations import constants
 
 InBoth = Callable[[Iterable[Any], Callable[[Any], str]], list[tuple[Any, str, str]]]
 """Of each entry its text in English and in Chinese."""
 
-FIGURES: dict[ObservedCode, dict[str, object]] = {
-    ObservedCode.CONTROL_MODE: {"mode": 1, "before": 0},
-    ObservedCode.MOVE_MODE: {"mode": 2, "before": 1},
-    ObservedCode.ARM_STATUS: {"status": 7},
-    ObservedCode.TEACHING: {"state": 1, "before": 0},
-    ObservedCode.MOTORS_ON: {"joints": (1, 2)},
-    ObservedCode.MOTORS_OFF: {"joints": (3,)},
-    ObservedCode.JOINT_FAULT: {"joint": 3, "item": "DRIVER_CURRENT", "word": "OVERCURRENT"},
-    ObservedCode.BEYOND_LIMIT: {"joint": 2},
-    ObservedCode.GRIPPER_FAULT: {"fault": "Overcurrent"},
-    ObservedCode.LIMITS_UNUSABLE: {"joint": 2},
-    ObservedCode.OTHER_FRAMES: {"id": "0x155"},
-    ObservedCode.INVALID_FRAMES: {"kind": "UNKNOWN_ID", "id": "0x4F0"},
-    ObservedCode.FEWER_FRAMES: {"share": 12},
-    ObservedCode.RUN_POINT: {"row": 7},
-    ObservedCode.MOTION_CUT: {"end": "STOPPED"},
-    ObservedCode.ANSWERED: {"index": "0x71"},
-    ObservedCode.PROBLEM: {"reason": LINK_LOST()},
-    ObservedCode.NOT_KEPT: {"text": "No space left on device"},
-    ObservedCode.LOGGED_TARGETS: {"message": "MitControl1"},
-    ObservedCode.UNKNOWN_MARK: {"code": "another_planet"},
+FIGURES: dict[Observed, dict[str, object]] = {
+    CONTROL_MODE: {"mode": 1, "before": 0},
+    MOVE_MODE: {"mode": 2, "before": 1},
+    ARM_STATUS: {"status": 7},
+    TEACHING: {"state": 1, "before": 0},
+    MOTORS_ON: {"joints": (1, 2)},
+    MOTORS_OFF: {"joints": (3,)},
+    JOINT_FAULT: {"joint": 3, "item": "DRIVER_CURRENT", "word": "OVERCURRENT"},
+    BEYOND_LIMIT: {"joint": 2},
+    GRIPPER_FAULT: {"fault": "Overcurrent"},
+    LIMITS_UNUSABLE: {"joint": 2},
+    OTHER_FRAMES: {"id": "0x155"},
+    INVALID_FRAMES: {"kind": "UNKNOWN_ID", "id": "0x4F0"},
+    FEWER_FRAMES: {"share": 12},
+    RUN_POINT: {"row": 7},
+    MOTION_CUT: {"end": "STOPPED"},
+    ANSWERED: {"index": "0x71"},
+    PROBLEM: {"reason": LINK_LOST()},
+    NOT_KEPT: {"text": "No space left on device"},
+    LOGGED_TARGETS: {"message": "MitControl1"},
+    UNKNOWN_MARK: {"code": "another_planet"},
 }
+
+
+def ids_of(kind: type[Sentence]) -> list[str]:
+    return [each.id for each in constants() if each.context == kind.context]
 
 
 @pytest.fixture
@@ -59,9 +84,10 @@ def translated(qapp: QApplication) -> Iterator[Callable[[Language], None]]:
     translator.set_language("en")
 
 
-def entry(code: str, params: dict[str, object] | None = None) -> EventEntry:
+def entry(what: Sentence | str, params: dict[str, object] | None = None) -> EventEntry:
     return EventEntry(
-        *(1, 0.0, datetime(2026, 1, 15, tzinfo=UTC), Level.INFO, EventKind.STATUS, Asker.ARM, code),
+        *(1, 0.0, datetime(2026, 1, 15, tzinfo=UTC), Level.INFO, EventKind.STATUS, Asker.ARM),
+        code=str(what),
         params=params or {},
     )
 
@@ -92,12 +118,10 @@ def test_what_was_observed(in_both):
             assert "{" not in text
             assert f": {code}" not in text
 
-    said = in_both(ObservedCode, lambda code: words.entry_text(entry(code, FIGURES.get(code, {}))))
-    check_each(said, check_words)
+    def text(what):
+        return words.entry_text(entry(what, FIGURES.get(what, {})))
 
-
-def test_every_observed_code_has_its_sentence():
-    assert frozenset(ObservedCode) == words.OBSERVED_CODES
+    check_each(in_both(map(Observed, ids_of(Observed)), text), check_words)
 
 
 def test_what_was_noticed(in_both):
@@ -106,12 +130,12 @@ def test_what_was_noticed(in_both):
         assert english != chinese
         assert "{" not in english + chinese
 
-    check_each(in_both(EventCode, lambda code: words.entry_text(entry(code))), check_words)
+    check_each(in_both(ids_of(Notice), lambda code: words.entry_text(entry(code))), check_words)
 
 
 def test_what_ends_a_motion(in_both):
     def cut(end):
-        return EventOutcome(ObservedCode.MOTION_CUT, 0.0, Level.INFO, {"end": end})
+        return EventOutcome(MOTION_CUT.id, 0.0, Level.INFO, {"end": end})
 
     def check_words(case):
         end, english, chinese = case
@@ -124,7 +148,7 @@ def test_what_ends_a_motion(in_both):
 
 def test_what_is_odd_about_a_frame(in_both):
     def odd(kind):
-        return entry(ObservedCode.INVALID_FRAMES, {"kind": kind.name, "id": "0x4F0"})
+        return entry(INVALID_FRAMES, {"kind": kind.name, "id": "0x4F0"})
 
     def check_words(case):
         kind, english, chinese = case
@@ -136,7 +160,7 @@ def test_what_is_odd_about_a_frame(in_both):
 
 def test_the_gripper(in_both):
     def trouble(fault):
-        return entry(ObservedCode.GRIPPER_FAULT, {"fault": fault.value})
+        return entry(GRIPPER_FAULT, {"fault": fault.value})
 
     def check_words(case):
         _fault, english, chinese = case
@@ -149,7 +173,7 @@ def test_every_row_and_word_of_the_joints():
     def check_words(case):
         item, word = case
         text = words.entry_text(
-            entry(ObservedCode.JOINT_FAULT, {"joint": 5, "item": item.name, "word": word.name})
+            entry(JOINT_FAULT, {"joint": 5, "item": item.name, "word": word.name})
         )
         assert text.startswith("J5 ")
         assert NOT_KNOWN not in text

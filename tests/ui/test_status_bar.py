@@ -5,8 +5,10 @@ from datetime import datetime
 import pytest
 from PySide6.QtWidgets import QLabel
 
-from armui.control.events import Event, EventCode, Level
+from armui.control.events import Event
+from armui.control.motion.joint_motion import JOGGED
 from armui.control.operating_state import LinkState
+from armui.control.safety.stopping import STOP_UNCONFIRMED
 from armui.ui.shell.status_bar import StatusBar
 from armui.ui.theme import DARK, LIGHT, Theme, apply_theme
 from tests.ui.arm_states import NOW_S, arm_state, operating_state
@@ -102,10 +104,10 @@ def test_status_frame_lost_while_others_arrive(bar, controller):
 
 
 def test_last_notice_with_its_time(bar, controller):
-    controller.noticed.emit(Event(NOON, Level.INFO, EventCode.JOGGED, {"joint": 2, "target": 12.0}))
+    controller.noticed.emit(Event(NOON, JOGGED, {"joint": 2, "target": 12.0}))
     assert text(bar, "notice_label") == "12:03:04  Sent J2 12.000°"
     assert not bar._notice_icon.isVisible()
-    controller.noticed.emit(Event(NOON, Level.FAULT, EventCode.STOP_UNCONFIRMED, {}))
+    controller.noticed.emit(Event(NOON, STOP_UNCONFIRMED, {}))
     assert "NOT confirmed" in text(bar, "notice_label")
     assert bar._notice_icon.isVisible()
 
@@ -120,7 +122,7 @@ def test_the_notice_gives_way_and_the_status_never(bar, controller):
             communication_fault=joints(1, 2, 3, 4, 5, 6),
         )
     )
-    controller.noticed.emit(Event(NOON, Level.FAULT, EventCode.STOP_UNCONFIRMED, {}))
+    controller.noticed.emit(Event(NOON, STOP_UNCONFIRMED, {}))
     event = bar.findChild(QLabel, "notice_label")
     assert "NOT confirmed" in event.toolTip()
     for name in ("control", "arm", "mode", "teaching", "reached", "joints"):

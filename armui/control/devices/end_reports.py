@@ -8,19 +8,48 @@ from typing import Final
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.control.context import GENERATION_UNKNOWN, Context
-from armui.control.events import EventCode
+from armui.control.events import Notice
 from armui.control.operating_state import OperatingState
 from armui.control.operations.operation import operation, record_start
 from armui.control.operations.started import Ending, Started, ending_of
 from armui.control.requests.transactions import ReadBack, Transaction, TransactionQueue
 from armui.protocol import commands
 from armui.protocol.codes import EndLoad, SettingIndex
+from armui.telemetry.events import EventKind, Level
 
 LOAD_WHILE_MOVING = Reason(
     "load_while_moving", "The arm is moving. Wait until it stands still, then set the end load."
 )
 END_FEEDBACK_GOES_ON = Reason(
     "end_feedback_goes_on", "The arm has answered, but goes on reporting. Try again."
+)
+LOAD_SENT = Notice("load_sent", "End load sent: {load}", Level.INFO, EventKind.COMMAND)
+LOAD_ANSWERED = Notice(
+    "load_answered",
+    "The arm has answered the end load: {load}. It cannot be asked for it.",
+    Level.DONE,
+    EventKind.RESULT,
+)
+LOAD_FAILED = Notice(
+    "load_failed", "End load not confirmed. {reason}", Level.FAULT, EventKind.RESULT
+)
+END_FEEDBACK_SENT = Notice(
+    "end_feedback_sent", "Switching the feedback of the end's motion", Level.INFO, EventKind.COMMAND
+)
+END_FEEDBACK_ON = Notice(
+    "end_feedback_on", "The arm reports the motion of its end.", Level.DONE, EventKind.RESULT
+)
+END_FEEDBACK_OFF = Notice(
+    "end_feedback_off",
+    "The arm no longer reports the motion of its end.",
+    Level.DONE,
+    EventKind.RESULT,
+)
+END_FEEDBACK_FAILED = Notice(
+    "end_feedback_failed",
+    "The feedback of the end's motion is not switched. {reason}",
+    Level.FAULT,
+    EventKind.RESULT,
 )
 
 
@@ -76,7 +105,7 @@ class EndReports:
             return context.refuse(refusal)
         self.busy = True
         started = record_start(self.set_load)
-        context.tell(EventCode.LOAD_SENT, started, load=int(load))
+        context.tell(LOAD_SENT, started, load=int(load))
         self._transactions.submit(
             Transaction(
                 commands.set_load(context.connection.codec, load),
@@ -99,7 +128,7 @@ class EndReports:
             return context.refuse(refusal)
         self.busy = True
         started = record_start(self.switch)
-        context.tell(EventCode.END_FEEDBACK_SENT, started)
+        context.tell(END_FEEDBACK_SENT, started)
         self._transactions.submit(
             Transaction(
                 commands.set_end_feedback(context.connection.codec, on=on),
@@ -117,18 +146,18 @@ class EndReports:
         self.busy = False
         close = self._context.close
         if refusal is None:
-            close(started, Ending.ANSWERED, EventCode.LOAD_ANSWERED, load=int(load))
+            close(started, Ending.ANSWERED, LOAD_ANSWERED, load=int(load))
         else:
-            close(started, ending_of(refusal), EventCode.LOAD_FAILED, reason=refusal)
+            close(started, ending_of(refusal), LOAD_FAILED, reason=refusal)
 
     def _after_switch(self, started: Started, on: bool, refusal: Refusal | None) -> None:
         self.busy = False
         close = self._context.close
         if refusal is not None:
-            close(started, ending_of(refusal), EventCode.END_FEEDBACK_FAILED, reason=refusal)
+            close(started, ending_of(refusal), END_FEEDBACK_FAILED, reason=refusal)
         else:
-            code = EventCode.END_FEEDBACK_ON if on else EventCode.END_FEEDBACK_OFF
-            close(started, Ending.DONE, code)
+            notice = END_FEEDBACK_ON if on else END_FEEDBACK_OFF
+            close(started, Ending.DONE, notice)
 
 
 def is_reporting(state: ArmState) -> bool:

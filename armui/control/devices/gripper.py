@@ -12,7 +12,7 @@ from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState, GripperState
 from armui.control.context import GENERATION_UNKNOWN, Context, ControllerPart
 from armui.control.devices.gripper_ranges import Figures, check, figures_of
-from armui.control.events import EventCode
+from armui.control.events import Notice
 from armui.control.operating_state import LINK_LOST, RUN_UNDER_WAY, OperatingState
 from armui.control.operations.operation import Consent, operation, record_start
 from armui.control.operations.started import Ending, Started
@@ -24,6 +24,7 @@ from armui.protocol import commands
 from armui.protocol.codes import ControlMode
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from armui.telemetry.events import EventKind, Level
 
 GRIPPER_SILENT = Reason(
     "gripper_silent", "No gripper is heard. If one is mounted, check its cable and its power."
@@ -40,6 +41,35 @@ RUN_LET_GO = Reason(
     "run_let_go",
     "The gripper was disabled while it ran: the arm was told to end its motion. See what it "
     "held; then the run can go on from this row.",
+)
+GRIPPER_SENT = Notice(
+    "gripper_sent", "Gripper: sent to {value} {unit}", Level.INFO, EventKind.COMMAND
+)
+GRIPPER_THERE = Notice(
+    "gripper_there", "The gripper is at {value} {unit}.", Level.DONE, EventKind.RESULT
+)
+GRIPPER_GRIPS = Notice(
+    "gripper_grips",
+    "The gripper holds something at {value} {unit}, with {torque} N·m.",
+    Level.DONE,
+    EventKind.RESULT,
+)
+GRIPPER_NOT_THERE = Notice(
+    "gripper_not_there",
+    "The gripper stopped at {value} {unit} instead of {target} {unit}. Check what blocks it, "
+    "its errors and its power.",
+    Level.FAULT,
+    EventKind.RESULT,
+)
+GRIPPER_ACT_SENT = Notice("gripper_act_sent", "Gripper: {act} sent", Level.INFO, EventKind.COMMAND)
+GRIPPER_ACT_DONE = Notice(
+    "gripper_act_done", "Gripper: {act} done, by its own feedback.", Level.DONE, EventKind.RESULT
+)
+GRIPPER_ACT_FAILED = Notice(
+    "gripper_act_failed",
+    "Gripper: {act} has had no effect. Check its errors, its power and its cable, then try again.",
+    Level.FAULT,
+    EventKind.RESULT,
 )
 
 
@@ -210,7 +240,7 @@ class GripperControl(ControllerPart):
         self._drop_request()
         unit, started = figures.travel.unit, record_start(self.move)
         self._travel = _Travel(travel, heard.travel, self._context.clock(), unit, effort, started)
-        self._context.tell(EventCode.GRIPPER_SENT, started, value=travel, unit=unit)
+        self._context.tell(GRIPPER_SENT, started, value=travel, unit=unit)
         return None
 
     def why_no_end(self, *, opened: bool) -> Refusal | None:
@@ -324,7 +354,7 @@ class GripperControl(ControllerPart):
         self._drop_request()
         self._action, self._started = action, record_start(method)
         self._request = Request(context, frames, shows)
-        context.tell(EventCode.GRIPPER_ACT_SENT, self._started, act=action)
+        context.tell(GRIPPER_ACT_SENT, self._started, act=action)
         self._request.advance()
 
     def note_travel(self, target: float, effort: float) -> None:
@@ -346,11 +376,11 @@ class GripperControl(ControllerPart):
         if outcome is RequestOutcome.WAITING:
             return
         done = outcome is RequestOutcome.DONE
-        code = EventCode.GRIPPER_ACT_DONE if done else EventCode.GRIPPER_ACT_FAILED
+        notice = GRIPPER_ACT_DONE if done else GRIPPER_ACT_FAILED
         started, action = self._started, self._action
         self._started = None
         self._drop_request()
-        self._context.close(started, Ending.DONE if done else Ending.FAILED, code, act=action)
+        self._context.close(started, Ending.DONE if done else Ending.FAILED, notice, act=action)
 
     def _follow(self, travel: _Travel) -> None:
         feedback, now_s = self._context.state().gripper, self._context.clock()
@@ -373,14 +403,14 @@ class GripperControl(ControllerPart):
         if travel.started is None:
             return
         figures: dict[str, object] = {"value": heard.travel, "unit": travel.unit}
-        ending, code = Ending.DONE, EventCode.GRIPPER_THERE
+        ending, notice = Ending.DONE, GRIPPER_THERE
         if not there and heard.enabled and abs(heard.torque_nm or 0.0) > _GRIPS_NM:
-            code = EventCode.GRIPPER_GRIPS
+            notice = GRIPPER_GRIPS
             figures["torque"] = heard.torque_nm
         elif not there:
-            ending, code = Ending.FAILED, EventCode.GRIPPER_NOT_THERE
+            ending, notice = Ending.FAILED, GRIPPER_NOT_THERE
             figures["target"] = travel.target
-        self._context.close(travel.started, ending, code, **figures)
+        self._context.close(travel.started, ending, notice, **figures)
 
     def _lose(self, travel: _Travel) -> None:
         self._travel = None

@@ -6,13 +6,32 @@ from functools import partial
 
 from armui.arm.refusal import Refusal
 from armui.control.context import Context
-from armui.control.events import EventCode
+from armui.control.events import Notice
 from armui.control.operating_state import BUSY, OperatingState
 from armui.control.operations.operation import operation, record_start
 from armui.control.operations.started import SETTING_UNANSWERED, Ending, Started, ending_of
 from armui.control.requests.transactions import Transaction, TransactionQueue
 from armui.protocol import commands
 from armui.protocol.codes import SettingIndex
+from armui.telemetry.events import EventKind, Level
+
+CLEAR_ERROR_SENT = Notice(
+    "clear_error_sent", "Clear error sent to joint {joint}", Level.INFO, EventKind.COMMAND
+)
+CLEAR_ERROR_ANSWERED = Notice(
+    "clear_error_answered",
+    "Joint {joint}: the arm has confirmed the command to clear the error. Where a fault is "
+    "still shown, remove its cause, then clear it again.",
+    Level.DONE,
+    EventKind.RESULT,
+)
+CLEAR_ERROR_UNANSWERED = Notice(
+    "clear_error_unanswered",
+    "Joint {joint}: the arm did not confirm within a second the command to clear the error. "
+    "Try again; if it stays silent, check the CAN cable.",
+    Level.FAULT,
+    EventKind.RESULT,
+)
 
 
 def why_not_clear(now: OperatingState) -> Refusal | None:
@@ -53,7 +72,7 @@ class JointErrors:
             return context.refuse(refusal)
         self._joint = joint
         started = record_start(self.clear)
-        context.tell(EventCode.CLEAR_ERROR_SENT, started, joint=joint)
+        context.tell(CLEAR_ERROR_SENT, started, joint=joint)
         self._transactions.submit(
             Transaction(
                 commands.clear_joint_error(context.connection.codec, joint),
@@ -70,8 +89,8 @@ class JointErrors:
         self._joint = None
         close = self._context.close
         if refusal is None:
-            close(started, Ending.ANSWERED, EventCode.CLEAR_ERROR_ANSWERED, joint=joint)
+            close(started, Ending.ANSWERED, CLEAR_ERROR_ANSWERED, joint=joint)
         elif refusal.reason == SETTING_UNANSWERED:
-            close(started, Ending.FAILED, EventCode.CLEAR_ERROR_UNANSWERED, joint=joint)
+            close(started, Ending.FAILED, CLEAR_ERROR_UNANSWERED, joint=joint)
         else:
             started.close(ending_of(refusal))

@@ -8,12 +8,13 @@ from typing import Final
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Reason, Refusal
 from armui.control.context import Context
-from armui.control.events import EventCode
+from armui.control.events import Notice
 from armui.control.operating_state import LINK_LOST, OperatingState
 from armui.control.operations.operation import operation, record_start
 from armui.control.operations.started import Ending
 from armui.protocol import commands
 from armui.protocol.codes import ALL_LAMPS
+from armui.telemetry.events import EventKind, Level
 
 RUN_SETS_LAMPS = Reason(
     "run_sets_lamps",
@@ -22,6 +23,20 @@ RUN_SETS_LAMPS = Reason(
 LIGHT_OUT_OF_RANGE = Reason(
     "light_out_of_range",
     "{light}: {value} is out of range. Enter a whole number from {minimum} to {maximum}.",
+)
+SENT_LAMP = Notice(
+    "sent_lamp",
+    "Sent to lamp {lamp} of joint {joint}: {color}",
+    Level.INFO,
+    EventKind.COMMAND,
+    streams=True,
+)
+SENT_LAMPS = Notice(
+    "sent_lamps",
+    "Sent to all lamps of joint {joint}: {color}",
+    Level.INFO,
+    EventKind.COMMAND,
+    streams=True,
 )
 
 
@@ -89,11 +104,11 @@ class Lights:
         if refusal is not None:
             return self._context.refuse(refusal)
         self._counter = (self._counter + 1) % _COUNTS
-        code = EventCode.SENT_LAMPS if lamp == ALL_LAMPS else EventCode.SENT_LAMP
+        notice = SENT_LAMPS if lamp == ALL_LAMPS else SENT_LAMP
         started = record_start(self.set_light)
         started.close(Ending.SENT)
         color = f"#{red:02X}{green:02X}{blue:02X}"
-        self._context.tell(code, started, joint=joint, lamp=lamp, color=color)
+        self._context.tell(notice, started, joint=joint, lamp=lamp, color=color)
         return None
 
 

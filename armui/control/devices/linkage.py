@@ -7,7 +7,7 @@ from typing import Final
 
 from armui.arm.refusal import Reason, Refusal
 from armui.control.context import Context, ControllerPart
-from armui.control.events import EventCode
+from armui.control.events import Notice
 from armui.control.operating_state import (
     LinkState,
     OperatingState,
@@ -20,12 +20,44 @@ from armui.control.requests.transactions import Transaction, TransactionQueue
 from armui.protocol import commands
 from armui.protocol.addressing import OFFSETS, Addressing
 from armui.protocol.codes import LinkageRole, SettingIndex
+from armui.telemetry.events import EventKind, Level
 
 LINKAGE_WHILE_MOVING = Reason(
     "linkage_while_moving", "The arm is moving. Wait until it stands still, then set the linkage."
 )
 OFFSET_NOT_POSSIBLE = Reason(
     "offset_not_possible", "An offset of {value} is not possible. Choose 0x00, 0x10 or 0x20."
+)
+LINKAGE_SENT = Notice("linkage_sent", "Linkage setting sent", Level.INFO, EventKind.COMMAND)
+LINKAGE_ANSWERED = Notice(
+    "linkage_answered",
+    "The arm has acknowledged the linkage setting. It takes effect in standby, or after a "
+    "power cycle.",
+    Level.INFO,
+    EventKind.RESULT,
+)
+LINKAGE_ANSWERED_INPUT = Notice(
+    "linkage_answered_input",
+    "The arm has answered: it becomes a teaching input. Its feedback ends and it can be led "
+    "by hand.",
+    Level.INFO,
+    EventKind.RESULT,
+)
+LINKAGE_FAILED = Notice(
+    "linkage_failed", "Linkage setting not confirmed. {reason}", Level.FAULT, EventKind.RESULT
+)
+LINKAGE_IN_USE = Notice(
+    "linkage_in_use",
+    "Identifiers in use: feedback from {feedback}, commands from {control}.",
+    Level.DONE,
+    EventKind.LINK,
+)
+LINKAGE_FOUND = Notice(
+    "linkage_found",
+    "An arm is heard with its feedback from {feedback}. On which identifiers it takes "
+    "commands is not known: set them under Linkage control.",
+    Level.WARNING,
+    EventKind.LINK,
 )
 
 
@@ -117,7 +149,7 @@ class LinkageControl(ControllerPart):
         )
         self._cut_off()
         started = self._started = record_start(self.set)
-        context.tell(EventCode.LINKAGE_SENT, started)
+        context.tell(LINKAGE_SENT, started)
         self._transactions.submit(
             Transaction(
                 frames,
@@ -139,15 +171,15 @@ class LinkageControl(ControllerPart):
         self.busy = False
         context = self._context
         if refusal is not None:
-            context.close(started, ending_of(refusal), EventCode.LINKAGE_FAILED, reason=refusal)
+            context.close(started, ending_of(refusal), LINKAGE_FAILED, reason=refusal)
             return
         context.connection.offsets.answered(context.clock())
         by_input = role is LinkageRole.TEACHING_INPUT
-        code = EventCode.LINKAGE_ANSWERED_INPUT if by_input else EventCode.LINKAGE_ANSWERED
+        notice = LINKAGE_ANSWERED_INPUT if by_input else LINKAGE_ANSWERED
         if context.connection.offsets.requested is None:  # they are in use already
-            context.close(started, Ending.ANSWERED, code)
+            context.close(started, Ending.ANSWERED, notice)
         else:
-            context.report(started, code)
+            context.report(started, notice)
 
     def _cut_off(self) -> None:
         if self._started is not None:
@@ -163,11 +195,12 @@ class LinkageControl(ControllerPart):
         self._used, self._was_known = offsets.addressing, offsets.control_known
         feedback = f"0x{0x2A1 + self._used.feedback_offset:03X}"
         if not offsets.control_known:
-            self._context.tell(EventCode.LINKAGE_FOUND, feedback=feedback)
+            self._context.tell(LINKAGE_FOUND, feedback=feedback)
             return
         command = f"0x{0x150 + self._used.control_offset:03X}"
-        in_use = EventCode.LINKAGE_IN_USE
-        self._context.close(self._started, Ending.DONE, in_use, feedback=feedback, control=command)
+        self._context.close(
+            self._started, Ending.DONE, LINKAGE_IN_USE, feedback=feedback, control=command
+        )
 
     def forget_arm(self) -> None:
         """Begin without offsets with the next device."""

@@ -9,7 +9,7 @@ from armui.arm.limits import JOINTS
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.control.context import Context, ControllerPart
-from armui.control.events import EventCode
+from armui.control.events import Notice
 from armui.control.motion.motion_command import End
 from armui.control.operating_state import Busy, OperatingState, StopState, why_only_heard
 from armui.control.operations.operation import Consent, operation, operation_of, record_start
@@ -21,6 +21,7 @@ from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN
 from armui.protocol import commands
 from armui.protocol.codes import ALL_JOINTS, SettingIndex
 from armui.protocol.frame import Frame
+from armui.telemetry.events import EventKind, Level
 
 if TYPE_CHECKING:
     from armui.protocol.codec import Message
@@ -32,6 +33,25 @@ RUN_DISABLED = Reason(
     "run_disabled",
     "Motors were disabled while it ran: the arm was told to end its motion. Enable the motors; "
     "then the run can go on from this row.",
+)
+RESUME_SENT = Notice(
+    "resume_sent",
+    "Resume sent. The motors lose power and the arm drops: hold the arm.",
+    Level.INFO,
+    EventKind.COMMAND,
+)
+ENABLE_SENT = Notice("enable_sent", "Enable sent to all six motors", Level.INFO, EventKind.COMMAND)
+ENABLE_SENT_JOINT = Notice(
+    "enable_sent_joint", "Enable sent to joint {joint}", Level.INFO, EventKind.COMMAND
+)
+DISABLE_SENT_JOINT = Notice(
+    "disable_sent_joint", "Disable sent to joint {joint}", Level.INFO, EventKind.COMMAND
+)
+DISABLE_SENT = Notice(
+    "disable_sent",
+    "Disable sent to all six motors. The arm drops: hold the arm.",
+    Level.INFO,
+    EventKind.COMMAND,
 )
 
 
@@ -99,7 +119,7 @@ class Motors(ControllerPart):
         if refusal is not None:
             return context.refuse(refusal)
         started = record_start(self.resume)
-        context.tell(EventCode.RESUME_SENT, started)
+        context.tell(RESUME_SENT, started)
         self._start(
             started,
             Busy.RESUMING,
@@ -118,9 +138,9 @@ class Motors(ControllerPart):
             return
         busy, self._busy, self._request = self._busy, None, None
         done = outcome is RequestOutcome.DONE
-        code, figures = reports.on_motors(busy, self._context.state(), self._joints, done=done)
+        notice, figures = reports.on_motors(busy, self._context.state(), self._joints, done=done)
         ending = Ending.DONE if done else Ending.FAILED
-        self._context.close(self._started, ending, code, **figures)
+        self._context.close(self._started, ending, notice, **figures)
 
     def halt(self) -> None:
         """Switch nothing on any more: the arm is to stop."""
@@ -159,9 +179,9 @@ class Motors(ControllerPart):
         command = commands.enable_motors if on else commands.disable_motors
         started = record_start(self.enable if on else self.disable)
         if joint == ALL_JOINTS:
-            context.tell(EventCode.ENABLE_SENT if on else EventCode.DISABLE_SENT, started)
+            context.tell(ENABLE_SENT if on else DISABLE_SENT, started)
         else:
-            one = EventCode.ENABLE_SENT_JOINT if on else EventCode.DISABLE_SENT_JOINT
+            one = ENABLE_SENT_JOINT if on else DISABLE_SENT_JOINT
             context.tell(one, started, joint=joint)
         self._start(
             started,

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from armui.arm.quirks import why_not_by_firmware
 from armui.arm.refusal import Reason, Refusal
 from armui.control.context import GENERATION_UNKNOWN
-from armui.control.events import EventCode
+from armui.control.events import Notice
 from armui.control.operating_state import LINK_LOST
 from armui.control.operations.operation import operation, record_start
 from armui.control.operations.started import Ending
@@ -17,6 +17,7 @@ from armui.control.safety.standstill import why_moving
 from armui.protocol import commands
 from armui.protocol.codes import Mounting
 from armui.protocol.generation import Generation
+from armui.telemetry.events import EventKind, Level
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -28,6 +29,12 @@ MODE_UNKNOWN = Reason(
     "mode_unknown",
     "The arm's control mode is not known, or another one has the command: it would be changed "
     "along with this. Bring the arm to standby or CAN control first.",
+)
+MOUNTING_SENT = Notice(
+    "mounting_sent",
+    "Mounting sent: {mounting}. The arm does not report it back.",
+    Level.INFO,
+    EventKind.COMMAND,
 )
 
 
@@ -82,7 +89,7 @@ class MountingControl:
         context.authority.told_percent(percent)
         started = record_start(self.tell)
         started.close(Ending.SENT)
-        context.tell(EventCode.MOUNTING_SENT, started, mounting=int(mounting))
+        context.tell(MOUNTING_SENT, started, mounting=int(mounting))
         context.refresh()
         return None
 

@@ -9,12 +9,25 @@ from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.control.context import Context, ControllerPart
 from armui.control.devices.teaching_phase import TeachingPhase, phase_of, why_not_teach
-from armui.control.events import EventCode
+from armui.control.events import Notice
 from armui.control.operations.operation import operation, record_start
 from armui.control.operations.started import Ending, Started
 from armui.control.requests.request import Request, RequestOutcome
 from armui.protocol import commands
 from armui.protocol.codes import TeachingState
+from armui.telemetry.events import EventKind, Level
+
+TEACHING_SENT = Notice("teaching_sent", "Sent: {command}", Level.INFO, EventKind.COMMAND)
+TEACHING_DONE = Notice(
+    "teaching_done", "The arm has confirmed: {command}", Level.DONE, EventKind.RESULT
+)
+TEACHING_UNANSWERED = Notice(
+    "teaching_unanswered",
+    "The arm did not follow within 1.5 s: {command}. Look at its status; if it has no "
+    "recording, record first.",
+    Level.FAULT,
+    EventKind.RESULT,
+)
 
 _ANSWER_S: Final = 1.5
 
@@ -62,7 +75,7 @@ class TeachingControl(ControllerPart):
             return context.refuse(refusal)
         self._drop_request()
         started = record_start(self.command)
-        context.tell(EventCode.TEACHING_SENT, started, command=int(command))
+        context.tell(TEACHING_SENT, started, command=int(command))
         self._pending, self._started = command, started
         frames = commands.teaching_command(context.connection.codec, command)
         self._request = (
@@ -83,10 +96,10 @@ class TeachingControl(ControllerPart):
             return
         command, self._pending, self._request = self._pending, None, None
         if outcome is RequestOutcome.DONE:
-            ending, code = Ending.DONE, EventCode.TEACHING_DONE
+            ending, notice = Ending.DONE, TEACHING_DONE
         else:
-            ending, code = Ending.FAILED, EventCode.TEACHING_UNANSWERED
-        self._context.close(self._started, ending, code, command=int(command))
+            ending, notice = Ending.FAILED, TEACHING_UNANSWERED
+        self._context.close(self._started, ending, notice, command=int(command))
 
     def halt(self) -> None:
         """Give up whatever was asked for: the arm is to stop."""

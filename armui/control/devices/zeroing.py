@@ -14,7 +14,7 @@ from armui.arm.limits import JOINTS
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.control.devices import teaching_phase
-from armui.control.events import EventCode
+from armui.control.events import Notice
 from armui.control.operating_state import BUSY
 from armui.control.operations.operation import Consent, operation, record_start
 from armui.control.operations.started import Ending, Started, ending_of
@@ -23,6 +23,7 @@ from armui.control.safety.interlocks import JOINTS_UNKNOWN, joint_list, why_no_c
 from armui.control.safety.standstill import why_not_still
 from armui.protocol import commands
 from armui.protocol.codes import ALL_JOINTS, SettingIndex
+from armui.telemetry.events import EventKind, Level
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -46,7 +47,28 @@ ZERO_NOT_TAKEN = Reason(
     "The arm answered that the zero is set, but these joints do not read 0°: {joints}. Do not "
     "move the arm before the zero is set anew.",
 )
+ZERO_SENT = Notice(
+    "zero_sent", "Zero setting sent to all six joints", Level.INFO, EventKind.COMMAND
+)
+ZERO_SENT_JOINT = Notice(
+    "zero_sent_joint", "Zero setting sent to joint {joint}", Level.INFO, EventKind.COMMAND
+)
+ZERO_SET = Notice(
+    "zero_set",
+    "The arm has set the zeros of all six joints; their angles now read 0.",
+    Level.DONE,
+    EventKind.RESULT,
+)
+ZERO_SET_JOINT = Notice(
+    "zero_set_joint",
+    "The arm has set the zero of joint {joint}; its angle now reads 0.",
+    Level.DONE,
+    EventKind.RESULT,
+)
+ZERO_FAILED = Notice("zero_failed", "Zero setting failed. {reason}", Level.FAULT, EventKind.RESULT)
 
+ZEROING_ENDED: Final = frozenset({ZERO_SET, ZERO_SET_JOINT, ZERO_FAILED})
+"""After these the angles may be counted anew: places entered before are other places."""
 
 _AT_ZERO_DEG: Final = 0.5
 _SAME_PLACE_DEG: Final = 0.5
@@ -113,8 +135,8 @@ class Zeroing:
         self._before_zeroing()
         self._busy = True
         started = record_start(self.set_zero)
-        code = EventCode.ZERO_SENT if joint == ALL_JOINTS else EventCode.ZERO_SENT_JOINT
-        context.tell(code, started, joint=joint)
+        notice = ZERO_SENT if joint == ALL_JOINTS else ZERO_SENT_JOINT
+        context.tell(notice, started, joint=joint)
         self._transactions.submit(
             Transaction(
                 commands.set_joint_zero(context.connection.codec, joint),
@@ -156,11 +178,11 @@ class Zeroing:
         self._busy = False
         close = self._context.close
         if refusal is not None:
-            close(started, ending_of(refusal), EventCode.ZERO_FAILED, reason=refusal)
+            close(started, ending_of(refusal), ZERO_FAILED, reason=refusal)
         elif joint == ALL_JOINTS:
-            close(started, Ending.DONE, EventCode.ZERO_SET)
+            close(started, Ending.DONE, ZERO_SET)
         else:
-            close(started, Ending.DONE, EventCode.ZERO_SET_JOINT, joint=joint)
+            close(started, Ending.DONE, ZERO_SET_JOINT, joint=joint)
 
 
 def _against_answer(joints: str, answer: Message) -> Refusal | None:

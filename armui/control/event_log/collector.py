@@ -6,13 +6,23 @@ from collections.abc import Callable, Hashable, Mapping
 from datetime import datetime
 from typing import TYPE_CHECKING, Any, Final
 
-from armui.control.context import ControllerPart
-from armui.control.event_log.observed import ObservedCode
+from armui.control.authority_watch import LEADER_ARM_MOVES, OTHER_HOST_GONE, OTHER_HOST_MOVES
+from armui.control.context import REFUSED, ControllerPart
+from armui.control.event_log.observed import Observed
 from armui.control.event_log.observer import EventObserver
 from armui.control.event_log.status_listener import StatusListener
-from armui.control.event_log.writer import STREAMS, EventWriter
-from armui.control.events import Event, EventCode
+from armui.control.event_log.writer import EventWriter
+from armui.control.events import Event, Notice
+from armui.control.link.connection import (
+    BUS_BLOCKED,
+    BUS_UNBLOCKED,
+    DISCONNECTED,
+    LINK_LOST_NOTICE,
+    RECONNECTED,
+)
+from armui.control.link.model_watch import MODEL_NONE, MODEL_OTHER_NOTICE
 from armui.control.motion.motion_command import CommandKind
+from armui.control.requests.reports import OFFLINE_NOTICE, ONLINE
 from armui.telemetry.events import Asker, EventEntry, EventKind, EventLog, Level
 
 if TYPE_CHECKING:
@@ -22,15 +32,21 @@ if TYPE_CHECKING:
     from armui.control.run.player import Player
     from armui.control.safety.recovery import Recovery
 
-_GONE: Final = frozenset({EventCode.LINK_LOST, EventCode.DISCONNECTED})
-_LASTING: Final[Mapping[EventCode, frozenset[EventCode]]] = {
-    EventCode.OFFLINE: _GONE | {EventCode.ONLINE},
-    EventCode.LINK_LOST: frozenset({EventCode.RECONNECTED, EventCode.DISCONNECTED}),
-    EventCode.BUS_BLOCKED: _GONE | {EventCode.BUS_UNBLOCKED},
-    EventCode.MODEL_OTHER: _GONE,
-    EventCode.MODEL_NONE: _GONE,
-    EventCode.OTHER_HOST_MOVES: _GONE | {EventCode.OTHER_HOST_GONE},
-    EventCode.LEADER_ARM_MOVES: _GONE | {EventCode.OTHER_HOST_GONE},
+RUN_POINT = Observed("run_point", "Sent the point of row {row}")
+PROBLEM = Observed("problem", "{reason}")
+NOT_KEPT = Observed(
+    "not_kept", "The events cannot be written to the disk; the newest are kept in memory. {text}"
+)
+
+_GONE: Final = frozenset({LINK_LOST_NOTICE, DISCONNECTED})
+_LASTING: Final[Mapping[Notice, frozenset[Notice]]] = {
+    OFFLINE_NOTICE: _GONE | {ONLINE},
+    LINK_LOST_NOTICE: frozenset({RECONNECTED, DISCONNECTED}),
+    BUS_BLOCKED: _GONE | {BUS_UNBLOCKED},
+    MODEL_OTHER_NOTICE: _GONE,
+    MODEL_NONE: _GONE,
+    OTHER_HOST_MOVES: _GONE | {OTHER_HOST_GONE},
+    LEADER_ARM_MOVES: _GONE | {OTHER_HOST_GONE},
 }
 """What goes on from one notice to another."""
 _MOST_ENDED: Final = 8
@@ -68,7 +84,7 @@ class EventCollector(ControllerPart):
         self._listener = StatusListener()
         self._observer = EventObserver()
         self._followed: dict[int, Started] = {}
-        self._lasting: dict[EventCode, int] = {}
+        self._lasting: dict[Notice, int] = {}
         self._run_point = 0
         self._told: tuple[Event, int] | None = None
         context.connection.add_listener(self._listener)
@@ -80,23 +96,23 @@ class EventCollector(ControllerPart):
     def on_problem(self, reason: Refusal) -> EventEntry:
         """Something stood in the program's own way."""
         return self._add(
-            ObservedCode.PROBLEM,
+            PROBLEM,
             EventKind.PROGRAM,
             Asker.PROGRAM,
             Level.WARNING,
             params={"reason": reason},
-            repeat_key=(ObservedCode.PROBLEM, str(reason)),
+            repeat_key=(PROBLEM, str(reason)),
         )
 
     def on_not_kept(self, text: str | None) -> EventEntry:
         """The events cannot be written: what the system says of it, or ``None``: no answer."""
         return self._add(
-            ObservedCode.NOT_KEPT,
+            NOT_KEPT,
             EventKind.PROGRAM,
             Asker.PROGRAM,
             Level.WARNING,
             params={} if text is None else {"text": text},
-            repeat_key=ObservedCode.NOT_KEPT,
+            repeat_key=NOT_KEPT,
         )
 
     # A part of the controller -----------------------------------------------------------------
@@ -119,35 +135,35 @@ class EventCollector(ControllerPart):
         """The operator is told an event."""
         self._take_in()  # what was heard before stands before
         self._take_results()
-        code, params = event.code, dict(event.params)
+        notice, params = event.notice, dict(event.params)
         now_s = self._context.clock()
-        for lasting in [each for each, ends in _LASTING.items() if code in ends]:
+        for lasting in [each for each, ends in _LASTING.items() if notice in ends]:
             number = self._lasting.pop(lasting, None)
             if number is not None:
                 self.log.change(number, ended_s=now_s)
-        if code in self._lasting:
-            self._told = event, self._lasting[code]
+        if notice in self._lasting:
+            self._told = event, self._lasting[notice]
             return
         repeat_key: Hashable = None
-        if code in STREAMS:
-            repeat_key = code
-        elif code == EventCode.REFUSED or code.kind is EventKind.PROGRAM:
-            repeat_key = (code, repr(sorted(params.items(), key=lambda each: each[0])))
-        by_recovery = code.kind is EventKind.COMMAND and self._recovery.acts
+        if notice.streams:
+            repeat_key = notice
+        elif notice == REFUSED or notice.kind is EventKind.PROGRAM:
+            repeat_key = (notice, repr(sorted(params.items(), key=lambda each: each[0])))
+        by_recovery = notice.kind is EventKind.COMMAND and self._recovery.acts
         entry = self._add(
-            code,
-            code.kind,
-            Asker.RECOVERY if by_recovery else code.who,
+            notice,
+            notice.kind,
+            Asker.RECOVERY if by_recovery else notice.who,
             event.level,
             at_s=now_s,
             wall=event.at,
             params=params,
             repeat_key=repeat_key,
-            lasts=code in _LASTING,
+            lasts=notice in _LASTING,
         )
         self._told = event, entry.number
-        if code in _LASTING:
-            self._lasting[code] = entry.number
+        if notice in _LASTING:
+            self._lasting[notice] = entry.number
         if event.started is not None:
             self._followed[entry.number] = event.started
 
@@ -167,13 +183,13 @@ class EventCollector(ControllerPart):
             return
         self._run_point = own.number
         entry = self._add(
-            ObservedCode.RUN_POINT,
+            RUN_POINT,
             EventKind.COMMAND,
             Asker.RUN,
             Level.INFO,
             at_s=own.sent_s,
             params={"row": self._player.progress.index + 1},
-            repeat_key=ObservedCode.RUN_POINT,
+            repeat_key=RUN_POINT,
         )
         if own.started is not None:
             self._followed[entry.number] = own.started
@@ -195,7 +211,7 @@ class EventCollector(ControllerPart):
 
     def _add(
         self,
-        code: str,
+        what: Notice | Observed,
         kind: EventKind,
         who: Asker,
         level: Level,
@@ -205,4 +221,4 @@ class EventCollector(ControllerPart):
         **more: Any,
     ) -> EventEntry:
         at_s = self._context.clock() if at_s is None else at_s
-        return self._writer.add(code, kind, who, level, at_s=at_s, wall=wall, **more)
+        return self._writer.add(what, kind, who, level, at_s=at_s, wall=wall, **more)

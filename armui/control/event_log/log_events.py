@@ -10,10 +10,19 @@ from typing import TYPE_CHECKING, Final
 from armui.arm.joint_status import Item, Word
 from armui.arm.other_hosts import OtherTraffic
 from armui.arm.state import ArmState
-from armui.control.event_log.observed import ObservedCode
-from armui.control.event_log.observer import DRIVER_FAULTS, STATUS_LEVELS, EventObserver
+from armui.control.event_log.observed import Observed
+from armui.control.event_log.observer import (
+    ARM_STATUS,
+    BEYOND_LIMIT,
+    DRIVER_FAULTS,
+    JOINT_FAULT,
+    STATUS_LEVELS,
+    EventObserver,
+)
 from armui.control.event_log.writer import EventWriter
-from armui.control.events import EventCode
+from armui.control.events import Notice
+from armui.control.requests.reports import OFFLINE_NOTICE
+from armui.control.sessions.progress import SESSION_FRAMES_LOST
 from armui.protocol.addressing import Addressing
 from armui.protocol.codec import Codec
 from armui.protocol.codes import ArmStatusCode
@@ -28,14 +37,24 @@ if TYPE_CHECKING:
     from armui.session.log_marks import IdRows
     from armui.session.session import Session, SessionMark
 
+LOGGED_STOP = Observed("logged_stop", "Emergency stop sent")
+LOGGED_RESUME = Observed("logged_resume", "Resume sent")
+LOGGED_ENABLE = Observed("logged_enable", "Motors: enable sent")
+LOGGED_DISABLE = Observed("logged_disable", "Motors: disable sent")
+LOGGED_MOTION_COMMAND = Observed(
+    "logged_motion_command", "Trajectory or drag teaching command sent"
+)
+LOGGED_TARGETS = Observed("logged_targets", "{message} begin")
+UNKNOWN_MARK = Observed("unknown_mark", "Unknown event: {code}")
+
 Wall = Callable[[float], datetime]
-_COMMANDS: Final[Mapping[str, tuple[ObservedCode, Level]]] = {
-    "stop_sent": (ObservedCode.LOGGED_STOP, Level.WARNING),
-    "resume_sent": (ObservedCode.LOGGED_RESUME, Level.INFO),
-    "enable_sent": (ObservedCode.LOGGED_ENABLE, Level.INFO),
-    "disable_sent": (ObservedCode.LOGGED_DISABLE, Level.INFO),
-    "motion_command": (ObservedCode.LOGGED_MOTION_COMMAND, Level.INFO),
-    "target": (ObservedCode.LOGGED_TARGETS, Level.INFO),
+_COMMANDS: Final[Mapping[str, tuple[Observed, Level]]] = {
+    "stop_sent": (LOGGED_STOP, Level.WARNING),
+    "resume_sent": (LOGGED_RESUME, Level.INFO),
+    "enable_sent": (LOGGED_ENABLE, Level.INFO),
+    "disable_sent": (LOGGED_DISABLE, Level.INFO),
+    "motion_command": (LOGGED_MOTION_COMMAND, Level.INFO),
+    "target": (LOGGED_TARGETS, Level.INFO),
 }
 _STATUS: Final = frozenset({"status", "stopped", "beyond_limit", "no_communication", "joint"})
 """Marks of what the arm says of itself."""
@@ -126,15 +145,15 @@ def _worded(mark: SessionMark, wall: Wall) -> EventEntry:
     code = str(mark.entry.get("code", ""))
     if mark.entry.get("kind") == "lost":
         params = {"count": mark.entry.get("count", 0)}
-        lost = EventCode.SESSION_FRAMES_LOST
-        return _entry(mark, wall, lost, _BY_PROGRAM, params=params, level=lost.level)
+        level = SESSION_FRAMES_LOST.level
+        return _entry(mark, wall, SESSION_FRAMES_LOST, _BY_PROGRAM, params=params, level=level)
     if code in _COMMANDS:
         logged, level = _COMMANDS[code]
         params = {"message": mark.entry["message"]} if "message" in mark.entry else {}
         return _entry(mark, wall, logged, _COMMAND, params=params, level=level)
     if code == "silent":
-        offline = EventCode.OFFLINE
-        return _entry(mark, wall, offline, _LINK, params={}, level=offline.level)
+        level = OFFLINE_NOTICE.level
+        return _entry(mark, wall, OFFLINE_NOTICE, _LINK, params={}, level=level)
     return _fault(mark, wall, code) or _unknown(mark, wall)
 
 
@@ -145,9 +164,9 @@ def _fault(mark: SessionMark, wall: Wall, code: str) -> EventEntry | None:
     if code in {"status", "stopped"}:
         status = told.get("status", int(ArmStatusCode.EMERGENCY_STOP))
         level = STATUS_LEVELS.get(int(str(status)), Level.FAULT)
-        observed, params = ObservedCode.ARM_STATUS, {"status": status}
+        observed, params = ARM_STATUS, {"status": status}
     elif code == "beyond_limit":
-        observed, params, level = ObservedCode.BEYOND_LIMIT, {"joint": joint}, Level.WARNING
+        observed, params, level = BEYOND_LIMIT, {"joint": joint}, Level.WARNING
     elif code == "no_communication":
         observed, params = _row(joint, Item.COMMUNICATION, Word.ABNORMAL)
     elif code == "joint" and told.get("what") in DRIVER_FAULTS:
@@ -157,8 +176,8 @@ def _fault(mark: SessionMark, wall: Wall, code: str) -> EventEntry | None:
     return _entry(mark, wall, observed, _OF_ARM, params=params, level=level)
 
 
-def _row(joint: object, item: Item, word: Word) -> tuple[ObservedCode, dict[str, object]]:
-    return ObservedCode.JOINT_FAULT, {"joint": joint, "item": item.name, "word": word.name}
+def _row(joint: object, item: Item, word: Word) -> tuple[Observed, dict[str, object]]:
+    return JOINT_FAULT, {"joint": joint, "item": item.name, "word": word.name}
 
 
 def _unknown(mark: SessionMark, wall: Wall) -> EventEntry:
@@ -166,13 +185,13 @@ def _unknown(mark: SessionMark, wall: Wall) -> EventEntry:
     params = {"code": str(mark.entry.get("code", mark.entry.get("kind", "?")))}
     faults = {MarkKind.FAULT, MarkKind.STOP}
     level = Level.FAULT if mark.kind in faults else Level.INFO
-    return _entry(mark, wall, ObservedCode.UNKNOWN_MARK, _BY_PROGRAM, params=params, level=level)
+    return _entry(mark, wall, UNKNOWN_MARK, _BY_PROGRAM, params=params, level=level)
 
 
 def _entry(
     mark: SessionMark,
     wall: Wall,
-    code: EventCode | ObservedCode,
+    what: Notice | Observed,
     by: tuple[EventKind, Asker],
     *,
     params: Mapping[str, object],
@@ -188,7 +207,7 @@ def _entry(
         level=level,
         kind=by[0],
         who=by[1],
-        code=str(code),
+        code=what.id,
         params=params,
         lasts="ended_s" in mark.entry,
         ended_s=ended_s,

@@ -1,45 +1,26 @@
-"""What the event log says beside the notices, as codes; a comment names the figures."""
+"""What the event log says beside the notices: what was seen to begin, to go on and to end."""
 
 from __future__ import annotations
 
 from collections.abc import Hashable, Mapping
 from dataclasses import dataclass, field
-from enum import Enum, StrEnum, auto, unique
+from enum import Enum, auto
+from typing import ClassVar
 
+from armui.system.sentence import Sentence
 from armui.telemetry.events import Asker, EventKind, Level
 
 
-@unique
-class ObservedCode(StrEnum):
-    """Something that was seen to happen; none of :class:`armui.control.events.EventCode`."""
+@dataclass(frozen=True, slots=True)
+class Observed(Sentence):
+    """Something that was seen to happen; what the program tells is a `Notice`.
 
-    CONTROL_MODE = "control_mode"  # mode, before
-    MOVE_MODE = "move_mode"  # mode, before
-    ARM_STATUS = "arm_status"  # status
-    TEACHING = "teaching"  # state, before
-    MOTION = "motion"
-    MOTORS_ON = "motors_on"  # joints
-    MOTORS_OFF = "motors_off"  # joints
-    JOINT_FAULT = "joint_fault"  # joint, item, word
-    BEYOND_LIMIT = "beyond_limit"  # joint
-    GRIPPER_FAULT = "gripper_fault"  # fault
-    LIMITS_UNUSABLE = "limits_unusable"  # joint
-    OTHER_FRAMES = "other_frames"  # id
-    INVALID_FRAMES = "invalid_frames"  # kind, id
-    FEWER_FRAMES = "fewer_frames"  # share
-    RUN_POINT = "run_point"  # row
-    ARRIVED = "arrived"
-    MOTION_CUT = "motion_cut"  # end
-    ANSWERED = "answered"  # index
-    PROBLEM = "problem"  # reason
-    NOT_KEPT = "not_kept"  # text
-    LOGGED_STOP = "logged_stop"  # this and those below: what a host says in a foreign log
-    LOGGED_RESUME = "logged_resume"
-    LOGGED_ENABLE = "logged_enable"
-    LOGGED_DISABLE = "logged_disable"
-    LOGGED_MOTION_COMMAND = "logged_motion_command"
-    LOGGED_TARGETS = "logged_targets"  # message
-    UNKNOWN_MARK = "unknown_mark"  # code
+    Attributes:
+        streams: It comes again and again, and is counted only while it does so at once.
+    """
+
+    context: ClassVar[str] = "Observed"
+    streams: bool = field(default=False, compare=False, repr=False)
 
 
 class EventPhase(Enum):
@@ -61,7 +42,7 @@ class EventChange:
         phase: Which part of it this is.
         key: What is the same in its beginning and its end.
         at_s: Monotonic time.
-        code: What it is; this and the rest are told with its beginning.
+        observed: What it is; this and the rest are told with its beginning.
         kind: What sort it is.
         who: Whose word it is.
         level: How grave it is.
@@ -73,7 +54,7 @@ class EventChange:
     phase: EventPhase
     key: Hashable
     at_s: float
-    code: ObservedCode | None = None
+    observed: Observed | None = None
     kind: EventKind = EventKind.STATUS
     who: Asker = Asker.ARM
     level: Level = Level.INFO

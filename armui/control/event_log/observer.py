@@ -11,7 +11,7 @@ from armui.arm.joint_status import Item, Word
 from armui.arm.limits import JOINTS, plausible
 from armui.arm.state import GripperFault
 from armui.control.event_log import status_listener as h
-from armui.control.event_log.observed import EventChange, EventPhase, ObservedCode
+from armui.control.event_log.observed import EventChange, EventPhase, Observed
 from armui.control.event_log.status_listener import InvalidFrames, StatusChange
 from armui.protocol.codes import ArmStatusCode
 from armui.telemetry.events import Asker, EventKind, Level
@@ -19,6 +19,25 @@ from armui.telemetry.events import Asker, EventKind, Level
 if TYPE_CHECKING:
     from armui.arm.other_hosts import OtherTraffic
     from armui.arm.state import ArmState
+
+CONTROL_MODE = Observed("control_mode", "Control mode: {before} → {mode}")
+MOVE_MODE = Observed("move_mode", "Motion mode: {before} → {mode}")
+ARM_STATUS = Observed("arm_status", "Arm status: {status}")
+TEACHING = Observed("teaching", "Drag teaching: {before} → {state}")
+MOTION = Observed("motion", "Target not reached", streams=True)
+MOTORS_ON = Observed("motors_on", "Motors enabled: {joints}")
+MOTORS_OFF = Observed("motors_off", "Motors disabled: {joints}")
+JOINT_FAULT = Observed("joint_fault", "J{joint} {item} {word}")
+BEYOND_LIMIT = Observed("beyond_limit", "J{joint} beyond its angle limit")
+GRIPPER_FAULT = Observed("gripper_fault", "Gripper: {fault}")
+LIMITS_UNUSABLE = Observed(
+    "limits_unusable", "J{joint}: the limits stored in the arm cannot be true"
+)
+OTHER_FRAMES = Observed("other_frames", "Another host sends {id}")
+INVALID_FRAMES = Observed("invalid_frames", "Frames not understood: {kind} (last {id})")
+FEWER_FRAMES = Observed(
+    "fewer_frames", "Fewer status frames from the arm: {share} % less than before"
+)
 
 DRIVER_FAULTS: Final[Mapping[str, tuple[Item, Word]]] = {
     "Undervoltage": (Item.SUPPLY_VOLTAGE, Word.TOO_LOW),
@@ -44,11 +63,11 @@ STATUS_LEVELS: Final[Mapping[int, Level]] = {
 """How grave a status is; what is not named is a fault, also what no table knows."""
 
 _MODES: Final = (
-    ("ControlMode", ObservedCode.CONTROL_MODE, "mode", None),
-    ("MoveMode", ObservedCode.MOVE_MODE, "mode", 0),
-    ("TeachingState", ObservedCode.TEACHING, "state", 0),
+    ("ControlMode", CONTROL_MODE, "mode", None),
+    ("MoveMode", MOVE_MODE, "mode", 0),
+    ("TeachingState", TEACHING, "state", 0),
 )
-"""Signal, code, figure, and the first value that is worth no word."""
+"""Signal, what is seen, figure, and the first value that is worth no word."""
 
 _TOGETHER_S: Final = 0.3
 """Six drivers report one after the other: their motors are switched together."""
@@ -146,7 +165,7 @@ class EventObserver:
             for fault in GripperFault:
                 if fault.value in heard.values:
                     key, figures = ("gripper", fault), {"fault": fault.value}
-                    change = _fault(key, heard.at_s, ObservedCode.GRIPPER_FAULT, figures)
+                    change = _fault(key, heard.at_s, GRIPPER_FAULT, figures)
                     yield from self._follow(change, on=heard.values[fault.value] == 1)
         elif heard.name == h.GAP:
             yield from self.forget(heard.at_s)
@@ -154,23 +173,21 @@ class EventObserver:
             yield from self._on_rate(heard.values["hz"], heard.at_s)
 
     def _on_status(self, values: Mapping[str, float], at_s: float) -> Iterator[EventChange]:
-        for signal, code, figure, plain in _MODES:
+        for signal, observed, figure, plain in _MODES:
             mode, before = values[signal], self._modes.get(signal)
             if mode != before:
                 self._modes[signal] = mode
                 if before is not None or mode != plain:
                     codes = {figure: int(mode), "before": None if before is None else int(before)}
-                    yield EventChange(EventPhase.HAPPENED, code, at_s, code, params=codes)
+                    yield EventChange(EventPhase.HAPPENED, observed, at_s, observed, params=codes)
         status = int(values["Status"])
         for key in [key for key in self._going_on if _is_another_status(key, status)]:
             yield from self._end(key, at_s)
         if status != ArmStatusCode.NORMAL:
             level = STATUS_LEVELS.get(status, Level.FAULT)
-            change = _fault(
-                ("status", status), at_s, ObservedCode.ARM_STATUS, {"status": status}, level
-            )
+            change = _fault(("status", status), at_s, ARM_STATUS, {"status": status}, level)
             yield from self._follow(change, on=True)
-        motion = EventChange(EventPhase.BEGAN, "motion", at_s, ObservedCode.MOTION)
+        motion = EventChange(EventPhase.BEGAN, "motion", at_s, MOTION)
         yield from self._follow(motion, on=values["MotionState"] != 0)
         for joint in JOINTS:
             broken = _joint_fault(joint, Item.COMMUNICATION, Word.ABNORMAL, at_s)
@@ -178,7 +195,7 @@ class EventObserver:
             beyond = _fault(
                 ("beyond", joint),
                 at_s,
-                ObservedCode.BEYOND_LIMIT,
+                BEYOND_LIMIT,
                 {"joint": joint},
                 Level.WARNING,
             )
@@ -199,13 +216,15 @@ class EventObserver:
     def _switch(self, joint: int, at_s: float, *, on: bool) -> EventChange:
         """Motors that are switched one right after the other are one event."""
         before = self._switched
-        code = ObservedCode.MOTORS_ON if on else ObservedCode.MOTORS_OFF
+        observed = MOTORS_ON if on else MOTORS_OFF
         if before is not None and before[0] is on and at_s - before[1] <= _TOGETHER_S:
             joints = tuple(sorted({*before[2], joint}))
             self._switched = on, before[1], joints
             return EventChange(EventPhase.GREW, "switched", at_s, params={"joints": joints})
         self._switched = on, at_s, (joint,)
-        return EventChange(EventPhase.HAPPENED, "switched", at_s, code, params={"joints": (joint,)})
+        return EventChange(
+            EventPhase.HAPPENED, "switched", at_s, observed, params={"joints": (joint,)}
+        )
 
     def _on_rate(self, hz: float, at_s: float) -> Iterator[EventChange]:
         before_hz, self._last_hz = self._last_hz, hz
@@ -218,7 +237,7 @@ class EventObserver:
         if share < (_AS_BEFORE if going_on else _FEWER):
             missing = round(100 * (1.0 - share))
             figures = {"share": missing}
-            change = _frames("rate", at_s, ObservedCode.FEWER_FRAMES, figures)
+            change = _frames("rate", at_s, FEWER_FRAMES, figures)
             yield from self._follow(change, on=True)
         elif going_on:
             yield from self._end("rate", at_s)
@@ -232,7 +251,7 @@ class EventObserver:
                 unusable = _fault(
                     ("limits", joint),
                     limits.at_s,
-                    ObservedCode.LIMITS_UNUSABLE,
+                    LIMITS_UNUSABLE,
                     {"joint": joint},
                     Level.WARNING,
                 )
@@ -257,9 +276,7 @@ class EventObserver:
     def _on_invalid(self, frames: InvalidFrames) -> Iterator[EventChange]:
         key = ("invalid", frames.sort)
         figures = {"kind": frames.sort, "id": f"0x{frames.arbitration_id:03X}"}
-        begun = _frames(
-            key, frames.first_s, ObservedCode.INVALID_FRAMES, figures, count=frames.times
-        )
+        begun = _frames(key, frames.first_s, INVALID_FRAMES, figures, count=frames.times)
         known = self._series.get(key)
         if known is not None and frames.first_s - known.last_s > _QUIET_S:
             yield self._ended(key, known)
@@ -283,7 +300,7 @@ class EventObserver:
             begun = _frames(
                 key,
                 series.since_s,
-                ObservedCode.OTHER_FRAMES,
+                OTHER_FRAMES,
                 {"id": f"0x{arbitration_id:03X}"},
                 count=series.count,
             )
@@ -315,32 +332,32 @@ class EventObserver:
 def _fault(
     key: Hashable,
     at_s: float,
-    code: ObservedCode,
+    observed: Observed,
     params: Mapping[str, object],
     level: Level = Level.FAULT,
 ) -> EventChange:
     kind = EventKind.STATUS if level is Level.INFO else EventKind.FAULT
-    return EventChange(EventPhase.BEGAN, key, at_s, code, kind, Asker.ARM, level, params)
+    return EventChange(EventPhase.BEGAN, key, at_s, observed, kind, Asker.ARM, level, params)
 
 
 def _joint_fault(joint: int, item: Item, word: Word, at_s: float) -> EventChange:
     figures = {"joint": joint, "item": item.name, "word": word.name}
-    return _fault((item, joint), at_s, ObservedCode.JOINT_FAULT, figures)
+    return _fault((item, joint), at_s, JOINT_FAULT, figures)
 
 
 def _frames(
     key: Hashable,
     at_s: float,
-    code: ObservedCode,
+    observed: Observed,
     params: Mapping[str, object],
     *,
     count: int = 1,
 ) -> EventChange:
-    other = code is ObservedCode.OTHER_FRAMES
+    other = observed is OTHER_FRAMES
     level = Level.INFO if other else Level.WARNING
     kind = EventKind.OTHER_HOST if other else EventKind.ODDITY
     who = Asker.OTHER_HOST if other else Asker.ARM
-    return EventChange(EventPhase.BEGAN, key, at_s, code, kind, who, level, params, count)
+    return EventChange(EventPhase.BEGAN, key, at_s, observed, kind, who, level, params, count)
 
 
 def _is_another_status(key: Hashable, status: int) -> bool:

@@ -6,24 +6,10 @@ from collections.abc import Callable, Hashable
 from datetime import datetime
 from typing import Any, Final
 
-from armui.control.event_log.observed import EventChange, EventPhase, ObservedCode
-from armui.control.events import EventCode
+from armui.control.event_log.observed import EventChange, EventPhase, Observed
+from armui.control.events import Notice
 from armui.telemetry.events import REPEAT_S, Asker, EventEntry, EventKind, EventLog, Level
 
-STREAMS: Final = frozenset(
-    {
-        *(
-            EventCode.SENT_SPEED,
-            EventCode.OVERRIDE_SET,
-            EventCode.SPEED_WAITS,
-            EventCode.JOGGED,
-            EventCode.STEPPED_TOOL,
-        ),
-        *(EventCode.SENT_LAMP, EventCode.SENT_LAMPS, EventCode.FRAMES_DROPPED),
-    }
-)
-"""What comes one after the other, while something is dragged or held: it is counted, and the
-newest figures stand."""
 _MOST_KEYS: Final = 1_000
 _FLOWS_S: Final = 1.0
 """What a held button or a slider sends comes faster than this."""
@@ -44,7 +30,7 @@ class EventWriter:
 
     def add(
         self,
-        code: str,
+        what: Notice | Observed,
         kind: EventKind,
         who: Asker,
         level: Level,
@@ -58,25 +44,24 @@ class EventWriter:
         ``more`` are further fields of `EventEntry`, and ``repeat_key`` of `EventLog.add`.
         """
         wall = self._wall(at_s) if wall is None else wall
-        flows = code in STREAMS or code == ObservedCode.MOTION
         return self._log.add(
-            within_s=_FLOWS_S if flows else REPEAT_S,
+            within_s=_FLOWS_S if what.streams else REPEAT_S,
             at_s=at_s,
             wall=wall,
             level=level,
             kind=kind,
             who=who,
-            code=str(code),
+            code=what.id,
             **more,
         )
 
     def write(self, change: EventChange) -> None:
         """Something was observed."""
-        if change.code is None:
+        if change.observed is None:
             self._go_on(change)
             return
         entry = self.add(
-            change.code,
+            change.observed,
             change.kind,
             change.who,
             change.level,
@@ -84,7 +69,9 @@ class EventWriter:
             params=change.params,
             count=change.count,
             lasts=change.phase is EventPhase.BEGAN,
-            repeat_key=None if change.phase is EventPhase.HAPPENED else (change.code, change.key),
+            repeat_key=None
+            if change.phase is EventPhase.HAPPENED
+            else (change.observed, change.key),
         )
         self._numbers.pop(change.key, None)
         self._numbers[change.key] = entry.number, entry.count - change.count

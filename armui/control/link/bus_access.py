@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Reason, Refusal
-from armui.control.events import EventCode
+from armui.control.events import Notice
 from armui.control.operating_state import (
     BUSY,
     LINK_LOST,
@@ -25,6 +25,7 @@ from armui.control.safety.hand_frame import (
 from armui.control.safety.interlocks import STOP_REQUESTED, STOPPED
 from armui.control.safety.other_command import OTHER_HOST, OTHER_MODE
 from armui.protocol.addressing import OFFSETS
+from armui.telemetry.events import EventKind, Level
 
 if TYPE_CHECKING:
     from armui.control.context import Context
@@ -33,6 +34,12 @@ if TYPE_CHECKING:
 
 FRAME_NOT_HELD = Reason(
     "frame_not_held", "This frame acts on the arm: hold the button for a second to send it."
+)
+FRAME_SENT_BY_HAND = Notice(
+    "frame_sent_by_hand",
+    "Sent by hand: {frame}. It counts as another program's command.",
+    Level.WARNING,
+    EventKind.COMMAND,
 )
 
 
@@ -105,7 +112,7 @@ class BusAccess:
         context.observe()  # ours ends first, and what waits of it is dropped
         if not connection.send([frame], _KEEP_S):
             return context.refuse(LINK_LOST())
-        context.tell(EventCode.FRAME_SENT_BY_HAND, frame=str(frame))
+        context.tell(FRAME_SENT_BY_HAND, frame=str(frame))
         context.refresh()
         return None
 

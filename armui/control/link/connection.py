@@ -14,13 +14,14 @@ from armui.arm.other_hosts import OtherHosts, OtherTraffic
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, common_to_generations, is_fresh
 from armui.bus.link import BusReport, BusState
-from armui.control.events import EventCode
+from armui.control.events import Notice
 from armui.control.link.arm_mark import ArmMark
 from armui.control.link.offsets import OffsetFollower
 from armui.control.operating_state import LinkState
 from armui.protocol.addressing import Addressing
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation, PiperModel
+from armui.telemetry.events import Asker, EventKind, Level
 
 if TYPE_CHECKING:
     from armui.bus.playback.log_worker import LogWorker
@@ -31,18 +32,40 @@ if TYPE_CHECKING:
     from armui.telemetry.listener import Listener
     from armui.telemetry.store import Telemetry
 
+CONNECTED = Notice("connected", "Device open: {device}", Level.INFO, EventKind.LINK, Asker.OPERATOR)
+CONNECT_FAILED = Notice("connect_failed", "Not connected. {reason}", Level.FAULT, EventKind.LINK)
+DISCONNECTED = Notice(
+    "disconnected", "Disconnected from {device}", Level.INFO, EventKind.LINK, Asker.OPERATOR
+)
+LINK_LOST_NOTICE = Notice(
+    "link_lost",
+    "Connection to {device} lost; the program keeps trying to reconnect. {reason}",
+    Level.FAULT,
+    EventKind.LINK,
+)
+RECONNECTED = Notice("reconnected", "Connected to {device} again", Level.DONE, EventKind.LINK)
+BUS_BLOCKED = Notice("bus_blocked", "{device} sends nothing. {reason}", Level.FAULT, EventKind.LINK)
+BUS_UNBLOCKED = Notice(
+    "bus_unblocked",
+    "{device} sends again. What had waited was dropped, but for a stop.",
+    Level.DONE,
+    EventKind.LINK,
+)
+
 
 Worker: TypeAlias = "BusWorker | LogWorker"
 """What stands between the program and its frames."""
 MakeWorker: TypeAlias = "Callable[[Device, Codec, int, Sequence[Listener]], Worker]"
 """Makes it for a device, with the codec to begin with, its number, and who is told of frames."""
 
+LINK_BREAKS: Final = frozenset({LINK_LOST_NOTICE, RECONNECTED})
+"""A device that went, and came back."""
 _CLOSE_MS: Final = 100
 """The window waits this long for a device to be closed; a busy driver is left to end by itself."""
 _IS_OPEN: Final = frozenset({BusState.OPEN, BusState.BLOCKED})
-_OPEN_CODES: Final = {
-    BusState.LOST: EventCode.RECONNECTED,
-    BusState.BLOCKED: EventCode.BUS_UNBLOCKED,
+_OPEN_NOTICES: Final = {
+    BusState.LOST: RECONNECTED,
+    BusState.BLOCKED: BUS_UNBLOCKED,
 }
 """The notice that an open bus is worth, by what it was before."""
 
@@ -62,7 +85,7 @@ class Connection(QObject):
             device is open.
 
     Signals:
-        changed: A :class:`BusReport` and the code of the notice it is worth.
+        changed: A :class:`BusReport` and the notice it is worth.
         answered: A decoded message that answers a command.
         arm_came: An arm has come online: another one, or one that was switched off and on, for all
             that is known. Nothing that was read before holds for it.
@@ -373,15 +396,15 @@ class Connection(QObject):
         before, self._bus_state = self._bus_state, report.state
         if report.state is BusState.OPEN:
             self.problem = None
-            self.changed.emit(report, _OPEN_CODES.get(before, EventCode.CONNECTED))
+            self.changed.emit(report, _OPEN_NOTICES.get(before, CONNECTED))
         elif report.state is BusState.BLOCKED:
             self.problem = report.problem
-            self.changed.emit(report, EventCode.BUS_BLOCKED)
+            self.changed.emit(report, BUS_BLOCKED)
         elif report.state is BusState.LOST:
             self.problem = report.problem
             self._start_anew(self._worker, self._clock())
             if before is not BusState.LOST:
-                self.changed.emit(report, EventCode.LINK_LOST)
+                self.changed.emit(report, LINK_LOST_NOTICE)
         elif report.state is BusState.FAILED:
             self._fail(report)
 
@@ -389,4 +412,4 @@ class Connection(QObject):
         problem, device = report.problem, report.device
         self.close()
         self.problem = problem
-        self.changed.emit(BusReport(BusState.FAILED, device, problem), EventCode.CONNECT_FAILED)
+        self.changed.emit(BusReport(BusState.FAILED, device, problem), CONNECT_FAILED)

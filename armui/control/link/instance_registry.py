@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Mapping
 from datetime import datetime
 from functools import partial
 from pathlib import Path
@@ -11,14 +10,37 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, Signal
 
-from armui.control.events import Event, EventCode
+from armui.control.events import Event, Notice
 from armui.control.operating_state import OperatingState
 from armui.system.files import error_text
 from armui.system.presence import PresenceWatch
+from armui.telemetry.events import EventKind, Level
 
 if TYPE_CHECKING:
     from armui.arm.device import Device
     from armui.control.arm_controller import ArmController
+
+SETTINGS_SHARED = Notice(
+    "settings_shared",
+    "Another armui on this computer uses the same settings file. What is changed here is "
+    "kept; changes made there appear at the next start.",
+    Level.WARNING,
+    EventKind.PROGRAM,
+)
+CHANNEL_SHARED = Notice(
+    "channel_shared",
+    "Another armui on this computer is connected to {device}, too. Both can move the arm: "
+    "close one of them.",
+    Level.WARNING,
+    EventKind.PROGRAM,
+)
+NOBODY_MET = Notice(
+    "nobody_met",
+    "armui cannot tell whether another copy runs on this computer: {path} cannot be used "
+    "({text}). Do not start the program twice for one arm.",
+    Level.WARNING,
+    EventKind.PROGRAM,
+)
 
 _IN_THIS_PROCESS: Final = frozenset({"virtual"})
 """Back-ends whose channels no other program can reach."""
@@ -50,9 +72,7 @@ class InstanceRegistry(QObject):
         self._device: Device | None = None
         self._channel: PresenceWatch | None = None
         self._counted.connect(self._on_counted)
-        self._settings = self._watch(
-            EventCode.SETTINGS_SHARED, str(settings.absolute()), str(settings)
-        )
+        self._settings = self._watch(SETTINGS_SHARED, str(settings.absolute()), str(settings))
         controller.operating_state_changed.connect(self._on_operating_state)
         self._on_operating_state(controller.operating_state)
 
@@ -74,25 +94,24 @@ class InstanceRegistry(QObject):
             self._channel = None
         if device is not None and device.interface not in _IN_THIS_PROCESS:
             key = f"{device.interface} {device.channel} {device.serial or ''}"
-            self._channel = self._watch(EventCode.CHANNEL_SHARED, key, device)
+            self._channel = self._watch(CHANNEL_SHARED, key, device)
 
-    def _watch(self, code: EventCode, key: str, what: object) -> PresenceWatch:
+    def _watch(self, notice: Notice, key: str, what: object) -> PresenceWatch:
         name = hashlib.sha256(key.encode("utf-8", "surrogatepass")).hexdigest()[:16]
-        tell = partial(self._counted.emit, code, what)
-        return PresenceWatch(self._folder / f"{code}-{name}", tell, self._look_s)
+        tell = partial(self._counted.emit, notice, what)
+        return PresenceWatch(self._folder / f"{notice}-{name}", tell, self._look_s)
 
-    def _on_counted(self, code: EventCode, what: object, count: int | OSError) -> None:
+    def _on_counted(self, notice: Notice, what: object, count: int | OSError) -> None:
         if isinstance(count, OSError):
             if not self._alone:
-                params = {"path": str(self._folder), "text": error_text(count)}
-                self._tell(EventCode.NOBODY_MET, params)
+                self._tell(NOBODY_MET, path=str(self._folder), text=error_text(count))
             self._alone = True
             return
-        late = code == EventCode.CHANNEL_SHARED and what != self._device
+        late = notice == CHANNEL_SHARED and what != self._device
         if count and not late:
-            name = "device" if code == EventCode.CHANNEL_SHARED else "path"
-            self._tell(code, {name: what, "count": count})
+            name = "device" if notice == CHANNEL_SHARED else "path"
+            self._tell(notice, count=count, **{name: what})
 
-    def _tell(self, code: EventCode, params: Mapping[str, object]) -> None:
+    def _tell(self, notice: Notice, **params: object) -> None:
         at = datetime.now().astimezone()
-        self._controller.noticed.emit(Event(at, code.level, code, params))
+        self._controller.noticed.emit(Event(at, notice, params))

@@ -5,14 +5,25 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from armui.control.context import Context, ControllerPart
-from armui.control.events import EventCode
+from armui.control.events import Notice
 from armui.control.operating_state import LinkState
 from armui.control.requests import reports
+from armui.control.requests.reports import OFFLINE_NOTICE, ONLINE
+from armui.telemetry.events import EventKind, Level
 
 if TYPE_CHECKING:
     from armui.arm.state import ArmState
     from armui.control.link.connection import Connection
     from armui.control.operations.started import Tell
+
+FRAMES_DROPPED = Notice(
+    "frames_dropped",
+    "{count} frames were lost before the program could read them ({total} since connecting): "
+    "the computer is too busy, or the adapter too slow.",
+    Level.WARNING,
+    EventKind.ODDITY,
+    streams=True,
+)
 
 _EVERY_S: Final = 10.0
 
@@ -41,7 +52,7 @@ class LinkWatch:
         if online:
             self._answers_told = False
         if link in {LinkState.ONLINE, LinkState.OFFLINE}:
-            self._tell(EventCode.ONLINE if online else EventCode.OFFLINE)
+            self._tell(ONLINE if online else OFFLINE_NOTICE)
 
     def follow_handshake(self, state: ArmState) -> None:
         """Tell what the arm has answered, once it has answered everything."""
@@ -49,8 +60,8 @@ class LinkWatch:
         if handshake is None or not handshake.done or self._answers_told:
             return
         self._answers_told = True
-        for code, figures in reports.on_handshake(state, handshake.generation):
-            self._tell(code, **figures)
+        for notice, figures in reports.on_handshake(state, handshake.generation):
+            self._tell(notice, **figures)
 
     def arm_came(self) -> None:
         """Tell its answers once more: the arm that came may be another one."""
@@ -80,7 +91,7 @@ class DroppedFrames(ControllerPart):
             return
         now_s = self._context.clock()
         if self._told_s is None or now_s - self._told_s >= _EVERY_S:
-            self._context.tell(EventCode.FRAMES_DROPPED, count=dropped - self._told, total=dropped)
+            self._context.tell(FRAMES_DROPPED, count=dropped - self._told, total=dropped)
             self._told, self._told_s = dropped, now_s
 
     def forget_arm(self) -> None:

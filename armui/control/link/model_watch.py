@@ -11,13 +11,41 @@ from typing import TYPE_CHECKING, Final
 from armui.arm.model_check import FittingArm, ModelFit, Models, fitting_arms
 from armui.arm.models import model_data
 from armui.control.context import ControllerPart
-from armui.control.events import EventCode
+from armui.control.events import Notice
+from armui.telemetry.events import EventKind, Level
 
 if TYPE_CHECKING:
     from armui.arm.device import Device
     from armui.arm.state import ArmState
     from armui.control.context import Context
     from armui.protocol.generation import PiperModel
+
+MODEL_OTHER_NOTICE = Notice(
+    "model_other",
+    "Connected as a {chosen}, but the pose it reports is that of a {fits}. Connect it as a {fits}.",
+    Level.WARNING,
+    EventKind.STATUS,
+)
+MODEL_NONE = Notice(
+    "model_none",
+    "The pose the arm reports fits its angles in no model of the family, {chosen} included.",
+    Level.WARNING,
+    EventKind.STATUS,
+)
+MODEL_RECALLED = Notice(
+    "model_recalled",
+    "Last time this arm (node {node}) was a {before}: that is used instead of {chosen}, which "
+    "was only the default.",
+    Level.INFO,
+    EventKind.STATUS,
+)
+MODEL_WAS_OTHER = Notice(
+    "model_was_other",
+    "Connected as a {chosen}, but last time this arm (node {node}) was a {before}. If it is "
+    "one, connect it as that.",
+    Level.WARNING,
+    EventKind.STATUS,
+)
 
 _EVERY_S: Final = 0.5
 _LOOKS: Final = 2
@@ -81,12 +109,12 @@ class ModelWatch(ControllerPart):
             return  # the arm itself says so
         if not (device.model_assumed and idle):
             self._before = model
-            self._context.tell(EventCode.MODEL_WAS_OTHER, **names)
+            self._context.tell(MODEL_WAS_OTHER, **names)
             self._context.refresh()
             return
         connection.model = model
         self.forget_arm()
-        self._context.tell(EventCode.MODEL_RECALLED, **names)
+        self._context.tell(MODEL_RECALLED, **names)
         self._context.refresh()
 
     def assume(self, model: PiperModel) -> None:
@@ -156,9 +184,9 @@ class ModelWatch(ControllerPart):
             self._warned = found
             chosen = model_data(fit.chosen).name
             if found:
-                self._context.tell(EventCode.MODEL_OTHER, **fit.wrong.params)
+                self._context.tell(MODEL_OTHER_NOTICE, **fit.wrong.params)
             else:
-                self._context.tell(EventCode.MODEL_NONE, chosen=chosen)
+                self._context.tell(MODEL_NONE, chosen=chosen)
 
 
 def _version(state: ArmState, device: Device | None) -> str | None:

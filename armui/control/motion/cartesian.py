@@ -15,7 +15,7 @@ from armui.arm.models import all_models
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.control.context import Context, ControllerPart
-from armui.control.events import EventCode
+from armui.control.events import Notice
 from armui.control.motion.joint_motion import why_not_move
 from armui.control.motion.motion_command import CommandKind
 from armui.control.motion.point_frames import leading_mode
@@ -27,6 +27,7 @@ from armui.kinematics.axes import AXES, LINEAR_AXES, JogFrame
 from armui.kinematics.poses import Pose, apart, flange_pose, matrix_to_pose, pose_to_matrix
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode
+from armui.telemetry.events import EventKind, Level
 
 # The kinematics and what stands on it bring numpy and scipy along. They are loaded when the first
 # pose is asked for: the window starts without them.
@@ -49,6 +50,28 @@ ARC_NOT_AT_START = Reason(
 ARC_IS_NONE = Reason(
     "arc_is_none",
     "The three poses lie on a line, or two in one place: that is no arc. Capture others.",
+)
+SENT_POSE = Notice(
+    "sent_pose",
+    "Sent MOVE P to X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°",
+    Level.INFO,
+    EventKind.COMMAND,
+)
+SENT_LINE = Notice(
+    "sent_line",
+    "Sent MOVE L to X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°",
+    Level.INFO,
+    EventKind.COMMAND,
+)
+SENT_ARC = Notice(
+    "sent_arc", "Sent MOVE C through the three captured poses", Level.INFO, EventKind.COMMAND
+)
+STEPPED_TOOL = Notice(
+    "stepped_tool",
+    "Sent a step of {step} along {axis}",
+    Level.INFO,
+    EventKind.COMMAND,
+    streams=True,
 )
 
 
@@ -175,9 +198,9 @@ class Cartesian(ControllerPart):
     @operation("tool.move", "Move the tool to a pose", why_not_move, moves=True, shown_first=True)
     def move(self, target: Sequence[float], move_mode: MoveMode) -> Refusal | None:
         """Send the tool centre point to a pose, with MOVE P or on a straight line with MOVE L."""
-        code = EventCode.SENT_LINE if move_mode is MoveMode.MOVE_L else EventCode.SENT_POSE
+        notice = SENT_LINE if move_mode is MoveMode.MOVE_L else SENT_POSE
         figures: dict[str, object] = dict(zip(map(str.lower, AXES), target, strict=True))
-        return self._move(record_start(self.move), target, move_mode, code, figures)
+        return self._move(record_start(self.move), target, move_mode, notice, figures)
 
     @operation("tool.step", "Move the tool by a step", why_not_move, moves=True)
     def step(self, axis: int, amount: float, frame: JogFrame) -> Refusal | None:
@@ -206,8 +229,8 @@ class Cartesian(ControllerPart):
             return self._context.refuse(refusal)
         unit = " mm" if axis < LINEAR_AXES else "°"
         figures: dict[str, object] = {"axis": AXES[axis], "step": f"{amount:+g}{unit}"}
-        pose, code = poses.matrix_to_pose(target), EventCode.STEPPED_TOOL
-        return self._move(record_start(self.step), pose, MoveMode.MOVE_L, code, figures)
+        pose = poses.matrix_to_pose(target)
+        return self._move(record_start(self.step), pose, MoveMode.MOVE_L, STEPPED_TOOL, figures)
 
     @operation("tool.arc", "Move the tool along an arc", why_not_move, moves=True, shown_first=True)
     def move_arc(self, *points: Sequence[float]) -> Refusal | None:
@@ -227,8 +250,11 @@ class Cartesian(ControllerPart):
         frames = leading_mode(codec, context.state(), MoveMode.MOVE_C, percent)
         frames += commands.move_arc(codec, start, middle, end, speed_percent=percent)
         way = (start, middle, end)
-        started, code = record_start(self.move_arc), EventCode.SENT_ARC
-        return self._send(frames, MoveMode.MOVE_C, points[-1], code, {}, started=started, way=way)
+        return self._send(
+            *(frames, MoveMode.MOVE_C, points[-1], SENT_ARC, {}),
+            started=record_start(self.move_arc),
+            way=way,
+        )
 
     def check_arc(self, *points: Sequence[float]) -> Refusal | None:
         """Tell whether the arm stands at the start of an arc and can follow it to its end."""
@@ -251,7 +277,7 @@ class Cartesian(ControllerPart):
         started: Started,
         target: Sequence[float],
         move_mode: MoveMode,
-        code: EventCode,
+        notice: Notice,
         figures: dict[str, object],
     ) -> Refusal | None:
         context = self._context
@@ -263,14 +289,14 @@ class Cartesian(ControllerPart):
         flange = flange_pose(target, self.tool)
         frames += commands.move_pose(codec, flange, speed_percent=percent, move_mode=move_mode)
         way = (flange,) if move_mode is MoveMode.MOVE_L else ()
-        return self._send(frames, move_mode, target, code, figures, started=started, way=way)
+        return self._send(frames, move_mode, target, notice, figures, started=started, way=way)
 
     def _send(
         self,
         frames: Sequence[Frame],
         move_mode: MoveMode,
         target: Sequence[float],
-        code: EventCode,
+        notice: Notice,
         figures: dict[str, object],
         *,
         started: Started,
@@ -289,7 +315,7 @@ class Cartesian(ControllerPart):
         )
         if isinstance(sent, Refusal):
             return context.refuse(sent)
-        context.tell(code, started, **figures)
+        context.tell(notice, started, **figures)
         return None
 
     def _leads_away(self, target: Sequence[float]) -> bool:

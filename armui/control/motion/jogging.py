@@ -19,7 +19,7 @@ from armui.arm.limits import JOINTS
 from armui.arm.models import model_data
 from armui.arm.refusal import Reason, Refusal
 from armui.control.context import Context, ControllerPart
-from armui.control.events import EventCode
+from armui.control.events import Notice
 from armui.control.motion.jog_pace import accelerations, pace
 from armui.control.motion.jog_path import JogPath, JointJog, JointJogPath, ToolJog, ToolJogPath
 from armui.control.motion.jog_stream import JogStream
@@ -33,6 +33,7 @@ from armui.control.safety.standstill import QUIET_DEG, QUIET_S, RestWatch
 from armui.kinematics.axes import AXES, JogFrame
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode
+from armui.telemetry.events import Asker, EventKind, Level
 
 STILL_MOVING = Reason(
     "still_moving", "The arm is still moving. Wait until it stands still, then press again."
@@ -47,12 +48,30 @@ JOG_NO_FEEDBACK = Reason(
 GAMEPAD_SILENT = Reason(
     "gamepad_silent", "No more data from {name}. Release all its buttons and press again."
 )
+JOGGING_JOINT = Notice(
+    "jogging_joint", "Jogging J{joint} {sign}", Level.INFO, EventKind.COMMAND, Asker.JOG
+)
+JOGGING_TOOL = Notice(
+    "jogging_tool", "Jogging {axis} {sign}", Level.INFO, EventKind.COMMAND, Asker.JOG
+)
+DEVICE_JOGS_JOINTS = Notice(
+    "device_jogs_joints", "{device} jogs {axes} (joints)", Level.INFO, EventKind.COMMAND
+)
+DEVICE_JOGS_BASE = Notice(
+    "device_jogs_base", "{device} jogs {axes} (base frame)", Level.INFO, EventKind.COMMAND
+)
+DEVICE_JOGS_TOOL = Notice(
+    "device_jogs_tool", "{device} jogs {axes} (tool frame)", Level.INFO, EventKind.COMMAND
+)
+JOG_ENDED = Notice(
+    "jog_ended", "Jogging ended. {reason}", Level.WARNING, EventKind.RESULT, Asker.JOG
+)
 
 
 _STEERED: Final = {
-    None: EventCode.DEVICE_JOGS_JOINTS,
-    JogFrame.BASE: EventCode.DEVICE_JOGS_BASE,
-    JogFrame.TOOL: EventCode.DEVICE_JOGS_TOOL,
+    None: DEVICE_JOGS_JOINTS,
+    JogFrame.BASE: DEVICE_JOGS_BASE,
+    JogFrame.TOOL: DEVICE_JOGS_TOOL,
 }
 
 Jog = JointJog | ToolJog | SteeredJog
@@ -162,9 +181,9 @@ class Jogging(ControllerPart):
     def _tell_begun(self, started: Started, jog: Jog) -> None:
         tell = self._context.tell
         if isinstance(jog, JointJog):
-            tell(EventCode.JOGGING_JOINT, started, joint=jog.joint, sign=_sign(jog.direction))
+            tell(JOGGING_JOINT, started, joint=jog.joint, sign=_sign(jog.direction))
         elif isinstance(jog, ToolJog):
-            tell(EventCode.JOGGING_TOOL, started, axis=AXES[jog.axis], sign=_sign(jog.direction))
+            tell(JOGGING_TOOL, started, axis=AXES[jog.axis], sign=_sign(jog.direction))
         else:
             tell(_STEERED[jog.frame], started, axes=axes_text(jog), device=jog.device)
 
@@ -315,7 +334,7 @@ class Jogging(ControllerPart):
         self._context.close(
             None if hold is None else hold.started,
             Ending.CUT_OFF,
-            EventCode.JOG_ENDED,
+            JOG_ENDED,
             reason=reason or JOINTS_UNKNOWN(),
         )
 

@@ -8,7 +8,7 @@ from typing import Final
 from armui.arm.limits import ANGLE_STEP_DEG, JointLimits, check_joint, check_joints
 from armui.arm.refusal import Reason, Refusal
 from armui.control.context import Context, ControllerPart
-from armui.control.events import EventCode
+from armui.control.events import Notice
 from armui.control.motion.jog_floor import JogFloor
 from armui.control.motion.jog_path import JOG_AT_LIMIT
 from armui.control.motion.motion_command import CommandKind
@@ -20,15 +20,36 @@ from armui.control.safety import interlocks
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode
+from armui.telemetry.events import EventKind, Level
 from armui.trajectory.files.errors import SPEED_OUT_OF_RANGE
 
 STEP_BEYOND_LIMIT = Reason(
     "step_beyond_limit",
     "J{joint}: this step would go beyond its limit of {limit}°. Take a smaller step.",
 )
+SENT_JOINTS = Notice(
+    "sent_joints",
+    "Sent J1 {j1}°  J2 {j2}°  J3 {j3}°  J4 {j4}°  J5 {j5}°  J6 {j6}°",
+    Level.INFO,
+    EventKind.COMMAND,
+)
+JOGGED = Notice("jogged", "Sent J{joint} {target}°", Level.INFO, EventKind.COMMAND, streams=True)
+WENT_HOME = Notice("went_home", "Home sent: all joints to 0°", Level.INFO, EventKind.COMMAND)
+SENT_SPEED = Notice(
+    "sent_speed", "Sent speed {percent} %", Level.INFO, EventKind.COMMAND, streams=True
+)
+SPEED_WAITS = Notice(
+    "speed_waits",
+    "{percent} % is kept: the arm gets it when the motion held back goes on",
+    Level.WARNING,
+    EventKind.COMMAND,
+    streams=True,
+)
 _HOME_DEG: Final = (0.0,) * 6
 _FIRST_SPEED_PERCENT: Final = 30
 _LAG_STEPS: Final = 2
+_AGAIN_S: Final = 0.1
+"""So long after it a lower percentage is told once more: a frame may be lost."""
 _SETTLE_S: Final = 0.3
 """So long after a command of ours the operator's speed is not given back yet."""
 
@@ -70,6 +91,7 @@ class Motion(ControllerPart):
         self._context = context
         self._floor = floor
         self.speed_percent = _FIRST_SPEED_PERCENT
+        self._again_s: float | None = None
 
     @property
     def setpoint_deg(self) -> tuple[float, ...] | None:
@@ -91,7 +113,9 @@ class Motion(ControllerPart):
         operating_state = context.refresh()
         if (refusal := why_no_speed(operating_state)) is not None:
             return context.refuse(refusal)
+        lower = round(percent) < self.speed_percent
         self.speed_percent = round(percent)
+        self._again_s = None
         tellable = operating_state.control_certain and not operating_state.jogging
         tellable &= (
             interlocks.why_no_command(operating_state.unreachable, operating_state.stop, None)
@@ -100,9 +124,11 @@ class Motion(ControllerPart):
         started = record_start(self.set_speed_percent)
         started.close(Ending.SENT)
         if tellable and self.tell_speed():
-            context.tell(EventCode.SENT_SPEED, started, percent=self.speed_percent)
+            context.tell(SENT_SPEED, started, percent=self.speed_percent)
+            if lower and context.authority.may_be_ours:
+                self._again_s = context.clock() + _AGAIN_S
         elif context.authority.holds:
-            context.tell(EventCode.SPEED_WAITS, started, percent=self.speed_percent)
+            context.tell(SPEED_WAITS, started, percent=self.speed_percent)
         context.refresh()
         return None
 
@@ -130,7 +156,7 @@ class Motion(ControllerPart):
         if refusal is not None:
             return context.refuse(refusal)
         figures = {"joint": joint, "target": target_deg[joint - 1]}
-        return self._move(record_start(self.jog), target_deg, EventCode.JOGGED, **figures)
+        return self._move(record_start(self.jog), target_deg, JOGGED, **figures)
 
     def jog_lagging(self, joint: int, step_deg: float) -> bool:
         """Tell whether the arm is so far behind that a held button should not step on."""
@@ -145,17 +171,15 @@ class Motion(ControllerPart):
     def send_joints(self, angles_deg: Sequence[float]) -> Refusal | None:
         """Move to six angles in degrees (MOVE J, 0x155–0x157 and 0x151)."""
         figures = reports.numbered(angles_deg)
-        return self._move(
-            record_start(self.send_joints), angles_deg, EventCode.SENT_JOINTS, **figures
-        )
+        return self._move(record_start(self.send_joints), angles_deg, SENT_JOINTS, **figures)
 
     @operation("motion.home", "Move to the factory zero angles", why_not_move, moves=True)
     def go_home(self) -> Refusal | None:
         """Move to the factory zero angles."""
-        return self._move(record_start(self.go_home), _HOME_DEG, EventCode.WENT_HOME)
+        return self._move(record_start(self.go_home), _HOME_DEG, WENT_HOME)
 
     def _move(
-        self, started: Started, angles_deg: Sequence[float], code: EventCode, **figures: object
+        self, started: Started, angles_deg: Sequence[float], notice: Notice, **figures: object
     ) -> Refusal | None:
         """Send six angles if that may be, and tell so with a notice."""
         context = self._context
@@ -175,15 +199,16 @@ class Motion(ControllerPart):
         )
         if isinstance(sent, Refusal):
             return context.refuse(sent)
-        context.tell(code, started, **figures)
+        context.tell(notice, started, **figures)
         return None
 
     def follow_arm(self) -> None:
         """A motion goes on by itself; afterwards the arm gets the operator's speed back.
 
         A lower speed that could not be told, as while the arm was not heard, does not wait for the
-        end of the motion.
+        end of the motion. One that was told in a motion is told once more.
         """
+        self._tell_lower_speed_again()
         context = self._context
         authority = context.authority
         given = authority.arm_percent
@@ -203,6 +228,18 @@ class Motion(ControllerPart):
             is None
         ):
             self.tell_speed()
+
+    def _tell_lower_speed_again(self) -> None:
+        if self._again_s is None or self._context.clock() < self._again_s:
+            return
+        self._again_s = None
+        now = self._context.operating_state()
+        if self._context.authority.may_be_ours and not (now.running or now.jogging):
+            self.tell_speed()
+
+    def forget_arm(self) -> None:
+        """Tell another arm nothing."""
+        self._again_s = None
 
     def _settled(self) -> bool:
         command = self._context.authority.command

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Reason, Refusal
-from armui.control.context import Context
-from armui.control.events import EventCode
+from armui.control.context import Context, ControllerPart
+from armui.control.events import Notice
 from armui.control.motion.motion_command import Hold
 from armui.control.operating_state import LINK_LOST
 from armui.control.operations.operation import operation, record_start
@@ -15,6 +15,7 @@ from armui.control.safety import interlocks
 from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN, SPEED_ZERO
 from armui.protocol import commands
 from armui.protocol.codes import TrajectoryCommand
+from armui.telemetry.events import EventKind, Level
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -24,8 +25,16 @@ if TYPE_CHECKING:
 
 NOT_MOVING = Reason("not_moving", "The arm is not moving: there is nothing to pause.")
 NOTHING_HELD = Reason("nothing_held", "No motion is held back.")
+PLAN_SENT = Notice(
+    "plan_sent",
+    "Sent: {plan}. The arm does not report this; watch it.",
+    Level.INFO,
+    EventKind.COMMAND,
+)
 
 
+_PAUSE_AGAIN_S: Final = 0.1
+"""So long after it a pause is told once more."""
 _ENDS: Final = frozenset(
     {TrajectoryCommand.CLEAR_CURRENT, TrajectoryCommand.CLEAR_ALL, TrajectoryCommand.ABORT}
 )
@@ -54,7 +63,44 @@ def why_not_plan(now: OperatingState, command: TrajectoryCommand) -> Refusal | N
     return now.cannot_send_motion
 
 
-class PlannedMotion:
+class PauseCommand:
+    """Has the arm hold a planned motion back where it is (0x150 byte 1 = 1).
+
+    It is sent twice: a frame may be lost, and too slow a motion is not seen to go on.
+
+    Args:
+        context: What the parts of the controller share.
+    """
+
+    def __init__(self, context: Context) -> None:
+        self._context = context
+        self._again_s: float | None = None
+
+    def send(self) -> bool:
+        """Send it, and once more after 0.1 s; returns False where there is no bus to send it on."""
+        self._context.authority.paused()
+        self._again_s = self._context.clock() + _PAUSE_AGAIN_S
+        return self._send()
+
+    def repeat(self) -> None:
+        """Send it once more when that is due and the motion is still held back."""
+        if self._again_s is None or self._context.clock() < self._again_s:
+            return
+        self._again_s = None
+        if Hold.PAUSE in self._context.authority.holds:
+            self._send()
+
+    def drop(self) -> None:
+        """Send it no more: the motion is to go on."""
+        self._again_s = None
+
+    def _send(self) -> bool:
+        connection = self._context.connection
+        pause = commands.trajectory_command(connection.codec, TrajectoryCommand.PAUSE)
+        return connection.send(pause)
+
+
+class PlannedMotion(ControllerPart):
     """Sends commands that the feedback does not confirm: 0x2A1 has no code for a paused motion.
 
     Args:
@@ -69,6 +115,7 @@ class PlannedMotion:
         self._context = context
         self._end_all = end_all
         self._tell_speed = tell_speed
+        self._pause = PauseCommand(context)
 
     @operation(
         "planned.command",
@@ -98,14 +145,14 @@ class PlannedMotion:
             return context.refuse(refusal)
         started = record_start(self.command)
         started.close(Ending.SENT)
-        context.tell(EventCode.PLAN_SENT, started, plan=int(command))
+        context.tell(PLAN_SENT, started, plan=int(command))
         return None
 
     def _send(self, command: TrajectoryCommand, frames: Sequence[Frame]) -> bool:
         authority, connection = self._context.authority, self._context.connection
         if command is TrajectoryCommand.PAUSE:
-            authority.paused()
-            return connection.send(frames)
+            return self._pause.send()
+        self._pause.drop()
         if command is not TrajectoryCommand.CONTINUE:
             return connection.send(frames)
         holds, percent = authority.holds, self._context.operating_state().speed_percent
@@ -115,3 +162,13 @@ class PlannedMotion:
             authority.holds = holds
             return False
         return Hold.PAUSE not in holds or connection.send(frames)
+
+    # The controller's tick ----------------------------------------------------------------------
+
+    def follow_arm(self) -> None:
+        """Repeat a pause that is due."""
+        self._pause.repeat()
+
+    def forget_arm(self) -> None:
+        """Send nothing to another arm."""
+        self._pause.drop()

@@ -8,7 +8,7 @@ from itertools import count
 from typing import TYPE_CHECKING, Final, Protocol
 
 from armui.arm.refusal import Reason
-from armui.control.event_log.observed import ObservedCode
+from armui.control.event_log.observed import Observed
 from armui.control.operating_state import LINK_LOST
 from armui.telemetry.events import EventOutcome, Level
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from armui.arm.refusal import Refusal
-    from armui.control.events import EventCode
+    from armui.control.events import Notice
 
 ENDED_BY_STOP = Reason(
     "ended_by_stop",
@@ -41,6 +41,7 @@ ORDER_TOO_LATE = Reason(
     "Nothing was sent: the arm was still being set or asked something a second after the "
     "press. Try again.",
 )
+ANSWERED = Observed("answered", "Answered with 0x476 (setting {index})")
 
 
 _CUT_OFF: Final = frozenset({LINK_LOST, ENDED_BY_STOP, ARM_CHANGED})
@@ -97,7 +98,7 @@ class Started:
             at_s: Monotonic time.
         """
         figures = {"index": f"0x{index:02X}"}
-        self.answer = EventOutcome(ObservedCode.ANSWERED, at_s, Level.DONE, figures)
+        self.answer = EventOutcome(ANSWERED.id, at_s, Level.DONE, figures)
 
     def report(self, result: EventOutcome) -> None:
         """Note what is known of it by now, which is not its end."""
@@ -116,16 +117,14 @@ class Started:
 
 
 class Tell(Protocol):
-    """Tells the operator an event: its code, the command that begins with it, and its figures."""
+    """Tells the operator an event: the notice, the command that begins with it, and its figures."""
 
-    def __call__(
-        self, code: EventCode, started: Started | None = None, /, **params: object
-    ) -> None:
+    def __call__(self, notice: Notice, started: Started | None = None, /, **params: object) -> None:
         """Tell it; the command is told with its beginning alone."""
 
 
 def report_and_tell(
-    tell: Tell, at_s: float, started: Started | None, code: EventCode, **params: object
+    tell: Tell, at_s: float, started: Started | None, notice: Notice, **params: object
 ) -> None:
     """Tell the operator what is known of a command that has not ended, and note it there.
 
@@ -133,12 +132,12 @@ def report_and_tell(
         tell: Takes the event.
         at_s: Monotonic time.
         started: The command; ``None``: the event is of none.
-        code: What the operator is told.
+        notice: What the operator is told.
         **params: The figures of that.
     """
     if started is not None:
-        started.report(EventOutcome(code, at_s, code.level, params))
-    tell(code, **params)
+        started.report(EventOutcome(notice.id, at_s, notice.level, params))
+    tell(notice, **params)
 
 
 def close_and_tell(
@@ -146,13 +145,13 @@ def close_and_tell(
     at_s: float,
     started: Started | None,
     ending: Ending,
-    code: EventCode,
+    notice: Notice,
     **params: object,
 ) -> None:
     """Note how a command ended, and tell the operator so; see :func:`report_and_tell`."""
     if started is not None:
-        started.close(ending, EventOutcome(code, at_s, code.level, params))
-    tell(code, **params)
+        started.close(ending, EventOutcome(notice.id, at_s, notice.level, params))
+    tell(notice, **params)
 
 
 def ending_of(refusal: Refusal) -> Ending:

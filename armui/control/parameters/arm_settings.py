@@ -14,7 +14,7 @@ from armui.arm.quirks import why_not_by_firmware
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.control.context import GENERATION_UNKNOWN, Context, ControllerPart
-from armui.control.events import EventCode
+from armui.control.events import Notice
 from armui.control.operating_state import OperatingState
 from armui.control.operations.operation import Consent, operation, record_start
 from armui.control.operations.started import Ending, Started, ending_of
@@ -33,6 +33,7 @@ from armui.control.safety.standstill import why_moving
 from armui.protocol import commands
 from armui.protocol.codes import SettingIndex
 from armui.protocol.generation import Generation
+from armui.telemetry.events import EventKind, Level
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -43,6 +44,36 @@ if TYPE_CHECKING:
 SETTING_NOT_KEPT = Reason(
     "setting_not_kept",
     "This arm's protocol (generation {generation}) has no such settings; generation 2 has.",
+)
+SETTINGS_SENT = Notice(
+    "settings_sent", "Settings sent to the arm: {count}", Level.INFO, EventKind.COMMAND
+)
+SETTINGS_SAVED = Notice(
+    "settings_saved",
+    "Settings saved and read back unchanged: {count}",
+    Level.DONE,
+    EventKind.RESULT,
+)
+SETTINGS_REFUSED = Notice(
+    "settings_refused",
+    "{count} of {total} settings did not take effect. {reason}",
+    Level.FAULT,
+    EventKind.RESULT,
+)
+SETTINGS_RESET_SENT = Notice(
+    "settings_reset_sent", "Restoring the factory values", Level.INFO, EventKind.COMMAND
+)
+SETTINGS_RESET = Notice(
+    "settings_reset",
+    "The arm has confirmed its factory values; they are read again.",
+    Level.DONE,
+    EventKind.RESULT,
+)
+SETTINGS_RESET_FAILED = Notice(
+    "settings_reset_failed",
+    "The arm has not confirmed its factory values. {reason}",
+    Level.FAULT,
+    EventKind.RESULT,
 )
 
 
@@ -188,7 +219,7 @@ class ArmSettings(QObject, ControllerPart):
             return self._context.refuse(refusal)
         values = tuple((each.name, each.joint, value) for each, value in changes.items())
         started = record_start(self.save)
-        self._context.tell(EventCode.SETTINGS_SENT, started, count=len(changes), values=values)
+        self._context.tell(SETTINGS_SENT, started, count=len(changes), values=values)
         self._saving, self._started = list(changes), started
         batches = batches_of(changes)
         self._submit(*(self._save(started, codec, batch, changes) for batch in batches))
@@ -278,7 +309,7 @@ class ArmSettings(QObject, ControllerPart):
             return codec
         for batch in batches:
             self._mark(batch.parameters(), SettingCellState(CellState.READING))
-        self._context.tell(EventCode.SETTINGS_RESET_SENT, started)
+        self._context.tell(SETTINGS_RESET_SENT, started)
         self._submit(
             Transaction(
                 command(codec),
@@ -324,12 +355,11 @@ class ArmSettings(QObject, ControllerPart):
         self, started: Started, batches: Sequence[Batch], refusal: Refusal | None
     ) -> None:
         if refusal is not None:
-            code = EventCode.SETTINGS_RESET_FAILED
-            self._context.close(started, ending_of(refusal), code, reason=refusal)
+            self._context.close(started, ending_of(refusal), SETTINGS_RESET_FAILED, reason=refusal)
             for batch in batches:
                 self._mark(batch.parameters(), SettingCellState(CellState.REFUSED, refusal))
         else:
-            self._context.close(started, Ending.ANSWERED, EventCode.SETTINGS_RESET)
+            self._context.close(started, Ending.ANSWERED, SETTINGS_RESET)
             for batch in batches:
                 self._read(batch)
         self._closed()
@@ -342,10 +372,10 @@ class ArmSettings(QObject, ControllerPart):
         self._saving = []
         started, close = self._started, self._context.close
         if not reasons:
-            close(started, Ending.DONE, EventCode.SETTINGS_SAVED, count=count)
+            close(started, Ending.DONE, SETTINGS_SAVED, count=count)
         else:
             figures = {"count": len(reasons), "total": count, "reason": reasons[0]}
-            close(started, ending_of(reasons[0]), EventCode.SETTINGS_REFUSED, **figures)
+            close(started, ending_of(reasons[0]), SETTINGS_REFUSED, **figures)
 
     def _closed(self) -> None:
         self._open -= 1

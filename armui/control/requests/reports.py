@@ -1,4 +1,4 @@
-"""The events told when a request has ended, as codes and figures: pure."""
+"""The events told when a request has ended, as notices and figures: pure."""
 
 from __future__ import annotations
 
@@ -6,13 +6,75 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from armui.arm.limits import plausible
 from armui.arm.state import ArmState
-from armui.control.events import EventCode
+from armui.control.events import Notice
 from armui.control.operating_state import Busy
 from armui.control.safety.interlocks import joint_list
 from armui.protocol.generation import Generation
+from armui.telemetry.events import EventKind, Level
 
-Report = tuple[EventCode, Mapping[str, object]]
-"""The code of a notice and its figures."""
+RESUMED = Notice(
+    "resumed",
+    "The emergency stop is over. Enable the motors to go on.",
+    Level.DONE,
+    EventKind.RESULT,
+)
+RESUME_FAILED = Notice(
+    "resume_failed",
+    "The arm stays in emergency stop. Check it, then press Resume again.",
+    Level.FAULT,
+    EventKind.RESULT,
+)
+ENABLED = Notice("enabled", "All six motors are enabled.", Level.DONE, EventKind.RESULT)
+ENABLE_FAILED = Notice(
+    "enable_failed",
+    "These joints did not enable: {joints}. Press Enable again; if that fails, check their "
+    "drivers and the arm's power.",
+    Level.FAULT,
+    EventKind.RESULT,
+)
+ENABLED_JOINT = Notice("enabled_joint", "Joint {joint} is enabled.", Level.DONE, EventKind.RESULT)
+DISABLED_JOINT = Notice(
+    "disabled_joint", "Joint {joint} is disabled.", Level.DONE, EventKind.RESULT
+)
+DISABLED = Notice("disabled", "All six motors are disabled.", Level.DONE, EventKind.RESULT)
+DISABLE_FAILED = Notice(
+    "disable_failed",
+    "These joints did not disable: {joints}. Press Disable again, or use the emergency stop.",
+    Level.FAULT,
+    EventKind.RESULT,
+)
+ONLINE = Notice("online", "The arm is online.", Level.DONE, EventKind.LINK)
+OFFLINE_NOTICE = Notice(
+    "offline",
+    "The arm is offline: nothing is heard from it. Check its power, the CAN cable and the bit "
+    "rate.",
+    Level.WARNING,
+    EventKind.LINK,
+)
+GENERATION = Notice(
+    "generation",
+    "The arm speaks protocol generation {generation}. Firmware: {firmware}",
+    Level.INFO,
+    EventKind.STATUS,
+)
+LIMITS_READ = Notice("limits_read", "Joint limits read from the arm", Level.INFO, EventKind.STATUS)
+LIMITS_MISSING = Notice(
+    "limits_missing",
+    "The arm did not tell the limits of these joints: {joints}. The factory limits hold; "
+    "connect again to ask once more.",
+    Level.WARNING,
+    EventKind.STATUS,
+)
+LIMITS_CORRUPT = Notice(
+    "limits_corrupt",
+    "Joint {joint}: the limits stored in the arm cannot be true. The factory limits hold; set "
+    "the joint's limits anew.",
+    Level.WARNING,
+    EventKind.STATUS,
+)
+
+Report = tuple[Notice, Mapping[str, object]]
+"""A notice and its figures."""
 
 
 def numbered(angles_deg: Sequence[float]) -> dict[str, float]:
@@ -23,31 +85,29 @@ def numbered(angles_deg: Sequence[float]) -> dict[str, float]:
 def on_handshake(state: ArmState, generation: Generation | None) -> Iterator[Report]:
     """Return what an arm has answered to the first questions."""
     yield (
-        EventCode.GENERATION,
+        GENERATION,
         {"generation": int(generation or 0), "firmware": state.firmware or ""},
     )
     missing = state.joints_without_limits()
     if missing:
-        yield EventCode.LIMITS_MISSING, {"joints": joint_list(missing)}
+        yield LIMITS_MISSING, {"joints": joint_list(missing)}
     else:
-        yield EventCode.LIMITS_READ, {}
+        yield LIMITS_READ, {}
     for joint, limits in enumerate(state.limits, start=1):
         if limits is not None and not plausible(limits.value):
-            yield EventCode.LIMITS_CORRUPT, {"joint": joint}
+            yield LIMITS_CORRUPT, {"joint": joint}
 
 
 def on_motors(busy: Busy, state: ArmState, joints: Sequence[int], *, done: bool) -> Report:
     """Return how switching motors, or recovering from a stop, ended."""
     if busy is Busy.RESUMING:
-        return (EventCode.RESUMED if done else EventCode.RESUME_FAILED), {}
+        return (RESUMED if done else RESUME_FAILED), {}
     wanted = busy is Busy.ENABLING
     if done and len(joints) > 1:
-        return (EventCode.ENABLED if wanted else EventCode.DISABLED), {}
+        return (ENABLED if wanted else DISABLED), {}
     if done:
-        code = EventCode.ENABLED_JOINT if wanted else EventCode.DISABLED_JOINT
-        return code, {"joint": joints[0]}
+        notice = ENABLED_JOINT if wanted else DISABLED_JOINT
+        return notice, {"joint": joints[0]}
     enabled = state.enabled()
     left = [joint for joint in joints if enabled[joint - 1] is not wanted]
-    return (EventCode.ENABLE_FAILED if wanted else EventCode.DISABLE_FAILED), {
-        "joints": joint_list(left)
-    }
+    return (ENABLE_FAILED if wanted else DISABLE_FAILED), {"joints": joint_list(left)}

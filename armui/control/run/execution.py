@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
 from armui.arm.refusal import Refusal
 from armui.control.context import Context, ControllerPart
-from armui.control.motion.motion_command import Hold
+from armui.control.events import Notice
+from armui.control.motion.planned_motion import PauseCommand
 from armui.control.motion_end import RUN_STOPPED, abort_motion, abort_motion_for
 from armui.control.operating_state import LINK_LOST
 from armui.control.operations.started import Ending
@@ -17,14 +18,15 @@ from armui.control.run.progress import OVER, Progress, RunPhase
 from armui.control.safety.standstill import RestWatch
 from armui.protocol import commands
 from armui.protocol.codes import TrajectoryCommand
+from armui.telemetry.events import Asker, EventKind, Level
 
 if TYPE_CHECKING:
     from armui.control.operations.started import Started
     from armui.protocol.codec import Codec
     from armui.protocol.frame import Frame
 
-_PAUSE_AGAIN_S: Final = 0.1
-"""So long after it a pause is told once more."""
+RUN_STARTED = Notice("run_started", "Running “{name}”", Level.INFO, EventKind.COMMAND)
+RUN_DONE = Notice("run_done", "“{name}” has finished.", Level.DONE, EventKind.RESULT, Asker.RUN)
 
 
 class Execution(QObject, ControllerPart):
@@ -52,7 +54,7 @@ class Execution(QObject, ControllerPart):
         self._override_percent = 100
         self._untold = False
         """The speed of now could not be told the arm yet."""
-        self._pause_again_s: float | None = None
+        self._hold = PauseCommand(context)
 
     @property
     def progress(self) -> Progress:
@@ -147,21 +149,6 @@ class Execution(QObject, ControllerPart):
         """How fast it goes, of its own speed."""
         return self._override_percent / 100.0
 
-    def _hold_back(self) -> None:
-        """Have the arm hold a planned motion back where it is (0x150 byte 1 = 1)."""
-        self._send(commands.trajectory_command(self._codec, TrajectoryCommand.PAUSE))
-        self._context.authority.paused()
-        self._pause_again_s = self._context.clock() + _PAUSE_AGAIN_S
-
-    def _follow_pause(self) -> None:
-        """Say it once more: a frame may be lost, and too slow a motion is not seen to go on."""
-        again_s = self._pause_again_s
-        if again_s is None or self._context.clock() < again_s:
-            return
-        self._pause_again_s = None
-        if Hold.PAUSE in self._context.authority.holds:
-            self._send(commands.trajectory_command(self._codec, TrajectoryCommand.PAUSE))
-
     def _let_go_on(self, percent: int) -> bool:
         """Have the arm go on with what it holds back (0x150 byte 1 = 2), no faster than shown.
 
@@ -172,7 +159,7 @@ class Execution(QObject, ControllerPart):
             Whether it is on the bus; else the motion stays held back.
         """
         context = self._context
-        self._pause_again_s = None
+        self._hold.drop()
         authority, holds = context.authority, context.authority.holds
         authority.went_on(context.clock())
         if authority.arm_percent != percent and not context.tell_percent(percent):

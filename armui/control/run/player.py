@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject
 
 from armui.arm.refusal import Reason, Refusal
 from armui.control.context import Context
-from armui.control.events import EventCode
+from armui.control.events import Notice
 from armui.control.motion.motion_command import CommandKind
 from armui.control.motion.point_frames import (
     action_frames,
@@ -21,7 +21,7 @@ from armui.control.operating_state import LINK_LOST, OperatingState
 from armui.control.operations.operation import Consent, operation, record_start
 from armui.control.operations.started import Ending
 from armui.control.run.arrival import Arrival, ArrivalWatch
-from armui.control.run.execution import Execution
+from armui.control.run.execution import RUN_DONE, RUN_STARTED, Execution
 from armui.control.run.progress import (
     ENDLESS,
     Progress,
@@ -33,6 +33,7 @@ from armui.control.run.progress import (
 from armui.control.run.replay import RUN_EMPTY
 from armui.control.safety.feedback_freshness import FEEDBACK_SILENT
 from armui.control.safety.interlocks import ENABLED_UNKNOWN, JOINTS_UNKNOWN
+from armui.telemetry.events import Asker, EventKind, Level
 
 OVERRIDE_ZERO = Reason(
     "override_zero", "The speed override is 0 %: raise it, then hold “Continue” for 1 s."
@@ -50,6 +51,20 @@ RUN_NOT_ENDED = Reason(
 )
 RUN_NO_SUCH_ROW = Reason(
     "run_no_such_row", "There is no row {row}: the last one is {maximum}. Choose another row."
+)
+RUN_PAUSED = Notice(
+    "run_paused", "Run paused in row {row}: the arm holds", Level.INFO, EventKind.COMMAND
+)
+RUN_CONTINUED = Notice("run_continued", "Run continues in row {row}", Level.INFO, EventKind.COMMAND)
+RUN_ENDED = Notice(
+    "run_ended",
+    "Run ended in row {row}; the arm is at rest.",
+    Level.INFO,
+    EventKind.RESULT,
+    Asker.RUN,
+)
+RUN_FAILED = Notice(
+    "run_failed", "Run ended in row {row}. {reason}", Level.FAULT, EventKind.RESULT, Asker.RUN
 )
 
 
@@ -122,7 +137,7 @@ class Player(Execution):
         self._has_lights = any(point.light for point in run.points)
         self._index, self._cycle = run.first, 1
         self._started = record_start(self.start)
-        context.tell(EventCode.RUN_STARTED, self._started, name=run.name)
+        context.tell(RUN_STARTED, self._started, name=run.name)
         self._send_point()
         return None
 
@@ -132,12 +147,12 @@ class Player(Execution):
         if self._phase not in {RunPhase.MOVING, RunPhase.DWELLING}:
             return self._context.refuse(NOT_RUNNING())
         if self._phase is RunPhase.MOVING:
-            self._hold_back()
+            self._hold.send()
         self._paused_phase, self._phase = self._phase, RunPhase.PAUSED
         self._paused_s = self._context.clock()
         started = record_start(self.pause)
         started.close(Ending.SENT)
-        self._context.tell(EventCode.RUN_PAUSED, started, row=self._index + 1)
+        self._context.tell(RUN_PAUSED, started, row=self._index + 1)
         self._publish()
         return None
 
@@ -160,7 +175,7 @@ class Player(Execution):
         self._looked_s = self._context.clock()
         started = record_start(self.go_on)
         started.close(Ending.SENT)
-        self._context.tell(EventCode.RUN_CONTINUED, started, row=self._index + 1)
+        self._context.tell(RUN_CONTINUED, started, row=self._index + 1)
         self._publish()
         return None
 
@@ -221,7 +236,7 @@ class Player(Execution):
         elif self._phase is RunPhase.STOPPING:
             self._follow_stopping()
         elif self._phase is RunPhase.PAUSED:
-            self._follow_pause()
+            self._hold.repeat()
         self._publish()
 
     def _reason(self) -> Refusal | None:
@@ -285,7 +300,7 @@ class Player(Execution):
             return
         if self._at_end(run):
             self._phase = RunPhase.DONE
-            self._context.close(self._started, Ending.DONE, EventCode.RUN_DONE, name=run.name)
+            self._context.close(self._started, Ending.DONE, RUN_DONE, name=run.name)
         else:
             self._index += 1
             if self._index == len(run.points):
@@ -327,13 +342,13 @@ class Player(Execution):
         if self._rests():
             self._phase = RunPhase.STOPPED
             row = self._index + 1
-            self._context.close(self._started, Ending.CUT_OFF, EventCode.RUN_ENDED, row=row)
+            self._context.close(self._started, Ending.CUT_OFF, RUN_ENDED, row=row)
         elif now_s - self._since_s > _REST_WITHIN_S:
             self._fail(RUN_NOT_ENDED())
 
     def _tell_failed(self, reason: Refusal, ending: Ending) -> None:
         figures = {"row": self._index + 1, "reason": reason}
-        self._context.close(self._started, ending, EventCode.RUN_FAILED, **figures)
+        self._context.close(self._started, ending, RUN_FAILED, **figures)
 
     # How far it has come ----------------------------------------------------------------------
 

@@ -8,15 +8,27 @@ from PySide6.QtCore import QObject, Signal
 
 from armui.arm.refusal import Refusal
 from armui.control.context import Context, ControllerPart
-from armui.control.events import EventCode
+from armui.control.events import Notice
 from armui.control.operating_state import BUSY, OperatingState, why_unreachable
 from armui.control.operations.operation import operation, record_start
 from armui.control.operations.started import Ending, Started
 from armui.control.run.sample_store import SampleStore
+from armui.telemetry.events import Asker, EventKind, Level
 
 if TYPE_CHECKING:
     from armui.control.run.sample_store import Recorded
     from armui.trajectory.samples.recording import Array
+
+RECORDING_STARTED = Notice(
+    "recording_started", "Recording the arm's motion", Level.INFO, EventKind.COMMAND
+)
+RECORDING_ENDED = Notice(
+    "recording_ended",
+    "Recorded: {count} samples over {seconds} s",
+    Level.DONE,
+    EventKind.RESULT,
+    Asker.PROGRAM,
+)
 
 
 def why_not_record(now: OperatingState) -> Refusal | None:
@@ -77,7 +89,7 @@ class Recorder(QObject, ControllerPart):
         ring.dropped = 0
         ring.wanted = self._recording = True
         self._started = record_start(self.start)
-        self._context.tell(EventCode.RECORDING_STARTED, self._started)
+        self._context.tell(RECORDING_STARTED, self._started)
         self.changed.emit()
         return None
 
@@ -119,5 +131,5 @@ class Recorder(QObject, ControllerPart):
         self._recording = False
         self._context.connection.samples.wanted = False
         figures = {"count": self.count, "seconds": round(self.duration_s, 1)}
-        self._context.close(self._started, Ending.DONE, EventCode.RECORDING_ENDED, **figures)
+        self._context.close(self._started, Ending.DONE, RECORDING_ENDED, **figures)
         self.changed.emit()

@@ -8,13 +8,13 @@ from PySide6.QtCore import QObject, Qt, QTimer
 
 from armui.arm.refusal import Reason, Refusal
 from armui.control.context import Context
-from armui.control.events import EventCode
+from armui.control.events import Notice
 from armui.control.motion.motion_command import CommandKind, MotionCommand
 from armui.control.operating_state import LINK_LOST
 from armui.control.operations.operation import Consent, operation, record_start
 from armui.control.operations.started import Ending
 from armui.control.run.arrival import Arrival, ArrivalWatch
-from armui.control.run.execution import Execution
+from armui.control.run.execution import RUN_DONE, RUN_STARTED, Execution
 from armui.control.run.player import (
     NOT_PAUSED,
     NOT_RUNNING,
@@ -28,6 +28,7 @@ from armui.control.run.progress import ENDLESS, Progress, RunPhase, sent_percent
 from armui.control.run.replay import why_behind, why_not
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode
+from armui.telemetry.events import Asker, EventKind, Level
 from armui.trajectory.points.program import Waypoint
 
 if TYPE_CHECKING:
@@ -35,8 +36,22 @@ if TYPE_CHECKING:
 
 REPLAY_GAP = Reason(
     "replay_gap",
-    "The program or the computer stood still for {seconds} s, so the replay was ended. Let the "
-    "computer do less beside it, keep it from sleeping, and start the replay anew.",
+    "The program, the computer or the adapter stood still for {seconds} s, so the replay was "
+    "ended. Let the computer do less beside it, keep it from sleeping, and start the replay anew.",
+)
+REPLAY_PAUSED = Notice(
+    "replay_paused", "Replay paused: the arm holds", Level.INFO, EventKind.COMMAND
+)
+REPLAY_CONTINUED = Notice("replay_continued", "Replay continues", Level.INFO, EventKind.COMMAND)
+REPLAY_ENDED = Notice(
+    "replay_ended",
+    "Replay of “{name}” ended; the arm is at rest.",
+    Level.INFO,
+    EventKind.RESULT,
+    Asker.RUN,
+)
+REPLAY_FAILED_NOTICE = Notice(
+    "replay_failed", "Replay ended. {reason}", Level.FAULT, EventKind.RESULT, Asker.RUN
 )
 
 
@@ -98,7 +113,7 @@ class Replayer(Execution):
         self._replay, self._cycle, self._at_s = replay, 1, 0.0
         self._gripper_mm = None
         self._started = record_start(self.start)
-        context.tell(EventCode.RUN_STARTED, self._started, name=replay.recording.name)
+        context.tell(RUN_STARTED, self._started, name=replay.recording.name)
         self._timer.start()
         self._approach(replay)
         return None
@@ -114,11 +129,11 @@ class Replayer(Execution):
 
     def _pause(self) -> None:
         if self._watch is not None:
-            self._hold_back()
+            self._hold.send()
         self._phase = RunPhase.PAUSED
         started = record_start(self.pause)
         started.close(Ending.SENT)
-        self._context.tell(EventCode.REPLAY_PAUSED, started)
+        self._context.tell(REPLAY_PAUSED, started)
         self._publish()
 
     @operation(
@@ -137,7 +152,7 @@ class Replayer(Execution):
         self._since_s = self._looked_s = self._context.clock()
         started = record_start(self.go_on)
         started.close(Ending.SENT)
-        self._context.tell(EventCode.REPLAY_CONTINUED, started)
+        self._context.tell(REPLAY_CONTINUED, started)
         self._publish()
         return None
 
@@ -185,7 +200,7 @@ class Replayer(Execution):
         elif self._phase is RunPhase.MOVING or self._comes_to_a_stand(replay):
             self._stream(replay)
         elif self._phase is RunPhase.PAUSED and self._watch is not None:
-            self._follow_pause()
+            self._hold.repeat()
         self._publish()
 
     def _comes_to_a_stand(self, replay: Replay) -> bool:
@@ -261,7 +276,9 @@ class Replayer(Execution):
 
     def _stream(self, replay: Replay) -> None:
         now_s = self._context.clock()
-        if now_s <= self._since_s:
+        # a target that still waits for the driver is no place to add another to: both would go
+        # out at once
+        if now_s <= self._since_s or not self._context.connection.idle:
             return
         gap_s, self._since_s = now_s - self._since_s, now_s
         gone_s = gap_s if gap_s <= _GAP_S else PERIOD_MS / 1e3
@@ -331,16 +348,15 @@ class Replayer(Execution):
         if self._rests():
             self._end(self._ending)
             if self._ending is RunPhase.DONE:
-                ending, code = Ending.DONE, EventCode.RUN_DONE
+                ending, notice = Ending.DONE, RUN_DONE
             else:
-                ending, code = Ending.CUT_OFF, EventCode.REPLAY_ENDED
-            self._context.close(self._started, ending, code, name=replay.recording.name)
+                ending, notice = Ending.CUT_OFF, REPLAY_ENDED
+            self._context.close(self._started, ending, notice, name=replay.recording.name)
         elif now_s - self._since_s > _REST_WITHIN_S:
             self._fail(RUN_NOT_ENDED())
 
     def _tell_failed(self, reason: Refusal, ending: Ending) -> None:
-        code = EventCode.REPLAY_FAILED
-        self._context.close(self._started, ending, code, reason=reason)
+        self._context.close(self._started, ending, REPLAY_FAILED_NOTICE, reason=reason)
 
     def _end(self, phase: RunPhase) -> None:
         super()._end(phase)

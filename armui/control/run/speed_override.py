@@ -6,10 +6,11 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
 from armui.control.context import Context, ControllerPart
-from armui.control.events import EventCode
+from armui.control.events import Notice
 from armui.control.operations.operation import operation, record_start
 from armui.control.operations.started import Ending
 from armui.control.run.player import NOT_RUNNING
+from armui.telemetry.events import EventKind, Level
 from armui.trajectory.files.errors import SPEED_OUT_OF_RANGE
 
 if TYPE_CHECKING:
@@ -18,6 +19,10 @@ if TYPE_CHECKING:
     from armui.control.motion.joint_motion import Motion
     from armui.control.operating_state import OperatingState
     from armui.control.run.execution import Execution
+
+OVERRIDE_SET = Notice(
+    "override_set", "Speed override {percent} %", Level.INFO, EventKind.COMMAND, streams=True
+)
 
 _AGAIN_S: Final = 0.1
 """So long after it a lower percentage is told once more: a frame may be lost."""
@@ -81,7 +86,7 @@ class SpeedOverride(ControllerPart):
         self._again_s = context.clock() + _AGAIN_S if 0 < wanted < before else None
         started = record_start(self.set_percent)
         started.close(Ending.SENT)
-        context.tell(EventCode.OVERRIDE_SET, started, percent=wanted)
+        context.tell(OVERRIDE_SET, started, percent=wanted)
         for run in self._runs:
             run.set_override(wanted)
         context.refresh()

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 from armui.arm.quirks import exits_by_mode_word, leaves_by_mode_word
 from armui.arm.refusal import Reason, Refusal
 from armui.control.context import ControllerPart
-from armui.control.events import EventCode
+from armui.control.events import Notice
 from armui.control.motion.motion_command import CommandKind
 from armui.control.operating_state import LINK_LOST
 from armui.control.operations.started import ARM_CHANGED, Started
@@ -16,6 +16,7 @@ from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN, JOINTS_UNKNO
 from armui.control.safety.other_command import OTHER_HOST_STREAMS
 from armui.protocol import commands
 from armui.protocol.codes import ControlMode, MoveMode
+from armui.telemetry.events import EventKind, Level
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -33,6 +34,12 @@ VERSION_NOT_FIT = Reason(
     "version_not_fit",
     "Nothing was sent: asked for its firmware version, the arm named {versions}. With it, or "
     "with two arms on the bus, an arm would fall. Hold the arm and use the emergency stop.",
+)
+MODE_LEFT = Notice(
+    "mode_left",
+    "Told the arm to leave the other program's mode and to hold where it stands.",
+    Level.DONE,
+    EventKind.COMMAND,
 )
 
 
@@ -174,7 +181,7 @@ class ModeExitCommand(ControllerPart):
         )
         if isinstance(sent, Refusal):
             return sent
-        context.tell(EventCode.MODE_LEFT)
+        context.tell(MODE_LEFT)
         return None
 
     def why_not(self) -> Refusal | None:

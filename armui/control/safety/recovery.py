@@ -12,11 +12,12 @@ from armui.control.context import Context, ControllerPart
 from armui.control.devices.joint_errors import JointErrors
 from armui.control.devices.motors import Motors
 from armui.control.devices.teaching import TeachingControl
-from armui.control.events import EventCode
+from armui.control.events import Notice
 from armui.control.motion.planned_motion import PlannedMotion
 from armui.control.operating_state import BUSY
 from armui.control.operations.operation import Operation, operation_of
 from armui.control.operations.started import ARM_CHANGED, Ending, Started
+from armui.control.requests.reports import ONLINE
 from armui.control.requests.request import Request, RequestOutcome
 from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN
 from armui.control.safety.other_command import OTHER_HOST_STREAMS
@@ -34,7 +35,7 @@ from armui.protocol.codes import (
     TrajectoryCommand,
 )
 from armui.protocol.frame import Frame
-from armui.telemetry.events import EventOutcome
+from armui.telemetry.events import EventKind, EventOutcome, Level
 
 if TYPE_CHECKING:
     from armui.control.link.arm_mark import ArmMark
@@ -44,6 +45,16 @@ if TYPE_CHECKING:
 STEP_GONE = Reason(
     "step_gone",
     "The arm's state has changed: nothing was sent. Look at the step that is shown now.",
+)
+STANDBY_SENT = Notice("standby_sent", "Standby sent", Level.INFO, EventKind.COMMAND)
+MOTION_OUTPUT_SENT = Notice(
+    "motion_output_sent", "Sent: motion output (0xFC)", Level.INFO, EventKind.COMMAND
+)
+STEP_IN_VAIN_NOTICE = Notice(
+    "step_in_vain",
+    "The arm did not react. Look at the step above the panel.",
+    Level.FAULT,
+    EventKind.RESULT,
 )
 
 
@@ -146,7 +157,7 @@ class Recovery(ControllerPart):
         self._to_clear: list[int] = []
         self._request: Request | None = None
         self._started: Started | None = None
-        self._shown: EventCode | None = None
+        self._shown: Notice | None = None
         context.connection.answered.connect(self._on_answer)
         self._brief_since_s: float | None = None
         self.acts = False
@@ -290,7 +301,7 @@ class Recovery(ControllerPart):
             started, self._started = self._started, None
             self._give_up()
             self._in_vain[step.kind] = self._in_vain.get(step.kind, 0) + 1
-            self._context.close(started, Ending.FAILED, EventCode.STEP_IN_VAIN)
+            self._context.close(started, Ending.FAILED, STEP_IN_VAIN_NOTICE)
             return self._look()
         return replace(step, waiting=True)
 
@@ -351,7 +362,7 @@ class Recovery(ControllerPart):
             move_mode=MoveMode.MOVE_J,
             speed_percent=0,
         )
-        return self._send(Started("recovery.standby"), EventCode.STANDBY_SENT, frames)
+        return self._send(Started("recovery.standby"), STANDBY_SENT, frames)
 
     def _leave_teaching_input(self, _step: Step) -> Refusal | None:
         frames = commands.set_linkage(self._context.connection.codec, LinkageRole.MOTION_OUTPUT)
@@ -359,31 +370,33 @@ class Recovery(ControllerPart):
             Addressing(), self._context.clock(), ends_input=True
         )
         started = Started("recovery.leave_teaching_input")
-        return self._send(started, EventCode.MOTION_OUTPUT_SENT, frames, EventCode.ONLINE)
+        return self._send(started, MOTION_OUTPUT_SENT, frames, ONLINE)
 
     def _send(
         self,
         started: Started,
-        code: EventCode,
+        notice: Notice,
         frames: Sequence[Frame],
-        shown: EventCode | None = None,
+        shown: Notice | None = None,
     ) -> Refusal | None:
         """Send until the arm is in another state, or time is up; ``shown`` tells of that state."""
         context = self._context
         kind = self._look().kind
         self._request = Request(context, frames, lambda _state: self._look().kind is not kind)
         self._started, self._shown = started, shown
-        context.tell(code, started)
+        context.tell(notice, started)
         self._request.advance()
         return None
 
-    def _outcome(self, code: EventCode | None) -> EventOutcome | None:
-        return None if code is None else EventOutcome(code, self._context.clock(), code.level)
+    def _outcome(self, notice: Notice | None) -> EventOutcome | None:
+        if notice is None:
+            return None
+        return EventOutcome(notice.id, self._context.clock(), notice.level)
 
     def _on_answer(self, answer: Message) -> None:
         """Note that the arm has taken its role."""
         index, started = SettingIndex.LINKAGE_SETTING, self._started
         if answer.name != "SettingResponse" or answer.signals["Index"] != index:
             return
-        if started is not None and self._shown is EventCode.ONLINE and started.answer is None:
+        if started is not None and self._shown is ONLINE and started.answer is None:
             started.answered(index, self._context.clock())

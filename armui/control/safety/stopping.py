@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState, is_fresh
+from armui.control.context import REFUSED
 from armui.control.devices.teaching_phase import TeachingPhase, phase_of
-from armui.control.events import EventCode
+from armui.control.events import Notice
 from armui.control.operating_state import (
     LinkState,
     StopState,
@@ -27,6 +28,7 @@ from armui.protocol import commands
 from armui.protocol.addressing import OFFSETS
 from armui.protocol.codes import TeachingState, TrajectoryCommand
 from armui.protocol.frame import Frame
+from armui.telemetry.events import Asker, EventKind, Level
 
 if TYPE_CHECKING:
     from armui.arm.device import Device
@@ -35,6 +37,80 @@ if TYPE_CHECKING:
 HALT_LISTEN_ONLY = Reason(
     "halt_listen_only",
     "This connection only listens: nothing is sent on it but the emergency stop.",
+)
+STOP_SENT = Notice(
+    "stop_sent",
+    "Emergency stop sent. The motors go limp and the arm sinks: hold the arm.",
+    Level.WARNING,
+    EventKind.COMMAND,
+)
+STOP_NOT_SENT = Notice(
+    "stop_not_sent",
+    "The emergency stop is NOT on the bus: no CAN device is open, or it does not take the "
+    "frame. Cut the arm's power if it moves.",
+    Level.FAULT,
+    EventKind.COMMAND,
+)
+STOP_REACHES_OTHER = Notice(
+    "stop_reaches_other",
+    "A second arm is heard on this bus (feedback at {feedback}): the stop reaches it, too.",
+    Level.WARNING,
+    EventKind.RESULT,
+    Asker.PROGRAM,
+)
+STOP_LAPSED = Notice(
+    "stop_lapsed",
+    "A stop is outstanding: the arm was away for more than 10 seconds and has not confirmed "
+    "it. It is not sent by itself any more. Press the emergency stop if the arm must stop.",
+    Level.FAULT,
+    EventKind.RESULT,
+)
+STOP_WITHDRAWN = Notice(
+    "stop_withdrawn",
+    "The outstanding emergency stop was withdrawn; the arm has not stopped.",
+    Level.WARNING,
+    EventKind.RESULT,
+    Asker.OPERATOR,
+)
+STOP_ABANDONED = Notice(
+    "stop_abandoned",
+    "The arm on {device} has never confirmed its emergency stop, and another device is "
+    "connected now. Cut that arm's power if it moves.",
+    Level.FAULT,
+    EventKind.RESULT,
+)
+STOP_UNDONE = Notice(
+    "stop_undone",
+    "The emergency stop was undone, and not by this program: another host has resumed the "
+    "arm, or it was switched off and on. Press the emergency stop again if it must stay.",
+    Level.FAULT,
+    EventKind.RESULT,
+)
+HALT_SENT = Notice(
+    "halt_sent",
+    "Halt sent: the motion ends, the motors keep their power.",
+    Level.INFO,
+    EventKind.COMMAND,
+)
+HALT_NOT_OUT = Notice(
+    "halt_not_out",
+    "The halt is NOT on the bus yet: the adapter does not take it. It goes out as soon as "
+    "that is possible. Press the emergency stop if the arm moves.",
+    Level.FAULT,
+    EventKind.COMMAND,
+)
+HALT_AT_REST = Notice(
+    "halt_at_rest", "The arm stands still and holds.", Level.DONE, EventKind.RESULT
+)
+STOP_CONFIRMED = Notice(
+    "stop_confirmed", "The arm has confirmed the emergency stop.", Level.WARNING, EventKind.RESULT
+)
+STOP_UNCONFIRMED = Notice(
+    "stop_unconfirmed",
+    "The arm has NOT confirmed the emergency stop; it is sent again and again. Cut the arm's "
+    "power if it moves.",
+    Level.FAULT,
+    EventKind.RESULT,
 )
 
 
@@ -87,22 +163,22 @@ class Stopping:
         if connection.device is None:
             started = self._begin_stop()
             started.close(Ending.FAILED)
-            self._tell(EventCode.STOP_NOT_SENT, started)
+            self._tell(STOP_NOT_SENT, started)
             return
         self._asked_of = connection.device
         self._halted_s = None
         frames = self._on_every_offset(commands.emergency_stop(connection.codec))
         on_the_bus = self.emergency_stop.request(frames, self._clock())
         self._end_all()
-        code = EventCode.STOP_SENT if on_the_bus else EventCode.STOP_NOT_SENT
-        self._tell(code, self._begin_stop())
+        notice = STOP_SENT if on_the_bus else STOP_NOT_SENT
+        self._tell(notice, self._begin_stop())
         self._name_others()
 
     def withdraw(self) -> None:
         """Withdraw a stop that the arm has not confirmed."""
         if self.emergency_stop.requested:
             self.emergency_stop.reset()
-            self._close(self._stop_started, Ending.CUT_OFF, EventCode.STOP_WITHDRAWN)
+            self._close(self._stop_started, Ending.CUT_OFF, STOP_WITHDRAWN)
 
     def on_connecting(self, device: Device) -> None:
         """Drop a stop that is outstanding, unless it was asked of this very device."""
@@ -114,8 +190,7 @@ class Stopping:
             and not device.same(self._asked_of)
         ):
             self.emergency_stop.reset()
-            abandoned = EventCode.STOP_ABANDONED
-            self._close(self._stop_started, Ending.CUT_OFF, abandoned, device=self._asked_of)
+            self._close(self._stop_started, Ending.CUT_OFF, STOP_ABANDONED, device=self._asked_of)
 
     def follow_arm(self, state: ArmState, now_s: float, *, resuming: bool, still: bool) -> None:
         """Take in what was heard; called at each tick, whatever else fails."""
@@ -123,15 +198,15 @@ class Stopping:
         online = self._connection.link is LinkState.ONLINE
         if emergency_stop.follow_arm(state, now_s, online=online):
             self._watch.confirmed()
-            self._close(self._stop_started, Ending.DONE, EventCode.STOP_CONFIRMED)
+            self._close(self._stop_started, Ending.DONE, STOP_CONFIRMED)
         unconfirmed = emergency_stop.unconfirmed(now_s)
         if unconfirmed and not self._was_unconfirmed:
-            self._report_stop(EventCode.STOP_UNCONFIRMED)
+            self._report_stop(STOP_UNCONFIRMED)
         if emergency_stop.lapsed and not self._was_lapsed:
-            self._report_stop(EventCode.STOP_LAPSED)
+            self._report_stop(STOP_LAPSED)
         self._was_unconfirmed, self._was_lapsed = unconfirmed, emergency_stop.lapsed
         if self._watch.undone(state, now_s, resuming=resuming):
-            self._tell(EventCode.STOP_UNDONE)
+            self._tell(STOP_UNDONE)
             if self.stop_again:
                 self.stop()
         self._follow_halt(now_s, still=still)
@@ -147,7 +222,7 @@ class Stopping:
         heard_s = self._connection.newest.status_heard_s
         for offset, at_s in zip(OFFSETS, heard_s, strict=True):
             if offset != own and is_fresh(at_s, self._clock()):
-                self._tell(EventCode.STOP_REACHES_OTHER, feedback=f"0x{0x2A1 + offset:03X}")
+                self._tell(STOP_REACHES_OTHER, feedback=f"0x{0x2A1 + offset:03X}")
 
     def _on_every_offset(self, frames: Sequence[Frame]) -> list[Frame]:
         """Return the frames on this arm's own identifier first, the two others directly behind."""
@@ -180,7 +255,7 @@ class Stopping:
         """
         refusal = self.why_no_halt()
         if refusal is not None:
-            self._tell(EventCode.REFUSED, reason=refusal)
+            self._tell(REFUSED, reason=refusal)
             return refusal
         codec = self._connection.codec
         frames = commands.trajectory_command(codec, TrajectoryCommand.ABORT)
@@ -192,7 +267,7 @@ class Stopping:
         if self._halt_started is not None:
             self._halt_started.close(Ending.CUT_OFF)
         self._halt_started = Started("halt")
-        self._tell(EventCode.HALT_SENT if out else EventCode.HALT_NOT_OUT, self._halt_started)
+        self._tell(HALT_SENT if out else HALT_NOT_OUT, self._halt_started)
         return None
 
     def _replays_teaching(self) -> bool:
@@ -208,7 +283,7 @@ class Stopping:
             return
         if still:
             self._halted_s = None
-            self._close(self._halt_started, Ending.DONE, EventCode.HALT_AT_REST)
+            self._close(self._halt_started, Ending.DONE, HALT_AT_REST)
         elif now_s - self._halted_s > _AT_REST_S:
             self._halted_s = None  # the authority reports a cancel without effect
             if self._halt_started is not None:
@@ -222,10 +297,10 @@ class Stopping:
         self._stop_started = Started("stop")
         return self._stop_started
 
-    def _report_stop(self, code: EventCode) -> None:
-        report_and_tell(self._tell, self._clock(), self._stop_started, code)
+    def _report_stop(self, notice: Notice) -> None:
+        report_and_tell(self._tell, self._clock(), self._stop_started, notice)
 
     def _close(
-        self, started: Started | None, ending: Ending, code: EventCode, **params: object
+        self, started: Started | None, ending: Ending, notice: Notice, **params: object
     ) -> None:
-        close_and_tell(self._tell, self._clock(), started, ending, code, **params)
+        close_and_tell(self._tell, self._clock(), started, ending, notice, **params)

@@ -5,6 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
+from armui.control.events import Notice
+from armui.telemetry.events import EventKind, Level
+
+SESSION_FRAMES_LOST = Notice(
+    "session_frames_lost",
+    "{count} frames are missing in the recording: the disk is too slow",
+    Level.WARNING,
+    EventKind.PROGRAM,
+)
+
 
 @dataclass(frozen=True, slots=True)
 class RecordingProgress:

@@ -7,17 +7,19 @@ from collections import deque
 from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor, wait
 from datetime import datetime
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from armui.arm.refusal import Reason, Refusal
-from armui.control.events import EventCode
+from armui.control.events import Notice
+from armui.control.link.connection import CONNECTED, RECONNECTED
 from armui.control.operations.started import Ending, Started
 from armui.control.sessions.choices import SessionChoices
 from armui.control.sessions.mf4_converter import Mf4Converter
-from armui.control.sessions.progress import RecordingProgress, RingContent
+from armui.control.sessions.progress import SESSION_FRAMES_LOST, RecordingProgress, RingContent
 from armui.control.sessions.ring_saving import SaveAtFaults
 from armui.control.sessions.sidecar_lines import EventFeed, SidecarLines
 from armui.session.recording.collector import Collector, FrameRing
@@ -26,6 +28,7 @@ from armui.session.recording.lane import FrameLane
 from armui.session.recording.sidecar import event_line
 from armui.session.session import MarkKind
 from armui.system import paths
+from armui.telemetry.events import Asker, EventKind, Level
 
 if TYPE_CHECKING:
     from armui.bus.link import BusReport
@@ -53,6 +56,39 @@ SESSION_SAVING = Reason(
 SESSION_RING_EMPTY = Reason(
     "session_ring_empty", "Nothing has been heard on the bus yet: there is nothing to save."
 )
+SESSION_STARTED = Notice(
+    "session_started", "Recording the session: {name}", Level.INFO, EventKind.COMMAND
+)
+SESSION_ENDED = Notice(
+    "session_ended",
+    "Session recorded: {name}, {frames} frames, {size} MB",
+    Level.DONE,
+    EventKind.RESULT,
+    Asker.PROGRAM,
+)
+SESSION_FAILED_NOTICE = Notice(
+    "session_failed",
+    "Recording the session has ended: {reason}",
+    Level.WARNING,
+    EventKind.RESULT,
+    Asker.PROGRAM,
+)
+MF4_SAVED = Notice("mf4_saved", "Also saved as MF4: {name}.mf4", Level.DONE, EventKind.PROGRAM)
+MF4_NOT_SAVED = Notice(
+    "mf4_not_saved",
+    "No .mf4 file of {name}: {reason} The recording is whole as .blf.",
+    Level.WARNING,
+    EventKind.PROGRAM,
+)
+RING_SAVED = Notice(
+    "ring_saved", "What just happened is saved: {name}", Level.DONE, EventKind.PROGRAM
+)
+RING_NOT_SAVED = Notice(
+    "ring_not_saved",
+    "What just happened could not be saved: {reason}",
+    Level.WARNING,
+    EventKind.PROGRAM,
+)
 
 
 _LOOK_MS: Final = 250
@@ -60,7 +96,7 @@ KEPT_S: Final = 300.0
 """So far back the ring reaches."""
 _MOST_RECENT: Final = 10_000
 _END_S: Final = 1.0
-_OPENED: Final = frozenset({EventCode.CONNECTED, EventCode.RECONNECTED})
+_OPENED: Final = frozenset({CONNECTED, RECONNECTED})
 
 
 class SessionRecorder(QObject):
@@ -149,6 +185,16 @@ class SessionRecorder(QObject):
         frames, span_s = self._ring.span()
         return RingContent(frames, span_s, self._ring.bytes_kept, self._ring.most_bytes)
 
+    def ring_as_text(self) -> Callable[[], bytes] | None:
+        """Return what writes the ring down as a candump log; ``None``: nothing was heard.
+
+        It takes seconds: for another thread.
+        """
+        if self._ring is None or self._collector is None or not self._ring.span()[0]:
+            return None
+        plan = self._plan("report", "report")
+        return partial(_text_of, self._ring, self._collector, plan)
+
     def _lost(self, recording: SessionRecording) -> int:
         return recording.lost + self._lane.dropped - self._dropped_before
 
@@ -184,7 +230,7 @@ class SessionRecorder(QObject):
         self._note_facts()
         self._timer.start()
         started = self._started[self._recording] = Started("session.record")
-        self._context.tell(EventCode.SESSION_STARTED, started, name=plan.name)
+        self._context.tell(SESSION_STARTED, started, name=plan.name)
         self.changed.emit()
         return None
 
@@ -270,8 +316,8 @@ class SessionRecorder(QObject):
         if wanted is not None and self._saving is None:
             self.save_ring("stop" if wanted is MarkKind.STOP else "fault")
 
-    def _on_connection(self, report: BusReport, code: EventCode) -> None:
-        if code not in _OPENED:
+    def _on_connection(self, report: BusReport, notice: Notice) -> None:
+        if notice not in _OPENED:
             return
         self._begin_collecting()
         if self._device is not None and self._device != report.device and self._ring is not None:
@@ -300,28 +346,28 @@ class SessionRecorder(QObject):
             error = recording.failure
             reason = why_not_written(error or OSError("unknown"), recording.plan.folder)
             self._end(recording, "failure")
-            self._close(recording, Ending.FAILED, EventCode.SESSION_FAILED, reason=reason)
+            self._close(recording, Ending.FAILED, SESSION_FAILED_NOTICE, reason=reason)
             self.changed.emit()
         elif recording is not None and (lost := self._lost(recording)) > self._lost_told:
             count, self._lost_told = lost - self._lost_told, lost
-            self._context.tell(EventCode.SESSION_FRAMES_LOST, count=count)
+            self._context.tell(SESSION_FRAMES_LOST, count=count)
         for each in [one for one in self._ending if not one.running]:
             self._ending.remove(each)
             if each.failure is None:
                 size = f"{each.total_bytes / 1e6:.1f}"
                 figures = {"name": each.name or "", "frames": each.frames, "size": size}
-                self._close(each, Ending.DONE, EventCode.SESSION_ENDED, **figures)
+                self._close(each, Ending.DONE, SESSION_ENDED, **figures)
                 if each.frames:
                     self._begin_mf4(each.plan, each.name or "")
             else:
                 reason = why_not_written(each.failure, each.plan.folder)
-                self._close(each, Ending.FAILED, EventCode.SESSION_FAILED, reason=reason)
+                self._close(each, Ending.FAILED, SESSION_FAILED_NOTICE, reason=reason)
             self.changed.emit()
 
     def _close(
-        self, recording: SessionRecording, ending: Ending, code: EventCode, **params: object
+        self, recording: SessionRecording, ending: Ending, notice: Notice, **params: object
     ) -> None:
-        self._context.close(self._started.pop(recording, None), ending, code, **params)
+        self._context.close(self._started.pop(recording, None), ending, notice, **params)
 
     def _follow_saving(self) -> None:
         saving = self._saving
@@ -331,11 +377,11 @@ class SessionRecorder(QObject):
         error = saving.exception()
         if error is None:
             name = saving.result().stem
-            self._context.tell(EventCode.RING_SAVED, name=name)
+            self._context.tell(RING_SAVED, name=name)
             self._begin_mf4(plan, name)
         else:
             reason = why_not_written(error, self.choices.folder)
-            self._context.tell(EventCode.RING_NOT_SAVED, reason=reason)
+            self._context.tell(RING_NOT_SAVED, reason=reason)
         self.changed.emit()
 
     def _begin_mf4(self, plan: RecordingPlan | None, name: str) -> None:
@@ -345,9 +391,9 @@ class SessionRecorder(QObject):
     def _follow_mf4(self) -> None:
         for made in self.mf4.take_done():
             if made.refusal is None:
-                self._context.tell(EventCode.MF4_SAVED, name=made.name)
+                self._context.tell(MF4_SAVED, name=made.name)
             else:
-                self._context.tell(EventCode.MF4_NOT_SAVED, name=made.name, reason=made.refusal)
+                self._context.tell(MF4_NOT_SAVED, name=made.name, reason=made.refusal)
             self.changed.emit()
 
     def _end(self, recording: SessionRecording, reason: str) -> None:
@@ -404,6 +450,13 @@ def _save(
 
     collector.collect(everything=True)
     return write_at_once(plan, ring.snapshot(), lines, {"reason": plan.name}, clock)
+
+
+def _text_of(ring: FrameRing, collector: Collector, plan: RecordingPlan) -> bytes:
+    from armui.session.recording.candump_text import candump_text  # noqa: PLC0415 - as above
+
+    collector.collect(everything=True)
+    return candump_text(ring.snapshot(), plan.base, plan.channel)
 
 
 def _is_done(future: Future[Path], within_s: float) -> bool:

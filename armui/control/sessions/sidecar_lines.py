@@ -9,7 +9,14 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.backup import parameter_row
 from armui.arm.parameters import all_batches, heard
-from armui.control.events import EventCode, Level
+from armui.control.events import Level
+from armui.control.safety.stopping import (
+    HALT_SENT,
+    STOP_CONFIRMED,
+    STOP_SENT,
+    STOP_UNCONFIRMED,
+    STOP_UNDONE,
+)
 from armui.session.session import MarkKind
 from armui.telemetry.event_json import to_json
 from armui.telemetry.events import EventKind
@@ -22,11 +29,11 @@ if TYPE_CHECKING:
 
 _STOPS: Final = frozenset(
     {
-        EventCode.STOP_SENT.value,
-        EventCode.STOP_CONFIRMED.value,
-        EventCode.STOP_UNDONE.value,
-        EventCode.STOP_UNCONFIRMED.value,
-        EventCode.HALT_SENT.value,
+        STOP_SENT.id,
+        STOP_CONFIRMED.id,
+        STOP_UNDONE.id,
+        STOP_UNCONFIRMED.id,
+        HALT_SENT.id,
     }
 )
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
-from armui.control.events import EventCode
+from armui.control.sessions.session_recorder import SESSION_STARTED
 from armui.ui.actions.command import Command, also
 from armui.ui.actions.places import PLACES
 from armui.ui.dialogs.base import ArmDialog
@@ -198,7 +198,7 @@ class WatchWindows(QObject):
         self._controller.noticed.connect(self._on_noticed)
 
     def _on_noticed(self, event: Event) -> None:
-        if event.code == EventCode.SESSION_STARTED and self._bar is not None:
+        if event.notice == SESSION_STARTED and self._bar is not None:
             bar, self._bar = self._bar, None
             mark = RecordingMark(self._controller.sessions, bar)
             mark.clicked.connect(self.open_sessions)

@@ -9,50 +9,31 @@ from armui.arm.joint_status import Item, Word
 from armui.arm.parameters import Parameter
 from armui.arm.refusal import Refusal
 from armui.arm.state import GripperFault
-from armui.control.event_log.observed import ObservedCode
+from armui.control.authority_watch import MOTION_CUT
+from armui.control.event_log.collector import NOT_KEPT, PROBLEM
+from armui.control.event_log.log_events import LOGGED_TARGETS
+from armui.control.event_log.observed import Observed
+from armui.control.event_log.observer import (
+    ARM_STATUS,
+    CONTROL_MODE,
+    GRIPPER_FAULT,
+    INVALID_FRAMES,
+    JOINT_FAULT,
+    MOTORS_OFF,
+    MOTORS_ON,
+    MOVE_MODE,
+    TEACHING,
+)
+from armui.control.events import Notice
 from armui.control.motion.motion_command import End
 from armui.protocol.codec import InvalidFrameKind
 from armui.telemetry.events import Asker, EventEntry, EventKind, EventOutcome, Level
 from armui.ui.words import arm
 from armui.ui.words.arm import gripper_fault, joint_item, joint_word
-from armui.ui.words.events import event_text
+from armui.ui.words.events import notice_text
 from armui.ui.words.parameters import full_name, value_text
 from armui.ui.words.refusals import refusal
-from armui.ui.words.text import NOT_KNOWN, Texts, listed
-
-_OBSERVED: Final[Texts[str]] = Texts("Observed") | {
-    ObservedCode.CONTROL_MODE: "Control mode: {before} → {mode}",
-    ObservedCode.MOVE_MODE: "Motion mode: {before} → {mode}",
-    ObservedCode.ARM_STATUS: "Arm status: {status}",
-    ObservedCode.TEACHING: "Drag teaching: {before} → {state}",
-    ObservedCode.MOTION: "Target not reached",
-    ObservedCode.MOTORS_ON: "Motors enabled: {joints}",
-    ObservedCode.MOTORS_OFF: "Motors disabled: {joints}",
-    ObservedCode.JOINT_FAULT: "J{joint} {item} {word}",
-    ObservedCode.BEYOND_LIMIT: "J{joint} beyond its angle limit",
-    ObservedCode.GRIPPER_FAULT: "Gripper: {fault}",
-    ObservedCode.LIMITS_UNUSABLE: "J{joint}: the limits stored in the arm cannot be true",
-    ObservedCode.OTHER_FRAMES: "Another host sends {id}",
-    ObservedCode.INVALID_FRAMES: "Frames not understood: {kind} (last {id})",
-    ObservedCode.FEWER_FRAMES: ("Fewer status frames from the arm: {share} % less than before"),
-    ObservedCode.RUN_POINT: "Sent the point of row {row}",
-    ObservedCode.ARRIVED: "Target reached, as the arm reports",
-    ObservedCode.MOTION_CUT: "Did not reach its end: {end}",
-    ObservedCode.ANSWERED: "Answered with 0x476 (setting {index})",
-    ObservedCode.PROBLEM: "{reason}",
-    ObservedCode.NOT_KEPT: (
-        "The events cannot be written to the disk; the newest are kept in memory. {text}"
-    ),
-    ObservedCode.LOGGED_STOP: "Emergency stop sent",
-    ObservedCode.LOGGED_RESUME: "Resume sent",
-    ObservedCode.LOGGED_ENABLE: "Motors: enable sent",
-    ObservedCode.LOGGED_DISABLE: "Motors: disable sent",
-    ObservedCode.LOGGED_MOTION_COMMAND: "Trajectory or drag teaching command sent",
-    ObservedCode.LOGGED_TARGETS: "{message} begin",
-    ObservedCode.UNKNOWN_MARK: "Unknown event: {code}",
-}
-OBSERVED_CODES: Final = frozenset(_OBSERVED)
-"""What there is a sentence for."""
+from armui.ui.words.text import NOT_KNOWN, Texts, listed, sentence, source_of
 
 _ENDS: Final = Texts("MotionEnd") | {
     "short": "the arm stopped before its target",
@@ -136,16 +117,17 @@ def outcome_text(outcome: EventOutcome) -> str:
 def _text(code: str, params: Mapping[str, object]) -> str:
     """A sentence, whatever the figures are: they may come from a file."""
     try:
-        if code not in _OBSERVED:
-            return " ".join([event_text(code, params), *_values(params)])
-        return _OBSERVED.text(code, _figures(code, params)).rstrip()
+        observed = Observed(code)
+        if source := source_of(observed):
+            return sentence(Observed.context, source, _figures(observed, params)).rstrip()
+        return " ".join([notice_text(Notice(code), params), *_values(params)])
     except (KeyError, ValueError, TypeError):
         return f"{code} {dict(params)}"
 
 
-def _figures(code: str, params: Mapping[str, object]) -> dict[str, object]:
+def _figures(observed: Observed, params: Mapping[str, object]) -> dict[str, object]:
     figures = dict(params)
-    for name, word in _FIGURES.get(code, {}).items():
+    for name, word in _FIGURES.get(observed, {}).items():
         value = params.get(name)
         figures[name] = NOT_KNOWN if value is None else word(value)
     return figures
@@ -175,22 +157,22 @@ def _control_mode(code: Any) -> str:
     return arm.control_mode_short(int(code))
 
 
-_FIGURES: Final[Mapping[str, Mapping[str, Callable[[Any], str]]]] = {
-    ObservedCode.CONTROL_MODE: {"mode": _control_mode, "before": _control_mode},
-    ObservedCode.MOVE_MODE: {"mode": arm.move_mode, "before": arm.move_mode},
-    ObservedCode.ARM_STATUS: {"status": arm.arm_status},
-    ObservedCode.TEACHING: {"state": arm.teaching, "before": arm.teaching},
-    ObservedCode.MOTORS_ON: {"joints": _joints},
-    ObservedCode.MOTORS_OFF: {"joints": _joints},
-    ObservedCode.JOINT_FAULT: {
+_FIGURES: Final[Mapping[Observed, Mapping[str, Callable[[Any], str]]]] = {
+    CONTROL_MODE: {"mode": _control_mode, "before": _control_mode},
+    MOVE_MODE: {"mode": arm.move_mode, "before": arm.move_mode},
+    ARM_STATUS: {"status": arm.arm_status},
+    TEACHING: {"state": arm.teaching, "before": arm.teaching},
+    MOTORS_ON: {"joints": _joints},
+    MOTORS_OFF: {"joints": _joints},
+    JOINT_FAULT: {
         "item": lambda name: joint_item(Item[name]),
         "word": lambda name: joint_word(Word[name]),
     },
-    ObservedCode.GRIPPER_FAULT: {"fault": lambda name: gripper_fault(GripperFault(name))},
-    ObservedCode.INVALID_FRAMES: {"kind": _FRAME_KINDS.word},
-    ObservedCode.MOTION_CUT: {"end": _ENDS.word},
-    ObservedCode.PROBLEM: {"reason": _reason},
-    ObservedCode.NOT_KEPT: {"text": str},
-    ObservedCode.LOGGED_TARGETS: {"message": _TARGETS.word},
+    GRIPPER_FAULT: {"fault": lambda name: gripper_fault(GripperFault(name))},
+    INVALID_FRAMES: {"kind": _FRAME_KINDS.word},
+    MOTION_CUT: {"end": _ENDS.word},
+    PROBLEM: {"reason": _reason},
+    NOT_KEPT: {"text": str},
+    LOGGED_TARGETS: {"message": _TARGETS.word},
 }
 """How the figures of a sentence are put into words."""

@@ -5,28 +5,20 @@ The sentences stand where they are raised (`armui.arm.refusal`).
 
 from __future__ import annotations
 
-import json
-from collections.abc import Mapping
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from armui.arm.parameters import KINDS, Parameter
 from armui.arm.refusal import Refusal
-from armui.system import paths
-from armui.system.files import read_file
 from armui.ui.words import arm
 from armui.ui.words.arm import gripper_figure, light_figure, other_mode
 from armui.ui.words.parameters import full_name, value_text
-from armui.ui.words.text import NOT_KNOWN, Texts, sentence
+from armui.ui.words.text import NOT_KNOWN, Texts, sentence, source_of
 
 if TYPE_CHECKING:
     from armui.trajectory.files import TrajectoryFileError
 
-
-_BY_ID: Final[Mapping[str, str]] = json.loads(read_file(paths.RESOURCES / "i18n" / "refusals.json"))
-"""The sentences by the ids that files keep, made by ``python -m tests.translations``. Read with the
-program: later the window's thread opens no file."""
 
 _UNDER_WAY: Final = Texts("UnderWay") | {
     "enabling": "enabling the motors",
@@ -117,7 +109,7 @@ def refusal(reason: Refusal) -> str:
         params["light"] = light_figure(light)
     if isinstance(figure := params.get("gripper"), str):
         params["gripper"] = gripper_figure(figure)
-    source = reason.reason.source or _BY_ID.get(reason.code)
+    source = source_of(reason.reason)
     return sentence("Refusal", source, params) if source else _unexpected(reason)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
@@ -9,6 +10,8 @@ from typing import Final, TypeVar
 
 from PySide6.QtCore import QCoreApplication
 
+from armui.system import paths
+from armui.system.files import read_file
 from armui.system.sentence import Sentence
 
 Key = TypeVar("Key")
@@ -17,6 +20,12 @@ Other = TypeVar("Other")
 NOT_KNOWN = "—"
 """Stands where a figure is missing, as it does in the rest of the window."""
 
+
+_BY_ID: Final[Mapping[str, Mapping[str, str]]] = json.loads(
+    read_file(paths.RESOURCES / "i18n" / "sentences.json")
+)
+"""Sentences by their context and the ids that files keep, made by ``python -m tests.translations``.
+Read with the program: later the window's thread opens no file."""
 
 _LIST: Final = re.compile(r"(?:J?\d|0x[0-9A-F]{3})(?:, (?:J?\d|0x[0-9A-F]{3}))+")
 """Joints or identifiers, as those who know no language have listed them."""
@@ -54,6 +63,11 @@ def sentence(context: str, source: object, params: Mapping[str, object]) -> str:
     """
     figures = _Figures({key: _figure(value) for key, value in params.items()})
     return QCoreApplication.translate(context, str(source)).format_map(figures)
+
+
+def source_of(what: Sentence) -> str:
+    """The English of a sentence, also of one that a file names by its id; "" if there is none."""
+    return what.source or _BY_ID.get(what.context, {}).get(what.id, "")
 
 
 def said(what: Sentence, params: Mapping[str, object]) -> str:

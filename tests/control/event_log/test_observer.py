@@ -7,7 +7,7 @@ import pytest
 from armui.arm.limits import JointLimits
 from armui.arm.other_hosts import FrameSeries, OtherTraffic
 from armui.arm.state import ArmState, Reading
-from armui.control.event_log.observer import EventObserver
+from armui.control.event_log.observer import ARM_STATUS, EventObserver
 from armui.control.event_log.status_listener import (
     DRIVER_FLAGS,
     GAP,
@@ -42,7 +42,7 @@ def said(*noted, state=None, traffic=NOBODY, now_s=100.0, observer=None):
     observer = observer or EventObserver()
     changes = observer.observe(noted, state or ArmState(), traffic, now_s)
     return [
-        (each.phase.name, each.code and each.code.value, each.at_s, dict(each.params))
+        (each.phase.name, each.observed and each.observed.id, each.at_s, dict(each.params))
         for each in changes
     ]
 
@@ -206,7 +206,7 @@ def test_what_was_not_heard_to_end_says_so():
 )
 def test_how_grave_a_status_is(code, level):
     changes = EventObserver().observe([status(1.0, Status=code)], ArmState(), NOBODY, 1.0)
-    assert [each.level for each in changes if each.code == "arm_status"] == [level]
+    assert [each.level for each in changes if each.observed == ARM_STATUS] == [level]
 
 
 def limits(low, high, at_s, speed=180.0):

@@ -12,7 +12,6 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Final
 
-from armui.control.events import EventCode
 from armui.control.operating_state import LinkState, StopState
 from armui.sim.firmware import Firmware
 from armui.sim.mechanics.powered_joints import SixValues
@@ -428,7 +427,7 @@ class Oracle:
         found += [
             Violation("exception", f"part_failed {event.params}", str(event))
             for event in world.events
-            if event.code == EventCode.PART_FAILED and world.time_s - self._failed_anew_s > _LOOK_S
+            if event.code == "part_failed" and world.time_s - self._failed_anew_s > _LOOK_S
         ]
         world.errors.clear()
         world.events.clear()

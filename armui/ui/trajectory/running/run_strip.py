@@ -17,7 +17,7 @@ from armui.ui import words
 from armui.ui.actions.command import Command, Target, also
 from armui.ui.actions.keys import key_text
 from armui.ui.theme import colors_of
-from armui.ui.trajectory.running.runner import Runner, can_go_on, can_pause
+from armui.ui.trajectory.running.runner import Runner, can_pause
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import describe, named, push_button
 from armui.ui.widgets.hold_button import HoldButton
@@ -76,7 +76,7 @@ class OverrideControl(Translated, QWidget):
             self._input.follow_value()
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._label.setText(self.tr("Override"))
         tip = self.tr(
             "Share of the run's own speed; can be changed while it runs, 0 % pauses it. Slower "
@@ -127,6 +127,8 @@ class RunStrip(Translated, QWidget):
         self._bar.setTextVisible(False)
         self._bar.setMinimumWidth(_BAR_PX // 2)
         self._override = OverrideControl(controller)
+        # no button becomes another one under the finger: a pause pressed late never moves the arm
+        self._next = push_button("run_next", on_enter=False)
         self._pause = push_button("run_pause", on_enter=False)
         # a motion that was held back is never set going by a slip
         self._continue = named("run_continue", HoldButton(controller))
@@ -135,13 +137,14 @@ class RunStrip(Translated, QWidget):
         self._close.setIconSize(QSize(_ICON_PX, _ICON_PX))
         in_row(
             *((self._name, 2), (self._text, 4), (self._bar, 1), self._override),
-            *(self._pause, self._continue, self._stop, self._close),
+            *(self._next, self._pause, self._continue, self._stop, self._close),
             on=self,
             spacing=12,
             margins=(16, 6, 16, 6),
         )
+        self._next.clicked.connect(self._on_go_on)
         self._pause.clicked.connect(self._on_pause)
-        self._continue.held.connect(self._on_pause)
+        self._continue.held.connect(self._on_go_on)
         self._stop.clicked.connect(self._runner.stop)
         self._close.clicked.connect(self.hide)
         self._runner.progressed.connect(self._on_progress)
@@ -150,7 +153,7 @@ class RunStrip(Translated, QWidget):
         self.hide()
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
+        """Return the target of each command, by the command's name."""
         stop: dict[str, Target] = {"run.stop": self._stop, "run.override": self._override.field}
         if can_pause(self._runner.progress):
             return {**stop, "run.pause": self._pause}
@@ -160,12 +163,15 @@ class RunStrip(Translated, QWidget):
     @property
     def go_on_button(self) -> QWidget | None:
         """The button that goes on with a run that pauses or waits, while it is seen."""
-        shown = (each for each in (self._continue, self._pause) if each.isVisible())
+        shown = (each for each in (self._continue, self._next) if each.isVisible())
         return next(shown, None)
 
     def _on_pause(self) -> None:
-        go_on = can_go_on(self._runner.progress)
-        self._refusal = self._runner.go_on() if go_on else self._runner.pause()
+        self._refusal = self._runner.pause()
+        self._show(self._runner.progress)
+
+    def _on_go_on(self) -> None:
+        self._refusal = self._runner.go_on()
         self._show(self._runner.progress)
 
     def _on_progress(self, progress: Progress) -> None:
@@ -181,10 +187,9 @@ class RunStrip(Translated, QWidget):
         self._name.show_text(progress.name)
         self._text.show_text(self._describe(progress))
         paused = progress.phase is RunPhase.PAUSED
+        self._next.setVisible(progress.phase is RunPhase.WAITING)
         self._pause.setVisible(running and not paused)
-        self._pause.setEnabled(can_pause(progress) or can_go_on(progress))
-        waiting = progress.phase is RunPhase.WAITING
-        self._pause.setText(self.tr("Next step") if waiting else self.tr("Pause"))
+        self._pause.setEnabled(can_pause(progress))
         self._continue.setVisible(running and paused)
         self._stop.setVisible(running)
         self._close.setVisible(not running)
@@ -221,7 +226,9 @@ class RunStrip(Translated, QWidget):
         }[phase]
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
+        self._next.setText(self.tr("Next step"))
+        self._pause.setText(self.tr("Pause"))
         self._stop.setText(self.tr("End run"))
         self._continue.setText(self.tr("Continue"))
         self._bar.setAccessibleName(self.tr("Progress of the run"))

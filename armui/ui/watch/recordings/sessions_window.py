@@ -23,7 +23,16 @@ from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QLabel, QTableView, QWidget
 
 from armui.arm.refusal import Reason, Refusal
-from armui.control.events import Event, EventCode, Level
+from armui.control.events import Event, Level
+from armui.control.sessions.progress import SESSION_FRAMES_LOST
+from armui.control.sessions.session_recorder import (
+    MF4_NOT_SAVED,
+    MF4_SAVED,
+    RING_NOT_SAVED,
+    RING_SAVED,
+    SESSION_ENDED,
+    SESSION_FAILED_NOTICE,
+)
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.command import Command, Target
@@ -138,7 +147,7 @@ class SessionsModel(TableModel):
         return True
 
     def is_written(self, name: str) -> bool:
-        """Whether a recording is still being written."""
+        """Return whether a recording is still being written."""
         return name in self._written
 
     # What Qt asks -----------------------------------------------------------------------------
@@ -250,13 +259,13 @@ _WIDTHS_PX: Final = {
 }
 _SAID_HERE: Final = frozenset(
     {
-        EventCode.SESSION_ENDED,
-        EventCode.SESSION_FAILED,
-        EventCode.SESSION_FRAMES_LOST,
-        EventCode.MF4_SAVED,
-        EventCode.MF4_NOT_SAVED,
-        EventCode.RING_SAVED,
-        EventCode.RING_NOT_SAVED,
+        SESSION_ENDED,
+        SESSION_FAILED_NOTICE,
+        SESSION_FRAMES_LOST,
+        MF4_SAVED,
+        MF4_NOT_SAVED,
+        RING_SAVED,
+        RING_NOT_SAVED,
     }
 )
 
@@ -331,7 +340,7 @@ class SessionsWindow(ArmDialog):
         self.resize(_SIZE.boundedTo(self.screen().availableSize()))
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
+        """Return the target of each command, by the command's name."""
         return {
             "sessions.record": self.recording.record_button,
             "sessions.folder": self.recording.folder_button,
@@ -366,7 +375,7 @@ class SessionsWindow(ArmDialog):
         fill(self.footer, *of_chosen, STRETCH, self.other_button, self.folder_button)
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.set_title(self.tr("Session recordings"))
         self.table.setAccessibleName(self.tr("Session recordings"))
         self.open_button.setText(self.tr("Replay"))
@@ -436,7 +445,7 @@ class SessionsWindow(ArmDialog):
 
     def _on_noticed(self, event: Event) -> None:
         refused = event.params.get("reason")
-        ours = event.code in _SAID_HERE or (
+        ours = event.notice in _SAID_HERE or (
             isinstance(refused, Refusal) and refused.code.startswith("session_")
         )
         if ours and self.isVisible():
