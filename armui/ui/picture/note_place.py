@@ -1,4 +1,4 @@
-"""Where a note stands over the picture: where the arm is not. Pure."""
+"""Where a note stands over the picture: where the arm is not."""
 
 from __future__ import annotations
 
