@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Final
 
 from armui import __version__
-from armui.system.command_line import HelpFormatter, add_device, has_display, name_list
+from armui.system.command_line import CommandParser, add_device, has_display, list_names
 from armui.system.end_signals import end_at_once_on_ctrl_c, interrupting
 from armui.system.files import open_file
 
@@ -51,12 +51,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _run_command(name: str, words: Sequence[str]) -> int:
-    module_name, purpose = _COMMANDS[name]
-    module = importlib.import_module(module_name)
-    parser = argparse.ArgumentParser(
-        prog=f"armui {name}", description=purpose, formatter_class=HelpFormatter
-    )
-    module.add_arguments(parser)
+    module = importlib.import_module(_COMMANDS[name][0])
+    parser = _command_parser(name)
     options = parser.parse_args(words)
     heard: list[int] = []
     try:
@@ -67,7 +63,19 @@ def _run_command(name: str, words: Sequence[str]) -> int:
     return code
 
 
-def _run_window(parser: argparse.ArgumentParser, options: argparse.Namespace) -> int:
+def _command_parser(name: str) -> CommandParser:
+    module_name, purpose = _COMMANDS[name]
+    parser = CommandParser(f"armui {name}", description=purpose)
+    importlib.import_module(module_name).add_arguments(parser)
+    return parser
+
+
+def parsers() -> list[CommandParser]:
+    """Return what reads the command line of the window, of a replay, and of each command."""
+    return [_parser(), _replay_parser(), *map(_command_parser, _COMMANDS)]
+
+
+def _run_window(parser: CommandParser, options: argparse.Namespace) -> int:
     if (options.interface is None) != (options.channel is None):
         parser.error("--interface and --channel go together")
     if options.sim and options.interface is not None:
@@ -125,10 +133,9 @@ def _why_no_log(path: Path) -> str:
     return ""
 
 
-def _replay_parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
-        prog="armui replay",
-        formatter_class=HelpFormatter,
+def _replay_parser() -> CommandParser:
+    parser = CommandParser(
+        "armui replay",
         description="Show a recorded CAN log, of this program or of another one, as if it were "
         "live: a window with 3D view, joints, curves and a time line. Nothing is sent.",
     )
@@ -154,16 +161,18 @@ def _version(text: str) -> str:
     return text
 
 
-def _parser() -> argparse.ArgumentParser:
+def _parser() -> CommandParser:
     commands = {name: purpose for name, (_module, purpose) in _COMMANDS.items()}
-    parser = argparse.ArgumentParser(
-        prog="armui",
+    parser = CommandParser(
+        "armui",
         usage="armui [OPTION ...] [FILE]\n       armui COMMAND [OPTION ...]",
         description="Host program for the AgileX PiPER arm on a CAN bus. Without a command it "
         "opens its window.",
-        epilog=name_list("commands", {**commands, "replay": _REPLAY})
-        + "\n\narmui COMMAND --help tells more of one.",
-        formatter_class=HelpFormatter,
+    )
+    list_names(
+        parser,
+        {"commands": {**commands, "replay": _REPLAY}},
+        "armui COMMAND --help tells more of one.",
     )
     parser.add_argument("--version", action="version", version=f"armui {__version__}")
     parser.add_argument(

@@ -19,7 +19,6 @@ from dataclasses import asdict, dataclass, field, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, TypedDict, Unpack
 
-import platformdirs
 from filelock import FileLock, Timeout
 
 from armui.arm.refusal import Reason, Refusal
@@ -163,7 +162,7 @@ Subscriber = Callable[[Settings], None]
 
 def default_path() -> Path:
     """Return the path of the settings in the operating system's folder for a user's programs."""
-    return platformdirs.user_config_path("armui", appauthor=False) / "settings.json"
+    return paths.settings_file()
 
 
 class SettingsStore:

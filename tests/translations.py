@@ -22,7 +22,9 @@ from collections.abc import Iterator, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Final, NamedTuple
+from unittest.mock import patch
 
+from armui import cli
 from armui.arm.refusal import Reason
 from armui.control.event_log.observed import Observed
 from armui.control.events import Notice
@@ -31,6 +33,7 @@ from armui.doctor.facts import OfArm, OfCan, OfProgram, OfScreen
 from armui.doctor.report import ReportText
 from armui.protocol.generation import Generation
 from armui.protocol.layout import load_database
+from armui.system import command_line
 from armui.system.sentence import Sentence
 from armui.trajectory.planning.findings import FindingKind
 from armui.ui.words.frames import signal_word
@@ -121,11 +124,35 @@ def lupdate(ts: Path) -> None:
         texts = [*_of_value_tables(), *(text for _, tree in modules() for text in _of_tables(tree))]
         for each in constants():
             texts += [(each.context, text) for text in (each.source, *each.more)]
+        texts += [(command_line.CONTEXT, text) for text in command_texts()]
         for context, kept in json.loads(SENTENCES.read_text("utf-8")).items():
             texts += [(context, text) for text in kept.values()]
         tables.write_text("\n".join(map(_marked, texts)), encoding="utf-8")
         of_code = [*(str(path) for path, _ in modules()), str(tables)]
         _run("lupdate", *options, "-target-language", "zh_CN", *of_code, "-ts", str(ts))
+
+
+def command_texts() -> list[str]:
+    """Every text of the command line: what helps ask for, and what is said of a wrong one."""
+    asked = dict.fromkeys(command_line.OF_ARGPARSE)
+
+    def note(text: str) -> str:
+        if any(map(str.isalpha, text)):
+            asked[text] = None
+        return text
+
+    with patch.object(command_line, "say", note):
+        for parser in cli.parsers():
+            parser.format_help()
+    for _, tree in modules():
+        for node in ast.walk(tree):
+            match node:
+                case ast.Call(
+                    func=ast.Attribute(value=ast.Name(id="parser"), attr="error"),
+                    args=[ast.Constant(value=str(text))],
+                ):
+                    asked[text] = None
+    return list(asked)
 
 
 def _of_tables(tree: ast.Module) -> Iterator[tuple[str, str]]:
@@ -171,7 +198,9 @@ def names(ts: Path) -> str:
     The synonyms of the command palette are among them, without an English text.
     """
     found: dict[str, tuple[str, set[str]]] = {}
-    for message in ET.parse(ts).iter("message"):
+    contexts = ET.parse(ts).iter("context")
+    shown = (each for each in contexts if each.findtext("name") != command_line.CONTEXT)
+    for message in (message for each in shown for message in each.iter("message")):
         english, chinese = (message.findtext(tag) or "" for tag in ("source", "translation"))
         has_hanzi = any("\u4e00" <= letter <= "\u9fff" for letter in chinese)
         if has_hanzi and len(chinese) <= LONGEST and not set("{}\n。") & set(chinese):

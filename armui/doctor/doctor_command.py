@@ -17,7 +17,8 @@ from armui.doctor.probes.listening import listen
 from armui.doctor.probes.program import look_at_program
 from armui.doctor.probes.screen import TRIALS, look_at_screen
 from armui.doctor.problem_report import collect, doctor_files, save, size_text
-from armui.doctor.report import Language, Words, as_json, as_text, language_of_system, translation
+from armui.doctor.report import Words, as_json, as_text
+from armui.system.plain_words import Language, language_of_system, settings_file, translation
 
 EXIT_ARM_ANSWERS: Final = 0
 EXIT_NO_ARM: Final = 1
@@ -89,7 +90,7 @@ def run(options: argparse.Namespace, probes: Probes = Probes()) -> int:
     facts = look(options, probes)
     findings = judge(facts)
     answers = an_arm_answers(facts)
-    language: Language = options.lang or language_of_system(_settings_file())
+    language: Language = options.lang or language_of_system(settings_file())
     words = Words(translation(language))
     text, json_text = (
         render(findings, words, arm_answers=answers, asked=options.ask)
@@ -159,15 +160,6 @@ def _listen(options: argparse.Namespace, can: CanFacts, probes: Probes) -> tuple
 def _number(channel: str) -> int | str:
     """Back-ends that count their channels want a number."""
     return int(channel) if channel.isdigit() else channel
-
-
-def _settings_file() -> Path | None:
-    try:
-        from armui.settings import default_path  # noqa: PLC0415 - packages may be missing
-
-        return default_path()
-    except ImportError:
-        return None
 
 
 def _seconds(text: str) -> float:

@@ -3,25 +3,15 @@
 from __future__ import annotations
 
 import json
-import locale
-import os
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
-from typing import ClassVar, Final, Literal, get_args
-from xml.etree import ElementTree as ET
+from typing import ClassVar, Final
 
 from armui import __version__
 from armui.doctor.facts import Diagnosis, DiagnosisLevel, Section
 from armui.doctor.judge import BY_ID
-from armui.system.files import read_file
+from armui.system.plain_words import Translate
 from armui.system.sentence import Sentence
-
-Language = Literal["zh", "en"]
-LANGUAGES: Final[tuple[Language, ...]] = get_args(Language)
-
-Translate = Callable[[str, str], str]
-"""Translates a text of a context, like Qt's own function."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,43 +74,6 @@ class Words:
     def mark(self, severity: DiagnosisLevel) -> str:
         """Return the mark of a severity at the beginning of a line."""
         return self.plain(_MARKS[severity])
-
-
-def translation(language: Language) -> Translate:
-    """Return a function that translates into a language by reading the texts' file, without Qt."""
-    if language == "en":
-        return lambda _context, source: source
-    file = _resources() / "i18n" / "armui_zh.ts"
-    content = ET.fromstring(read_file(file))  # noqa: S314 - our own
-    texts = {
-        (context.findtext("name"), message.findtext("source")): message.findtext("translation")
-        for context in content.iter("context")
-        for message in context.iter("message")
-    }
-    return lambda context, source: texts.get((context, source)) or source
-
-
-def _resources() -> Path:
-    """As `armui.system.paths` has it, which wants a package that may be missing."""
-    package = Path(__file__).resolve().parents[1]
-    installed = package / "resources"
-    return installed if installed.is_dir() else package.parent / "resources"
-
-
-def language_of_system(settings_file: Path | None = None) -> Language:
-    """Return the program's chosen language, else Chinese if the system uses it, else English."""
-    if settings_file is not None:
-        try:
-            chosen = json.loads(read_file(settings_file)).get("language")
-        except (OSError, ValueError, AttributeError):
-            chosen = None
-        if chosen == "zh":
-            return "zh"
-        if chosen == "en":
-            return "en"
-    names = [os.environ.get(name, "") for name in ("LC_ALL", "LC_MESSAGES", "LANG")]
-    name = next((each for each in names if each), "") or (locale.getlocale()[0] or "")
-    return "zh" if name.lower().startswith(("zh", "chinese")) else "en"
 
 
 def as_text(findings: Sequence[Diagnosis], words: Words, *, arm_answers: bool, asked: bool) -> str:

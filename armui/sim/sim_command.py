@@ -21,7 +21,7 @@ from armui.sim.faults.schedule import FAULTS, Fault, FaultError, FaultParameter,
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
 from armui.sim.parameters.flash import FileFlash, Flash, MemoryFlash
-from armui.system.command_line import name_list
+from armui.system.command_line import list_names
 
 EXIT_OK: Final = 0
 EXIT_CANNOT_BEGIN: Final = 2
@@ -37,12 +37,8 @@ _BITS_PER_FRAME: Final = 123
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declares the options of the command."""
     bugs = {name: PURPOSES[bug] for name, bug in BUG_NAMES.items()}
-    parser.epilog = "\n\n".join(
-        (
-            name_list("faults (--fault)", {name: _fault_help(name) for name in FAULTS}),
-            name_list("bugs (--bugs)", bugs),
-        )
-    )
+    faults = {name: _fault_help(name) for name in FAULTS}
+    list_names(parser, {"faults (--fault)": faults, "bugs (--bugs)": bugs})
     bus = parser.add_argument_group("the bus")
     bus.add_argument(
         "--interface", default="udp_multicast", help="python-can's name of the bus (udp_multicast)"

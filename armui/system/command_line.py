@@ -5,14 +5,146 @@ from __future__ import annotations
 import argparse
 import errno
 import os
+import re
 import sys
 import textwrap
-from collections.abc import Mapping
-from typing import Final
+import unicodedata
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from functools import cache
+from itertools import pairwise
+from typing import Any, Final, NoReturn
+
+from armui.system.plain_words import (
+    Language,
+    Translate,
+    language_of_system,
+    settings_file,
+    translation,
+)
 
 _COLUMN: Final = 26
 """The largest column at which the help of an option begins."""
 _WIDTH: Final = 79
+_PARTS: Final = re.compile(r"[\x21-\x7e]+[，。；：、）”！]*|\s+|[^\x00-\x7f][，。；：、）”！]*")
+"""A word, or one character of Chinese, with the marks behind it that begin no line; or a gap."""
+CONTEXT: Final = "CommandLine"
+OF_ARGPARSE: Final = (
+    "%(prog)s: error: %(message)s\n",
+    "argument %(argument_name)s: %(message)s",
+    "ambiguous option: %(option)s could match %(matches)s",
+    "expected at least one argument",
+    "expected at most one argument",
+    "expected one argument",
+    "ignored explicit argument %r",
+    "invalid %(type)s value: %(value)r",
+    "invalid choice: %(value)r (choose from %(choices)s)",
+    "not allowed with argument %s",
+    "the following arguments are required: %s",
+    "unrecognized arguments: %s",
+)
+"""Its sentences about a wrong command line, which it looks up in a catalogue of its own."""
+
+
+@cache
+def _texts(language: Language) -> Translate:
+    return translation(language, CONTEXT)
+
+
+def _language() -> Language:
+    """Return the language asked for, or else that of the operator, if the terminal can show it."""
+    asked = [after for word, after in pairwise(sys.argv) if word == "--lang"]
+    spoken = "zh" if "zh" in asked else "en" if asked else language_of_system(settings_file())
+    try:
+        "用法".encode(getattr(sys.stdout, "encoding", None) or "ascii")
+    except UnicodeEncodeError:
+        return "en"
+    return "zh" if spoken == "zh" else "en"
+
+
+def say(text: str) -> str:
+    """Return a text of the command line in the operator's language."""
+    return _texts(_language())(CONTEXT, text)
+
+
+def wrapped(text: str, width: int) -> list[str]:
+    """Return a text in lines of so many columns; a Chinese character takes two."""
+    if text.isascii():
+        return textwrap.wrap(text, width)
+    lines, used = [""], 0
+    for part in re.findall(
+        r"[\x21-\x7e]+[，。；：、）”！]*|\s+|[^\x00-\x7f][，。；：、）”！]*", text
+    ):
+        columns = _columns(part)
+        if used and used + columns > width:
+            lines.append("")
+            used = 0
+        if used or not part.isspace():
+            lines[-1] += part
+            used += columns
+    return [line.rstrip() for line in lines]
+
+
+def _columns(text: str) -> int:
+    return sum(2 if unicodedata.east_asian_width(each) in "WF" else 1 for each in text)
+
+
+@contextmanager
+def _argparse_translated() -> Iterator[None]:
+    """Have argparse say its own sentences by `say`: it looks them up by this name."""
+    before = vars(argparse)["_"]
+    setattr(argparse, "_", say)  # noqa: B010 - the type stubs do not know it
+    try:
+        yield
+    finally:
+        setattr(argparse, "_", before)  # noqa: B010 - likewise
+
+
+class CommandParser(argparse.ArgumentParser):
+    """Reads a command line and answers in the operator's language.
+
+    Args:
+        prog: What the command is called.
+        usage: How it is used; by default as its options have it.
+        description: What it is for.
+        epilog: What stands below its options.
+
+    Attributes:
+        lists: What `list_names` has given it.
+        ending: Likewise.
+    """
+
+    def __init__(
+        self,
+        prog: str,
+        *,
+        usage: str | None = None,
+        description: str | None = None,
+        epilog: str | None = None,
+    ) -> None:
+        super().__init__(prog, usage, description, epilog, formatter_class=HelpFormatter)
+        self.lists: Mapping[str, Mapping[str, str]] = {}
+        self.ending = ""
+
+    def format_help(self) -> str:
+        """Return the help in the operator's language; what is not asked for costs nothing."""
+        english = self.epilog
+        if self.lists:
+            self.epilog = _lists(self.lists, self.ending, say)
+        try:
+            return super().format_help()
+        finally:
+            self.epilog = english
+
+    def parse_args(self, args: Any = None, namespace: Any = None) -> Any:
+        """Read a command line; what is wrong with it is said in the operator's language."""
+        with _argparse_translated():
+            return super().parse_args(args, namespace)
+
+    def error(self, message: str) -> NoReturn:
+        """Say what is wrong with the command line, and end with 2."""
+        with _argparse_translated():
+            super().error(say(message))
 
 
 class HelpFormatter(argparse.RawDescriptionHelpFormatter):
@@ -24,25 +156,63 @@ class HelpFormatter(argparse.RawDescriptionHelpFormatter):
     def add_text(self, text: str | None) -> None:
         """Add a text; one of a single paragraph is wrapped."""
         if text is not None and "\n" not in text and text is not argparse.SUPPRESS:
-            text = textwrap.fill(text, _WIDTH)
+            text = "\n".join(wrapped(say(text), _WIDTH))
         super().add_text(text)
 
+    def add_usage(
+        self,
+        usage: str | None,
+        actions: Iterable[argparse.Action],
+        groups: Iterable[argparse._MutuallyExclusiveGroup],
+        prefix: str | None = None,
+    ) -> None:
+        """Add how the command is used."""
+        if usage is not None:
+            usage = say(usage)
+        super().add_usage(usage, actions, groups, say("usage: ") if prefix is None else prefix)
 
-def name_list(title: str, meanings: Mapping[str, str]) -> str:
-    """Return names with their meanings, a line each, as argparse lists options.
+    def start_section(self, heading: str | None) -> None:
+        """Begin a group of options."""
+        super().start_section(None if heading is None else say(heading))
+
+    def _get_help_string(self, action: argparse.Action) -> str | None:
+        return None if action.help is None else say(action.help)
+
+    def _split_lines(self, text: str, width: int) -> list[str]:
+        return wrapped(" ".join(text.split()), width)
+
+
+def list_names(
+    parser: argparse.ArgumentParser, lists: Mapping[str, Mapping[str, str]], ending: str = ""
+) -> None:
+    """Have names stand below the options with what each means, as argparse lists options.
 
     Args:
-        title: The line above them.
-        meanings: The meanings by name.
+        parser: Where.
+        lists: By their titles; in each the meanings by the names.
+        ending: A sentence below them.
     """
-    lines = [f"{title}:"]
+    parser.epilog = _lists(lists, ending, str)
+    if isinstance(parser, CommandParser):
+        parser.lists, parser.ending = lists, ending
+
+
+def _lists(
+    lists: Mapping[str, Mapping[str, str]], ending: str, spoken: Callable[[str], str]
+) -> str:
+    parts = [_name_list(title, meanings, spoken) for title, meanings in lists.items()]
+    return "\n\n".join([*parts, *filter(None, [spoken(ending) if ending else ""])])
+
+
+def _name_list(title: str, meanings: Mapping[str, str], spoken: Callable[[str], str]) -> str:
+    lines = [f"{spoken(title)}:"]
     for name, meaning in meanings.items():
         first = f"  {name}".ljust(_COLUMN - 1) + " "
         if len(first) > _COLUMN:
             lines.append(first.rstrip())
             first = " " * _COLUMN
-        wrapped = textwrap.wrap(meaning, _WIDTH - _COLUMN)
-        lines += [first + wrapped[0], *(" " * _COLUMN + each for each in wrapped[1:])]
+        begins, *more = wrapped(spoken(meaning), _WIDTH - _COLUMN)
+        lines += [first + begins, *(" " * _COLUMN + each for each in more)]
     return "\n".join(lines)
 
 

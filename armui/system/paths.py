@@ -26,6 +26,11 @@ URDF = _data_folder("urdf")
 """The folder of the robot descriptions with their meshes."""
 
 
+def settings_file() -> Path:
+    """Return where the operating system keeps settings of a user's programs."""
+    return platformdirs.user_config_path("armui", appauthor=False) / "settings.json"
+
+
 def runtime() -> Path:
     """Return the folder for the locks of one user's running programs; locks of ended ones are void.
 

@@ -249,6 +249,13 @@ def _within(camera: OrbitCamera, seen: Sequence[Vector], box: Box, room: Room) -
     return replace(camera, focus_m=(x, y, z), distance_m=distance)
 
 
+def boxes(camera: OrbitCamera, groups: Groups, room: Room) -> list[Box]:
+    """Return the rectangle around each group in the picture; what is behind the eye is left out."""
+    projection = Projection(camera, room.width_px, room.height_px)
+    found = [_box(projection, group) for group in groups if group]
+    return [box for box in found if box is not None]
+
+
 def _box(projection: Projection, group: Sequence[Vector]) -> Box | None:
     """Return the rectangle around a group; ``None`` if some of it is behind the eye."""
     left = top = math.inf

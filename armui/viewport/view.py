@@ -404,6 +404,15 @@ class ArmView(QWidget):
         self._resized()
         self._show(self._state)
 
+    @property
+    def room(self) -> Room:
+        """The picture, and what lies over it."""
+        return self._viewpoint.room
+
+    def arm_boxes(self) -> list[Box]:
+        """Return a rectangle around each link of the arm and its ghost, as they are seen."""
+        return self._viewpoint.arm_boxes()
+
     def _resized(self) -> None:
         frame = self._hud_painter.frame(self.font())
         figures = Box(0.0, 0.0, frame.right(), frame.bottom())

@@ -12,8 +12,10 @@ from typing import Final
 from armui.viewport.camera import HOME_CAMERA, OrbitCamera, ViewDirection, poses_equal
 from armui.viewport.fitting import (
     Ball,
+    Box,
     Room,
     ball_around,
+    boxes,
     fitted,
     is_ball_clear,
     is_clear,
@@ -181,6 +183,19 @@ class Viewpoint:
             self._been.clear()
             self.camera = best
             self._been = outermost(best, self._groups())
+
+    @property
+    def room(self) -> Room:
+        """The picture, and what lies over it."""
+        return self._room
+
+    def arm_boxes(self) -> list[Box]:
+        """Return a rectangle around each link of the arm and its ghost, as they are seen."""
+        shape = self._shape
+        if shape is None:
+            return []
+        links = (shape.outline(shape.links(*pose)) for pose in self._poses)
+        return boxes(self.camera, [group for pose in links for group in pose], self._room)
 
     # ------------------------------------------------------------------------------------------
 

@@ -1347,6 +1347,481 @@
     </message>
 </context>
 <context>
+    <name>CommandLine</name>
+    <message>
+        <source>%(prog)s: error: %(message)s
+</source>
+        <translation>%(prog)s：错误：%(message)s
+</translation>
+    </message>
+    <message>
+        <source>argument %(argument_name)s: %(message)s</source>
+        <translation>参数 %(argument_name)s：%(message)s</translation>
+    </message>
+    <message>
+        <source>ambiguous option: %(option)s could match %(matches)s</source>
+        <translation>选项不明确：%(option)s 可能是 %(matches)s</translation>
+    </message>
+    <message>
+        <source>expected at least one argument</source>
+        <translation>至少需要一个值</translation>
+    </message>
+    <message>
+        <source>expected at most one argument</source>
+        <translation>最多只能有一个值</translation>
+    </message>
+    <message>
+        <source>expected one argument</source>
+        <translation>需要一个值</translation>
+    </message>
+    <message>
+        <source>ignored explicit argument %r</source>
+        <translation>多余的值 %r</translation>
+    </message>
+    <message>
+        <source>invalid %(type)s value: %(value)r</source>
+        <translation>不是有效的 %(type)s 值：%(value)r</translation>
+    </message>
+    <message>
+        <source>invalid choice: %(value)r (choose from %(choices)s)</source>
+        <translation>无效的选择：%(value)r（可选 %(choices)s）</translation>
+    </message>
+    <message>
+        <source>not allowed with argument %s</source>
+        <translation>不能与参数 %s 同时使用</translation>
+    </message>
+    <message>
+        <source>the following arguments are required: %s</source>
+        <translation>缺少以下参数：%s</translation>
+    </message>
+    <message>
+        <source>unrecognized arguments: %s</source>
+        <translation>无法识别的参数：%s</translation>
+    </message>
+    <message>
+        <source>commands</source>
+        <translation>命令</translation>
+    </message>
+    <message>
+        <source>print a recorded CAN log frame by frame, in words and units</source>
+        <translation>逐帧显示录制的 CAN 日志，带文字和单位</translation>
+    </message>
+    <message>
+        <source>say what is wrong with this computer, the bus and the arm</source>
+        <translation>诊断本机、总线和机械臂的问题</translation>
+    </message>
+    <message>
+        <source>write a recorded CAN log as MCAP, CSV or Parquet</source>
+        <translation>将录制的 CAN 日志导出为 MCAP、CSV 或 Parquet</translation>
+    </message>
+    <message>
+        <source>record what is on a bus to files, without a window</source>
+        <translation>不开窗口，将总线上的内容录制到文件</translation>
+    </message>
+    <message>
+        <source>run the simulated arm on a CAN bus until Ctrl-C</source>
+        <translation>在 CAN 总线上运行仿真机械臂，直到 Ctrl-C</translation>
+    </message>
+    <message>
+        <source>show a recorded CAN log in the window, as if it were live</source>
+        <translation>在窗口中像实时一样回放录制的 CAN 日志</translation>
+    </message>
+    <message>
+        <source>armui COMMAND --help tells more of one.</source>
+        <translation>armui COMMAND --help 显示某个命令的详细说明。</translation>
+    </message>
+    <message>
+        <source>positional arguments</source>
+        <translation>位置参数</translation>
+    </message>
+    <message>
+        <source>options</source>
+        <translation>选项</translation>
+    </message>
+    <message>
+        <source>show this help message and exit</source>
+        <translation>显示本帮助并退出</translation>
+    </message>
+    <message>
+        <source>Exit code: 0 an arm answers, 1 none does, 2 the file of --report was not written.</source>
+        <translation>退出码：0 有机械臂应答；1 没有应答；2 --report 的文件未写入。</translation>
+    </message>
+    <message>
+        <source>keep what was found in a zip file, too, with log, settings and versions, to be sent to whoever helps; an existing file is left as it is</source>
+        <translation>同时将结果连同日志、设置和版本存入一个 zip 文件，以便发给提供帮助的人；已有文件不会被覆盖</translation>
+    </message>
+    <message>
+        <source>faults (--fault)</source>
+        <translation>故障（--fault）</translation>
+    </message>
+    <message>
+        <source>the controller loses the connection to a joint (VALUE: joint)</source>
+        <translation>控制器与某关节失去通信（VALUE：关节）</translation>
+    </message>
+    <message>
+        <source>a motor is too hot (VALUE: joint)</source>
+        <translation>电机过热（VALUE：关节）</translation>
+    </message>
+    <message>
+        <source>a driver is too hot (VALUE: joint)</source>
+        <translation>驱动器过热（VALUE：关节）</translation>
+    </message>
+    <message>
+        <source>the supply gives 18 V</source>
+        <translation>供电电压为 18 V</translation>
+    </message>
+    <message>
+        <source>a driver sees too much current and switches its motor off (VALUE: joint)</source>
+        <translation>驱动器过流并断开其电机（VALUE：关节）</translation>
+    </message>
+    <message>
+        <source>a joint&apos;s encoder fails (VALUE: joint)</source>
+        <translation>关节编码器故障（VALUE：关节）</translation>
+    </message>
+    <message>
+        <source>a driver fails and switches its motor off (VALUE: joint)</source>
+        <translation>驱动器故障并断开其电机（VALUE：关节）</translation>
+    </message>
+    <message>
+        <source>something keeps a joint from turning (VALUE: joint)</source>
+        <translation>关节被卡住，无法转动（VALUE：关节）</translation>
+    </message>
+    <message>
+        <source>something pushes at a joint with 40 N·m (VALUE: joint)</source>
+        <translation>关节受到 40 N·m 的外力（VALUE：关节）</translation>
+    </message>
+    <message>
+        <source>a joint&apos;s limits read 0xFFFF until they are reset; does not mend by itself (VALUE: joint)</source>
+        <translation>关节限位读数为 0xFFFF，直到重新设置；不会自行恢复（VALUE：关节）</translation>
+    </message>
+    <message>
+        <source>the arm answers but no longer tells how it is</source>
+        <translation>机械臂有应答，但不再反馈状态</translation>
+    </message>
+    <message>
+        <source>the controller neither hears nor says anything</source>
+        <translation>控制器既不接收也不发送</translation>
+    </message>
+    <message>
+        <source>frames of any identifier and content on the bus (VALUE: frames a second)</source>
+        <translation>总线上出现任意标识符和内容的帧（VALUE：每秒帧数）</translation>
+    </message>
+    <message>
+        <source>frames get lost, both ways (VALUE: share of the frames)</source>
+        <translation>双向丢帧（VALUE：丢帧比例）</translation>
+    </message>
+    <message>
+        <source>frames arrive later, both ways (VALUE: seconds)</source>
+        <translation>双向延迟（VALUE：秒）</translation>
+    </message>
+    <message>
+        <source>bugs (--bugs)</source>
+        <translation>固件缺陷（--bugs）</translation>
+    </message>
+    <message>
+        <source>angles and pose read 0 until the teaching handle is set with 0x47D</source>
+        <translation>用 0x47D 设置示教手柄之前，角度和位姿读数为 0</translation>
+    </message>
+    <message>
+        <source>made a teaching input with 0x470, the arm says nothing more until a power cycle</source>
+        <translation>用 0x470 设为示教输入臂后，机械臂不再发送任何内容，直到重新上电</translation>
+    </message>
+    <message>
+        <source>leaving drag teaching drops the arm; the simulated arm does so with every version</source>
+        <translation>退出拖动示教时机械臂下落；仿真机械臂在所有版本中都如此</translation>
+    </message>
+    <message>
+        <source>a mode word that leaves MIT or high-follow is not followed by any motion until a reset, and moves the zero of joint 1 by 12°</source>
+        <translation>退出 MIT 或高跟随的模式指令之后不再运动，直到复位；并使 1 号关节零位偏移 12°</translation>
+    </message>
+    <message>
+        <source>30 s after it was switched on the arm makes itself a teaching input</source>
+        <translation>上电 30 s 后机械臂自行变为示教输入臂</translation>
+    </message>
+    <message>
+        <source>all limits read -0.1°/-0.1° and 0xFFFF as acceleration until they are reset</source>
+        <translation>所有限位读数为 -0.1°/-0.1°，加速度读数为 0xFFFF，直到重新设置</translation>
+    </message>
+    <message>
+        <source>10 s after all motors are on, joint 3 goes on at 2°/s for 30° and its feedback does not show it; 0x150 resume mends it</source>
+        <translation>全部电机使能 10 s 后，3 号关节以 2°/s 继续转动 30° 而反馈不显示；0x150 恢复可消除</translation>
+    </message>
+    <message>
+        <source>armui [OPTION ...] [FILE]
+       armui COMMAND [OPTION ...]</source>
+        <translation>armui [OPTION ...] [FILE]
+      armui COMMAND [OPTION ...]</translation>
+    </message>
+    <message>
+        <source>usage: </source>
+        <translation>用法：</translation>
+    </message>
+    <message>
+        <source>Host program for the AgileX PiPER arm on a CAN bus. Without a command it opens its window.</source>
+        <translation>松灵 PiPER 机械臂的上位机，通过 CAN 总线连接。不带命令时打开窗口。</translation>
+    </message>
+    <message>
+        <source>the arm to connect to</source>
+        <translation>要连接的机械臂</translation>
+    </message>
+    <message>
+        <source>the simulated arm</source>
+        <translation>仿真机械臂</translation>
+    </message>
+    <message>
+        <source>a trajectory to open in the editor; nothing moves</source>
+        <translation>要在编辑器中打开的轨迹；不会运动</translation>
+    </message>
+    <message>
+        <source>show program&apos;s version number and exit</source>
+        <translation>显示程序版本并退出</translation>
+    </message>
+    <message>
+        <source>language of the windows</source>
+        <translation>窗口的语言</translation>
+    </message>
+    <message>
+        <source>python-can&apos;s name of the adapter, e.g. socketcan</source>
+        <translation>python-can 中适配器的名称，如 socketcan</translation>
+    </message>
+    <message>
+        <source>the adapter&apos;s channel, e.g. can0</source>
+        <translation>适配器的通道，如 can0</translation>
+    </message>
+    <message>
+        <source>bit/s, where the program sets it (1000000)</source>
+        <translation>比特率 bit/s，由程序设置时有效（1000000）</translation>
+    </message>
+    <message>
+        <source>which arm it is (the one chosen for it the last time)</source>
+        <translation>机械臂型号（上次为它选择的型号）</translation>
+    </message>
+    <message>
+        <source>connect to it</source>
+        <translation>连接仿真机械臂</translation>
+    </message>
+    <message>
+        <source>the protocol it speaks (2)</source>
+        <translation>所用协议代次（2）</translation>
+    </message>
+    <message>
+        <source>its firmware version, as S-V1.7-3 (S-V1.8-9)</source>
+        <translation>其固件版本，如 S-V1.7-3（S-V1.8-9）</translation>
+    </message>
+    <message>
+        <source>Show a recorded CAN log, of this program or of another one, as if it were live: a window with 3D view, joints, curves and a time line. Nothing is sent.</source>
+        <translation>像实时一样回放本程序或其他程序录制的 CAN 日志：窗口中有 3D 画面、关节、曲线和时间轴。不发送任何内容。</translation>
+    </message>
+    <message>
+        <source>the log: .blf, .asc, .log, .trc, .csv, ...</source>
+        <translation>日志文件：.blf、.asc、.log、.trc、.csv 等</translation>
+    </message>
+    <message>
+        <source>Print a recorded CAN log, one line a frame, with signals and units.</source>
+        <translation>显示录制的 CAN 日志，每帧一行，带信号和单位。</translation>
+    </message>
+    <message>
+        <source>Exit code: 0 all read, 1 some lines could not be read (numbered on the error output), 2 the file is no log.</source>
+        <translation>退出码：0 全部读取；1 有些行无法读取（行号在错误输出中）；2 文件不是日志。</translation>
+    </message>
+    <message>
+        <source>log: .log (candump -L) and whatever else python-can reads (.log, .asc, .blf, .trc, .csv, .db, .mf4, .txt), also with .gz</source>
+        <translation>日志：.log（candump -L）及 python-can 能读的其他格式（.log, .asc, .blf, .trc, .csv, .db, .mf4, .txt），也可带 .gz</translation>
+    </message>
+    <message>
+        <source>protocol of the recorded arm; auto looks for evidence in the log (default)</source>
+        <translation>所录机械臂的协议；auto 根据日志判断（默认）</translation>
+    </message>
+    <message>
+        <source>the arm&apos;s firmware, which says how its MIT frames are laid out, where the log does not tell it (default: S-V1.8-9)</source>
+        <translation>机械臂固件，日志中没有时由它确定 MIT 帧的格式（默认：S-V1.8-9）</translation>
+    </message>
+    <message>
+        <source>one JSON object a line</source>
+        <translation>每行一个 JSON 对象</translation>
+    </message>
+    <message>
+        <source>Look at this computer, its CAN devices and the bus, and say what is wrong, each with a command that mends it. Nothing is sent but with --ask.</source>
+        <translation>检查本机、CAN 设备和总线，指出问题，并给出解决每个问题的命令。除非使用 --ask，不发送任何内容。</translation>
+    </message>
+    <message>
+        <source>one JSON object instead of text</source>
+        <translation>输出一个 JSON 对象，不输出文字</translation>
+    </message>
+    <message>
+        <source>python-can&apos;s name of the adapter to listen to (default: all found)</source>
+        <translation>要监听的适配器在 python-can 中的名称（默认：找到的全部）</translation>
+    </message>
+    <message>
+        <source>send questions to the arm, too: version, limits, teaching handle. They move and change nothing, but other programs on the bus see them</source>
+        <translation>同时向机械臂发送查询：版本、限位、示教手柄。不会运动，也不改变任何内容，但总线上的其他程序会看到</translation>
+    </message>
+    <message>
+        <source>so long each device is listened to (2)</source>
+        <translation>每个设备的监听时间，秒（2）</translation>
+    </message>
+    <message>
+        <source>leave the bus alone: open no device</source>
+        <translation>不碰总线：不打开任何设备</translation>
+    </message>
+    <message>
+        <source>language of the report</source>
+        <translation>报告的语言</translation>
+    </message>
+    <message>
+        <source>Export a recorded CAN log: MCAP with ROS 2 messages, a table as CSV or Parquet, or every frame as a CSV file for each message.</source>
+        <translation>导出录制的 CAN 日志：含 ROS 2 消息的 MCAP，CSV 或 Parquet 表格，或每种消息一个 CSV 文件的全部帧。</translation>
+    </message>
+    <message>
+        <source>Exit code: 0 all exported, 1 exported but for places of the log that cannot be read (named on the error output), 2 nothing written, 130 stopped with Ctrl-C.</source>
+        <translation>退出码：0 全部导出；1 已导出，但日志中有些位置无法读取（见错误输出）；2 没有写入；130 被 Ctrl-C 停止。</translation>
+    </message>
+    <message>
+        <source>format (default: what the target&apos;s name says, else mcap); csv-messages makes a folder with a file for each message; parquet needs pyarrow</source>
+        <translation>格式（默认：按目标文件名，否则为 mcap）；csv-messages 生成文件夹，每种消息一个文件；parquet 需要 pyarrow</translation>
+    </message>
+    <message>
+        <source>target (default: the log&apos;s name with another ending)</source>
+        <translation>目标文件（默认：日志名换扩展名）</translation>
+    </message>
+    <message>
+        <source>from there on, in seconds from the log&apos;s first frame</source>
+        <translation>从此处开始，自日志第一帧起的秒数</translation>
+    </message>
+    <message>
+        <source>up to there, likewise</source>
+        <translation>到此处为止，同上</translation>
+    </message>
+    <message>
+        <source>the arm&apos;s firmware, which says where its joints have their zeros (default: what the log tells, else what fits the end pose in it)</source>
+        <translation>机械臂固件，由它确定各关节零位（默认：按日志所示，否则按与其中末端位姿相符者）</translation>
+    </message>
+    <message>
+        <source>the arm (default: what fits the end pose in the log, else piper)</source>
+        <translation>机械臂型号（默认：与日志中末端位姿相符者，否则为 piper）</translation>
+    </message>
+    <message>
+        <source>channel of the log (default: that on which most of an arm is heard)</source>
+        <translation>日志的通道（默认：机械臂数据最多的通道）</translation>
+    </message>
+    <message>
+        <source>replace a target that is there</source>
+        <translation>覆盖已存在的目标文件</translation>
+    </message>
+    <message>
+        <source>progress and result as JSON, one object a line</source>
+        <translation>以 JSON 输出进度和结果，每行一个对象</translation>
+    </message>
+    <message>
+        <source>Record every frame on a CAN bus until Ctrl-C. Nothing is sent. What is written can be read at any moment; a kill loses the last second at most.</source>
+        <translation>录制 CAN 总线上的每一帧，直到 Ctrl-C。不发送任何内容。已写入的内容随时可读；进程被杀死时最多丢失最后一秒。</translation>
+    </message>
+    <message>
+        <source>Exit code: 0 recorded as asked; 1 cut short: the disk or the device failed, what was written is whole; 2 it could not begin.</source>
+        <translation>退出码：0 按要求录制；1 提前结束：磁盘或设备故障，已写入的内容完整；2 无法开始。</translation>
+    </message>
+    <message>
+        <source>record a simulated arm that lives in this command</source>
+        <translation>录制本命令自带的仿真机械臂</translation>
+    </message>
+    <message>
+        <source>protocol of the simulated arm (2)</source>
+        <translation>仿真机械臂的协议（2）</translation>
+    </message>
+    <message>
+        <source>where to (the current folder)</source>
+        <translation>保存到哪个文件夹（当前文件夹）</translation>
+    </message>
+    <message>
+        <source>of the recording (session-DATE-TIME)</source>
+        <translation>录制的名称（session-日期-时间）</translation>
+    </message>
+    <message>
+        <source>of the files (blf); mf4 is made of the .blf files at the end, where asammdf is installed</source>
+        <translation>文件格式（blf）；mf4 在结束时由 .blf 文件生成，需安装 asammdf</translation>
+    </message>
+    <message>
+        <source>a file that is as large is followed by another (100)</source>
+        <translation>文件达到此大小后换下一个（100）</translation>
+    </message>
+    <message>
+        <source>end by itself after so long</source>
+        <translation>达到此时长后自动结束</translation>
+    </message>
+    <message>
+        <source>no progress line</source>
+        <translation>不显示进度行</translation>
+    </message>
+    <message>
+        <source>the bus</source>
+        <translation>总线</translation>
+    </message>
+    <message>
+        <source>the arm</source>
+        <translation>机械臂</translation>
+    </message>
+    <message>
+        <source>what goes wrong</source>
+        <translation>故障</translation>
+    </message>
+    <message>
+        <source>python-can&apos;s name of the bus (udp_multicast)</source>
+        <translation>python-can 中总线的名称（udp_multicast）</translation>
+    </message>
+    <message>
+        <source>the bus&apos;s channel, e.g. vcan0</source>
+        <translation>总线的通道，如 vcan0</translation>
+    </message>
+    <message>
+        <source>bit/s, where the program sets it</source>
+        <translation>比特率 bit/s，由程序设置时有效</translation>
+    </message>
+    <message>
+        <source>move its feedback and motion commands by 0x10 or 0x20, for another arm on one bus</source>
+        <translation>将其反馈和运动指令偏移 0x10 或 0x20，以便同一总线上有另一台机械臂</translation>
+    </message>
+    <message>
+        <source>what it answers when asked for its version, and what it does as this version does: MIT, CPV, frames, signs, scales; generation 2 only (S-V1.8-9)</source>
+        <translation>查询版本时的应答，并按该版本工作：MIT、CPV、帧、符号、比例；仅第 2 代（S-V1.8-9）</translation>
+    </message>
+    <message>
+        <source>which arm of the family it is: piper, piper_h, piper_l, piper_x (piper)</source>
+        <translation>系列中的型号：piper, piper_h, piper_l, piper_x（piper）</translation>
+    </message>
+    <message>
+        <source>keep its settings in this file; without it they end with the command</source>
+        <translation>将其设置保存在此文件中；否则随命令结束而丢失</translation>
+    </message>
+    <message>
+        <source>break something, in seconds from the start; may be given often</source>
+        <translation>制造故障，时间为启动后的秒数；可多次给出</translation>
+    </message>
+    <message>
+        <source>have known bugs of firmware versions, to try a host&apos;s answers to them: without names those reported of its version, or all, or some of them</source>
+        <translation>带有固件版本的已知缺陷，用于试验上位机的应对：不写名称为该版本已报告的缺陷，或 all，或其中几个</translation>
+    </message>
+    <message>
+        <source>of all that is left to chance: noise, lost frames (0)</source>
+        <translation>随机种子，用于噪声、丢帧等（0）</translation>
+    </message>
+    <message>
+        <source>--interface and --channel go together</source>
+        <translation>--interface 与 --channel 必须同时给出</translation>
+    </message>
+    <message>
+        <source>--sim is a device of its own: leave out --interface</source>
+        <translation>--sim 本身就是设备：请去掉 --interface</translation>
+    </message>
+    <message>
+        <source>--generation belongs to --sim: a real arm says for itself which it is</source>
+        <translation>--generation 只用于 --sim：真实机械臂会自行说明</translation>
+    </message>
+    <message>
+        <source>--firmware belongs to --sim in generation 2: a real arm tells its own</source>
+        <translation>--firmware 只用于第 2 代的 --sim：真实机械臂会自行说明</translation>
+    </message>
+</context>
+<context>
     <name>CommandPalette</name>
     <message>
         <source>No command has that name. Search in Chinese, English, pinyin or initials.</source>
@@ -4324,6 +4799,14 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <source>Gripper</source>
         <translation>夹爪</translation>
     </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>The speed in the top bar: it counts for every jog and step, also while one goes on. The override of a run does not.</source>
+        <translation>顶栏的速度：对每次点动和步进都有效，进行中也立即生效。运行的倍率对点动无效。</translation>
+    </message>
 </context>
 <context>
     <name>JogCell</name>
@@ -4747,10 +5230,6 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
 <context>
     <name>LibraryActions</name>
     <message>
-        <source>Trajectory</source>
-        <translation>轨迹</translation>
-    </message>
-    <message>
         <source>Deleted: {names}</source>
         <translation>已删除：{names}</translation>
     </message>
@@ -5004,6 +5483,10 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <source>! other arm</source>
         <translation>! 其他机械臂</translation>
     </message>
+    <message>
+        <source>It is being worked out.</source>
+        <translation>正在计算。</translation>
+    </message>
 </context>
 <context>
     <name>LibraryPage</name>
@@ -5026,6 +5509,18 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>Deleted: {names}</source>
         <translation>已删除：{names}</translation>
+    </message>
+    <message>
+        <source>Name of the trajectory</source>
+        <translation>轨迹名称</translation>
+    </message>
+    <message>
+        <source>Create</source>
+        <translation>创建</translation>
+    </message>
+    <message>
+        <source>Trajectory</source>
+        <translation>轨迹</translation>
     </message>
 </context>
 <context>
@@ -5666,6 +6161,13 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>CPV mode</source>
         <translation>CPV 模式</translation>
+    </message>
+</context>
+<context>
+    <name>NameBar</name>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
     </message>
 </context>
 <context>
@@ -9782,6 +10284,29 @@ The other program must have ended.</source>
     <message>
         <source>The speed of each row × that of the run, 1–100 %; from row {row} on.</source>
         <translation>各行速度 × 运行速度，1–100 %；从第 {row} 行起。</translation>
+    </message>
+    <message>
+        <source>{text} · {time}</source>
+        <translation>{text} · {time}</translation>
+    </message>
+    <message>
+        <source>≈ {time} a run</source>
+        <translation>每次 ≈ {time}</translation>
+    </message>
+    <message>
+        <source>Step by step it takes as long as the operator.</source>
+        <translation>逐点运行时，时长取决于操作者。</translation>
+    </message>
+</context>
+<context>
+    <name>RunEstimate</name>
+    <message>
+        <source>An estimate, without the way to the first point. A check tells it exactly.</source>
+        <translation>估计值，不含到第一点的路程。检查后显示准确值。</translation>
+    </message>
+    <message>
+        <source>How long it takes is not known: the arm cannot reach a point or go a way, or there are too many points. A check tells more.</source>
+        <translation>时长未知：机械臂到不了某个点或走不了某段路径，或者点太多。检查会给出详情。</translation>
     </message>
 </context>
 <context>

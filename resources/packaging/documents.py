@@ -23,7 +23,8 @@ _FILES: Final = (
 
 def parsers() -> dict[str, argparse.ArgumentParser]:
     """The parser of each command; that of the window by the name ""."""
-    found = {"": cli._parser(), "replay": cli._replay_parser()}  # noqa: SLF001 - the only ones
+    window, replay = cli._parser(), cli._replay_parser()  # noqa: SLF001 - the only ones
+    found: dict[str, argparse.ArgumentParser] = {"": window, "replay": replay}
     for name, (module_name, purpose) in cli._COMMANDS.items():  # noqa: SLF001 - as above
         parser = argparse.ArgumentParser(prog=f"armui {name}", description=purpose)
         importlib.import_module(module_name).add_arguments(parser)

@@ -31,7 +31,8 @@ from armui.doctor.judge import (
     judge_screen,
 )
 from armui.doctor.judge_heard import judge_heard
-from armui.doctor.report import LANGUAGES, Words, translation
+from armui.doctor.report import Words
+from armui.system.plain_words import LANGUAGES, translation
 
 WORDS = [Words(translation(language)) for language in LANGUAGES]
 UBUNTU = ("ubuntu", "debian")

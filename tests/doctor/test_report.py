@@ -12,9 +12,8 @@ from armui.doctor.report import (
     as_json,
     as_text,
     findings_of_json,
-    language_of_system,
-    translation,
 )
+from armui.system.plain_words import language_of_system, translation
 
 FINDING = LINK_DOWN("sudo ip link set can0 up", channel="can0")
 EN, ZH = Words(translation("en")), Words(translation("zh"))

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 
 from armui.ui.guide.guide_page import GuidePage
@@ -47,6 +49,7 @@ def _first_point(app_driver: AppDriver) -> None:
     """A trajectory that was made a moment ago."""
     app_driver.ready()
     app_driver.click(trajectories.library(app_driver).findChild(QWidget, "library_create"))
+    QTest.keyClick(app_driver.find("library_name"), Qt.Key.Key_Return)
 
 
 def _run(app_driver: AppDriver) -> None:

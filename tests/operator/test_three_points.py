@@ -21,12 +21,13 @@ from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.library.library_page import LibraryPage
 from tests.app_driver import AppDriver
 
-PRESSES = 8
-"""Create; three times a jog button and Insert current pose; Send.
+PRESSES = 9
+"""Create; Enter for the name that stands there; three times a jog button and Insert; Send.
 
-Before there were pages the same eight buttons were pressed, but the windows of library and editor
-lay over the jog buttons on a screen of 1440×900: both had to be dragged aside, and the editor's,
-1224 pixels wide, made narrower, before the first point. Eleven."""
+Enter moves no hand to the mouse and back, and names the trajectory for good. Before there were
+pages the same eight buttons were pressed, but the windows of library and editor lay over the jog
+buttons on a screen of 1440×900: both had to be dragged aside, and the editor's, 1224 pixels wide,
+made narrower, before the first point. Eleven."""
 
 
 class CountedHand:
@@ -39,6 +40,11 @@ class CountedHand:
     def __init__(self, app_driver):
         self.driver = app_driver
         self.pressed = []
+
+    def enter(self):
+        """Press Enter where the keys go: nothing is typed, and no field is clicked."""
+        QTest.keyClick(self.driver.window.focusWidget(), Qt.Key.Key_Return)
+        self.pressed.append("Enter")
 
     def press(self, name):
         shown = [
@@ -62,6 +68,7 @@ def make_and_run(app_driver):
     app_driver.page(LibraryPage)
     hand = CountedHand(app_driver)
     hand.press("library_create")
+    hand.enter()
     for joint in (1, 2, 3):
         hand.press(f"box_minus_{joint}" if joint == 3 else f"box_plus_{joint}")
         hand.press("box_insert")
@@ -69,7 +76,7 @@ def make_and_run(app_driver):
     return hand
 
 
-def test_eight_presses_make_and_run_three_points(app_driver):
+def test_nine_presses_make_and_run_three_points(app_driver):
     hand = make_and_run(app_driver)
     assert len(hand.pressed) == PRESSES
     targets = [point.target for point in app_driver.page(EditorPage).document.points]

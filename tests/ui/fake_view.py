@@ -7,6 +7,7 @@ from typing import Any
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
 
+from armui.viewport.fitting import Box, Room
 from armui.viewport.viewpoint import ViewMode
 
 
@@ -54,6 +55,13 @@ class FakeView(QWidget):
 
     def set_preview(self, preview: Any) -> None:
         self.preview = preview
+
+    @property
+    def room(self) -> Room:
+        return Room(float(self.width()), float(self.height()))
+
+    def arm_boxes(self) -> list[Box]:
+        return []
 
     def reset_view(self) -> None:
         self.resets += 1

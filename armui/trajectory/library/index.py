@@ -65,6 +65,9 @@ class IndexEntry:
         taught_on: The arm it was taught on; "" if not known.
         speeds: The lowest and highest speed percentage of its points from each row on, see
             `speeds_of`.
+        estimated_s: How long it will take at its own speed, see `estimate_s`; ``None`` where that
+            is not known.
+        estimated_for: The `ArmModel.fingerprint` that was estimated for; "": nobody has.
     """
 
     name: str
@@ -79,6 +82,8 @@ class IndexEntry:
     ran_with: RunOptions | None = None
     speeds: tuple[SpeedsFrom, ...] = ()
     taught_on: str = ""
+    estimated_s: float | None = None
+    estimated_for: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -205,6 +210,8 @@ def _pack(entry: IndexEntry) -> dict[str, Any]:
         "ran_with": None if entry.ran_with is None else asdict(entry.ran_with),
         "speeds": entry.speeds,
         "taught_on": entry.taught_on,
+        "estimated_s": entry.estimated_s,
+        "estimated_for": entry.estimated_for,
     }
     if (damage := entry.damage) is not None:
         reason = damage.refusal
@@ -240,21 +247,22 @@ def _unpack(data: dict[str, Any]) -> dict[str, tuple[Stamp, IndexEntry]]:
 
 def _is_sound(entry: IndexEntry) -> bool:
     """Return whether every field of an entry is what the list can show."""
-    length_s = entry.length_s
+    texts = (entry.name, entry.note, entry.checked_for, entry.taught_on, entry.estimated_for)
     return (
-        all(
-            isinstance(text, str) and _can_be_shown(text)
-            for text in (entry.name, entry.note, entry.checked_for, entry.taught_on)
-        )
+        all(isinstance(text, str) and _can_be_shown(text) for text in texts)
         and entry.kind in get_args(Kind)
         and isinstance(entry.count, int)
         and 0 <= entry.count < _MOST_BYTES
-        and (length_s is None or (isinstance(length_s, int | float) and 0 <= length_s < math.inf))
+        and all(map(_is_time, (entry.length_s, entry.estimated_s)))
         and entry.modified.tzinfo is not None
         and (entry.check is None or entry.check in get_args(Check))
         and (entry.ran_with is None or entry.ran_with.is_sound)
         and _are_speeds(entry.speeds)
     )
+
+
+def _is_time(seconds: float | None) -> bool:
+    return seconds is None or (isinstance(seconds, int | float) and 0 <= seconds < math.inf)
 
 
 def _are_speeds(speeds: tuple[SpeedsFrom, ...]) -> bool:

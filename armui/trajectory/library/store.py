@@ -9,12 +9,14 @@ from __future__ import annotations
 
 import contextlib
 import threading
-from collections.abc import Callable, Iterator, Sequence
+import time
+from collections.abc import Callable, Container, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Final
 
+from armui.arm.models import ArmModel
 from armui.arm.refusal import Reason, Refusal
 from armui.system.atomic import remove_abandoned
 from armui.system.files import error_text
@@ -42,6 +44,7 @@ from armui.trajectory.library.stored_files import (
     suffix_of,
     write_content,
 )
+from armui.trajectory.planning.estimate import estimate_s
 from armui.trajectory.points.program import LONGEST_NAME, Trajectory, check_name, check_trajectory
 from armui.trajectory.samples.recording import Array, Recording, check_recording
 
@@ -106,6 +109,8 @@ __all__ = ["Check", "Deleted", "IndexEntry", "Library", "LibraryError", "Listing
 _BIN: Final = ".deleted"
 _RECORDINGS: Final = ".recordings"
 _ROOM_FOR_NUMBER: Final = 8
+_MOMENT_S: Final = 0.2
+"""So long others wait for estimates of trajectories."""
 
 
 class Library:
@@ -201,16 +206,7 @@ class Library:
         Args:
             wanted: Any text; characters that no name can hold are left out.
         """
-        if check_name(wanted) is not None:
-            plain = wanted.encode(errors="ignore").decode().replace("\0", "")
-            wanted = " ".join(plain.split()) or "?"
-        wanted = wanted[: LONGEST_NAME - _ROOM_FOR_NUMBER].rstrip()
-        taken = {*self._scan(), *self._drafts.names()}
-        name, number = wanted, 1
-        while name in taken:
-            number += 1
-            name = f"{wanted} {number}"
-        return name
+        return free_name(wanted, {*self._scan(), *self._drafts.names()})
 
     # Changes --------------------------------------------------------------------------------------
 
@@ -236,6 +232,20 @@ class Library:
         for name in {content.name, replacing or content.name}:
             self.drop_draft(name)
         return displaced
+
+    def create(self, name: str) -> Trajectory:
+        """Keep a new trajectory without points.
+
+        Raises:
+            LibraryError: The name is taken, also by an unsaved state, or no name; or the disk
+                refuses.
+        """
+        if name in self._drafts.names():
+            raise LibraryError(NAME_TAKEN(name=name))
+        trajectory = Trajectory(name, modified=self._now())
+        self._verify(trajectory)
+        self._write(trajectory, None)
+        return trajectory
 
     def rename(self, name: str, new: str) -> None:
         """Rename a trajectory together with its draft.
@@ -401,6 +411,36 @@ class Library:
         if kept is not None and kept.entry.damage is None:
             entry = replace(kept.entry, ran_with=replace(options, first=0))
             self._file_store.mark(kept, entry)
+
+    def estimate(self, names: Iterable[str], arm: ArmModel) -> dict[str, float | None]:
+        """Work out how long trajectories will take, until that has taken a moment itself.
+
+        Args:
+            names: Which, the first ones first; those that are gone or damaged are left out.
+            arm: By which it is planned.
+
+        Returns:
+            By name how many seconds, or ``None`` where it is not known; it is kept until the file
+            changes. Those that are missing were not come to.
+
+        Raises:
+            LibraryError: The folder cannot be read.
+        """
+        found, begun_s = self._scan(), time.monotonic()
+        marked: dict[str, tuple[StoredFile, IndexEntry]] = {}
+        for name in names:
+            kept = found.get(name)
+            if kept is None or kept.entry.damage is not None:
+                continue
+            with contextlib.suppress(TrajectoryFileError):  # gone, or damaged since
+                content = load_by(self._call, kept.path, kept.stamp.size)
+                seconds: float | None = self._call(estimate_s, content, arm)
+                entry = replace(kept.entry, estimated_s=seconds, estimated_for=arm.fingerprint)
+                marked[name] = kept, entry
+            if time.monotonic() - begun_s > _MOMENT_S:
+                break
+        self._file_store.mark_all(marked.values())
+        return {name: entry.estimated_s for name, (_, entry) in marked.items()}
 
     # Drafts ---------------------------------------------------------------------------------------
 
@@ -590,6 +630,24 @@ def _first_fault(content: Content) -> tuple[int, Refusal] | None:
     if isinstance(content, Recording):
         return check_recording(content)
     return check_trajectory(content)
+
+
+def free_name(wanted: str, taken: Container[str]) -> str:
+    """Return a name that is not taken: the wanted, or the wanted with a number.
+
+    Args:
+        wanted: Any text; what no name can hold is left out of it.
+        taken: The names there are.
+    """
+    if check_name(wanted) is not None:
+        plain = wanted.encode(errors="ignore").decode().replace("\0", "")
+        wanted = " ".join(plain.split()) or "?"
+    wanted = wanted[: LONGEST_NAME - _ROOM_FOR_NUMBER].rstrip()
+    name, number = wanted, 1
+    while name in taken:
+        number += 1
+        name = f"{wanted} {number}"
+    return name
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Final
@@ -127,6 +127,12 @@ class FileStore:
     def mark(self, kept: StoredFile, entry: IndexEntry) -> None:
         """Store a new entry for a file, valid only if the file is as it was at the scan."""
         self._index.put(kept.path.name, kept.stamp, entry)
+        self._index.save()
+
+    def mark_all(self, marked: Iterable[tuple[StoredFile, IndexEntry]]) -> None:
+        """Take over what was found out about files, as `mark`; written once."""
+        for kept, entry in marked:
+            self._index.put(kept.path.name, kept.stamp, entry)
         self._index.save()
 
     def _files(self) -> Iterator[tuple[Path, Stamp]]:

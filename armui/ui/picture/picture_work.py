@@ -6,8 +6,19 @@ from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QBuffer, QByteArray, QEvent, QIODevice, QObject, Qt, QTimer
-from PySide6.QtGui import QGuiApplication, QImage
+from PySide6.QtCore import (
+    QBuffer,
+    QByteArray,
+    QEvent,
+    QIODevice,
+    QObject,
+    QPointF,
+    QRect,
+    QSize,
+    Qt,
+    QTimer,
+)
+from PySide6.QtGui import QGuiApplication, QHideEvent, QImage, QShowEvent
 from PySide6.QtWidgets import QApplication, QLabel, QWidget
 
 from armui.control.events import Level
@@ -17,6 +28,7 @@ from armui.ui.dialogs.files import FileExport
 from armui.ui.freshness import is_stale
 from armui.ui.panels.jogging.cartesian_panel import CartesianPanel
 from armui.ui.panels.jogging.motion_panel import JointRow, MotionPanel
+from armui.ui.picture.note_place import freest, note_places
 from armui.ui.picture.target_drag import CartesianTarget, LedArm, MotionTarget, TargetDrag
 from armui.ui.picture.view_bar import ViewBar
 from armui.ui.theme import colors_of
@@ -171,6 +183,8 @@ class TrailKeeper:
 
 
 _LONG_MS: Final = 6000
+_LOOK_MS: Final = 250
+"""So often a note that is seen looks where the arm is now."""
 _WIDEST_PX: Final = 420
 _NARROW_PX: Final = 240
 """The width of a line beside the buttons at the lower right."""
@@ -178,7 +192,7 @@ _NOTE_RIM_PX: Final = 11
 
 
 class PictureNote(QLabel):
-    """A note at the lower left of the picture, transparent for the mouse."""
+    """A note over the picture where the arm is not, transparent for the mouse."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -192,7 +206,46 @@ class PictureNote(QLabel):
         self._level = Level.INFO
         self._end = QTimer(self, singleShot=True, interval=_LONG_MS)
         self._end.timeout.connect(self.hide)
+        self._view: ArmView | None = None
+        self._place = 0
+        self._look = QTimer(self, interval=_LOOK_MS)
+        self._look.timeout.connect(self.find_place)
         self.hide()
+
+    def stand_over(self, region: QWidget, view: ArmView) -> None:
+        """Stand in a region over the view in it, from now on."""
+        self._view = view
+        self.setParent(region)
+        view.installEventFilter(self)
+
+    def find_place(self) -> None:
+        """Stand where least of the arm is hidden; the arm, or the camera, may have moved."""
+        view = self._view
+        if view is None or not self.isVisible():
+            return
+        width = min(self.maximumWidth(), max(self.minimumWidth(), self.sizeHint().width()))
+        height = self.heightForWidth(width)
+        places = note_places(view.room, width, height)
+        self._place = freest(places, view.arm_boxes(), self._place)
+        corner = QPointF(places[self._place].left, places[self._place].top).toPoint()
+        self.setGeometry(QRect(view.pos() + corner, QSize(width, height)))
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """The picture has another size."""
+        if watched is self._view and event.type() in {QEvent.Type.Resize, QEvent.Type.Move}:
+            self.find_place()
+        return super().eventFilter(watched, event)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Keep out of the arm's way while it is seen."""
+        super().showEvent(event)
+        self._look.start()
+        self.find_place()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """What is not seen does no work."""
+        self._look.stop()
+        super().hideEvent(event)
 
     def say(
         self,
@@ -224,6 +277,7 @@ class PictureNote(QLabel):
         self.ensurePolished()  # as wide as the theme's font has it
         line_px = self.fontMetrics().horizontalAdvance(text) + 2 * _NOTE_RIM_PX
         self.setMinimumWidth(min(line_px, _NARROW_PX) if text else 0)
+        self.find_place()
 
     def changeEvent(self, event: QEvent) -> None:
         """Update text and colours after a change of language or theme."""

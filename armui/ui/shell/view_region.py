@@ -67,7 +67,7 @@ class ViewRegion(Translated, QWidget):
         layout.addWidget(view, 0, 0)
         layout.addLayout(row, 0, 0, align.AlignRight | align.AlignBottom)
         layout.addLayout(_with_rim(work.bar), 0, 0, align.AlignRight | align.AlignTop)
-        layout.addLayout(_with_rim(work.note), 0, 0, align.AlignLeft | align.AlignBottom)
+        work.note.stand_over(self, view)
         work.bar.raise_()
         work.note.raise_()
         layout.addWidget(bar, 1, 0)

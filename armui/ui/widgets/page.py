@@ -5,9 +5,16 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Final
 
-from PySide6.QtCore import QEvent, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QContextMenuEvent, QKeyEvent, QResizeEvent
-from PySide6.QtWidgets import QFrame, QHeaderView, QScrollArea, QStackedWidget, QWidget
+from PySide6.QtWidgets import (
+    QBoxLayout,
+    QFrame,
+    QHeaderView,
+    QScrollArea,
+    QStackedWidget,
+    QWidget,
+)
 
 from armui.ui.actions.command import Command, Target
 from armui.ui.widgets.curve_menu import offer_curves
@@ -25,6 +32,9 @@ class Page(Translated, QWidget):
 
     Args:
         key: Its name in the settings; pages of one kind share it.
+        parent: Qt's.
+        footed: Whether its body scrolls by itself where there is little height, so that the footer
+            stays in sight.
 
     Attributes:
         above: The page that leads to it, and to which the way back leads.
@@ -44,7 +54,7 @@ class Page(Translated, QWidget):
     wanted = Signal()
     closed = Signal()
 
-    def __init__(self, key: str, parent: QWidget | None = None) -> None:
+    def __init__(self, key: str, parent: QWidget | None = None, *, footed: bool = False) -> None:
         super().__init__(parent)
         self.key: Final = key
         self.above: Page | None = None
@@ -52,7 +62,8 @@ class Page(Translated, QWidget):
         self._title = ""
         self.body = in_column(spacing=_GAP_PX)
         self.footer = in_row(spacing=_GAP_PX // 2)
-        in_column((self.body, 1), self.footer, on=self, spacing=_GAP_PX, margins=0)
+        self._area = _scrolled(self.body) if footed else None
+        in_column((self._area or self.body, 1), self.footer, on=self, spacing=_GAP_PX, margins=0)
 
     @property
     def subject(self) -> str:
@@ -78,6 +89,12 @@ class Page(Translated, QWidget):
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each of its commands, by the command's name."""
         return {}
+
+    def bring_into_sight(self, part: QWidget) -> None:
+        """Scroll to a part of the body, once it has its place: there may be little height."""
+        area = self._area
+        if area is not None:
+            QTimer.singleShot(0, area, lambda: area.ensureWidgetVisible(part, 0, 0))
 
     # Coming and going -------------------------------------------------------------------------
 
@@ -176,6 +193,14 @@ class StackArea(QScrollArea):
         """As wide as what is seen needs beside the scroll bar; as low as may be."""
         bar_px = self.verticalScrollBar().sizeHint().width()
         return QSize(self._room.minimumSizeHint().width() + bar_px, 0)
+
+
+def _scrolled(body: QBoxLayout) -> StackArea:
+    """Return an area in which the body of a page scrolls."""
+    content, stack = QWidget(), QStackedWidget()
+    in_column((body, 1), on=content, margins=0)
+    stack.addWidget(content)
+    return StackArea(stack)
 
 
 class PageStack(StackArea):

@@ -56,6 +56,14 @@ class LibraryDriver:
     def click(self, name):
         self.app_driver.click(self.child(name))
 
+    def create(self, name=""):
+        """Create a trajectory; without a name, by the one that stands there."""
+        self.click("create")
+        field = self.child("name")
+        QTest.keyClicks(field, name)
+        QTest.keyClick(field, Qt.Key.Key_Return)
+        QCoreApplication.processEvents()
+
     def child(self, name):
         return self.window.findChild(QWidget, f"library_{name}")
 

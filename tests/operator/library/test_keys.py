@@ -57,6 +57,7 @@ def test_escape_clears_the_search_before_it_closes_the_window(driver):
 
 def test_the_other_keys(driver):
     driver.key(Qt.Key.Key_N, CTRL)
+    QTest.keyClick(driver.child("name"), Qt.Key.Key_Return)
     driver.app_driver.page(EditorPage).close()
     driver.key(Qt.Key.Key_O, CTRL)
     driver.app_driver.dialog(FileDialog).close()
@@ -147,7 +148,7 @@ def test_an_empty_library_says_what_to_do(app_driver):
     for word in ("Create", "record", "import", "dropped"):
         assert word in text
     assert not driver.child("clear_search").isVisible()
-    driver.click("create")
+    driver.create()
     assert hint(driver) is None
 
 
@@ -163,6 +164,6 @@ def test_a_search_that_finds_nothing_says_so_and_is_cleared_by_a_click(driver):
 
 def test_what_is_new_is_seen_although_something_else_was_searched_for(driver):
     QTest.keyClicks(driver.child("search"), "one")
-    driver.click("create")
+    driver.create()
     assert driver.child("search").text() == ""
     assert [entry.name for entry in driver.window.chosen()] == ["Trajectory"]

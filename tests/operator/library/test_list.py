@@ -29,7 +29,7 @@ def test_what_needs_a_choice_says_so(driver):
 
 
 def test_a_new_one_is_created_and_opened(driver):
-    driver.click("create")
+    driver.create()
     editor = driver.app_driver.page(EditorPage)
     assert editor.title == "Trajectory"
     QTest.keyClick(editor.table, Qt.Key.Key_Return, Qt.KeyboardModifier.ControlModifier)

@@ -30,7 +30,7 @@ def test_what_others_do_is_seen_by_itself(driver):
 
 def test_the_first_trajectory_of_an_empty_library_is_seen_too(app_driver):
     driver = LibraryDriver(app_driver)
-    driver.click("create")
+    driver.create()
     app_driver.page(EditorPage).close()
     other(driver).save(Trajectory("new", points=(POINT,)))
     app_driver.wait(lambda: driver.names() == ["new", "Trajectory"])
@@ -112,7 +112,7 @@ def test_a_folder_that_vanishes_is_an_empty_library(driver):
     driver.window.refresh()
     assert driver.names() == []
     assert driver.child("hint_title").isVisible()
-    driver.click("create")
+    driver.create()
     driver.app_driver.page(EditorPage).close()
     assert driver.names() == ["Trajectory"]
 

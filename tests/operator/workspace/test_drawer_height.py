@@ -1,6 +1,9 @@
 """The drawer has its height in every panel, whichever was seen before."""
 
 import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QWidget
 
 from armui.ui.shell.drawer import DRAWER_PX
 from tests.app_driver import PANELS
@@ -23,3 +26,45 @@ def test_a_window_may_be_low_after_every_panel_was_seen(pages):
     pages.driver.window.resize(1024, 640)
     assert pages.driver.window.height() == 640
     assert pages.driver.find("status_bar").geometry().bottom() < 640
+
+
+def is_in_sight(pages, name):
+    """Whether a press in the middle of a widget reaches it."""
+    pages.driver.run(0.1)
+    widget = next(
+        each for each in pages.driver.window.findChildren(QWidget, name) if each.isVisible()
+    )
+    middle = widget.mapTo(pages.driver.window, widget.rect().center())
+    inside = pages.driver.window.rect().contains(middle)
+    return inside and pages.driver.window.childAt(middle) is widget
+
+
+@pytest.mark.parametrize("size", [(1280, 800), (1024, 720)])
+def test_send_is_in_sight_whatever_is_open_above_and_below_it(pages, size):
+    pages.driver.ready()
+    pages.driver.window.resize(*size)
+    pages.driver.click("events_button")
+    library = pages.open_library()
+    assert is_in_sight(pages, "run_send")
+    pages.driver.click(library.findChild(QWidget, "library_create"))
+    assert is_in_sight(pages, "run_send")
+    assert is_in_sight(pages, "library_name")
+    QTest.keyClick(library.findChild(QWidget, "library_name"), Qt.Key.Key_Escape)
+    editor = pages.open_editor()
+    assert is_in_sight(pages, "run_send")
+    editor._actions["jog"].trigger()
+    editor._find_bar.open()
+    assert is_in_sight(pages, "run_send")
+
+
+@pytest.mark.parametrize("where", ["library", "editor"])
+def test_the_question_of_a_check_is_in_sight_too(pages, where):
+    pages.driver.ready()
+    pages.driver.window.resize(1280, 800)
+    pages.driver.click("events_button")
+    page = pages.open_editor() if where == "editor" else pages.open_library()
+    if where == "library":
+        page._table.selectRow(0)
+    pages.driver.click(page.findChild(QWidget, "run_send"))
+    assert is_in_sight(pages, "accept_warnings")
+    assert is_in_sight(pages, "run_send")

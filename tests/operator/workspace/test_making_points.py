@@ -119,6 +119,7 @@ def test_motors_that_are_off_are_said_at_the_buttons(pages):
 def test_an_empty_trajectory_says_what_to_do_first(pages):
     pages.driver.ready()
     pages.driver.click(pages.open_library().findChild(QWidget, "library_create"))
+    QTest.keyClick(pages.driver.find("library_name"), Qt.Key.Key_Return)
     editor = pages.driver.page(EditorPage)
     hint = editor.findChild(QWidget, "editor_hint")
     assert hint.isVisible()
@@ -132,3 +133,32 @@ def test_an_empty_trajectory_says_what_to_do_first(pages):
     assert editor.findChild(QWidget, "editor_check").toolTip() == "Check (Ctrl+E)"
     assert len(editor.document.points) == 1
     assert not hint.isVisible()
+
+
+def test_a_jog_and_a_step_from_the_editor_have_the_speed_of_the_top_bar(making):
+    driver = making.driver
+    assert driver.read("box_speed") == f"{driver.controller.motion.speed_percent} %"
+    driver.controller.motion.set_speed_percent(100)
+    driver.run(0.1)
+    box = driver.find("box_step_deg")
+    box.setCurrentIndex(box.count() - 1)
+    plus = driver.find("box_plus_1")
+    driver.press(plus)
+    driver.run(0.6)
+    before = abs(driver.firmware.mechanics.speeds_deg_s[0])
+    for _ in range(8):
+        QTest.keyClick(driver.window, Qt.Key.Key_F8)  # ten percent less each
+    assert driver.controller.motion.speed_percent == 20
+    driver.run(0.2)
+    assert driver.read("box_speed") == "20 %"
+    assert driver.controller.jogging.active
+    assert 0.0 < abs(driver.firmware.mechanics.speeds_deg_s[0]) <= 0.25 * before
+    QTest.mouseRelease(plus, Qt.MouseButton.LeftButton)
+    driver.run(0.5)
+    driver.heard()
+    box.setCurrentIndex(0)
+    driver.click("box_plus_1")
+    driver.run(0.1)
+    told = [frame.data[2] for frame in driver.heard() if frame.arbitration_id == 0x151]
+    assert told
+    assert set(told) == {20}

@@ -31,7 +31,7 @@ from armui.ui.widgets.buttons import (
 from armui.ui.widgets.flow import Flow, in_flow
 from armui.ui.widgets.hold_guard import HOLD_UNATTENDED, UNATTENDED_S
 from armui.ui.widgets.layouts import in_column, in_row
-from armui.ui.widgets.text_label import ValueLabel
+from armui.ui.widgets.text_label import ValueLabel, text_label
 from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
@@ -206,6 +206,7 @@ class JogBox(Translated, QFrame):
         self._choices[JogKind.JOINTS].setChecked(True)
         self._degrees = named("box_step_deg", StepBox(fmt.short_angle))
         self._lengths = named("box_step_mm", StepBox(lambda step: f"{step:g} mm / {step:g}°"))
+        self._speed = text_label("box_speed", rank="muted")
         self._cells = [JogCell(place) for place in range(len(AXES))]
         self.gripper = GripperLine(controller)
         self._lay_out(more)
@@ -216,7 +217,7 @@ class JogBox(Translated, QFrame):
 
     def _lay_out(self, more: Sequence[QWidget]) -> None:
         head = Flow()
-        for widget in (*self._choices.values(), self._degrees, self._lengths):
+        for widget in (*self._choices.values(), self._degrees, self._lengths, self._speed):
             head.addWidget(widget)
         for widget in more:
             head.push(widget)
@@ -324,7 +325,9 @@ class JogBox(Translated, QFrame):
             self._show_all()
 
     def _show_all(self) -> None:
-        why_not = words.why_not(self._controller.operating_state.cannot_move)
+        operating_state = self._controller.operating_state
+        self._speed.setText(f"{round(operating_state.speed_percent)} %")
+        why_not = words.why_not(operating_state.cannot_move)
         for cell in self._cells:
             cell.allow_jog(why_not)
         self.gripper.learn()
@@ -360,6 +363,13 @@ class JogBox(Translated, QFrame):
         texts = (self.tr("Joints"), self.tr("Base"), self.tr("Tool"), self.tr("Gripper"))
         for button, text in zip(self._choices.values(), texts, strict=True):
             caption(button, text)
+        self._speed.setAccessibleName(self.tr("Speed"))
+        self._speed.setToolTip(
+            self.tr(
+                "The speed in the top bar: it counts for every jog and step, also while one goes "
+                "on. The override of a run does not."
+            )
+        )
         for box in (self._degrees, self._lengths):
             box.setAccessibleName(self.tr("Step of − and +"))
             box.setToolTip(self.tr("How far one press of − or + moves"))

@@ -138,7 +138,7 @@ class EditorPage(Page):
         *,
         draft: Trajectory | None = None,
     ) -> None:
-        super().__init__("editor")
+        super().__init__("editor", footed=True)
         self._controller = controller
         self._work = work
         work.setParent(self)
@@ -157,7 +157,9 @@ class EditorPage(Page):
         self._message = named("editor_message", MessageLine(keeps_room=False))
         self._findings = FindingsPane()
         self._run_bar = RunBar(
-            controller, checks, choices, lambda then: then(self.document.trajectory())
+            *(controller, checks, choices),
+            lambda then: then(self.document.trajectory()),
+            lambda then: then(self.document.trajectory()),
         )
         self._actions = EditorActions(self, self.table, self._handlers())
         EditorHint(self.table, self._actions)
@@ -210,7 +212,8 @@ class EditorPage(Page):
         # what comes and goes takes room from the table: jog buttons and 发送 stay where they are
         fill(self.body, self._actions.bar(self._note), self._find_bar, (self.table, 1))
         fill(self.body, self._findings, self._other_arm, self._message)
-        fill(self.body, self._jog, self._run_bar)
+        fill(self.body, self._jog)
+        fill(self.footer, (self._run_bar, 1))
 
     def _connect(self) -> None:
         stack = self.document.stack
@@ -335,6 +338,7 @@ class EditorPage(Page):
         self._findings.clear()
         self._run_bar.drop_check()
         self._show_count()
+        self._run_bar.renew_estimate()
         self.preview_wanted.emit(None)
 
     def _show_count(self) -> None:
@@ -351,6 +355,7 @@ class EditorPage(Page):
 
     def _show_check(self, checked: Preflight, accept: Callable[[], object] | None) -> None:
         self._findings.show_check(checked, accept)
+        self.bring_into_sight(self._findings)
         faults: dict[int, bool] = {}
         for finding in checked.findings:
             if finding.row is not None and finding.approach is None:
@@ -364,7 +369,7 @@ class EditorPage(Page):
 
     def _note_check(self, checked: Preflight) -> None:
         """Have the list show how the check ended."""
-        length_s = sum(checked.outcome.expected_s)
+        length_s = checked.length_s
         name = self.document.name
         self._work.do(
             lambda: self._library.mark(

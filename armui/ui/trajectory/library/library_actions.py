@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from datetime import datetime
 from functools import partial
 from typing import Final
 
@@ -63,14 +62,22 @@ class LibraryActions(QObject):
         self._history.drop_outdated(seen)
         return seen
 
-    def create(self, then: Callable[[Trajectory], object]) -> None:
-        """Put an empty trajectory into the library, and hand it on."""
-        wanted = self.tr("Trajectory")
+    def create(
+        self,
+        name: str,
+        then: Callable[[Trajectory], object],
+        refused: Callable[[str], object],
+    ) -> None:
+        """Put an empty trajectory into the library.
+
+        Args:
+            name: What it is called.
+            then: Gets it, once it is there.
+            refused: Gets the words why there is none.
+        """
 
         def make() -> Trajectory:
-            name = self._library.free_name(wanted)
-            trajectory = Trajectory(name, modified=datetime.now().astimezone())
-            self._library.save(trajectory)
+            trajectory = self._library.create(name)
             self._history.note_made([name], Origin.CREATED)
             return trajectory
 
@@ -78,7 +85,7 @@ class LibraryActions(QObject):
             self._done([trajectory.name])
             then(trajectory)
 
-        self._work.do(make, made, self._on_refused)
+        self._work.do(make, made, refused)
 
     def duplicate(self, name: str) -> None:
         """Keep a trajectory once more, under a name of its own."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import enum
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any, Final
 
@@ -15,9 +15,11 @@ from PySide6.QtCore import (
     Signal,
 )
 
+from armui.control.run.replay import RUN_EMPTY
 from armui.trajectory.library.store import Check, IndexEntry
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.trajectory.running.run_estimate import estimate_tip
 from armui.ui.widgets.table_model import RIGHT, Index, TableModel
 
 ENTRY_ROLE: Final = Qt.ItemDataRole.UserRole
@@ -58,6 +60,11 @@ class LibraryModel(TableModel):
         self._kind = ""
         self._sort_keys: dict[tuple[int, int], tuple[Any, ...]] = {}
 
+    @property
+    def names(self) -> frozenset[str]:
+        """The names of all there are, also of what has unsaved changes alone."""
+        return self._drafts.union(entry.name for entry in self._rows)
+
     def is_unsaved(self, name: str) -> bool:
         """Return whether nothing is known of a trajectory but changes that are not saved."""
         return any(entry.name == name and entry.kind == "draft" for entry in self._rows)
@@ -96,11 +103,51 @@ class LibraryModel(TableModel):
         """Return how the check ended that holds for this arm."""
         return entry.check if entry.checked_for == self._arm else None
 
+    def length_s(self, entry: IndexEntry) -> float | None:
+        """Return how long it takes, checked or estimated; ``None`` where neither is known."""
+        if entry.length_s is not None:
+            return entry.length_s
+        return entry.estimated_s if entry.estimated_for == self._arm else None
+
+    def unestimated(self) -> list[str]:
+        """Return the names of those whose length nobody has worked out for this arm."""
+        return [
+            entry.name
+            for entry in self._rows
+            if entry.kind == "points"
+            and entry.damage is None
+            and entry.length_s is None
+            and entry.estimated_for != self._arm
+        ]
+
+    def note_estimates(self, estimates: Mapping[str, float | None], arm: str) -> None:
+        """Show how long some will take.
+
+        Args:
+            estimates: Seconds by name; ``None`` where it is not known.
+            arm: The `ArmModel.fingerprint` they were made for.
+        """
+        rows = list(self._rows)
+        for row, entry in enumerate(rows):
+            if entry.name in estimates:
+                seconds = estimates[entry.name]
+                rows[row] = replace(entry, estimated_s=seconds, estimated_for=arm)
+                self._sort_keys.pop((row, LibraryColumn.LENGTH), None)
+        self._rows = tuple(rows)
+        if rows:
+            column = LibraryColumn.LENGTH
+            self.dataChanged.emit(self.index(0, column), self.index(len(rows) - 1, column))
+
     def sort_key(self, row: int, column: int) -> tuple[Any, ...]:
         """Return what a cell is sorted by, among those of its column."""
         if (row, column) not in self._sort_keys:
             self._sort_keys[row, column] = _sort_key(
-                replace(self._rows[row], check=self._mark(self._rows[row])), LibraryColumn(column)
+                replace(
+                    self._rows[row],
+                    check=self._mark(self._rows[row]),
+                    length_s=self.length_s(self._rows[row]),
+                ),
+                LibraryColumn(column),
             )
         return self._sort_keys[row, column]
 
@@ -116,7 +163,8 @@ class LibraryModel(TableModel):
         if role == ENTRY_ROLE:
             return entry
         if role == Qt.ItemDataRole.ToolTipRole:
-            return self._tip(entry)
+            tip = self._length_tip(entry) if column is LibraryColumn.LENGTH else ""
+            return tip or self._tip(entry)
         if role == Qt.ItemDataRole.TextAlignmentRole and column in self._figures:
             return RIGHT
         return None
@@ -131,7 +179,7 @@ class LibraryModel(TableModel):
             is_recording = entry.kind == "recording"
             return self.tr("{count} samples").format(count=count) if is_recording else count
         if column is LibraryColumn.LENGTH:
-            return fmt.duration(entry.length_s)
+            return self._length(entry)
         if column is LibraryColumn.MODIFIED:
             return f"{entry.modified.astimezone():%Y-%m-%d %H:%M}"
         return self._check(entry) if column is LibraryColumn.CHECK else " ".join(entry.note.split())
@@ -151,6 +199,21 @@ class LibraryModel(TableModel):
             )
             return "\n".join(filter(None, (told, entry.note)))
         return entry.note
+
+    def _length(self, entry: IndexEntry) -> str:
+        seconds = self.length_s(entry)
+        sign = "≈ " if entry.length_s is None and seconds is not None else ""
+        return sign + fmt.duration(seconds)
+
+    def _length_tip(self, entry: IndexEntry) -> str:
+        """Tell what the figure is, or why there is none."""
+        if entry.kind != "points" or entry.damage is not None or entry.length_s is not None:
+            return ""
+        if entry.count == 0:
+            return words.refusal(RUN_EMPTY(name=entry.name))
+        if entry.estimated_for != self._arm:
+            return self.tr("It is being worked out.")
+        return estimate_tip(known=entry.estimated_s is not None)
 
     def _is_of_other_arm(self, entry: IndexEntry) -> bool:
         return bool(entry.taught_on and self._kind) and entry.taught_on != self._kind

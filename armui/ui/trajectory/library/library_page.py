@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
+from typing import Final
 
-from PySide6.QtCore import QEvent, QModelIndex, Signal
+from PySide6.QtCore import QEvent, QModelIndex, QTimer, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QHeaderView
 
+from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.control.operating_state import OperatingState
@@ -18,7 +20,14 @@ from armui.control.run.progress import Progress
 from armui.control.run.replay import RUN_EMPTY
 from armui.trajectory.files import Content
 from armui.trajectory.library.run_options import RunOptions
-from armui.trajectory.library.store import IndexEntry, Library, Listing
+from armui.trajectory.library.store import (
+    NAME_TAKEN,
+    IndexEntry,
+    Library,
+    Listing,
+    free_name,
+)
+from armui.trajectory.points.program import Trajectory, check_name
 from armui.ui import words
 from armui.ui.actions.command import Command, Target
 from armui.ui.background import Background
@@ -37,6 +46,7 @@ from armui.ui.trajectory.library.library_presence import (
 )
 from armui.ui.trajectory.library.library_table import LibraryHint, LibraryTable
 from armui.ui.trajectory.library.library_work import LibraryWork
+from armui.ui.trajectory.library.name_bar import NameBar, NameQuestion
 from armui.ui.trajectory.recording.recording_page import RecordingPage
 from armui.ui.trajectory.recording.unsaved_line import UnsavedRecordingLine
 from armui.ui.trajectory.running.run_bar import RunBar, RunChoices, run_commands
@@ -47,6 +57,9 @@ from armui.ui.widgets.layouts import fill
 from armui.ui.widgets.message_line import MessageLine, Words
 from armui.ui.widgets.page import Page
 from armui.ui.words.text import Text
+
+_PAUSE_MS: Final = 300
+"""So long a list stands before lengths are worked out: what it is asked for comes first."""
 
 
 class LibraryPage(Page):
@@ -85,7 +98,7 @@ class LibraryPage(Page):
     run_asks = Signal(str)
 
     def __init__(self, controller: ArmController, background: Background, library: Library) -> None:
-        super().__init__("library")
+        super().__init__("library", footed=True)
         self._controller = controller
         self._checks = Checks(controller, background)
         self._checks.get_ready()
@@ -98,6 +111,7 @@ class LibraryPage(Page):
         self.editors = LibraryEditors(
             controller, background, self._checks, self._work, choices=self._choices, parent=self
         )
+        self._name_bar = NameBar()
         self._unsaved = UnsavedRecordingLine(self._work)
         self._unsaved.look()
         self._model = LibraryModel(self)
@@ -114,7 +128,12 @@ class LibraryPage(Page):
         self._findings = FindingsPane()
         self._found_of = ""
         """The name of what the findings are about."""
-        self._run_bar = RunBar(controller, self._checks, self._choices, self._to_run)
+        self._run_bar = RunBar(
+            controller, self._checks, self._choices, self._to_run, self._to_estimate
+        )
+        self._estimates = QTimer(self, singleShot=True, interval=_PAUSE_MS)
+        self._estimates.timeout.connect(self._estimate)
+        self._estimating = False
         self._lay_out()
         self._connect()
         self.retranslate_ui()
@@ -141,8 +160,10 @@ class LibraryPage(Page):
             below.push(button)  # at the right, also while there is no message
         self._bar.add_button(self._bin_button)
         # what comes and goes takes its room from the list: 发送 stays where it is
-        fill(self.body, self._bar, self._shared_use, self._unsaved, (self._table, 1))
-        fill(self.body, self._findings, below, self._run_bar)
+        fill(self.body, self._bar, self._name_bar, self._shared_use, self._unsaved)
+        fill(self.body, (self._table, 1))
+        fill(self.body, self._findings, below)
+        fill(self.footer, (self._run_bar, 1))
 
     def _connect(self) -> None:
         handlers: dict[str, Callable[[], object]] = {
@@ -158,6 +179,7 @@ class LibraryPage(Page):
         self._bar.open_wanted.connect(self._open_chosen)
         self._bar.listen(self, self._table)
         self._bar.search.textChanged.connect(self._on_search)
+        self._name_bar.closed.connect(self._table.setFocus)
         self._hint.clear_wanted.connect(self._bar.search.clear)
         self._table.doubleClicked.connect(self._on_double_click)
         self._table.selectionModel().selectionChanged.connect(self._show_usable)
@@ -226,10 +248,12 @@ class LibraryPage(Page):
         changed = self._model.show(listing.entries, listing.drafts)
         self._watch.follow(exists=listing.exists)
         self._shared_use.show_others(others)
+        self._name_bar.look()
         self._bin_button.refresh()
         self._undo_button.show_step()
         if choose:
             self._uncover(names)
+        self._estimates.start()
         if changed or choose is not None:
             self._table.choose(names, show=choose is not None)
         if not self.chosen():
@@ -298,11 +322,47 @@ class LibraryPage(Page):
         elif one.count == 0:
             nothing = RUN_EMPTY(name=one.name)
         name, count, speeds = ("", 0, ()) if one is None else (one.name, one.count, one.speeds)
-        self._run_bar.show_content(name, count, speeds=speeds, recording=recording, nothing=nothing)
+        self._run_bar.show_content(
+            name,
+            count,
+            speeds=speeds,
+            recording=recording,
+            nothing=nothing,
+            state=None if one is None else one.modified,
+        )
         if chosen:  # while the list is made anew, nothing is chosen for a moment
             self._run_bar.drop_check(but=name)
             if name != self._found_of:
                 self._drop_findings()
+
+    # How long they take -----------------------------------------------------------------------
+
+    def _estimate(self) -> None:
+        """Have some worked out whose length is not known; then the next ones, while it is seen."""
+        names = self._model.unestimated()
+        if not names or self._estimating or not self.isVisible():
+            return
+        arm = self._checks.arm
+        self._estimating = True
+
+        def known(estimates: Mapping[str, float | None]) -> None:
+            self._estimating = False
+            self._model.note_estimates(estimates, arm.fingerprint)
+            if estimates:  # else they are gone, or the disk has to be looked at anew first
+                self._estimate()
+
+        def refused(_text: str) -> None:
+            self._estimating = False  # tried again when the list is shown anew, which says why
+
+        self._work.do(lambda: self._library.estimate(names, arm), known, refused)
+
+    def _to_estimate(self, then: Callable[[Content | None], object]) -> None:
+        """Hand on what is chosen, once it is read, and say nothing of it."""
+        chosen = self._chosen_names()
+        if len(chosen) != 1 or self._model.is_unsaved(chosen[0]):
+            then(None)
+            return
+        self._work.do(lambda: self._library.load(chosen[0]), then, lambda _text: then(None))
 
     # Opening ----------------------------------------------------------------------------------
 
@@ -366,7 +426,7 @@ class LibraryPage(Page):
 
     def _show_check(self, checked: Preflight, accept: Callable[[], object] | None) -> None:
         name = checked.content.name
-        length_s = checked.path.first_cycle_s if checked.order.speed_factor == 1.0 else None
+        length_s = checked.length_s
         if checked.whole:
             self._work.do(
                 lambda: self._library.mark(
@@ -379,6 +439,7 @@ class LibraryPage(Page):
         self._say("")
         self._findings.show_check(checked, accept)
         self._findings.setVisible(bool(checked.findings) or accept is not None)
+        self.bring_into_sight(self._findings)
         self.preview_wanted.emit(checked)
 
     def _drop_findings(self) -> None:
@@ -396,7 +457,31 @@ class LibraryPage(Page):
         self._work.do(lambda: self._library.note_run(name, options), refused=self._on_refused)
 
     def _create(self) -> None:
-        self._actions.create(self.editors.open_editor)
+        """Ask for the name of a new trajectory; Enter opens its editor."""
+        self._name_bar.ask(
+            NameQuestion(
+                label=lambda: self.tr("Name of the trajectory"),
+                act=lambda: self.tr("Create"),
+                suggest=lambda: free_name(self.tr("Trajectory"), self._model.names),
+                why_not=self._why_not_called,
+                give=self._on_named,
+            )
+        )
+        self.bring_into_sight(self._name_bar)
+
+    def _why_not_called(self, name: str) -> Refusal | None:
+        return NAME_TAKEN(name=name) if name in self._model.names else check_name(name)
+
+    def _on_named(self, name: str) -> None:
+        def made(trajectory: Trajectory) -> None:
+            self._name_bar.put_away()
+            self.editors.open_editor(trajectory)
+
+        def refused(text: str) -> None:
+            self._name_bar.refuse(text)
+            self.refresh()  # somebody else may have taken the name
+
+        self._actions.create(name, made, refused)
 
     def _chosen_names(self) -> list[str]:
         return [entry.name for entry in self.chosen()]

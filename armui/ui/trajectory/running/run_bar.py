@@ -27,10 +27,12 @@ from armui.trajectory.library.run_options import (
 from armui.trajectory.library.store import IndexEntry
 from armui.trajectory.planning.timing import APPROACH_PERCENT
 from armui.trajectory.points.program import SpeedsFrom
+from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.command import Command, Target, of_place
 from armui.ui.actions.keys import key_text, keys_of, listen_for
 from armui.ui.dialogs.confirm_dialog import ASKED_OTHERWISE
+from armui.ui.trajectory.running.run_estimate import RunEstimate, estimate_tip
 from armui.ui.trajectory.running.run_request import Checks, RequestState, RunRequest
 from armui.ui.trajectory.running.runner import Runner, ended_early
 from armui.ui.widgets.buttons import enable_or_explain, named, push_button, show_primary
@@ -147,6 +149,7 @@ class RunBar(Translated, QWidget):
         choices: How each trajectory is run; shared by all pages that run it.
         content: Hands on what would be run now, once it is read; ``None`` if there is nothing,
             which it says itself.
+        quietly: Does the same and says nothing; how long it takes is worked out of it.
 
     Signals:
         checked: A :class:`Preflight` and, if the operator has to agree to the run, what begins it;
@@ -169,9 +172,12 @@ class RunBar(Translated, QWidget):
         checks: Checks,
         choices: RunChoices,
         content: Callable[[Callable[[Content | None], object]], object],
+        quietly: Callable[[Callable[[Content | None], object]], object],
     ) -> None:
         super().__init__()
         self._controller = controller
+        self._estimate = RunEstimate(checks, quietly, self._options, self)
+        self._what: object = None
         self._checks = checks
         self._shared = choices
         self._content = content
@@ -193,6 +199,7 @@ class RunBar(Translated, QWidget):
             spin.valueChanged.connect(self._on_chosen)
         self._steps.toggled.connect(self._on_chosen)
         choices.changed.connect(self._on_shared)
+        self._estimate.changed.connect(self._show_effective)
         self._runner.progressed.connect(self._on_progress)
         controller.operating_state_changed.connect(self._on_operating_state)
         controller.all_motion_ended.connect(self._on_all_motion_ended)
@@ -249,6 +256,7 @@ class RunBar(Translated, QWidget):
         speeds: Sequence[SpeedsFrom] = (),
         recording: bool = False,
         nothing: Refusal | None = None,
+        state: object = None,
     ) -> None:
         """Fit the choices to what would be run.
 
@@ -258,8 +266,10 @@ class RunBar(Translated, QWidget):
             speeds: The lowest and highest speed percentage of its points from each row on.
             recording: Whether it has none, because it is a recording.
             nothing: Why there is nothing to be run.
+            state: Is another when the points are others.
         """
         self._name, self._speeds = name, speeds
+        self._what = (name, count, tuple(speeds), recording, state)
         self._recording, self._nothing = recording, nothing
         with QSignalBlocker(self._first):
             self._first.setMaximum(max(1, count))
@@ -267,6 +277,16 @@ class RunBar(Translated, QWidget):
         for widget in (self._from_row, self._steps):
             widget.setVisible(not recording)
         self._show_usable()
+
+    def renew_estimate(self) -> None:
+        """What would be run is another under the same name: how long it takes, too."""
+        self._estimate.renew()
+        self._follow_estimate()
+
+    def _follow_estimate(self) -> None:
+        wanted = self.isVisible() and bool(self._name) and self._nothing is None
+        wanted = wanted and not self._steps.isChecked()
+        self._estimate.follow(self._what, wanted=wanted)
 
     def _options(self) -> RunOptions:
         recording = self._recording
@@ -334,10 +354,35 @@ class RunBar(Translated, QWidget):
                 "before you choose more."
             )
             lines.append(begin.format(name=self._name, percent=round(100 * FIRST_RUN_FACTOR)))
+        if time := self._time_text():
+            text = self.tr("{text} · {time}").format(text=text, time=time)
+        lines.append(self._time_tip())
         known = bool(self._name) and (self._recording or bool(self._speeds))
         # it is always there, so that 发送 stays in its place
         self._effective.setText(text if known else "")
-        self._effective.setToolTip("\n".join(lines) if known else "")
+        self._effective.setToolTip("\n".join(filter(None, lines)) if known else "")
+
+    def _time_text(self) -> str:
+        """Return how long it takes: an estimate, or as it was checked; "" if it is not known."""
+        estimate = self._estimate
+        if estimate.seconds is None or self._steps.isChecked():
+            return ""
+        time = fmt.duration(estimate.seconds)
+        if estimate.is_checked:
+            return time
+        if self._cycles.currentIndex() == _LOOP:
+            return self.tr("≈ {time} a run").format(time=time)
+        return f"≈ {time}"
+
+    def _time_tip(self) -> str:
+        estimate = self._estimate
+        if self._steps.isChecked():
+            return self.tr("Step by step it takes as long as the operator.")
+        if estimate.is_checked or estimate.is_asked:
+            return ""
+        if self._nothing is not None or not self.isVisible():
+            return ""
+        return estimate_tip(known=estimate.seconds is not None)
 
     def _range_from(self, row: int) -> tuple[int, int]:
         """Return the lowest and highest speed percentage of the points from a row on, from 1."""
@@ -388,7 +433,8 @@ class RunBar(Translated, QWidget):
         self._shared.show_request(request)
         self._show_usable()
         checked = request.checked
-        if request.state is RequestState.CHECKED:
+        if request.state is RequestState.CHECKED and checked is not None:
+            self._estimate.take(checked)
             self.checked.emit(checked, request.accept if request.must_ask else None)
         elif request.state is RequestState.REFUSED:
             self.refused.emit(request.refusal)
@@ -473,6 +519,7 @@ class RunBar(Translated, QWidget):
         why_not = self._why_not()
         for choice in self._choices:  # the run under way has its own
             choice.setEnabled(not self._runner.running)
+        self._follow_estimate()
         self._show_effective()
         self._times.setVisible(self._cycles.currentIndex() == _TIMES)
         reason = self.tr("Checking…") if checking else why_not
@@ -514,6 +561,7 @@ class RunBar(Translated, QWidget):
         if self.is_checking:
             self._give_up()
         super().hideEvent(event)
+        self._follow_estimate()
 
 
 def _spin(name: str, most: int, value: int) -> QSpinBox:

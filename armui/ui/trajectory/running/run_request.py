@@ -12,6 +12,7 @@ from armui.control.operations.started import ARM_CHANGED
 from armui.control.parameters.arm_model import arm_model, start_deg
 from armui.system.clock import steady_s
 from armui.trajectory.planning.check import CheckOutcome, CheckRequest, check, warm_up
+from armui.trajectory.planning.estimate import estimate_s
 from armui.trajectory.planning.findings import Finding, Severity
 from armui.ui.background import Job
 
@@ -131,6 +132,11 @@ class Preflight:
         return not self.order.first or self.order.cycles != 1
 
     @property
+    def length_s(self) -> float | None:
+        """How long a cycle takes at the points' own speed; ``None`` if another one was checked."""
+        return self.path.first_cycle_s if self.order.speed_factor == 1.0 else None
+
+    @property
     def mark(self) -> Check:
         """The check mark it gives what was checked, wherever the arm is."""
         of_content = [one.severity for one in self.findings if not one.is_of_approach]
@@ -188,6 +194,26 @@ class Checks:
                 then(Preflight(order, outcome, basis))
 
         self._background.begin(Job(hand_on), check, order)
+
+    @property
+    def arm(self) -> ArmModel:
+        """The arm as a plan sees it now."""
+        return arm_model(self._controller)
+
+    def estimate(
+        self,
+        content: Content,
+        options: RunOptions,
+        then: Callable[[float | Refusal | None], object],
+    ) -> Job[float | None]:
+        """Work out how long something will take, see `estimate_s`; told in this thread.
+
+        Returns:
+            What is waited for; it may not be wanted any more.
+        """
+        job: Job[float | None] = Job(then)
+        self._background.begin(job, estimate_s, content, self.arm, options)
+        return job
 
 
 # From the press to the run ----------------------------------------------------------------------

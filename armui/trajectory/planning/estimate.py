@@ -1,0 +1,64 @@
+"""How long something will take, before it is checked: planned from its own first point on."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Final
+
+from armui.arm.models import ArmModel
+from armui.protocol.codes import MoveMode
+from armui.trajectory.library.run_options import RunOptions
+from armui.trajectory.planning.findings import Severity
+from armui.trajectory.planning.timing import plan_path
+from armui.trajectory.points.program import Trajectory, Waypoint
+from armui.trajectory.samples.recording import Recording
+
+MOST_POINTS: Final = 5_000
+"""More are planned by a check alone: a check that is asked for meanwhile would wait."""
+_ZEROS_DEG: Final = (0.0,) * 6
+_ONCE: Final = RunOptions()
+
+
+def estimate_s(
+    content: Trajectory | Recording, arm: ArmModel, options: RunOptions = _ONCE
+) -> float | None:
+    """Return how many seconds it takes, without the way to its first point.
+
+    That way begins wherever the arm stands by then; a check plans it, too.
+
+    Args:
+        content: What is run.
+        arm: The arm.
+        options: How it is run. Without end, the time of one cycle is returned.
+
+    Returns:
+        ``None`` where it is not known: no points, more than `MOST_POINTS`, or a point or a way
+        that the arm cannot reach.
+    """
+    further, first, speed_factor = max(options.cycles, 1) - 1, options.first, options.speed_factor
+    if isinstance(content, Recording):
+        return content.duration_s / speed_factor * (1 + further)
+    points = content.points
+    if not 0 <= first < len(points) or len(points) > MOST_POINTS:
+        return None
+    whole_s = 0.0
+    if further:  # from the last point back to the first, and on to the last
+        again_s = _lasting_s((*points, points[0]), arm, speed_factor)
+        if again_s is None:
+            return None
+        whole_s = further * again_s
+    lasting_s = _lasting_s(points[first:], arm, speed_factor)
+    return None if lasting_s is None else lasting_s + points[first].dwell_s + whole_s
+
+
+def _lasting_s(points: tuple[Waypoint, ...], arm: ArmModel, speed_factor: float) -> float | None:
+    """Return how long all points but the first take, dwells included; the arm stands at that."""
+    begins = points[0]
+    if begins.move in {MoveMode.MOVE_L, MoveMode.MOVE_C}:  # a line from anywhere is none to it
+        begins = replace(begins, move=MoveMode.MOVE_P, middle=None)
+    path = plan_path(
+        Trajectory("", points=(begins, *points[1:])), arm, _ZEROS_DEG, speed_factor=speed_factor
+    )
+    if any(found.severity is Severity.ERROR for found in path.problems):
+        return None
+    return sum(path.expected_s[1:])

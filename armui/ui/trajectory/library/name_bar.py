@@ -1,0 +1,152 @@
+"""Asks in place for the name of something new: nothing is made before the name is given."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Final
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QHideEvent, QKeyEvent
+from PySide6.QtWidgets import QLabel, QLineEdit, QWidget
+
+from armui.arm.refusal import Refusal
+from armui.control.events import Level
+from armui.ui import words
+from armui.ui.widgets.buttons import enable_or_explain, named, push_button
+from armui.ui.widgets.flow import in_flow
+from armui.ui.widgets.message_line import MessageLine, Words
+from armui.ui.widgets.translated import Translated
+
+_NAME_PX: Final = 200
+
+
+@dataclass(frozen=True, slots=True)
+class NameQuestion:
+    """What a name is asked for.
+
+    Attributes:
+        label: Says what is named.
+        act: Says what the name does, on the button.
+        suggest: Makes the name that stands there first; "" for none.
+        why_not: Tells what is against a name.
+        give: Gets the name the operator has chosen.
+    """
+
+    label: Callable[[], str]
+    act: Callable[[], str]
+    suggest: Callable[[], str]
+    why_not: Callable[[str], Refusal | None]
+    give: Callable[[str], object]
+
+
+class NameBar(Translated, QWidget):
+    """Hidden until a name is wanted; Enter gives it, Escape leaves nothing behind.
+
+    It stays until :meth:`put_away`: whoever gets the name may refuse it, and says so here.
+
+    Signals:
+        closed: It was put away.
+    """
+
+    closed = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._question: NameQuestion | None = None
+        self._given = False
+        self._label = QLabel()
+        self._field = named("library_name", QLineEdit())
+        self._field.setMinimumWidth(_NAME_PX)
+        self._label.setBuddy(self._field)
+        self._give = push_button("library_name_give", primary=True, on_enter=False)
+        self._cancel = push_button("library_name_cancel", on_enter=False)
+        self._message = named("library_name_message", MessageLine(keeps_room=False))
+        in_flow(self._label, self._field, self._give, self._cancel, self._message, on=self)
+        self._field.textChanged.connect(self._show_usable)
+        self._field.returnPressed.connect(self._on_given)
+        self._give.clicked.connect(lambda _checked=False: self._on_given())
+        self._cancel.clicked.connect(lambda _checked=False: self.put_away())
+        self.hide()
+        self.retranslate_ui()
+
+    def ask(self, question: NameQuestion) -> None:
+        """Show it with a name that can be taken over or typed over."""
+        self._question, self._given = question, False
+        self._field.setText(question.suggest())
+        self.retranslate_ui()
+        self.show()
+        self._field.setFocus()
+        self._field.selectAll()
+
+    def look(self) -> None:
+        """What is taken may have changed: a suggestion nobody has touched follows."""
+        if self._question is None or self._given:
+            return
+        suggested = self._question.suggest()
+        if not self._field.isModified() and suggested != self._field.text():
+            self._field.setText(suggested)
+            self._field.selectAll()
+        elif self._question.why_not(self._name()) is not None:
+            self._show_usable()
+
+    def refuse(self, text: Words) -> None:
+        """Say beside the field why the name did not do; another one can be typed."""
+        self._given = False
+        self._show_usable()
+        self._message.show_message(text, Level.WARNING)
+        self._field.setFocus()
+
+    def put_away(self) -> None:
+        """Hide it; nothing comes of what was typed."""
+        if self._question is None:
+            return
+        self._question, self._given = None, False
+        self.hide()
+        self.closed.emit()
+
+    def _on_given(self) -> None:
+        question = self._question
+        if question is None or self._given or question.why_not(self._name()) is not None:
+            return
+        self._given = True  # pressed twice, it is given once
+        self._show_usable()
+        question.give(self._name())
+
+    def _name(self) -> str:
+        return self._field.text().strip()
+
+    def _show_usable(self) -> None:
+        question = self._question
+        if question is None:
+            return
+        reason = question.why_not(self._name())
+        self._message.show_message("" if reason is None else words.refusal(reason), Level.WARNING)
+        enable_or_explain(self._give, "" if reason is None else words.refusal(reason))
+        self._field.setReadOnly(self._given)
+        if self._given:
+            self._give.setEnabled(False)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Escape puts it away and nothing else; Enter has been heard by the field."""
+        if event.key() == Qt.Key.Key_Escape:
+            self.put_away()
+        elif event.key() not in {Qt.Key.Key_Return, Qt.Key.Key_Enter}:
+            super().keyPressEvent(event)
+            return
+        event.accept()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Whoever leaves the page has not given a name."""
+        if not event.spontaneous():
+            self.put_away()
+        super().hideEvent(event)
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self._cancel.setText(self.tr("Cancel"))
+        if self._question is not None:
+            self._label.setText(self._question.label())
+            self._field.setAccessibleName(self._question.label())
+            self._give.setText(self._question.act())
+            self._show_usable()

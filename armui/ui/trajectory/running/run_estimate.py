@@ -1,0 +1,124 @@
+"""How long a run will take, worked out in the background while it is chosen, before any check."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
+
+from armui.arm.refusal import Refusal
+
+if TYPE_CHECKING:
+    from armui.trajectory.files import Content
+    from armui.trajectory.library.run_options import RunOptions
+    from armui.ui.background import Job
+    from armui.ui.trajectory.running.run_request import Checks, Preflight
+
+_PAUSE_MS: Final = 300
+"""So long nothing changes before it is worked out: figures are typed, rows gone through."""
+
+
+def estimate_tip(*, known: bool) -> str:
+    """Return what an estimate says, or why there is none."""
+    if known:
+        return QCoreApplication.translate(
+            "RunEstimate",
+            "An estimate, without the way to the first point. A check tells it exactly.",
+        )
+    return QCoreApplication.translate(
+        "RunEstimate",
+        "How long it takes is not known: the arm cannot reach a point or go a way, or there are "
+        "too many points. A check tells more.",
+    )
+
+
+class RunEstimate(QObject):
+    """Knows how long what is chosen takes, as chosen; what was checked replaces the estimate.
+
+    Args:
+        checks: Works it out.
+        content: Hands on what would be run now, once it is read; ``None``: nothing. It says
+            nothing to the operator.
+        options: Tells how it would be run now.
+        parent: Its owner.
+
+    Signals:
+        changed: Another time is known, or none.
+
+    Attributes:
+        seconds: ``None`` where it is not known.
+        is_checked: Whether it was checked, from where the arm stood then.
+        is_asked: Whether it is being worked out.
+    """
+
+    changed = Signal()
+
+    def __init__(
+        self,
+        checks: Checks,
+        content: Callable[[Callable[[Content | None], object]], object],
+        options: Callable[[], RunOptions],
+        parent: QObject,
+    ) -> None:
+        super().__init__(parent)
+        self._checks = checks
+        self._content = content
+        self._options = options
+        self._of: object = None
+        self._job: Job[float | None] | None = None
+        self.seconds: float | None = None
+        self.is_checked = False
+        self.is_asked = False
+        self._pause = QTimer(self, singleShot=True, interval=_PAUSE_MS)
+        self._pause.timeout.connect(self._begin)
+
+    def follow(self, what: object, *, wanted: bool) -> None:
+        """Take in what is chosen; nothing is done where it is the same as before.
+
+        Args:
+            what: Stands for all that the time depends on but the arm.
+            wanted: Whether anybody looks, and there is something to be run.
+        """
+        if not wanted:
+            if self.is_asked:
+                self.renew()
+            return  # what is known holds while a list is made anew, and nothing is chosen
+        of = (what, self._options(), self._checks.arm.fingerprint)
+        if of != self._of:
+            self._forget()
+            self._of, self.is_asked = of, True
+            self._pause.start()
+
+    def renew(self) -> None:
+        """What is run is another, although nothing else tells."""
+        self._of = None
+        self._forget()
+
+    def take(self, checked: Preflight) -> None:
+        """Take over how long it takes by a check of just this, once from where the arm stands."""
+        if self._of is not None and checked.order.cycles == 1 and not checked.errors:
+            self._forget()
+            self.seconds, self.is_checked = checked.path.first_cycle_s, True
+            self.changed.emit()
+
+    def _forget(self) -> None:
+        self._pause.stop()
+        if self._job is not None:
+            self._job.wanted = False
+            self._job = None
+        self.seconds, self.is_checked, self.is_asked = None, False, False
+
+    def _begin(self) -> None:
+        asked = self._of
+
+        def read(content: Content | None) -> None:
+            if self._of is asked and asked is not None and content is not None:
+                self._job = self._checks.estimate(content, self._options(), self._on_known)
+
+        self._content(read)
+
+    def _on_known(self, seconds: float | Refusal | None) -> None:
+        self._job, self.is_asked = None, False
+        self.seconds = None if isinstance(seconds, Refusal) else seconds
+        self.changed.emit()

@@ -1,0 +1,146 @@
+"""How long a trajectory will take is told before it is checked, and marked as an estimate."""
+
+from dataclasses import replace
+from typing import Any
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QCheckBox, QSpinBox, QWidget
+
+from armui.protocol.codes import MoveMode
+from armui.trajectory.library import store
+from armui.trajectory.library.index import IndexEntry
+from armui.trajectory.library.store import Library
+from armui.trajectory.planning.estimate import estimate_s
+from armui.trajectory.points.program import Trajectory, Waypoint
+from armui.ui.trajectory.editor.editor_page import EditorPage
+from tests.operator.library.actions import POINT, LibraryDriver
+
+LENGTH = 2
+OTHER = replace(POINT, target=(60.0, *POINT.target[1:]))
+FAR = Waypoint(MoveMode.MOVE_P, (900.0, 0.0, 200.0, 0.0, 85.0, 0.0))
+
+
+@pytest.fixture
+def driver(app_driver):
+    app_driver.ready()
+    app_driver.run(1.0)
+    library = Library(app_driver.library_folder)
+    library.save(Trajectory("away", points=(POINT, FAR)))
+    library.save(Trajectory("both", points=(POINT, OTHER)))
+    library.save(Trajectory("empty"))
+    return LibraryDriver(app_driver)
+
+
+def length(driver, name):
+    return next(row[LENGTH] for row in driver.rows() if row[0] == name)
+
+
+def tip(driver, name):
+    index = driver.table.model().index(driver.names().index(name), LENGTH)
+    return index.data(Qt.ItemDataRole.ToolTipRole)
+
+
+def effective(page):
+    return page.findChild(QWidget, "run_effective")
+
+
+def told(page):
+    """How long it takes, beside Send: `≈ 3.0 s`; "" while nothing is told."""
+    text = effective(page).text().rpartition(" · ")[2]
+    return text if text.endswith((" s", " s a run")) else ""
+
+
+def seconds(text):
+    return float(text.removeprefix("≈ ").removesuffix(" s"))
+
+
+def test_the_list_tells_estimates_and_why_there_is_none(driver):
+    driver.app_driver.wait(lambda: length(driver, "both") != "—")
+    assert length(driver, "both").startswith("≈ ")
+    assert "estimate" in tip(driver, "both")
+    assert length(driver, "away") == "—"
+    assert "not known" in tip(driver, "away")
+    assert length(driver, "empty") == "—"
+    assert "no points" in tip(driver, "empty")
+
+
+def test_the_checked_figure_takes_its_place(driver):
+    driver.app_driver.wait(lambda: length(driver, "both") != "—")
+    driver.choose("both")
+    driver.window.findChild(QSpinBox, "run_speed").setValue(100)
+    driver.app_driver.wait(lambda: told(driver.window).startswith("≈"))
+    estimated = seconds(told(driver.window))
+    driver.window._run_bar.check()
+    assert not told(driver.window).startswith("≈")
+    assert seconds(told(driver.window)) > estimated, "the way to the first point counts, too"
+    assert seconds(length(driver, "both")) == seconds(told(driver.window))
+    assert not length(driver, "both").startswith("≈")
+
+
+def test_beside_send_it_is_that_of_what_is_chosen(driver):
+    driver.choose("both")
+    speed = driver.window.findChild(QSpinBox, "run_speed")
+    times = []
+    for percent in (20, 100):
+        speed.setValue(percent)
+        assert told(driver.window) == "", "what was told is of other choices"
+        driver.app_driver.wait(lambda: told(driver.window).startswith("≈"))
+        times.append(seconds(told(driver.window)))
+    assert times[0] > 2 * times[1]
+    driver.window.findChild(QWidget, "run_cycles").setCurrentIndex(2)
+    driver.app_driver.wait(lambda: told(driver.window).endswith("a run"))
+    driver.window.findChild(QCheckBox, "run_steps").setChecked(True)
+    assert told(driver.window) == ""
+    assert "as long as the operator" in effective(driver.window).toolTip()
+
+
+def test_in_the_editor_it_follows_the_points(driver):
+    driver.window.open_trajectory("both")
+    editor = driver.app_driver.page(EditorPage)
+    driver.app_driver.wait(lambda: told(editor).startswith("≈"))
+    before = seconds(told(editor))
+    editor.document.edit((*editor.document.points, POINT), "once more")
+    assert told(editor) == ""
+    driver.app_driver.wait(lambda: told(editor).startswith("≈"))
+    assert seconds(told(editor)) > before
+    editor.document.edit((FAR,), "away")
+    driver.app_driver.run(0.1)
+    driver.app_driver.wait(lambda: "not known" in effective(editor).toolTip())
+    assert told(editor) == ""
+
+
+def test_a_file_is_planned_once_until_it_changes(driver, monkeypatch):
+    planned = []
+    known: Any = estimate_s
+
+    def count(content, arm):
+        planned.append(content.name)
+        return known(content, arm)
+
+    monkeypatch.setattr(store, "estimate_s", count)
+    driver.app_driver.wait(lambda: length(driver, "both") != "—")
+    assert sorted(planned) == ["away", "both", "empty"]
+    planned.clear()
+    driver.window.refresh()
+    QTest.qWait(500)
+    arm = driver.window._checks.arm
+    another = Library(driver.library.folder)
+    kept = {entry.name: entry for entry in another.entries()}
+    assert kept["both"].estimated_for == arm.fingerprint, "it outlives the program"
+    assert planned == []
+    before = length(driver, "both")
+    another.save(Trajectory("both", points=(POINT, OTHER, POINT)), replacing="both")
+    driver.window.refresh()
+    driver.app_driver.wait(lambda: length(driver, "both") not in {before, "—"})
+    assert planned == ["both"]
+
+
+def test_an_old_cache_and_a_damaged_file_are_no_obstacle(driver):
+    (driver.library.folder / "broken.log").write_text("no trajectory\n")
+    driver.window.refresh()
+    driver.app_driver.wait(lambda: length(driver, "both") != "—")
+    assert length(driver, "broken") == "—"
+    entry = IndexEntry("x", "points", 1, None, Library(driver.library.folder)._now())
+    assert (entry.estimated_s, entry.estimated_for) == (None, "")

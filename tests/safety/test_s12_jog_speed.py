@@ -1,0 +1,94 @@
+"""S12: a jog and a step are as fast as the top bar shows, whichever buttons they are pressed on."""
+
+import pytest
+
+from armui.control.motion.jog_pace import BRAKING_S
+from armui.control.motion.jog_path import JointJog, ToolJog
+from armui.kinematics.axes import JogFrame
+from tests.safety.ways import STREAM_S
+
+HERE = (0.0, 60.0, -60.0, 0.0, 40.0, 0.0)
+SLACK = 1.1
+REST_S = 0.1
+"""What the arm has been told by then is driven."""
+
+
+@pytest.fixture
+def ready(any_rig):
+    any_rig.ready()
+    any_rig.controller.motion.set_speed_percent(100)
+    assert any_rig.controller.motion.send_joints(HERE) is None
+    any_rig.run(2.5)
+    any_rig.heard()
+    return any_rig
+
+
+def fastest_deg_s(rig, seconds):
+    """The highest speed of joint 1 in that time, measured at the arm."""
+    most = 0.0
+    for _ in range(round(seconds / STREAM_S)):
+        rig.step()
+        most = max(most, abs(rig.firmware.mechanics.speeds_deg_s[0]))
+    return most
+
+
+def told(rig):
+    return [frame.data[2] for frame in rig.heard() if frame.arbitration_id == 0x151]
+
+
+def highest_deg_s(rig):
+    """Of a jog of joint 1 at 100 %: it must brake within its time."""
+    heard = rig.controller.state.accelerations_deg_s2[0]
+    return (heard.value if heard is not None else 286.5) * BRAKING_S
+
+
+@pytest.mark.parametrize("jog", [JointJog(1, 1), ToolJog(1, 1, JogFrame.BASE)])
+def test_a_lower_percentage_slows_a_held_jog_at_once(ready, jog):
+    rig = ready
+    assert rig.controller.jogging.start(jog) is None
+    before = fastest_deg_s(rig, 1.0)
+    assert before > 3.0, rig.codes()
+    assert rig.controller.motion.set_speed_percent(10) is None
+    rig.run(REST_S)
+    slowed = fastest_deg_s(rig, 0.5)
+    assert rig.controller.jogging.active, "it goes on, slower"
+    assert 0.0 < slowed <= SLACK * 0.1 * max(before, highest_deg_s(rig))
+
+
+def test_the_arm_is_told_the_lower_percentage_before_the_next_target(ready):
+    rig = ready
+    assert rig.controller.jogging.start(JointJog(1, 1)) is None
+    rig.run(0.5)
+    rig.heard()
+    assert rig.controller.motion.set_speed_percent(10) is None
+    rig.run(0.1)
+    heard = [frame.arbitration_id for frame in rig.heard()]
+    assert heard.index(0x151) < heard.index(0x155)
+
+
+def test_a_jog_at_a_share_is_as_slow_from_the_beginning(ready):
+    rig = ready
+    rig.controller.motion.set_speed_percent(20)
+    assert rig.controller.jogging.start(JointJog(1, 1)) is None
+    assert 0.0 < fastest_deg_s(rig, 1.0) <= SLACK * 0.2 * highest_deg_s(rig)
+
+
+def test_a_lower_percentage_slows_a_step_under_way_at_once(ready):
+    rig = ready
+    assert rig.controller.motion.jog(1, 60.0) is None
+    rig.run(0.2)
+    assert fastest_deg_s(rig, 0.1) > 20.0
+    rig.heard()
+    assert rig.controller.motion.set_speed_percent(5) is None
+    rig.step()
+    assert told(rig) == [5]
+    rig.run(0.5)  # it brakes from where it was
+    assert fastest_deg_s(rig, 0.3) <= SLACK * 0.05 * 180.0
+
+
+def test_the_override_of_runs_leaves_a_jog_alone(ready):
+    """It is shown beside runs, and can be lowered without one: a jog has the top bar's speed."""
+    rig = ready
+    assert rig.controller.speed_override.set_percent(10) is None
+    assert rig.controller.jogging.start(JointJog(1, 1)) is None
+    assert fastest_deg_s(rig, 1.0) > SLACK * 0.1 * highest_deg_s(rig)

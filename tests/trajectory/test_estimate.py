@@ -1,0 +1,74 @@
+"""How long something takes is estimated before it is checked, by the same plan."""
+
+from dataclasses import replace
+from typing import Any
+
+import pytest
+
+from armui.protocol.codes import MoveMode
+from armui.trajectory.library.run_options import RunOptions
+from armui.trajectory.planning.check import CheckRequest, check
+from armui.trajectory.planning.estimate import MOST_POINTS, estimate_s
+from armui.trajectory.points.program import Trajectory, Waypoint
+from tests.sample_trajectories import SAMPLES
+from tests.trajectory.arms import ARM
+
+BEGIN = (20.0, 60.0, -50.0, 10.0, 20.0, 15.0)
+OTHER = (60.0, 70.0, -60.0, 10.0, 20.0, 15.0)
+ONE, TWO = (Waypoint(MoveMode.MOVE_J, angles, dwell_s=1.0) for angles in (BEGIN, OTHER))
+BOTH = Trajectory("both", points=(ONE, TWO))
+
+
+def checked_s(content, start_deg, options):
+    order = CheckRequest(
+        content, ARM, start_deg, options.speed_factor, options.first, options.cycles
+    )
+    return check(order).path.duration_s
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        RunOptions(),
+        RunOptions(speed_factor=0.2),
+        RunOptions(first=1),
+        RunOptions(cycles=2, speed_factor=0.5),
+        RunOptions(cycles=3, first=1),
+    ],
+)
+def test_it_is_what_a_check_finds_for_an_arm_that_stands_at_the_first_point(options):
+    start = (BEGIN, OTHER)[options.first]
+    cycle_s = checked_s(BOTH, OTHER, RunOptions(speed_factor=options.speed_factor))
+    whole = replace(options, cycles=1)
+    expected = checked_s(BOTH, start, whole) + (options.cycles - 1) * cycle_s
+    assert estimate_s(BOTH, ARM, options) == pytest.approx(expected, rel=0.01)
+
+
+def test_without_end_it_is_that_of_one_cycle():
+    assert estimate_s(BOTH, ARM, RunOptions(cycles=0)) == estimate_s(BOTH, ARM)
+
+
+def test_lines_and_arcs_count_too():
+    known: dict[str, Any] = {content.name: estimate_s(content, ARM) for content in SAMPLES}
+    assert known["Pick and place"] > 2.0
+    assert known["Out of reach"] is None
+
+
+def test_one_that_begins_with_a_line_is_known_all_the_same():
+    pose = next(point for point in SAMPLES[0].points if point.move is MoveMode.MOVE_L)
+    known: Any = estimate_s(Trajectory("line", points=(pose, TWO)), ARM)
+    assert known > 0.0
+
+
+def test_what_is_not_known_is_told_so():
+    assert estimate_s(Trajectory("empty"), ARM) is None
+    assert estimate_s(BOTH, ARM, RunOptions(first=2)) is None
+    many = Trajectory("many", points=(ONE,) * (MOST_POINTS + 1))
+    assert estimate_s(many, ARM) is None
+
+
+def test_a_recording_takes_its_own_time():
+    recording = next(each for each in SAMPLES if not isinstance(each, Trajectory))
+    assert estimate_s(recording, ARM, RunOptions(speed_factor=0.5, cycles=2)) == pytest.approx(
+        4 * recording.duration_s
+    )
