@@ -1,4 +1,4 @@
-"""The only place where the program's objects are wired together."""
+"""Creates the program's objects and connects them; no other module does."""
 
 from __future__ import annotations
 
@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
 from PySide6.QtWidgets import QApplication
 
+from armui import __version__
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
@@ -38,6 +39,7 @@ from armui.system.failures import Failure, FailureHandler
 from armui.system.helper_process import FileThread, HelperProcess
 from armui.system.log_file import log_to
 from armui.system.thread_priority import raise_in_background
+from armui.system.version_record import TakenOver, note_version
 from armui.telemetry.events import EventKind, Level
 from armui.ui.dialogs.kept_models import KeptModels, NodeKeeper, last_model
 from armui.ui.garbage import GarbageSearch
@@ -49,7 +51,7 @@ from armui.ui.widgets.stop_shortcut import StopShortcut
 from armui.viewport.view import ArmView
 
 if TYPE_CHECKING:
-    from concurrent.futures import Executor
+    from concurrent.futures import Executor, Future
 
     import can
 
@@ -109,13 +111,15 @@ DRIVE_NOTHING: Final = (
     "armui.ui.watch.value_table",
     "armui.viewport",
 )
-"""Modules, each with those inside it, from which nothing leads to the bus or to what holds a jog.
+"""Modules, with those inside them, that can neither reach the bus nor affect a held jog.
 
-A contract in pyproject.toml names the same and has import-linter check it."""
+A contract in pyproject.toml names the same modules, and import-linter checks it.
+"""
 
 _SWITCH_INTERVAL_S: Final = 0.0005
-"""How long a thread may keep Python's lock while another wants it. The default of 5 ms, once for
-the bus thread and once for the simulated arm's, is what a pressed stop would wait."""
+"""The time for which a thread may keep Python's lock while another wants it. With the default of 5
+ms a pressed stop would wait for the bus thread and for the simulated arm's.
+"""
 
 _CONNECTED_MS: Final = 5000
 _THREADS_BEGUN_MS: Final = 500
@@ -132,14 +136,14 @@ _LATE_ROOMS: Final = (
     "control",
     "ui",
 )
-"""Where modules are that a page imports when it is opened."""
+"""The rooms with modules that a page imports when it is opened."""
 
 
 def may_drive(modules: Collection[str]) -> bool:
-    """Tell whether a failure may leave the arm moving, by the modules in its traceback.
+    """Return whether a failure may leave the arm moving, by the modules in its traceback.
 
-    A traceback without a module of ours counts: a slot that is called with the wrong arguments
-    leaves none.
+    A traceback without a module of ours counts as such: a slot called with wrong arguments leaves
+    none.
     """
     rooms = tuple(f"{room}." for room in DRIVE_NOTHING)
     return not modules or not all(f"{name}.".startswith(rooms) for name in modules)
@@ -153,26 +157,28 @@ class _FailureRelay(QObject):
 
 
 class Program:
-    """Everything that makes up one running program.
+    """All objects of one running program.
 
     Args:
         app: Qt's application.
         store: The operator's settings.
-        controller: Who speaks to the arm.
-        workers: Who does what takes long; ended with the program.
+        controller: The controller of the arm.
+        workers: Runs long work; ended with the program.
         trajectories: The folder of the library; the user's own by default.
-        pictures: Has the 3D picture drawn, and is ended by whoever gives it; one of the program's
-            own by default.
-        meeting_place: Where running copies of the program find each other; by default nowhere.
-        files: Who does what waits for a disk, in a thread of this process; ended with the program.
-            The workers by default.
-        events: The folder where events are kept; by default nowhere.
-        hand: Finds the hand that leads the simulated arm of this process; by default none.
+        pictures: Has the 3D picture drawn, and is ended by its owner; one of the program's own by
+            default.
+        meeting_place: The folder in which running copies of the program find each other; by default
+            none.
+        files: Runs work that waits for a disk, in a thread of this process; ended with the program.
+            By default the workers.
+        events: The folder of the event log; by default none.
+        hand: Gives access to the hand that leads the simulated arm of this process; by default
+            none.
 
     Attributes:
-        controller, view, window: What its parts are.
-        ended: Whether, after `shutdown`, no thread of ours runs any more.
-        closed: Set once the device is closed, as far as its driver lets it.
+        controller, view, window: Its main objects.
+        ended: True if, after `shutdown`, no thread of ours runs any more.
+        closed: Set when the device is closed, as far as its driver lets it.
     """
 
     def __init__(
@@ -190,6 +196,7 @@ class Program:
         hand: Callable[[], HandGuide | None] = lambda: None,
     ) -> None:
         self._app = app
+        self._store = store
         self._translator = Translator(app)
         self._settings = settings = store.settings
         self._translator.set_language(settings.language)
@@ -239,8 +246,19 @@ class Program:
 
     @property
     def unwritten(self) -> Sequence[str]:
-        """What still waits for a disk, by the names of its functions."""
+        """The names of the functions that still wait for a disk."""
         return self._files.waiting if isinstance(self._files, FileThread) else ()
+
+    def note_version(self, trajectories: Path) -> None:
+        """Note which version uses the user's files, and what it takes over, by the file thread."""
+        settings = self._store.settings
+        sessions = Path(settings.session_folder) if settings.session_folder else paths.sessions()
+        places = {"trajectories": trajectories, "sessions": sessions}
+        now = datetime.now().astimezone()
+        noted = (self._files or self._workers).submit(
+            note_version, __version__, self._store.path, places, now
+        )
+        noted.add_done_callback(_log_unnoted)
 
     def _keep_events(self, folder: Path, files: Executor) -> None:
         self._event_keeper = EventKeeper(self.controller.event_collector, folder, files)
@@ -251,7 +269,7 @@ class Program:
     def shutdown(self) -> None:
         """End the motion and every thread.
 
-        A driver may keep a thread of ours for longer than anybody waits: see `ended`.
+        A driver may keep a thread of ours beyond the limit: see `ended`.
         """
         if self._is_down:
             return
@@ -300,6 +318,11 @@ class Program:
         self.controller.jog_floor.lowest_mm = settings.jog_floor_mm
         self.controller.on_sessions_chosen()
         self._settings = settings
+
+
+def _log_unnoted(noted: Future[TakenOver | None]) -> None:
+    if not noted.cancelled() and (error := noted.exception()) is not None:
+        _LOG.warning("The version was not noted: %s", error)
 
 
 def _session_choices(store: SettingsStore) -> SessionChoices:
@@ -360,6 +383,7 @@ def _run(options: StartOptions) -> int:
         hand=lambda: hand.guiding,
     )
     app.aboutToQuit.connect(program.shutdown)
+    program.note_version(paths.trajectories())
     with SystemEnd(app, program) as system_end:
         code = _run_window(app, program, store, options, system_end)
     if not program.ended:
@@ -415,10 +439,10 @@ def _load_pages_when_idle(app: QApplication, then: Callable[[], object]) -> None
 
 
 def load_pages() -> Iterator[str]:
-    """Import the modules that are imported late, where a page is opened, and read the icons.
+    """Import the modules that pages import late, and read the icons, one at each step.
 
-    One at each step: read from the disk only when a page is opened, they would hold the GUI thread,
-    and a stop that is pressed meanwhile, for half a second. Imported as a statement does: PySide
+    If they were read from the disk only when a page is opened, they would block the GUI thread, and
+    a stop pressed meanwhile, for half a second. They are imported as by a statement, because PySide
     reads the source of each module at the first statement that imports it, loaded or not.
     """
     for room in _LATE_ROOMS:
@@ -431,17 +455,17 @@ def load_pages() -> Iterator[str]:
 
 
 def keep_from_collector() -> None:
-    """What the program was built from is no garbage: do not search it over and over.
+    """Exclude the program's permanent objects from garbage collection.
 
-    That would stop every thread, the stop's too, for tens of milliseconds at a time. The libraries
-    of a first connection follow within seconds.
+    Searching them would stop every thread, the stop's too, for tens of milliseconds at a time. The
+    libraries of a first connection are loaded within seconds, and excluded then.
     """
     gc.freeze()
     QTimer.singleShot(_CONNECTED_MS, gc.freeze)
 
 
 def chosen_device(options: StartOptions) -> Device | None:
-    """The device to connect to at the start, or ``None``."""
+    """Return the device to connect to at the start, or ``None``."""
     if options.sim_generation is not None:
         return next(device for device in SIMULATED if device.generation == options.sim_generation)
     if options.interface is None or options.channel is None:
@@ -458,11 +482,11 @@ SIMULATED: Final = tuple(
     Device("virtual", f"armui-simulated-{generation}", None, simulated=True, generation=generation)
     for generation in (2, 1)
 )
-"""The arms made of software; today's protocol first."""
+"""The simulated arms, today's protocol first."""
 
 
 class SimulatedHand:
-    """Keeps the hand that leads the simulated arm in this process, while there is such an arm.
+    """Holds the hand that leads the simulated arm in this process, while there is such an arm.
 
     Attributes:
         guiding: The simulator's own interface for it; set and cleared by the bus thread.
@@ -476,12 +500,12 @@ class SimulatedHand:
 def open_device(
     device: Device, sim_firmware: str | None = None, hand: SimulatedHand | None = None
 ) -> Iterator[can.BusABC]:
-    """Open a device; behind a simulated one an arm comes to life until it is closed again.
+    """Open a device; for a simulated one an arm runs until it is closed again.
 
     Args:
-        device: Which.
-        sim_firmware: The version of a simulated arm of generation 2, today's with ``None``.
-        hand: Is given the hand that leads a simulated arm, and loses it when that is closed.
+        device: The device.
+        sim_firmware: The version of a simulated arm of generation 2, ``None`` for today's.
+        hand: Receives the hand that leads a simulated arm, until that is closed.
     """
     from armui.bus.adapters import open_bus  # noqa: PLC0415 - python-can, loaded with the first device
 

@@ -1,4 +1,4 @@
-"""The commands: the program itself, and those that stand in the table below."""
+"""The command line: the program itself, and the commands in the table below."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from armui.system.end_signals import end_at_once_on_ctrl_c, interrupting
 from armui.system.files import open_file
 
 _SIGNALLED: Final = 128
-"""What a shell adds to the number of the signal that ended a command."""
+"""The number a shell adds to that of the signal that ended a command."""
 _COMMANDS: Final = {
     "decode": ("armui.decode", "print a recorded CAN log frame by frame, in words and units"),
     "doctor": ("armui.doctor", "say what is wrong with this computer, the bus and the arm"),
@@ -24,9 +24,10 @@ _COMMANDS: Final = {
     "record": ("armui.record", "record what is on a bus to files, without a window"),
     "sim": ("armui.sim.sim_command", "run the simulated arm on a CAN bus until Ctrl-C"),
 }
-"""Command to its module, which has ``add_arguments(parser)`` and ``run(options)``, and its purpose.
+"""The module of each command, with ``add_arguments(parser)`` and ``run(options)``, and its purpose.
 
-Imported only when asked for: the window starts without them."""
+They are imported only when used: the window starts without them.
+"""
 _REPLAY: Final = "show a recorded CAN log in the window, as if it were live"
 
 
@@ -34,8 +35,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run a command.
 
     Returns:
-        The exit code: 0 for success, 2 where the command could not begin, 128 and the signal's
-        number where one came before the command ended itself.
+        The exit code: 0 for success, 2 if the command could not begin, 128 plus the signal's number
+        if a signal ended it.
     """
     if arguments is None:
         end_at_once_on_ctrl_c()

@@ -1,8 +1,8 @@
-"""The system ends the program or sends the computer to sleep: motion ends before (safety S28).
+"""Ends motion before the system ends the program or sends the computer to sleep (safety S28).
 
 Signals (SIGTERM, SIGHUP, SIGINT; on Windows also a closed console), the end of a session
 (`QGuiApplication.commitDataRequest`), and sleep or shutdown as logind announces them on Linux.
-Threads of their own listen: a window that is held up does not keep the arm moving.
+Threads of their own listen, so that a blocked window does not keep the arm moving.
 
 Source: signal(7), ``signal.set_wakeup_fd``, systemd's inhibitor locks, SetConsoleCtrlHandler.
 """
@@ -38,18 +38,18 @@ if TYPE_CHECKING:
 _LOG: Final = logging.getLogger(__name__)
 
 _BUSY_S: Final = 0.25
-"""A window that has not ended the motion by then is held up: the arm is told from here."""
+"""A window that has not ended the motion by then is blocked: the arm is stopped from here."""
 _AGAIN_S: Final = 0.1
 _CLOSED_S: Final = 0.7
-"""After this time the process ends, whatever keeps its bus open."""
+"""After this time the process ends, even if something keeps its bus open."""
 _REST_S: Final = 0.15
-"""So much longer files have to be written and processes to end; a disk may hang."""
+"""The additional time for writing files and ending processes; a disk may hang."""
 _ANSWER_S: Final = 2.0
 _CONSOLE_CLOSED: Final = frozenset({2, 5, 6})  # CTRL_CLOSE_EVENT, _LOGOFF_EVENT, _SHUTDOWN_EVENT
 
 
 class EndingProgram(Protocol):
-    """What is to end: see :class:`armui.app.Program`."""
+    """The program to end: see :class:`armui.app.Program`."""
 
     controller: ArmController
     window: MainWindow
@@ -57,7 +57,7 @@ class EndingProgram(Protocol):
 
     @property
     def unwritten(self) -> Sequence[str]:
-        """What still waits for a disk."""
+        """The names of the functions that still wait for a disk."""
 
     def shutdown(self) -> None:
         """End the motion and every thread."""
@@ -66,11 +66,11 @@ class EndingProgram(Protocol):
 class SystemEnd(QObject):
     """Ends the program when the system asks for it; a context, to be left when it has ended.
 
-    A signal that whoever started the program has it ignore, as ``nohup`` does, stays ignored.
+    A signal that was ignored at the start, as with ``nohup``, stays ignored.
 
     Args:
         app: Qt's application.
-        program: What is to end.
+        program: The program to end.
         exit_now: Ends the process at once.
     """
 
@@ -118,7 +118,7 @@ class SystemEnd(QObject):
         self._listening.close()
 
     def watch_sleep(self) -> None:
-        """Hear of sleep and shutdown beforehand, where there is somebody who tells."""
+        """Listen for sleep and shutdown, if the system announces them."""
         self._sleep_watch.start()
 
     # In the window's thread -------------------------------------------------------------------
@@ -142,7 +142,7 @@ class SystemEnd(QObject):
     # In threads -------------------------------------------------------------------------------
 
     def end_motion_in_time(self) -> None:
-        """Have the window end the motion, or, if it is held up, tell the arm from this thread."""
+        """Have the window end the motion, or, if it is blocked, stop the arm from this thread."""
         self._motion_ended.clear()
         self._motion_asked.emit()
         self._await_rest(time.monotonic() + _CLOSED_S)
@@ -200,12 +200,12 @@ class SystemEnd(QObject):
 
 
 class SleepWatch:
-    """Holds up sleep and shutdown for the moment it takes to end the motion (logind, Linux).
+    """Delays sleep and shutdown until the motion has ended (logind, Linux).
 
-    Without D-Bus or logind nothing is heard, and nothing is said: most containers have none.
+    Without D-Bus or logind, as in most containers, it silently does nothing.
 
     Args:
-        end_motion: Called in a thread; once it returns, the system goes on.
+        end_motion: Called in a thread; when it returns, the system goes on.
         connect: Opens a connection to the system's bus.
     """
 
@@ -219,13 +219,13 @@ class SleepWatch:
         self._ending = False
 
     def start(self) -> None:
-        """Begin to listen; only on Linux there is anything to hear."""
+        """Start listening; does nothing on other systems than Linux."""
         if sys.platform == "linux" and self._thread is None:
             self._thread = threading.Thread(target=self._run, name="armui-sleep", daemon=True)
             self._thread.start()
 
     def end(self) -> None:
-        """Listen no more."""
+        """Stop listening."""
         self._ending = True
         connection = self._connection
         if connection is not None:

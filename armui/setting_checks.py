@@ -1,4 +1,4 @@
-"""What a setting may be: its choices, its limits, and the check of a value."""
+"""The choices and limits of settings, and the check of a value."""
 
 from __future__ import annotations
 
@@ -36,10 +36,10 @@ PictureDirection = Literal["iso", "front", "side", "top", "below"]
 SessionFormat = Literal[".blf", ".asc", ".log", ".mf4"]
 GamepadMode = Literal["joint", "base", "tool"]
 GamepadButtons = Mapping[str, Mapping[str, str]]
-"""By the name of a device, which button (its name) does what (`armui.gamepad.layout.ACTIONS`)."""
+"""The button's name for each action (`armui.gamepad.layout.ACTIONS`), by device."""
 
 _MOST_SHOWN: Final = 60
-"""Characters of a value that is told to be wrong."""
+"""The most characters of a wrong value in a message."""
 _LONGEST_PATH: Final = 4096
 _MOST_DEVICES: Final = 200
 _LONGEST_NAME: Final = 200
@@ -56,14 +56,14 @@ TRAIL_LONGEST_S: Final = 600
 
 ROTATE_MIN_MB: Final = 1
 ROTATE_MAX_MB: Final = 4000
-"""What every file system takes."""
+"""A size that every file system supports."""
 
 TOOL_LONGEST_MM: Final = 500.0
 _TOOL_LONGEST: Final = (TOOL_LONGEST_MM,) * 3 + (180.0,) * 3
 
 
 def check(name: str, value: object) -> Refusal | None:
-    """Whether a setting may have a value: None, or the reason against it."""
+    """Return why a setting may not have a value, or ``None`` if it may."""
     if name == "jog_step_deg":
         return _check_jog_step(value)
     if name == "tool":
@@ -97,7 +97,7 @@ def check(name: str, value: object) -> Refusal | None:
 
 
 def shown(value: object) -> str:
-    """A value for a sentence, whatever it is: cut where it is long."""
+    """Return a value as text for a sentence, shortened if it is long."""
     try:
         text = str(value)
     except (ValueError, RecursionError):  # a number of thousands of digits; lists in lists in lists
@@ -106,7 +106,7 @@ def shown(value: object) -> str:
 
 
 def _is_path(value: object) -> bool:
-    """Whether a value can be the name of a file, here and in Qt."""
+    """Return whether a value can be the name of a file, here and in Qt."""
     if not isinstance(value, str) or not 0 < len(value) <= _LONGEST_PATH or "\0" in value:
         return False
     try:
@@ -133,7 +133,7 @@ def _are_buttons(value: object) -> bool:
 
 
 def _are_of_arms(value: object, allowed: Sequence[object]) -> bool:
-    """Whether a value says something of arms, by what they are remembered by."""
+    """Return whether a value says something of arms, by what they are remembered by."""
     return (
         isinstance(value, dict)
         and len(value) <= _MOST_ARMS

@@ -1,9 +1,9 @@
-"""What the operator has chosen for the program itself, kept between its runs.
+"""The operator's settings of the program, kept between its runs.
 
-One small JSON file in the user's configuration folder. A setting that is not possible falls back
-to its first value by itself; a file that is no JSON is put aside, never overwritten unseen. No file
-keeps the program from starting, whatever it holds (safety S22). Two programs may use one file: a
-change writes the settings that were changed and leaves the others as they are in the file (S21).
+One small JSON file in the user's configuration folder. An invalid setting falls back to its default
+alone; a file that is no JSON is moved aside, never overwritten. No file keeps the program from
+starting, whatever it holds (safety S22). Two programs may use one file: a change writes only the
+changed settings, and leaves the others in the file (S21).
 """
 
 from __future__ import annotations
@@ -65,7 +65,7 @@ SETTINGS_BROKEN = Reason(
 _MOST_BYTES: Final = 1_000_000
 """A thousand times what the settings need: a larger file is something else."""
 _LOCK_S: Final = 0.05
-"""So long a change waits for another program that is writing the same file."""
+"""The longest time for which a change waits for another program that writes the same file."""
 
 
 class Choices(TypedDict, total=False):
@@ -101,31 +101,36 @@ class Settings:
     """The settings of the program.
 
     Attributes:
-        language: Of the windows.
-        theme: Light, dark, or as the system is.
-        jog_step_deg: How far − and + move a joint.
+        language: The language of the windows.
+        theme: Light, dark, or as the system.
+        jog_step_deg: The step of − and + for a joint.
         urdf_path: The robot description in the 3D picture; ``None`` for the built-in one.
         tool: The tool centre point in the flange: X, Y, Z in mm, RX, RY, RZ in degrees.
-        mountings: What each arm was told last of how it is mounted, by the adapter's serial number
-            with the arm's node number.
-        home_poses: The operator's own home pose of each arm, six angles in degrees, by the same.
-        stop_again: An emergency stop that another host undoes is sent again by itself.
-        jog_floor_mm: The least height of the fingertip over the base plane for jogs; ``None``: any.
-        session_folder: Where sessions are recorded; ``None``: in the user's folder for data.
+        mountings: The mounting last set for each arm, by the adapter's serial number with the arm's
+            node number.
+        home_poses: The operator's own home pose of each arm, six angles in degrees, by the same
+            key.
+        stop_again: True if an emergency stop that another host undoes is sent again automatically.
+        jog_floor_mm: The least height of the fingertip over the base plane for jogs; ``None`` for
+            any.
+        session_folder: The folder for recordings of sessions; ``None`` for the user's folder for
+            data.
         session_format: The suffix of their files.
-        session_rotate_mb: A file that is as large is followed by another.
-        models: Which arm of the family was chosen, by the adapter's serial number, with the node
-            number where that is known; the last choice last.
-        session_save_at_faults: The last minutes are saved by themselves at a fault or a stop.
-        has_jogged: The operator has moved an arm before: the first step is not shown any more.
-        picture_direction: From where the 3D picture shows the arm to begin with.
-        picture_orthographic: It is drawn without perspective.
-        picture_tool_frame: It shows the axes of the tool centre point.
-        picture_trail_s: So many seconds of the tool's way are shown in it; 0: none.
-        gamepad: A gamepad or SpaceMouse jogs the arm.
-        gamepad_mode: What its axes move.
-        gamepad_one_axis: Only one of them at a time.
-        gamepad_buttons: What its buttons do, where the operator has chosen otherwise.
+        session_rotate_mb: A file that has reached this size is followed by another.
+        models: The chosen model by the adapter's serial number, with the node number if known; the
+            last choice last.
+        session_save_at_faults: True if the last minutes are saved automatically at a fault or a
+            stop.
+        has_jogged: True if the operator has moved an arm before: the first step is not shown any
+            more.
+        picture_direction: The first direction of the 3D picture.
+        picture_orthographic: True if it is drawn without perspective.
+        picture_tool_frame: True if it shows the axes of the tool centre point.
+        picture_trail_s: The seconds of the tool's way that it shows; 0 for none.
+        gamepad: True if a gamepad or SpaceMouse may jog the arm.
+        gamepad_mode: The mode of its axes.
+        gamepad_one_axis: True if only one of them moves at a time.
+        gamepad_buttons: The operator's own assignments of its buttons.
     """
 
     language: Language = "zh"
@@ -157,19 +162,19 @@ Subscriber = Callable[[Settings], None]
 
 
 def default_path() -> Path:
-    """Where the operating system keeps settings of a user's programs."""
+    """Return the path of the settings in the operating system's folder for a user's programs."""
     return platformdirs.user_config_path("armui", appauthor=False) / "settings.json"
 
 
 class SettingsStore:
-    """Keeps the settings in a file and tells those who want to know of a change.
+    """Keeps the settings in a file, and notifies subscribers of changes.
 
     Args:
         path: The file; it need not exist.
-        for_this_run: Settings that go before those of the file, and are not saved.
+        for_this_run: Settings that override those of the file, and are not saved.
 
     Attributes:
-        problems: What was wrong with the file when it was read.
+        problems: The faults of the file when it was read.
     """
 
     def __init__(self, path: Path, for_this_run: Choices | None = None) -> None:
@@ -184,16 +189,16 @@ class SettingsStore:
 
     @property
     def settings(self) -> Settings:
-        """The settings now."""
+        """The present settings."""
         return self._settings
 
     def change(self, **choices: Unpack[Choices]) -> Refusal | None:
-        """Change settings, save them, and tell the subscribers.
+        """Change settings, save them, and notify the subscribers.
 
         Returns:
             ``None``, or why a setting is not possible (then nothing is changed), or why the file
             could not be written (then the settings hold, and are written with the next change).
-            What comes only later is told to whom `write_by` names.
+            Later errors go to the function given to `write_by`.
         """
         for name, value in choices.items():
             refusal = check(name, value)
@@ -214,11 +219,11 @@ class SettingsStore:
         return problem
 
     def write_by(self, files: Executor, on_problem: Callable[[Refusal], object]) -> None:
-        """Have the file written by a thread from now on: nobody waits for the disk.
+        """Have a thread write the file from now on, so that nobody waits for the disk.
 
         Args:
-            files: Whose thread; what it was given is written before it ends.
-            on_problem: Told, in that thread, why a change could not be written.
+            files: The thread's executor, which finishes its work before it ends.
+            on_problem: Called in that thread with the reason why a change could not be written.
         """
         self._files, self._on_problem = files, on_problem
 

@@ -1,4 +1,4 @@
-"""What a start of the window can be told on the command line."""
+"""The options of the command line for the start of the window."""
 
 from __future__ import annotations
 
@@ -10,16 +10,16 @@ from armui.setting_checks import Language
 
 @dataclass(frozen=True, slots=True)
 class StartOptions:
-    """How to begin.
+    """The options of a start.
 
     Attributes:
-        sim_generation: Connect to the simulated arm that speaks this generation.
-        sim_firmware: The version it has, as ``S-V1.8-9``; today's with ``None``.
-        interface, channel, bitrate: Connect to this device.
-        model: Which arm of the family that is; by default the one chosen for it the last time.
-        replay: Show this log in the window 回放.
-        file: Open this trajectory in an editor.
-        language: Instead of the one in the settings, for this run.
+        sim_generation: The generation of the simulated arm to connect to.
+        sim_firmware: Its version, as ``S-V1.8-9``; ``None`` for today's.
+        interface, channel, bitrate: The device to connect to.
+        model: The model of the arm; by default the one chosen for it the last time.
+        replay: The log to show in the window 回放.
+        file: The trajectory to open in an editor.
+        language: The language of this run, instead of the one in the settings.
     """
 
     sim_generation: int | None = None

@@ -1,1 +1,1 @@
-"""The arm as the program knows it: state, limits, reach; without Qt and without a bus. Pure."""
+"""The arm's state, limits, parameters and reach; without Qt and without a bus. Pure."""

@@ -1,7 +1,7 @@
 """The parameters of one arm as a file that people can read: JSON, one parameter a line.
 
-A file names its format and version, when and by which program it was saved, and from which arm.
-What is broken, truncated or foreign is refused with the place where it is wrong.
+A file names its format and version, when and by which program it was saved, and from which arm. A
+broken, truncated or foreign file is refused, and the place of the error is named.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ VERSION: Final = 1
 SUFFIX: Final = ".json"
 
 _DECIMALS: Final = 6
-"""More than any frame can carry, in the operator's units."""
+"""The decimals of a value in the operator's unit: more than any frame can carry."""
 _GENERATIONS: Final = (1, 2)
 _OF_EACH_JOINT: Final = frozenset(
     {Group.JOINT_LIMITS, Group.JOINT_ACCELERATION, Group.COLLISION, Group.DRAG_ASSISTANCE}
@@ -69,16 +69,16 @@ _OF_EACH_JOINT: Final = frozenset(
 
 @dataclass(frozen=True, slots=True)
 class Backup:
-    """What an arm held at one time.
+    """The parameters of an arm at one time.
 
     Attributes:
-        saved_at: With its time zone.
-        program: Which program wrote it, with its version.
-        generation: Of the protocol the arm spoke, 1 or 2.
-        firmware: Its version text; ``None``: it told none (generation 1).
+        saved_at: The time of saving, with its time zone.
+        program: The program that wrote it, with its version.
+        generation: The protocol's generation, 1 or 2.
+        firmware: The firmware's version text; ``None`` if the arm named none (generation 1).
         device: How the arm was connected, as the operator read it.
-        values: In the operator's units.
-        model: Which arm of the family it was connected as; ``None``: the file is older than that.
+        values: The parameters' values in the operator's units.
+        model: The model it was connected as; ``None`` in older files, which lack it.
     """
 
     saved_at: datetime
@@ -91,7 +91,7 @@ class Backup:
 
 
 def to_text(backup: Backup) -> str:
-    """Return a backup as the text of its file."""
+    """Return the text of a backup's file."""
     head = {
         "format": FORMAT,
         "version": VERSION,
@@ -113,7 +113,7 @@ def to_text(backup: Backup) -> str:
 
 
 def parameter_row(parameter: Parameter, value: float) -> dict[str, float | int | str]:
-    """Return a parameter as a backup and a recording's sidecar name it."""
+    """Return a parameter as the JSON object in a backup and in a recording's sidecar."""
     joint: dict[str, float | int | str] = {"joint": parameter.joint} if parameter.joint else {}
     return {
         "name": parameter.name,
@@ -124,7 +124,7 @@ def parameter_row(parameter: Parameter, value: float) -> dict[str, float | int |
 
 
 def from_text(text: str) -> Backup | Refusal:
-    """Return the backup in the text of a file, or what is wrong with it and where."""
+    """Return the backup in the text of a file, or the reason why there is none, with the place."""
     try:
         entries = json.loads(text)
     except json.JSONDecodeError as error:
@@ -215,7 +215,7 @@ _LARGEST: Final = sys.float_info.max
 
 
 class ComparisonVerdict(enum.Enum):
-    """How a parameter of the file stands to the arm's."""
+    """The result of comparing a parameter in the file with the arm's."""
 
     SAME = "same"
     DIFFERS = "differs"
@@ -223,19 +223,19 @@ class ComparisonVerdict(enum.Enum):
     """This arm's protocol has no such parameter."""
     ONLY_IN_ARM = "only_in_arm"
     NOT_READ = "not_read"
-    """The arm has not told what it holds."""
+    """The arm's value has not been read."""
 
 
 @dataclass(frozen=True, slots=True)
 class ComparisonRow:
-    """One parameter.
+    """One parameter compared between file and arm.
 
     Attributes:
-        parameter: Which one.
-        verdict: How file and arm compare.
-        filed: What the file says.
-        held: What the arm said.
-        against: Why the file's value may not be restored, or ``None``.
+        parameter: The parameter.
+        verdict: The result of the comparison.
+        filed: The value in the file.
+        held: The value read from the arm.
+        against: The reason why the file's value may not be restored, or ``None``.
     """
 
     parameter: Parameter
@@ -246,7 +246,7 @@ class ComparisonRow:
 
     @property
     def restorable(self) -> bool:
-        """Whether restoring it can be asked for, and would change something."""
+        """True if restoring it is allowed, and would or might change the arm's value."""
         return self.verdict in {ComparisonVerdict.DIFFERS, ComparisonVerdict.NOT_READ} and (
             self.filed is not None and self.against is None
         )
@@ -261,10 +261,10 @@ def compare(
     """Return every parameter of the file and of the arm, in the order of the catalogue.
 
     Args:
-        filed: What the file says; empty: only the arm is shown.
+        filed: The values in the file; if empty, only the arm's are listed.
         state: The arm as last heard.
         known: The parameters this arm has.
-        same: Whether what the arm holds is a value, as far as its frames can tell.
+        same: Returns whether the arm holds this value, within the resolution of its frames.
     """
     names = list(KINDS)
     every = sorted({*filed, *known}, key=lambda each: (names.index(each.name), each.joint))

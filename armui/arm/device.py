@@ -1,4 +1,4 @@
-"""A way to an arm, as the operator chooses it; nothing here touches a bus."""
+"""A connection to an arm as the operator chooses it; nothing here touches a bus."""
 
 from __future__ import annotations
 
@@ -8,22 +8,22 @@ from typing import Any, Final
 from armui.protocol.generation import PiperModel
 
 DEFAULT_BITRATE: Final = 1_000_000
-"""What the maker's hardware runs at today; generation 1's text says 500 kbit/s."""
+"""The bit rate of the maker's present hardware; generation 1's text says 500 kbit/s."""
 
 _BITRATE_SET_BY_SYSTEM: Final = frozenset({"socketcan", "virtual", "udp_multicast"})
 
 
 @dataclass(frozen=True, slots=True)
 class RecordedArm:
-    """What a log tells of the arm in it.
+    """The facts a log holds about the arm in it.
 
     Attributes:
-        generation: Which protocol it speaks.
+        generation: The protocol it speaks.
         feedback_offset: Added to the identifiers of its feedback (0x470).
-        firmware: The version it names, as ``S-V1.8-5``; "" where it names none.
-        model: Which arm of the family it was connected as; ``None``: it does not tell.
-        older_zeros: Its poses say that joints 2 and 3 count from the zeros before S-V1.6-3;
-            ``None``: they say nothing.
+        firmware: The version it names, as ``S-V1.8-5``; "" if it names none.
+        model: The model it was connected as; ``None`` if the log does not say.
+        older_zeros: True if its poses show that joints 2 and 3 count from the zeros before
+            S-V1.6-3; ``None`` if they do not show it either way.
     """
 
     generation: int
@@ -35,20 +35,21 @@ class RecordedArm:
 
 @dataclass(frozen=True, slots=True)
 class Device:
-    """One way to an arm.
+    """One connection to an arm.
 
     Attributes:
         interface: python-can's name of the back-end.
         channel: The back-end's name of the channel.
-        bitrate: Bits per second; ``None`` where the operating system sets it.
-        label: What the operator knows it by.
-        serial: The adapter's serial number, where it tells one.
-        simulated: An arm made of software inside this program.
-        generation: Which protocol the simulated arm speaks.
-        model: Which arm of the family the operator says it is; the simulated arm is that.
-        model_assumed: The model is what was offered; the operator has not chosen it this time.
-        listen_only: Nothing is sent on it but an operator's stop.
-        recorded: It is a log that is replayed: nothing whatever can be sent.
+        bitrate: In bit/s; ``None`` if the operating system sets it.
+        label: The name shown to the operator.
+        serial: The adapter's serial number, if it reports one.
+        simulated: True for the simulated arm inside this program.
+        generation: The protocol of the simulated arm.
+        model: The model the operator has chosen; that of the simulated arm.
+        model_assumed: True if the model was only offered, and the operator has not chosen it this
+            time.
+        listen_only: True if only the operator's stop may be sent.
+        recorded: True for a log that is replayed: nothing at all can be sent.
         options: Further arguments of python-can's constructor.
     """
 
@@ -76,16 +77,16 @@ class Device:
         return self.label or f"{self.interface} {self.channel}"
 
     def arm_key(self, node: str = "") -> str:
-        """Return what the arm is remembered by: the adapter's serial number, or its place.
+        """Return the key that stands for the arm: the adapter's serial number, or its channel.
 
         Args:
-            node: The arm's node number, where it is known: one adapter serves two arms in turn.
+            node: The arm's node number, if known: one adapter may serve two arms in turn.
         """
         name = self.serial or f"{self.interface} {self.channel}"
         return f"{name} / {node}" if node else name
 
     def same(self, other: Device) -> bool:
-        """Tell whether both are one device, whatever bit rate and options were chosen."""
+        """Return whether both are one device, whatever their bit rates and options."""
         return (self.interface, str(self.channel), self.serial or other.serial) == (
             other.interface,
             str(other.channel),
@@ -94,5 +95,5 @@ class Device:
 
 
 def bitrate_is_ours(interface: str) -> bool:
-    """Tell whether the program sets the bit rate of this back-end, or the operating system does."""
+    """Return whether the program sets the bit rate of this back-end, not the operating system."""
     return interface not in _BITRATE_SET_BY_SYSTEM

@@ -1,4 +1,4 @@
-"""The six joints' health as the manual's table has it: ten items each, and the worst of them all.
+"""The status of the six joints as the manual's table has it: ten items each, and the worst of all.
 
 The items are bits of 0x261–0x266 byte 5 and of 0x2A1 byte 7 (manual 1.0.10). Bits 4 and 7 of the
 first mean different things in the two generations; until it is known which one speaks, they say
@@ -27,20 +27,20 @@ class Item(enum.Enum):
     DRIVER_CURRENT = enum.auto()
     DRIVER_TEMPERATURE = enum.auto()
     SENSOR = enum.auto()
-    """Generation 1."""
+    """Only in generation 1."""
     COLLISION_PROTECTION = enum.auto()
-    """Generation 2."""
+    """Only in generation 2."""
     DRIVER_FAULT = enum.auto()
     DRIVER_ENABLED = enum.auto()
     HOMED = enum.auto()
-    """Generation 1."""
+    """Only in generation 1."""
     STALL_PROTECTION = enum.auto()
-    """Generation 2."""
+    """Only in generation 2."""
     COMMUNICATION = enum.auto()
 
 
 class Word(enum.Enum):
-    """What a cell says; the user interface has the manual's word for it."""
+    """The state in a cell; the user interface has the manual's word for it."""
 
     NORMAL = enum.auto()
     TOO_LOW = enum.auto()
@@ -62,22 +62,22 @@ FAULTS: Final = frozenset(
 
 
 class StatusVerdict(enum.Enum):
-    """How six joints are, the best first."""
+    """The overall state of the six joints, the best first."""
 
     NORMAL = enum.auto()
     DISABLED = enum.auto()
     UNKNOWN = enum.auto()
-    """Something has not been heard, or not of late, and nothing that was heard is a fault."""
+    """Something has not been heard, or not lately, and no fault is known."""
     FAULT = enum.auto()
     OFFLINE = enum.auto()
 
 
 class Worst(NamedTuple):
-    """The worst of the six states.
+    """The worst state among the six joints.
 
     Attributes:
-        verdict: What it is.
-        joints: The joints it is true of, in order; empty where it is about all of them.
+        verdict: The worst state.
+        joints: The joints in this state, in order; empty if it concerns all of them.
     """
 
     verdict: StatusVerdict
@@ -88,10 +88,10 @@ class StatusCell(NamedTuple):
     """One item of one joint.
 
     Attributes:
-        word: What the arm said last; ``None`` if it has said nothing, and for the status code.
-        value: The figure behind it, in the unit of :data:`UNITS`; of the status code the byte.
-        since: When ``word`` began to be true, by the computer's clock.
-        stale: What stands here is older than half a second while other things are heard.
+        word: The state heard last; ``None`` if none was heard, and for the status code.
+        value: The figure behind it, in the unit of :data:`UNITS`; for the status code the byte.
+        since: The time since which ``word`` has held, by the computer's clock.
+        stale: True if the cell's content is older than half a second while other frames are heard.
     """
 
     word: Word | None = None
@@ -101,7 +101,7 @@ class StatusCell(NamedTuple):
 
     @property
     def fault(self) -> bool:
-        """Whether it names a fault."""
+        """True if its word names a fault."""
         return self.word in FAULTS
 
 
@@ -114,7 +114,7 @@ UNITS: Final[Mapping[Item, str]] = MappingProxyType(
         Item.DRIVER_ENABLED: "°/s",
     }
 )
-"""The unit of the figure behind an item, where it has one."""
+"""The unit of the figure behind an item, for items that have one."""
 
 
 _DRIVER_WORDS: Final[Mapping[Item, tuple[Callable[[DriverSlow], bool | None], Word, Word]]] = {
@@ -141,7 +141,7 @@ _DRIVER_WORDS: Final[Mapping[Item, tuple[Callable[[DriverSlow], bool | None], Wo
     Item.HOMED: (lambda driver: driver.homed, Word.NOT_HOMED, Word.HOMED),
     Item.STALL_PROTECTION: (lambda driver: driver.stall_protection, Word.NORMAL, Word.TRIGGERED),
 }
-"""How to read the bit behind an item, the word for 0 and the word for 1."""
+"""The function that reads the bit behind an item, with the words for 0 and for 1."""
 
 _SLOW_VALUES: Final[Mapping[Item, Callable[[DriverSlow], float]]] = {
     Item.STATUS_CODE: lambda driver: driver.status_code,
@@ -170,7 +170,7 @@ _ROWS: Final[Mapping[Generation, tuple[Item, ...]]] = {
 
 
 def rows(generation: Generation | None) -> tuple[Item, ...]:
-    """Return the ten items from top to bottom; the manual's while the arm is unknown."""
+    """Return the ten items from top to bottom; the manual's while the generation is unknown."""
     return _ROWS[generation or Generation.ONE]
 
 
@@ -192,7 +192,7 @@ def word(state: ArmState, generation: Generation | None, item: Item, joint: int)
 
 
 def value(state: ArmState, item: Item, joint: int) -> float | None:
-    """Return the figure behind one item of one joint; see :data:`UNITS`."""
+    """Return the figure behind one item of one joint (1–6), in the unit of :data:`UNITS`."""
     slow, fast = state.drivers_slow[joint - 1], state.drivers_fast[joint - 1]
     if item in _SLOW_VALUES:
         return None if slow is None else _SLOW_VALUES[item](slow.value)
@@ -202,7 +202,7 @@ def value(state: ArmState, item: Item, joint: int) -> float | None:
 
 
 def is_stale(state: ArmState, item: Item, joint: int) -> bool:
-    """Tell whether a frame an item comes from stays away while others are still heard."""
+    """Return whether the frame behind an item has stopped coming while others are still heard."""
     now_s = state.last_feedback_s
     sources: list[Reading[Status] | Reading[DriverSlow] | Reading[DriverFast] | None]
     if item is Item.COMMUNICATION:
@@ -217,7 +217,7 @@ def is_stale(state: ArmState, item: Item, joint: int) -> bool:
 
 
 def faults(state: ArmState, generation: Generation | None) -> list[tuple[int, Item, Word]]:
-    """Return every fault, by joints: joint, item, and what is wrong with it."""
+    """Return every fault, ordered by joint: the joint, the item and its word."""
     return [
         (joint, item, said)
         for joint in JOINTS
@@ -231,13 +231,13 @@ def worst(
 ) -> Worst:
     """Return the worst of the six states of an arm that is being heard.
 
-    A fault stands until the arm itself has taken it back: a joint that falls silent with a fault
+    A fault stays until the arm reports that it is gone: a joint that falls silent with a fault
     still has it.
 
     Args:
-        state: The arm as heard.
-        generation: Which protocol it speaks, once that is known.
-        faulty_items: Its :func:`faults`.
+        state: The arm's state.
+        generation: The protocol it speaks, once known.
+        faulty_items: The result of :func:`faults`.
     """
     faulty = tuple(dict.fromkeys(joint for joint, _item, _word in faulty_items))
     if faulty:
@@ -262,10 +262,10 @@ _WordKey = tuple[Generation | None, int | None, bool | None]
 
 
 class JointHistory:
-    """Remembers since when each word has been true.
+    """Remembers since when each word has held.
 
-    What has not been heard has no beginning; what is heard for the first time begins then. Only
-    changes cost time: everything a joint's words hang on fits into one comparison.
+    An item that was never heard has no time. Only changes cost computing time: everything that
+    decides a joint's words fits into one comparison.
     """
 
     def __init__(self) -> None:
@@ -274,7 +274,7 @@ class JointHistory:
         self._since: dict[tuple[Item, int], datetime] = {}
 
     def add_state(self, state: ArmState, generation: Generation | None, at: datetime) -> bool:
-        """Take in a snapshot of the arm; whether any word or status code has changed by it."""
+        """Process a state of the arm; return whether any word or status code has changed."""
         status = state.status
         changed = False
         for joint in JOINTS:
@@ -304,13 +304,13 @@ class JointHistory:
                 self._since[item, joint] = at
 
     def since(self, item: Item, joint: int) -> datetime | None:
-        """Return when the present word of an item began to be true."""
+        """Return the time since which an item's present word has held, or ``None``."""
         return self._since.get((item, joint))
 
     def cell(
         self, state: ArmState, generation: Generation | None, item: Item, joint: int
     ) -> StatusCell:
-        """Return one cell of the table, of the snapshot that was taken in last."""
+        """Return one cell of the table for the state that was added last."""
         return StatusCell(
             word=word(state, generation, item, joint),
             value=value(state, item, joint),

@@ -1,4 +1,4 @@
-"""The fields of a JSON object, each asked for with the type it must have."""
+"""Reads the fields of a JSON object, each with the type it must have."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Path = tuple[str | int, ...]
 
 
 class FieldProblem(enum.Enum):
-    """What can be wrong with a field."""
+    """The ways in which a field can be wrong."""
 
     MISSING = "is missing"
     BAD = "is not what it should be"
@@ -24,11 +24,11 @@ class FieldError(Exception):
     """A field that is missing or wrong.
 
     Attributes:
-        problem: What is wrong with it.
-        path: To the field.
-        value: What it holds; ``None`` for one that is missing.
-        expected: What should have been there, as an example.
-        refusal: Of its own, where the type alone is not to blame.
+        problem: The kind of error.
+        path: The keys and indices that lead to the field.
+        value: The field's value; ``None`` if it is missing.
+        expected: An example of a right value.
+        refusal: The reason, if something other than the type is wrong.
     """
 
     def __init__(
@@ -48,12 +48,12 @@ class FieldError(Exception):
 
     @property
     def name(self) -> str:
-        """The field's name, or that of the list it stands in."""
+        """The field's name, or that of the list it is in."""
         return next((step for step in reversed(self.path) if isinstance(step, str)), "{}")
 
     @property
     def place(self) -> str:
-        """The way to the field, as ``arm.parameters[1].value``."""
+        """The path to the field, as ``arm.parameters[1].value``."""
         steps = (f".{step}" if isinstance(step, str) else f"[{step + 1}]" for step in self.path)
         return "".join(steps).removeprefix(".")
 
@@ -64,7 +64,7 @@ class FieldError(Exception):
 
 
 class Fields:
-    """One JSON object; it knows which of its fields nobody has asked for.
+    """The fields of one JSON object; it knows which of them have not been read.
 
     All methods that read a field raise `FieldError`.
     """
@@ -80,33 +80,33 @@ class Fields:
         return name in self._values
 
     def bad(self, name: str, expected: str) -> FieldError:
-        """Return the error that says what should have been there."""
+        """Return the error for a field of the wrong type, with an example of a right value."""
         return FieldError(FieldProblem.BAD, (*self.path, name), self._values.get(name), expected)
 
     def wrong(self, name: str, reason: Refusal) -> FieldError:
-        """Return the error of a field that has a reason of its own."""
+        """Return the error for a field that has a reason of its own."""
         path = (*self.path, name)
         return FieldError(FieldProblem.BAD, path, self._values.get(name), refusal=reason)
 
     def text(self, name: str, default: str | None = None) -> str:
-        """Return a text."""
+        """Return the text in a field."""
         value = self._value(name, default)
         if not isinstance(value, str):
             raise self.bad(name, "“…”")
         return value
 
     def maybe_text(self, name: str) -> str | None:
-        """Return a text, or ``None`` where there is none, or null."""
+        """Return the text in a field, or ``None`` if it is missing or null."""
         self._asked.add(name)
         return None if self._values.get(name) is None else self.text(name)
 
     def given(self, name: str) -> bool:
-        """Tell whether there is something other than null; null counts as asked for."""
+        """Return whether a field exists and is not null; a null counts as read."""
         self._asked.add(name)
         return self._values.get(name) is not None
 
     def number(self, name: str, default: float | None = None) -> float:
-        """Return a finite number."""
+        """Return the finite number in a field."""
         value = finite(self._value(name, default))
         if value is None:
             raise self.bad(name, "0.0")
@@ -115,14 +115,14 @@ class Fields:
     def whole(
         self, name: str, default: int | None = None, allowed: Collection[int] | None = None
     ) -> int:
-        """Return a whole number, one of those allowed if they are given."""
+        """Return the whole number in a field, one of the allowed ones if they are given."""
         value = self._value(name, default)
         if not _is_whole(value, allowed):
             raise self.bad(name, _example(allowed))
         return int(value)
 
     def wholes(self, name: str, count: int, allowed: Collection[int]) -> tuple[int, ...]:
-        """Return a list of so many whole numbers."""
+        """Return a list of `count` whole numbers."""
         values = self._list(name, count)
         for index, value in enumerate(values):
             if not _is_whole(value, allowed):
@@ -131,14 +131,14 @@ class Fields:
         return tuple(values)
 
     def numbers(self, name: str, counts: tuple[int, ...]) -> tuple[float, ...]:
-        """Return a list of numbers, as many as one of the counts says."""
+        """Return a list of numbers whose length is one of the counts."""
         values = _numbers(self._value(name, None), counts)
         if values is None:
             raise self.bad(name, f"[{' / '.join(map(str, counts))} × 0.0]")
         return values
 
     def number_lists(self, name: str, counts: tuple[int, ...]) -> Iterator[tuple[float, ...]]:
-        """Return a list of lists of numbers, each as many as one of the counts says."""
+        """Yield the lists of numbers in a list; the length of each is one of the counts."""
         for index, value in enumerate(self._list(name)):
             values = _numbers(value, counts)
             if values is None:
@@ -148,28 +148,28 @@ class Fields:
             yield values
 
     def texts(self, name: str) -> tuple[str, ...]:
-        """Return a list of texts; none where it is missing."""
+        """Return a list of texts; an empty one if the field is missing."""
         values = self._list(name) if name in self._values else []
         if not all(isinstance(value, str) for value in values):
             raise self.bad(name, "[“…”, …]")
         return tuple(values)
 
     def object(self, name: str) -> Fields:
-        """Return an object within."""
+        """Return the object in a field."""
         return Fields(self._value(name, None), (*self.path, name))
 
     def maybe_object(self, name: str) -> Fields | None:
-        """Return an object within, or ``None`` where there is none, or null."""
+        """Return the object in a field, or ``None`` if it is missing or null."""
         self._asked.add(name)
         return None if self._values.get(name) is None else self.object(name)
 
     def objects(self, name: str, count: int | None = None) -> Iterator[Fields]:
-        """Return a list of objects, so many if it is said how many."""
+        """Yield the objects in a list, which must have `count` entries if that is given."""
         for index, value in enumerate(self._list(name, count)):
             yield Fields(value, (*self.path, name, index))
 
     def nothing_else(self) -> None:
-        """Make sure that every field has been asked for: a misspelt one is no default."""
+        """Raise a `FieldError` if a field was not read, so that a misspelt name is noticed."""
         left = self._values.keys() - self._asked
         if left:
             raise FieldError(FieldProblem.UNKNOWN, (*self.path, min(left)))
@@ -189,7 +189,7 @@ class Fields:
 
 
 def finite(value: object) -> float | None:
-    """Return a finite number, or ``None`` for what is none: truth values, text."""
+    """Return a value as a finite number, or ``None`` if it is none: a truth value, a text."""
     if isinstance(value, bool) or not isinstance(value, int | float):
         return None
     try:

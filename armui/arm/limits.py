@@ -1,7 +1,7 @@
-"""What the arm may do: limits per joint, and checks that answer in words.
+"""The limits of each joint, and checks that return the reason against a target.
 
-Arms in the field carry other limits than the factory's, which stand in `urdf/<model>/model.json`:
-the values read from the arm (0x473, 0x47C) go before those.
+Arms in use may hold limits other than the factory's in `urdf/<model>/model.json`: the values read
+from the arm (0x473, 0x47C) take precedence.
 """
 
 from __future__ import annotations
@@ -24,14 +24,14 @@ JOINT_OUT_OF_LIMITS = Reason(
 
 
 JOINTS: Final = range(1, 7)
-"""The numbers of the six joints, the lowest first."""
+"""The numbers of the six joints, in rising order."""
 
 ANGLE_STEP_DEG: Final = 0.001
 """The resolution of an angle on the bus."""
 
 
 class JointLimits(NamedTuple):
-    """What one joint may do.
+    """The limits of one joint.
 
     Attributes:
         min_deg, max_deg: Range of the joint angle.
@@ -44,16 +44,16 @@ class JointLimits(NamedTuple):
 
 
 _FASTEST_DEG_S: Final = 3600.0
-"""Far above any joint of this arm, far below 0xFFFF in either generation's unit."""
+"""A speed far above any joint of this arm, far below 0xFFFF in either generation's unit."""
 
 
 def plausible(limits: JointLimits) -> bool:
-    """Tell whether limits read from an arm can be true; a corrupted flash answers with 0xFFFF."""
+    """Return whether limits read from an arm can be true; a corrupted flash answers with 0xFFFF."""
     return limits.min_deg < limits.max_deg and 0 < limits.max_speed_deg_s < _FASTEST_DEG_S
 
 
 def check_joint(joint: int, angle_deg: float, limits: JointLimits) -> Refusal | None:
-    """Tell why a joint may not be sent to an angle; ``None``: it may."""
+    """Return why a joint may not be sent to an angle, or ``None`` if it may."""
     if not math.isfinite(angle_deg):
         return JOINT_NOT_A_NUMBER(joint=joint, value=angle_deg)
     half_step = ANGLE_STEP_DEG / 2
@@ -65,7 +65,7 @@ def check_joint(joint: int, angle_deg: float, limits: JointLimits) -> Refusal | 
 
 
 def check_joints(joints_deg: Sequence[float], limits: Sequence[JointLimits]) -> Refusal | None:
-    """Tell why the arm may not be sent to six angles; ``None``: it may."""
+    """Return why the arm may not be sent to six angles, or ``None`` if it may."""
     for joint, angle_deg, limit in zip(JOINTS, joints_deg, limits, strict=True):
         refusal = check_joint(joint, angle_deg, limit)
         if refusal is not None:

@@ -1,4 +1,4 @@
-"""Which model an arm is, by its own word: where its angles lead, compared with the pose it tells.
+"""Finds the model of an arm: the pose of its angles is compared with the pose it reports.
 
 No frame names the model. But the arm computes its end pose (0x2A2–0x2A4) with its own dimensions,
 and the models lie apart by more than 8 mm, or by 60° of the hand (PiPER X), in every pose.
@@ -33,20 +33,20 @@ MODEL_OTHER = Reason(
 
 FITS_MM: Final = 1.0
 FITS_DEG: Final = 1.0
-"""A model fits whose flange is as near as this to where a standing arm says it is."""
+"""A model fits if its flange is this near to the pose that a standing arm reports."""
 
 Models = frozenset[PiperModel]
 
 OLDER_ZEROS: Final = " (zeros before S-V1.6-3)"
-"""Behind the model's name in `ModelFit.kind`."""
+"""The text behind the model's name in `ModelFit.kind`."""
 
 
 class FittingArm(NamedTuple):
-    """An arm whose flange is where a standing arm says that it is.
+    """A model, with its zeros, whose computed flange is where a standing arm reports it.
 
     Attributes:
-        model: Which of the family.
-        older_zeros: It counts joints 2 and 3 from the zeros before S-V1.6-3.
+        model: The model of the family.
+        older_zeros: True if it counts joints 2 and 3 from the zeros before S-V1.6-3.
     """
 
     model: PiperModel
@@ -54,13 +54,13 @@ class FittingArm(NamedTuple):
 
 
 class ModelFit(NamedTuple):
-    """What the comparison says of the model that was chosen.
+    """The result of comparing the arm with the model that was chosen.
 
     Attributes:
-        chosen: By the operator.
-        fitting: The models that fit; empty: none does; ``None``: not compared yet.
-        older_zeros: The arm counts joints 2 and 3 from the zeros before S-V1.6-3.
-        before: What this very arm was the last time, where that was another and nothing has been
+        chosen: The model the operator chose.
+        fitting: The models that fit; empty if none does, ``None`` if not compared yet.
+        older_zeros: True if the arm counts joints 2 and 3 from the zeros before S-V1.6-3.
+        before: The model of this arm the last time, if that was another and nothing has been
             compared yet.
     """
 
@@ -71,29 +71,29 @@ class ModelFit(NamedTuple):
 
     @property
     def geometry(self) -> Geometry:
-        """What everything that computes with lengths and angles takes: the one place for it."""
+        """The geometry of the chosen model with its zeros; every computation takes it from here."""
         return model_data(self.chosen).geometry_with(older_zeros=self.older_zeros)
 
     @property
     def kind(self) -> str:
-        """Return the model and its zeros, as trajectories name the arm they were taught on."""
+        """The model and its zeros, as trajectories name the arm they were taught on."""
         name = model_data(self.chosen).name
         return f"{name}{OLDER_ZEROS}" if self.older_zeros else name
 
     @property
     def taught_on(self) -> str:
-        """Return the kind for what is taught now; "" while what is heard has not confirmed it."""
+        """The kind for new trajectories; "" until the arm's feedback has confirmed it."""
         return self.kind if self.fitting is not None and self.chosen in self.fitting else ""
 
     def zeros_from_deg(self, taught_on: str) -> tuple[float, ...] | None:
-        """Return by how much joint angles differ that mean the same pose on this arm.
+        """Return the difference between another arm's joint zeros and this one's.
 
         Args:
-            taught_on: The `kind` of the arm they are of.
+            taught_on: The `kind` of the other arm.
 
         Returns:
-            What is added to the six angles, in degrees; ``None`` unless it is known that the arms
-            are of one model and count from different zeros.
+            The degrees to add to its six angles; ``None`` unless both arms are known to be of one
+            model with different zeros.
         """
         data = model_data(self.chosen)
         if not self.taught_on or taught_on != self._replace(older_zeros=not self.older_zeros).kind:
@@ -106,19 +106,19 @@ class ModelFit(NamedTuple):
 
     @property
     def confirmed(self) -> bool:
-        """Whether the chosen model fits, and no other."""
+        """True if the chosen model fits, and no other."""
         return self.fitting == frozenset({self.chosen})
 
     @property
     def other(self) -> PiperModel | None:
-        """The model that fits instead of the chosen one, where there is just one."""
+        """The model that fits instead of the chosen one, if there is exactly one."""
         if self.fitting is None or self.chosen in self.fitting or len(self.fitting) != 1:
             return None
         return next(iter(self.fitting))
 
     @property
     def wrong(self) -> Refusal | None:
-        """Why nothing can be computed of this arm as the chosen model, or ``None``."""
+        """The reason why nothing can be computed with the chosen model, or ``None``."""
         if self.fitting is None or self.chosen in self.fitting:
             return None
         if not self.fitting:
@@ -130,15 +130,15 @@ class ModelFit(NamedTuple):
 def fitting_arms(
     joints_deg: Sequence[float], pose: Sequence[float], firmware: str | None
 ) -> frozenset[FittingArm]:
-    """Return the arms of the family whose flange is where a standing arm says that it is.
+    """Return the models, with their zeros, whose flange is where a standing arm reports it.
 
-    The version says which zeros an arm counts from. Only where no model fits with them, the others
-    are tried: whether PiPER H, L and X ever had the older ones is not known.
+    The version determines the zeros an arm counts from. The others are tried only if no model fits
+    with those: whether PiPER H, L and X ever had the older ones is not known.
 
     Args:
         joints_deg: Its six angles.
         pose: X, Y, Z in mm and RX, RY, RZ in degrees.
-        firmware: Its version; ``None``: it tells none, and may count from either.
+        firmware: Its version; ``None`` if it names none, and may count from either.
     """
     if firmware is None:
         return _fitting(joints_deg, pose, lambda _data: (False, True))

@@ -1,6 +1,6 @@
-"""The arms of the family as data: one file each, `urdf/<model>/model.json`.
+"""The models of the family as data: one file each, `urdf/<model>/model.json`.
 
-Whatever differs between the models of one protocol stands there and nowhere else: dimensions,
+Everything that differs between the models of one protocol is there and nowhere else: dimensions,
 ranges, torque coefficients, masses, how the gripper is mounted. What differs with the firmware
 stands in `armui.protocol.firmware_version`.
 """
@@ -36,15 +36,15 @@ _SPEEDS: Final = {"known": False, "assumed": True}
 
 
 class ModelFileError(Exception):
-    """A model's data file that is missing or wrong; names the file and the field."""
+    """A model's data file is missing or wrong; the text names the file and the field."""
 
 
 class LinkMass(NamedTuple):
     """The mass of a link.
 
     Attributes:
-        name: Of the link in the robot description.
-        mass_kg: Of the link.
+        name: The link's name in the robot description.
+        mass_kg: The link's mass.
         centre_mm: Its centre of mass in the link's own DH frame, that of the robot description:
             the Z axis of link n is the axis of joint n.
     """
@@ -55,12 +55,12 @@ class LinkMass(NamedTuple):
 
 
 class TorqueCoefficients(NamedTuple):
-    """How a motor's current becomes a torque at the output, joint 1 first.
+    """The coefficients that turn a motor's current into the torque at its output, joint 1 first.
 
     Attributes:
         k_nm_per_a: Motor constants.
         b: Ratio factors.
-        c: Calibration; ``None`` where it is not known.
+        c: Calibration; ``None`` if it is not known.
     """
 
     k_nm_per_a: tuple[float, ...]
@@ -72,10 +72,10 @@ class GripperMounting(NamedTuple):
     """The maker's gripper on the flange.
 
     Attributes:
-        turned_deg: About the flange's Z axis.
+        turned_deg: Its turn about the flange's Z axis.
         base_kg, finger_kg: Masses of its housing and of each of the two fingers.
-        reach_mm: From the flange to the tips of the fingers.
-        strokes_mm: How far the small and the large one open.
+        reach_mm: The distance from the flange to the tips of the fingers.
+        strokes_mm: The openings of the small and of the large gripper.
     """
 
     turned_deg: float
@@ -86,23 +86,23 @@ class GripperMounting(NamedTuple):
 
 
 class ModelData(NamedTuple):
-    """One arm of the family.
+    """The data of one model of the family.
 
     Attributes:
-        model: Which.
-        name: As the maker writes it.
-        geometry: With the zeros of today's firmware.
-        older_geometry: With those before S-V1.6-3.
-        limits: Of the six joints as the arm leaves the factory: they stand in until the arm has
-            told its own.
-        accelerations_deg_s2: The highest of the six joints, likewise.
-        speeds_assumed: Speeds and accelerations are the PiPER's, for want of published ones.
-        torque: Of the motors.
+        model: The model.
+        name: The name as the maker writes it.
+        geometry: The geometry with the zeros of today's firmware.
+        older_geometry: The geometry with the zeros before S-V1.6-3.
+        limits: The factory limits of the six joints, used until the arm's own have been read.
+        accelerations_deg_s2: The highest accelerations of the six joints, likewise.
+        speeds_assumed: True if speeds and accelerations are the PiPER's, because none are
+            published.
+        torque: The motors' coefficients.
         links: Masses of the base and the six links.
-        gripper: How it is mounted.
-        reach_mm, payload_kg, weight_kg: As the maker publishes them; ``None`` where it does not.
-        node_types: What arms of this model were seen to answer as node type (0x4AF).
-        notes: What is not certain about these figures, a sentence each.
+        gripper: The gripper and its mounting.
+        reach_mm, payload_kg, weight_kg: The maker's published figures; ``None`` if there is none.
+        node_types: Node types that arms of this model were seen to answer (0x4AF).
+        notes: The doubts about these figures, a sentence each.
     """
 
     model: PiperModel
@@ -123,29 +123,29 @@ class ModelData(NamedTuple):
 
     @property
     def geometries(self) -> tuple[Geometry, Geometry]:
-        """Today's and the older one: what an arm may have that tells no version."""
+        """Today's and the older geometry; an arm that names no version may have either."""
         return self.geometry, self.older_geometry
 
     def tool_mm(self, tool_z_mm: float) -> float:
-        """Return how far the tip is beyond the flange: of the tool set, else of the gripper."""
+        """Return the distance from flange to tip: that of the tool set, else the gripper's."""
         return tool_z_mm if tool_z_mm > 0.0 else self.gripper.reach_mm
 
     def geometry_with(self, *, older_zeros: bool) -> Geometry:
-        """Return the dimensions with the zeros before S-V1.6-3, or with today's."""
+        """Return the geometry with the zeros before S-V1.6-3, or with today's."""
         return self.older_geometry if older_zeros else self.geometry
 
     def older_zeros(self, version: str) -> bool:
-        """Tell whether a firmware counts from the zeros before S-V1.6-3; an unreadable one: no."""
+        """Return whether a firmware counts from the zeros before S-V1.6-3; false if unreadable."""
         parsed = FirmwareVersion.parse(version)
         return parsed is not None and quirks_of(parsed, self.model).shifted_zeros
 
     def geometry_of(self, version: str) -> Geometry:
-        """Return the dimensions with the zeros of a firmware."""
+        """Return the geometry with the zeros of a firmware version."""
         return self.geometry_with(older_zeros=self.older_zeros(version))
 
 
 def all_models() -> Mapping[PiperModel, ModelData]:
-    """Return the arms of the family.
+    """Return the data of all models of the family.
 
     Raises:
         ModelFileError: The installation lacks a file, or it is damaged.
@@ -157,7 +157,7 @@ def model_data(model: PiperModel = PiperModel.PIPER) -> ModelData:
     """Return the data of a model of the family.
 
     Raises:
-        ModelFileError: As with all of them.
+        ModelFileError: See :func:`all_models`.
     """
     return _installed(model)
 
@@ -169,26 +169,26 @@ def _installed(model: PiperModel) -> ModelData:
 
 
 def model_folder(model: PiperModel) -> Path:
-    """Return where a model's data file, robot description and meshes are."""
+    """Return the folder of a model's data file, robot description and meshes."""
     return URDF / model.value
 
 
 def robot_description(model: PiperModel, *, older_zeros: bool = False) -> Path:
-    """Return the robot description (URDF) of a model, whose joint angles are those on the bus.
+    """Return the path of a model's URDF file, whose joint angles are those on the bus.
 
     Args:
-        model: Which.
-        older_zeros: Of an arm that counts from the zeros before S-V1.6-3.
+        model: The model.
+        older_zeros: True for an arm that counts from the zeros before S-V1.6-3.
     """
     suffix = "_older_zeros" if older_zeros else ""
     return model_folder(model) / f"{model.value}{suffix}.urdf"
 
 
 def read_model(folder: Path) -> ModelData:
-    """Return the model whose data file lies in a folder.
+    """Return the model in the data file of a folder.
 
     Raises:
-        ModelFileError: There is none, or a field of it is missing or wrong.
+        ModelFileError: The file is missing, or a field of it is missing or wrong.
     """
     path = folder / "model.json"
     try:
@@ -295,17 +295,17 @@ def _maybe_six(fields: Fields, name: str) -> tuple[float, ...] | None:
 
 @dataclass(frozen=True, slots=True)
 class ArmModel:
-    """An arm as a plan sees it.
+    """The data of an arm that planning needs.
 
     Attributes:
-        limits: Of the six joints, as read from the arm.
-        accelerations_deg_s2: The highest of the six joints.
-        end_limits: Of the tool; ``None`` while the arm has not told them.
-        kinematics: Of its geometry.
-        tool_mm: How far the gripper reaches beyond the flange.
-        stroke_mm: How far the gripper opens; ``None`` if that is not known.
-        gripper_turned_deg: How the gripper is mounted, about the flange's Z axis.
-        kind: The model and its zeros; "": nothing is said of trajectories of other arms.
+        limits: The limits of the six joints, as read from the arm.
+        accelerations_deg_s2: The highest accelerations of the six joints.
+        end_limits: The limits of the tool; ``None`` while they have not been read.
+        kinematics: The kinematics of its geometry.
+        tool_mm: The distance from the flange to the gripper's tip.
+        stroke_mm: The gripper's largest opening; ``None`` if not known.
+        gripper_turned_deg: The gripper's turn about the flange's Z axis.
+        kind: The model and its zeros; if "", trajectories of other arms are not recognised.
     """
 
     limits: tuple[JointLimits, ...]
@@ -319,5 +319,5 @@ class ArmModel:
 
     @property
     def fingerprint(self) -> str:
-        """A short text that is another for another arm: what was planned for one holds for it."""
+        """A short text that differs between arms: a plan made for one fingerprint holds for it."""
         return hashlib.sha256(repr(self).encode()).hexdigest()[:16]

@@ -1,8 +1,8 @@
-"""What other hosts on the bus send: which frames, since when, how often.
+"""Records the frames that other hosts on the bus send: their identifiers, times and rates.
 
-A frame that this program did not send and that no arm sends as feedback is another host's, or a
-leader arm's (0x470). Fed by the bus thread with raw frames, so that a frame no codec understands
-counts as well.
+A frame that this program did not send and that no arm sends as feedback comes from another host, or
+from a leader arm (0x470). The bus thread passes raw frames, so that frames no codec understands
+count as well.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ MOTION_IDS: Final = frozenset(
     {base + offset for base in _MOTION_BASE for offset in OFFSETS}
     | {*_SPEEDS_AND_POSITIONS, *_CHANGES}
 )
-"""Frames that move an arm, switch its motors or change what its motions count on."""
+"""Frames that move an arm, switch its motors, or change settings that its motions depend on."""
 
 _ANSWER: Final = 0x61
 """0x181–0x187 byte 0, 'a': the arm answers with the identifier it was asked with."""
@@ -29,22 +29,23 @@ _ANSWER: Final = 0x61
 OTHER_COMMAND_IDS: Final = frozenset(
     {0x121, 0x191, 0x422, 0x472, 0x474, 0x477, 0x479, 0x47A, 0x47D, 0x487}
 )
-"""Lamps, questions and settings: they are named, and stand against nothing."""
+"""Lamps, questions and settings: they are shown, and forbid nothing."""
 
 _MODE: Final = 0x151
 _MIT: Final = range(0x15A, 0x160)
 _LEADER: Final = (0x151, 0x155, 0x156, 0x157, 0x159)
-"""What a teaching-input arm sends, in lockstep (0x470)."""
+"""The frames a teaching-input arm sends, in lockstep (0x470)."""
 
 _FORGOTTEN_S: Final = 2.0
-"""Frames of one identifier that pause for longer begin a new series."""
+"""A longer pause between frames of one identifier begins a new series."""
 _LEADER_RATE_HZ: Final = 20.0
 _LOCKSTEP: Final = 3
-"""So many frames may the identifiers of a leader differ: one cycle is under way, one was lost."""
+"""The counts of a leader's identifiers may differ by this much: one cycle under way, frames lost.
+"""
 
 
 def is_arms_answer(arbitration_id: int, data: bytes) -> bool:
-    """Tell whether a frame with a command's identifier is the arm's answer (CPV)."""
+    """Return whether a frame with a command's identifier is the arm's own answer (CPV)."""
     return arbitration_id in _SPEEDS_AND_POSITIONS and data[:1] == bytes((_ANSWER,))
 
 
@@ -53,8 +54,8 @@ class FrameSeries:
     """Frames of one identifier that another host sends.
 
     Attributes:
-        arbitration_id: As seen on the wire.
-        count: How many, without a pause of more than two seconds.
+        arbitration_id: The identifier on the wire.
+        count: The number of frames without a pause of more than two seconds.
         since_s, last_s: Monotonic time of the first and the last of them.
         data: The last payload.
     """
@@ -67,12 +68,12 @@ class FrameSeries:
 
     @property
     def rate_hz(self) -> float:
-        """How often they come; 0 for a single frame."""
+        """The frames per second; 0 for a single frame."""
         span_s = self.last_s - self.since_s
         return (self.count - 1) / span_s if span_s > 0.0 else 0.0
 
     def joined(self, more: FrameSeries) -> FrameSeries:
-        """Return frames of one identifier that two have sent."""
+        """Return this series merged with another one of the same identifier."""
         newer, older = (more, self) if more.last_s >= self.last_s else (self, more)
         if newer.since_s - older.last_s > _FORGOTTEN_S:
             return newer
@@ -83,16 +84,19 @@ class FrameSeries:
 
 @dataclass(frozen=True, slots=True)
 class OtherTraffic:
-    """What other hosts were heard to send; a frozen snapshot.
+    """A frozen snapshot of the frames that other hosts were heard to send.
 
     Attributes:
-        series: By identifier on the wire, each as last heard.
+        series: The series by identifier on the wire.
     """
 
     series: Mapping[int, FrameSeries] = field(default_factory=lambda: _NOTHING)
 
     def motion(self, offsets: tuple[int, ...]) -> tuple[FrameSeries, ...]:
-        """Return the series for an arm under these control offsets (0x470), by identifier."""
+        """Return the motion commands to an arm with these control offsets, by identifier.
+
+        0x470 sets the offsets.
+        """
         mine = {base + offset for base in _MOTION_BASE for offset in offsets}
         mine.update(_SPEEDS_AND_POSITIONS, _CHANGES)
         return tuple(self.series[each] for each in sorted(self.series) if each in mine)
@@ -110,7 +114,7 @@ class OtherTraffic:
         return self._newest(_SPEEDS_AND_POSITIONS)
 
     def leads(self, offsets: tuple[int, ...]) -> bool:
-        """Tell whether these are frames of a leader arm (0x470), or of a program like one.
+        """Return whether these are frames of a leader arm (0x470), or of a program like one.
 
         A leader sends 0x151, its joint angles and its gripper in lockstep, and nothing else.
         """
@@ -126,7 +130,7 @@ class OtherTraffic:
         return False
 
     def joined(self, more: OtherTraffic) -> OtherTraffic:
-        """Return this and what somebody else was heard to send, as though of one host."""
+        """Return this and other traffic merged, as if one host had sent both."""
         if not more.series:
             return self
         series = dict(self.series)
@@ -144,7 +148,7 @@ _NOTHING: Final[Mapping[int, FrameSeries]] = MappingProxyType({})
 
 
 class OtherHosts:
-    """Counts the frames of other hosts; used by the bus thread, its snapshots by anybody."""
+    """Counts the frames of other hosts; used by the bus thread, its snapshots by any thread."""
 
     def __init__(self) -> None:
         self._series: dict[int, FrameSeries] = {}
@@ -152,7 +156,7 @@ class OtherHosts:
         self._changed = False
 
     def note(self, arbitration_id: int, data: bytes, at_s: float) -> None:
-        """Take in a frame that this program did not send, heard at a monotonic time."""
+        """Count a frame that this program did not send, received at a monotonic time."""
         if arbitration_id not in MOTION_IDS and arbitration_id not in OTHER_COMMAND_IDS:
             return
         if is_arms_answer(arbitration_id, data):
@@ -166,7 +170,7 @@ class OtherHosts:
         self._changed = True
 
     def traffic(self) -> OtherTraffic:
-        """Return what was heard up to now; the same object as before if nothing new was."""
+        """Return the traffic up to now; the same object as before if nothing new was heard."""
         if self._changed:
             self._changed = False
             self._traffic = OtherTraffic(MappingProxyType(dict(self._series)))

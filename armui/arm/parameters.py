@@ -1,6 +1,6 @@
-"""The parameters an arm keeps: what each is called, its unit, its range, and where it is read.
+"""The parameters an arm keeps: name, unit, range, and the frames that set and read them.
 
-One catalogue for the panels, the backup file and the frames. Values are in the operator's units
+The panels, the backup file and the frames share this catalogue. Values are in the operator's units,
 whatever the generation puts on the wire (manual sections 1.0.7.4–1.0.7.6; 0x473, 0x47C, 0x478,
 0x47B, 0x47E, 0x488).
 """
@@ -37,23 +37,23 @@ class Group(enum.Enum):
     """Parameters that one frame sets and one question reads."""
 
     JOINT_LIMITS = "joint_limits"
-    """Of one joint: 0x474, asked by 0x472, answered by 0x473."""
+    """Limits of one joint: set by 0x474, asked for by 0x472, answered by 0x473."""
     JOINT_ACCELERATION = "joint_acceleration"
-    """Of one joint: 0x475, asked by 0x472, answered by 0x47C."""
+    """Acceleration of one joint: set by 0x475, asked for by 0x472, answered by 0x47C."""
     END_LIMITS = "end_limits"
-    """0x479, asked by 0x477, answered by 0x478."""
+    """Set by 0x479, asked for by 0x477, answered by 0x478."""
     COLLISION = "collision"
-    """0x47A, asked by 0x477, answered by 0x47B."""
+    """Set by 0x47A, asked for by 0x477, answered by 0x47B."""
     TEACHING = "teaching"
-    """0x47D, asked by 0x477, answered by 0x47E; generation 2."""
+    """Set by 0x47D, asked for by 0x477, answered by 0x47E; generation 2."""
     DRAG_ASSISTANCE = "drag_assistance"
-    """0x487, asked by 0x477, answered by 0x488; generation 2, from S-V1.8-1."""
+    """Set by 0x487, asked for by 0x477, answered by 0x488; generation 2, from S-V1.8-1."""
 
 
 OF_ONE_JOINT: Final = frozenset({Group.JOINT_LIMITS, Group.JOINT_ACCELERATION})
-"""Groups of which each joint has its own."""
+"""Groups that exist once for each joint."""
 _SIX_IN_ONE: Final = frozenset({Group.COLLISION, Group.DRAG_ASSISTANCE})
-"""Groups whose one frame has a value for each joint."""
+"""Groups whose single frame has a value for each joint."""
 
 
 class Parameter(NamedTuple):
@@ -69,18 +69,18 @@ class Parameter(NamedTuple):
 
     @property
     def kind(self) -> ParameterKind:
-        """What is the same for every joint."""
+        """The properties that are the same for every joint."""
         return KINDS[self.name]
 
     @property
     def batch(self) -> Batch:
-        """With which others it is set and read."""
+        """The parameters that one frame sets together with this one."""
         group = self.kind.group
         return Batch(group, self.joint if group in OF_ONE_JOINT else 0)
 
 
 class Batch(NamedTuple):
-    """What one frame sets: a group, of one joint where each has its own."""
+    """The parameters that one frame sets: a group, and the joint if each joint has its own."""
 
     group: Group
     joint: int = 0
@@ -95,18 +95,18 @@ class Batch(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class ParameterKind:
-    """What a parameter is.
+    """The properties of a parameter.
 
     Attributes:
-        group: With which others it is set and read.
-        message, signal: Where it is set; the signal has the same name where it is read.
-            ``{joint}`` in it stands for the joint.
-        unit: The operator's.
-        minimum, maximum: What may be asked for. The arm may hold less: it is read back.
-        decimals: How the operator sees it.
-        choices: The only values there are, if they are few.
-        corrupt_from: From here on it can only be a corrupted memory, read as 0xFFFF.
-        read: Where it stands in what was heard.
+        group: The parameters it is set and read with.
+        message, signal: The message and signal that set it; the signal that reads it has the same
+            name. ``{joint}`` in it stands for the joint.
+        unit: The operator's unit.
+        minimum, maximum: The range that may be requested. The arm may keep less: it is read back.
+        decimals: The decimals shown to the operator.
+        choices: All legal values, if they are few.
+        corrupt_from: A value from here on can only come from a corrupted memory, read as 0xFFFF.
+        read: Returns the value from the arm's state.
     """
 
     group: Group
@@ -167,12 +167,12 @@ _MOST_ANGLE_DEG: Final = 360.0
 _MOST_SPEED_DEG_S: Final = 360.0
 _MOST_ACCELERATION_DEG_S2: Final = 1800.0
 _MOST_END_LIMIT: Final = 32.766
-"""0x7FFF, one step more, means «leave it» in generation 2."""
+"""One step below 0x7FFF, which means «leave it» in generation 2."""
 _ANGLE_SLACK_DEG: Final = 0.05
 _RATE_SLACK: Final = 1.02
-"""What the coarse steps of generation 1 (rpm) make of a factory value."""
+"""The rounding of a factory value to the coarse steps of generation 1 (rpm)."""
 _CORRUPT_SPEED_DEG_S: Final = 3600.0
-"""Far above any joint of this arm, below 0xFFFF in either generation's unit."""
+"""A speed far above any joint of this arm, below 0xFFFF in either generation's unit."""
 _CORRUPT_ACCELERATION_DEG_S2: Final = 36_000.0
 _CORRUPT_END_LIMIT: Final = 65.535
 
@@ -257,11 +257,11 @@ KINDS: Final[Mapping[str, ParameterKind]] = {
 
 
 def all_batches(*, teaching: bool, drag_assistance: bool) -> Iterator[Batch]:
-    """Everything a backup holds.
+    """Yield every batch of parameters that a backup holds.
 
     Args:
-        teaching: The teaching handle's, in generation 2.
-        drag_assistance: From S-V1.8-1.
+        teaching: Include the teaching handle's (generation 2).
+        drag_assistance: Include the drag assistance (from S-V1.8-1).
     """
     for group in (Group.JOINT_LIMITS, Group.JOINT_ACCELERATION):
         yield from (Batch(group, joint) for joint in JOINTS)
@@ -274,12 +274,12 @@ def all_batches(*, teaching: bool, drag_assistance: bool) -> Iterator[Batch]:
 
 
 def heard(state: ArmState, parameter: Parameter) -> Reading[float] | None:
-    """Return what the arm last said of a parameter, or ``None`` if it has not been read."""
+    """Return a parameter's value as last read from the arm, or ``None`` if it has not been read."""
     return parameter.kind.read(state, parameter.joint)
 
 
 def is_corrupt(state: ArmState, parameter: Parameter) -> bool:
-    """Tell whether what was read can only come from a corrupted memory (0xFFFF)."""
+    """Return whether the value read can only come from a corrupted memory (0xFFFF)."""
     known = heard(state, parameter)
     if known is None:
         return False
@@ -290,7 +290,7 @@ def is_corrupt(state: ArmState, parameter: Parameter) -> bool:
 
 
 def check_value(parameter: Parameter, value: float) -> Refusal | None:
-    """Tell why a value may not be asked for; ``None``: it may."""
+    """Return why a value may not be requested, or ``None`` if it may."""
     kind = parameter.kind
     if not math.isfinite(value):
         return not_a_number(parameter, str(value))
@@ -304,14 +304,14 @@ def check_value(parameter: Parameter, value: float) -> Refusal | None:
 
 
 def factory_bound(parameter: Parameter, value: float, data: ModelData) -> float | None:
-    """Return the factory value of a model's arm that a value goes beyond, or ``None``.
+    """Return the factory limit that a value exceeds on this model, or ``None``.
 
-    What is meant for a joint's angles is also what its mechanics are known to allow.
+    The factory's angle range is also the range that the mechanics are known to allow.
 
     Args:
-        parameter: Which.
+        parameter: The parameter.
         value: In the operator's unit.
-        data: Of the model.
+        data: The model's data.
     """
     if parameter.joint not in JOINTS:
         return None
@@ -329,7 +329,7 @@ def factory_bound(parameter: Parameter, value: float, data: ModelData) -> float 
 
 
 def not_a_number(parameter: Parameter, text: str) -> Refusal:
-    """Return the reason against what was typed for a parameter and is no number."""
+    """Return the refusal of a text that was typed for a parameter and is no number."""
     return SETTING_NOT_A_NUMBER(**_figures(parameter, text))
 
 

@@ -1,4 +1,4 @@
-"""What the arm's firmware does, by the version the arm has named: pure."""
+"""The behaviour of the arm's firmware, by the version the arm has named: pure."""
 
 from __future__ import annotations
 
@@ -24,28 +24,28 @@ NEEDS_FIRMWARE = Reason(
 
 
 def told_quirks(state: ArmState) -> FirmwareQuirks | None:
-    """Return what an arm with its firmware does; ``None`` while it has named no version."""
+    """Return the quirks of the arm's firmware; ``None`` while it has named no version."""
     version = None if state.firmware is None else FirmwareVersion.parse(state.firmware)
     return None if version is None else quirks_of(version)
 
 
 def leaves_by_mode_word(version: str) -> bool:
-    """Tell whether firmware of this version leaves MIT and its like by a mode word."""
+    """Return whether firmware of this version leaves MIT and its like by a mode word."""
     parsed = FirmwareVersion.parse(version)
     return parsed is not None and quirks_of(parsed).mode_exit is ModeExit.MODE_WORD
 
 
 def exits_by_mode_word(state: ArmState) -> bool:
-    """Tell whether its firmware, as far as it is known, leaves MIT and its like by a mode word."""
+    """Return whether the arm's firmware is known to leave MIT and its like by a mode word."""
     return state.firmware is not None and leaves_by_mode_word(state.firmware)
 
 
 def why_not_by_firmware(state: ArmState, field: str) -> Refusal | None:
-    """Return the reason that lies in the firmware against a frame it may not have, or ``None``.
+    """Return the reason why this firmware may lack a frame, or ``None`` if it may be sent.
 
     Args:
-        state: The arm as heard.
-        field: Of `FirmwareQuirks`, one that begins with ``has_``.
+        state: The arm's state.
+        field: A field of `FirmwareQuirks` that begins with ``has_``.
     """
     quirks = told_quirks(state)
     since = str(first_with(field))

@@ -1,4 +1,4 @@
-"""Whether the flange can go somewhere, and the whole way there: checks that answer in words."""
+"""Checks whether the flange can reach a pose or follow a path; they return the reason if not."""
 
 from __future__ import annotations
 
@@ -43,23 +43,23 @@ PATH_BEYOND_LIMITS = Reason(
 
 
 _FINE_STEPS: Final = 2.0
-"""Between two places that are looked at."""
+"""The fine steps between two places that are checked."""
 _FEWEST_STEPS: Final = 8
 
 
 def check_pose(
     kinematics: Kinematics, pose: Pose, near_deg: Sequence[float], limits: Sequence[JointLimits]
 ) -> Joints | Refusal:
-    """Tell whether the flange can be brought to a pose.
+    """Return the joint angles that bring the flange to a pose, or why there are none.
 
     Args:
-        kinematics: Of the arm.
-        pose: Where the flange shall be.
-        near_deg: Where the joints are.
-        limits: Of the six joints.
+        kinematics: The arm's kinematics.
+        pose: The wanted pose of the flange.
+        near_deg: The present joint angles.
+        limits: The limits of the six joints.
 
     Returns:
-        The six angles nearest to ``near_deg`` that do it, or why there are none.
+        The six angles nearest to ``near_deg``, or the reason why there are none.
     """
     solutions = kinematics.inverse(pose, near_deg)
     if not solutions:
@@ -77,13 +77,13 @@ def check_path(
     start_deg: Sequence[float],
     limits: Sequence[JointLimits],
 ) -> Refusal | None:
-    """Tell why the arm cannot go along a path from where its joints stand; ``None``: it can.
+    """Return why the arm cannot follow a path from its present angles, or ``None`` if it can.
 
     Args:
-        kinematics: Of the arm.
-        path: Begins where the flange is.
-        start_deg: Where the joints are.
-        limits: Of the six joints.
+        kinematics: The arm's kinematics.
+        path: The path; it begins at the flange.
+        start_deg: The present joint angles.
+        limits: The limits of the six joints.
     """
     joints = follow(kinematics.geometry, places(path)[None], np.array([start_deg]))[0]
     singular = leaps(joints, _FINE_STEPS)
@@ -102,6 +102,6 @@ def check_path(
 
 
 def places(path: ToolPath) -> Matrix:
-    """(n, 4, 4) transforms along a path, no further apart than 2 mm or 0.5°."""
+    """Return (n, 4, 4) transforms along a path, no further apart than 2 mm or 0.5°."""
     steps = max(fine_steps(path.length_mm, path.angle_deg) / _FINE_STEPS, _FEWEST_STEPS)
     return path.poses(np.linspace(0.0, 1.0, math.ceil(steps) + 1))

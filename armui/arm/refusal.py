@@ -1,4 +1,4 @@
-"""Why something was not done: the sentence stands where it is said, its figures come with it."""
+"""Reasons why something was not done: a sentence, and the figures it names."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ class Reason(Sentence):
     context: ClassVar[str] = "Refusal"
 
     def __call__(self, **figures: float | int | str) -> Refusal:
-        """Return a refusal: this reason with the figures its sentence names, in its units."""
+        """Return a refusal: this reason with the figures that its sentence names, in its units."""
         return Refusal(self, figures)
 
 
@@ -25,7 +25,7 @@ class Refusal:
     """A reason against an action, with its figures.
 
     Attributes:
-        reason: What it is.
+        reason: The reason.
         params: The figures the sentence names, in the units the sentence shows.
     """
 
@@ -34,7 +34,7 @@ class Refusal:
 
     @property
     def code(self) -> str:
-        """The reason's id, for what is kept or handed on as JSON."""
+        """The reason's id, for JSON files and records."""
         return self.reason.id
 
     def __str__(self) -> str:

@@ -1,6 +1,6 @@
-"""The arm as last heard: a frozen snapshot, each value with the time it was heard.
+"""The arm's state as last heard: a frozen snapshot, each value with its time of reception.
 
-Nothing here is assumed: what has not been heard is ``None``. Times are those of
+Nothing here is assumed: a value that has not been heard is ``None``. Times are those of
 :data:`armui.system.clock.steady_s`; joints stand in tuples of six, joint 1 first.
 """
 
@@ -17,7 +17,7 @@ from armui.protocol.firmware_version import ArmIdentity, NamedVersion
 
 
 class GripperFault(enum.StrEnum):
-    """What the gripper's driver complains of, by the signal that says so (generation 2)."""
+    """A fault that the gripper's driver reports, named by its signal (generation 2)."""
 
     UNDERVOLTAGE = "Undervoltage"
     MOTOR_OVERTEMPERATURE = "MotorOvertemperature"
@@ -28,16 +28,18 @@ class GripperFault(enum.StrEnum):
 
 
 class GripperState(NamedTuple):
-    """What 0x2A8 says.
+    """The content of 0x2A8.
 
     Attributes:
-        opening_mm: Generation 2; ``None`` in generation 1, and while it tells an angle.
-        angle_deg: Generation 1, and generation 2 once it was told an angle (from S-V1.8-8).
-        enabled: Whether its motor holds.
-        torque_nm: Generation 2; ``None`` in generation 1.
-        speed_rad_s: Generation 1; ``None`` in generation 2.
+        opening_mm: The opening in generation 2; ``None`` in generation 1, and while an angle is
+            reported.
+        angle_deg: The angle in generation 1, and in generation 2 after an angle was commanded (from
+            S-V1.8-8).
+        enabled: Whether its motor is enabled.
+        torque_nm: The torque in generation 2; ``None`` in generation 1.
+        speed_rad_s: The speed in generation 1; ``None`` in generation 2.
         homed: Whether it knows its zero; ``None`` in generation 1, which does not say.
-        faults: What is wrong; always empty in generation 1, which has no bits for it.
+        faults: The faults; always empty in generation 1, which has no bits for them.
     """
 
     opening_mm: float | None
@@ -50,17 +52,17 @@ class GripperState(NamedTuple):
 
     @property
     def travel(self) -> float:
-        """How far it is open, in the unit that `unit` says."""
+        """The opening or angle, in the unit of `unit`."""
         return (self.angle_deg if self.opening_mm is None else self.opening_mm) or 0.0
 
     @property
     def unit(self) -> str:
-        """Of `travel`: mm or degrees."""
+        """The unit of `travel`: mm or degrees."""
         return "°" if self.opening_mm is None else "mm"
 
 
 def gripper_of(signals: Mapping[str, float]) -> GripperState:
-    """Return the gripper by the signals of 0x2A8 of either generation."""
+    """Return the gripper's state from the signals of 0x2A8 of either generation."""
     homed = signals.get("Homed")
     return GripperState(
         opening_mm=signals.get("Opening"),
@@ -77,22 +79,22 @@ T = TypeVar("T")
 Six = tuple[T, T, T, T, T, T]
 
 PAUSE_S: Final = 0.1
-"""An arm says something some hundred times within this time, in either generation."""
+"""In either generation an arm sends about a hundred frames within this time."""
 FRESH_FOR_S: Final = 0.5
 """A value older than this is stale; an arm silent for longer is offline."""
 
 
 def is_fresh(at_s: float | None, now_s: float) -> bool:
-    """Tell whether something heard at ``at_s`` may stand for the present."""
+    """Return whether a value heard at ``at_s`` is recent enough to count as present."""
     return at_s is not None and now_s - at_s <= FRESH_FOR_S
 
 
 @dataclass(frozen=True, slots=True)
 class Reading(Generic[T]):
-    """A value and when it was heard.
+    """A value and its time of reception.
 
     Attributes:
-        value: What the arm said, in the operator's units.
+        value: The value in the operator's units.
         at_s: Monotonic time of its reception.
     """
 
@@ -100,12 +102,12 @@ class Reading(Generic[T]):
     at_s: float
 
     def fresh(self, now_s: float) -> bool:
-        """Tell whether the value is young enough to stand for the present."""
+        """Return whether the value is recent enough to count as present."""
         return is_fresh(self.at_s, now_s)
 
 
 class Status(NamedTuple):
-    """What 0x2A1 says; codes are those of the protocol table.
+    """The content of 0x2A1; codes are those of the protocol table.
 
     Attributes:
         control_mode, arm_status, move_mode, teaching: The codes of bytes 0–3.
@@ -128,7 +130,7 @@ class Status(NamedTuple):
 
 
 class DriverFast(NamedTuple):
-    """What 0x251–0x256 say of one motor.
+    """The content of 0x251–0x256 for one motor.
 
     Attributes:
         speed_deg_s: Motor speed.
@@ -142,7 +144,10 @@ class DriverFast(NamedTuple):
 
 
 class DriverSlow(NamedTuple):
-    """What 0x261–0x266 say of one driver; a fault the generation has no bit for is ``None``."""
+    """The content of 0x261–0x266 for one driver.
+
+    A fault that the generation has no bit for is ``None``.
+    """
 
     voltage_v: float
     driver_temperature_c: float
@@ -161,7 +166,7 @@ class DriverSlow(NamedTuple):
 
     @property
     def status_code(self) -> int:
-        """Byte 5 as it was on the bus: the flags are its eight bits in both generations."""
+        """Byte 5 as on the bus: the flags are its eight bits in both generations."""
         flags = (
             self.undervoltage,
             self.motor_overtemperature,
@@ -176,7 +181,7 @@ class DriverSlow(NamedTuple):
 
 
 class EndLimits(NamedTuple):
-    """What the end of the arm may do, 0x478."""
+    """The limits of the arm's end, 0x478."""
 
     max_linear_speed_m_s: Annotated[float, "MaxLinearSpeed"]
     max_angular_speed_rad_s: Annotated[float, "MaxAngularSpeed"]
@@ -185,10 +190,10 @@ class EndLimits(NamedTuple):
 
 
 class TeachingHandleSettings(NamedTuple):
-    """What generation 2 keeps for the teaching handle and the gripper, 0x47E.
+    """The settings of the teaching handle and the gripper in generation 2, 0x47E.
 
     Attributes:
-        range_percent: How far the handle's travel is stretched to the gripper's, 100–200.
+        range_percent: The scale from the handle's travel to the gripper's, 100–200.
         stroke_limit_mm: 70 small gripper, 100 large gripper, 0 not set.
         friction: 1–10.
     """
@@ -199,7 +204,7 @@ class TeachingHandleSettings(NamedTuple):
 
 
 class EndMotion(NamedTuple):
-    """A joint's part in the motion of the end, 0x481–0x486; sent only while switched on."""
+    """A joint's part in the motion of the end, 0x481–0x486; sent only while it is switched on."""
 
     linear_speed_m_s: Annotated[float, "LinearSpeed"]
     angular_speed_rad_s: Annotated[float, "AngularSpeed"]
@@ -211,7 +216,7 @@ RECORDS: Final[Mapping[str, tuple[str, type]]] = {
     "EndLimitFeedback": ("end_limits", EndLimits),
     "TeachingFeedback": ("teaching_handle", TeachingHandleSettings),
 }
-"""Messages kept as they come: the field of :class:`ArmState`, and the record it holds."""
+"""Messages kept as whole records: the field of :class:`ArmState`, and the record's class."""
 
 
 _NOTHING: Final = (None, None, None, None, None, None)
@@ -222,14 +227,16 @@ class ArmState(NamedTuple):
     """Everything last heard from one arm.
 
     Attributes:
-        epoch: Of what was heard: everything in one state was heard and decoded since the bus thread
-            was last told to start anew, and every start has a number of its own.
-        sequence: Grows with every snapshot in which something is new.
-        last_feedback_s: When any frame of the arm's was last understood.
-        silences: How often in this epoch the arm was silent for longer than :data:`FRESH_FOR_S` and
-            then heard again: it may be another arm, or one that was switched off and on.
-        pauses: How often in this epoch it was silent for longer than :data:`PAUSE_S`, silences
-            among them: long enough to take another arm in its place, so it is asked who it is.
+        epoch: The number of the last fresh start: everything in one state was heard and decoded
+            since the bus thread was last told to start anew.
+        sequence: Rises with everything new that is heard.
+        last_feedback_s: The time of the last frame of the arm that was understood.
+        silences: The number of times in this epoch that the arm was silent for longer than
+            :data:`FRESH_FOR_S` and then heard again: it may be another arm, or one that was
+            switched off and on.
+        pauses: The number of times in this epoch that it was silent for longer than
+            :data:`PAUSE_S`, silences among them: long enough to take another arm in its place, so
+            it is asked who it is.
         joints_deg: Joint angles, 0x2A5–0x2A7.
         pose: X, Y, Z in mm and RX, RY, RZ in degrees of the flange, 0x2A2–0x2A4.
         limits: Angle range and highest speed of each joint, 0x473.
@@ -240,15 +247,15 @@ class ArmState(NamedTuple):
         teaching_handle: 0x47E, generation 2.
         end_motion: Each joint's part in the motion of the end, 0x481–0x486.
         firmware: Version text of 0x4AF; generation 1 has none.
-        identity: What else the arm told with it.
+        identity: The other data of the arm's answer.
         versions_named: The versions in its last answers, each with the time its text began.
         version_heard_s: When a part of an arm's answer to 0x4AF was last heard, readable or not.
         foreign_targets_s: When the joint targets of another sender, a teaching input or another
             host, were last heard in full (0x155–0x157, with any identifier offset).
         status_heard_s: When a status was heard under each identifier offset (0x470), whichever
             arm sent it.
-        frames: How many frames have been received since the bus was opened.
-        invalid_frames: How many frames of each kind were not understood.
+        frames: The number of frames received since the bus was opened.
+        invalid_frames: The number of frames not understood, by kind.
     """
 
     epoch: int = 0
@@ -279,7 +286,7 @@ class ArmState(NamedTuple):
     invalid_frames: Mapping[str, int] = _NO_INVALID_FRAMES
 
     def online(self, now_s: float) -> bool:
-        """Tell whether the arm has been heard within the last half second."""
+        """Return whether the arm has been heard within the last half second."""
         return is_fresh(self.last_feedback_s, now_s)
 
     def angles_deg(self) -> Six[float] | None:
@@ -287,18 +294,18 @@ class ArmState(NamedTuple):
         return _six_values(self.joints_deg)
 
     def end_pose(self) -> Six[float] | None:
-        """X, Y, Z in mm, RX, RY, RZ in degrees, or ``None`` while a part has never been heard."""
+        """Return X, Y, Z in mm and RX, RY, RZ in degrees, or ``None`` while one is unknown."""
         return _six_values(self.pose)
 
     def enabled(self) -> Six[bool | None]:
-        """Tell whether each motor is enabled; ``None`` where it has not been heard."""
+        """Return whether each motor is enabled; ``None`` for a motor not heard yet."""
         a, b, c, d, e, f = (
             None if driver is None else driver.value.enabled for driver in self.drivers_slow
         )
         return (a, b, c, d, e, f)
 
     def joints_without_limits(self) -> list[int]:
-        """Return the joints whose limits have not been read in full."""
+        """Return the joints whose limits have not been read completely."""
         return [
             joint
             for joint in JOINTS
@@ -338,7 +345,9 @@ _ALIKE: Final = frozenset(
         "oddities",
     }
 )
-"""All else has other units, other bits, or frames that only one generation has."""
+"""Fields with the same meaning in both generations; all others differ in units or bits, or come
+from frames that only one of them has.
+"""
 
 _NOTHING_HEARD: Final = ArmState()
 _UNKNOWN: Final = {
@@ -347,9 +356,9 @@ _UNKNOWN: Final = {
 
 
 def common_to_generations(state: ArmState) -> ArmState:
-    """Return a state without what only one of the generations can explain.
+    """Return a state reduced to the values that both generations encode alike.
 
-    Angles, the pose, the modes of 0x2A1 and what proves that the arm is there stay.
+    Angles, the pose, the modes of 0x2A1 and the signs that the arm is present are kept.
     """
     status = state.status
     if status is not None:
@@ -363,14 +372,14 @@ def common_to_generations(state: ArmState) -> ArmState:
 class JointNumber(int):
     """The number of a joint, 1 to 6.
 
-    A frame can hold any number; only what was checked opens a :class:`PerJoint`.
+    A frame can hold any number; only a checked one can index a :class:`PerJoint`.
 
     Raises:
         ValueError: No joint has this number.
     """
 
     def __new__(cls, number: float) -> Self:
-        """Check a number."""
+        """Return the number if it is 1 to 6."""
         if number not in JOINTS:
             raise ValueError(f"no joint has the number {number:g}; they are 1 to 6")
         return super().__new__(cls, number)
@@ -380,10 +389,10 @@ EACH_JOINT: Final = tuple(map(JointNumber, JOINTS))
 
 
 class PerJoint(Generic[T]):
-    """One value for each joint, opened by a checked number: no number is ever counted from the end.
+    """One value for each joint, indexed by a checked number, so that no index counts from the end.
 
     Args:
-        value: What each joint has to begin with.
+        value: The initial value of each joint.
     """
 
     def __init__(self, value: T) -> None:
@@ -396,5 +405,5 @@ class PerJoint(Generic[T]):
         return iter(self._values)
 
     def six(self) -> Six[T]:
-        """Return the values as they are now, joint 1 first."""
+        """Return the present values, joint 1 first."""
         return cast("Six[T]", tuple(self._values))

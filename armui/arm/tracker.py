@@ -1,4 +1,4 @@
-"""Keeps what was last heard of one arm, and makes frozen snapshots of it.
+"""Collects the frames of one arm into its state, and makes frozen snapshots of it.
 
 One tracker follows one arm. One thread feeds it; the snapshots may be read by any thread.
 """
@@ -42,25 +42,25 @@ _TARGET_PLACES: Final = {
     for offset in OFFSETS
     for place, target_id in enumerate(range(0x155, 0x158))
 }
-"""Where the joint targets of any sender belong, whatever its identifier offset (0x470)."""
+"""The index in the list of joint targets, by identifier, for every identifier offset (0x470)."""
 
 _ANGLE_MESSAGES: Final = frozenset({"JointFeedback12", "JointFeedback34", "JointFeedback56"})
 _FASTEST_DEG_S: Final = 300.0
-"""No joint of the family is as fast."""
+"""A speed that no joint of the family reaches."""
 _JUMP_DEG: Final = 5.0
 _NEW_ZERO_DEG: Final = 0.5
-"""An angle that jumps to zero is the same arm's: a zero was set."""
+"""An angle that jumps to within this of zero is the same arm's: a zero was set."""
 
 _STATUS_ID: Final = 0x2A1
 _VERSION_MESSAGE: Final = "FirmwareVersion"
 
 
 class Tracker:
-    """Keeps what was last heard and makes an :class:`ArmState` of it on demand.
+    """Collects decoded frames and makes an :class:`ArmState` of them on demand.
 
     Args:
-        codec: What the arm speaks.
-        epoch: Goes into every state; see :class:`ArmState`.
+        codec: The arm's codec.
+        epoch: The epoch of its states; see :class:`ArmState`.
     """
 
     def __init__(self, codec: Codec, epoch: int = 0) -> None:
@@ -92,7 +92,7 @@ class Tracker:
         self._handlers = self._make_handlers()
 
     def update(self, heard: Message | InvalidFrame, at_s: float) -> None:
-        """Take in one decoded frame, received at monotonic time ``at_s``."""
+        """Add one decoded frame, received at monotonic time ``at_s``."""
         self._frames += 1
         self._sequence += 1
         if isinstance(heard, InvalidFrame):
@@ -116,12 +116,12 @@ class Tracker:
             self._note_foreign_target(_TARGET_MESSAGES.index(heard.name), at_s)
 
     def count_invalid(self, kind: InvalidFrameKind) -> None:
-        """Count a frame that was received as one that was not understood."""
+        """Count a received frame as not understood."""
         self._invalid_frames[kind.name] += 1
         self._sequence += 1
 
     def reset_timeouts(self) -> None:
-        """Count no silences of what was taken in: it comes from a log, not one after another."""
+        """Reset the counts of silences, after frames were read from a log out of their time."""
         self._silences = self._pauses = 0
         self._before_pause = []
         self._sequence += 1
@@ -145,7 +145,7 @@ class Tracker:
             self._before_pause = []
 
     def snapshot(self) -> ArmState:
-        """Return the arm as heard up to now; the same object as before if nothing new was heard."""
+        """Return the arm's state up to now; the same object as before if nothing new was heard."""
         if self._published != self._sequence:
             self._published = self._sequence
             self._picture = self._compose()
@@ -323,7 +323,7 @@ def _version_payload(signals: _Signals) -> bytes:
 
 
 def _is_asked_by_a_host(heard: Message) -> bool:
-    """Tell whether a message that an arm and a host may both send is the host's."""
+    """Return whether a message that an arm and a host may both send is the host's."""
     return heard.name == _VERSION_MESSAGE and is_question(_version_payload(heard.signals))
 
 

@@ -1,4 +1,4 @@
-"""Which CAN devices are there, and what is wrong with one that can't be opened."""
+"""Finds the CAN devices of this computer, opens them, and explains why one can't be opened."""
 
 from __future__ import annotations
 
@@ -14,12 +14,18 @@ import can
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.arm.refusal import Reason, Refusal
 from armui.bus.send_errors import causes
+from armui.system.command_process import is_packaged
 from armui.system.files import error_text
 
 BUS_BACKEND_MISSING = Reason(
     "bus_backend_missing",
     "{device} needs a Python package that is not installed. Install it in a terminal: "
     "pip install {package}",
+)
+BUS_BACKEND_NOT_PACKED = Reason(
+    "bus_backend_not_packed",
+    "{device} needs the Python package {package}, which is no part of this installed program, and "
+    "cannot be added to it. Use another adapter, or armui from its source with that package.",
 )
 BUS_BAD_ARGUMENT = Reason(
     "bus_bad_argument",
@@ -61,7 +67,7 @@ BUS_PERMISSION = Reason(
 _SEARCH_S: Final = 5.0
 
 _NOT_DEVICES: Final = frozenset({"virtual", "udp_multicast", "socketcand", "remote"})
-"""Back-ends that are no hardware on this computer and answer a search with inventions."""
+"""Back-ends without hardware on this computer; they answer a search with made-up devices."""
 
 _PACKAGES: Final = {
     "gs_usb": "gs_usb",
@@ -73,7 +79,7 @@ _PACKAGES: Final = {
     "candle": "python-can-candle",
     "udp_multicast": "msgpack",
 }
-"""The package a back-end wants beside python-can, as far as it is on PyPI."""
+"""The package on PyPI that a back-end needs beside python-can."""
 
 
 def interfaces() -> list[str]:
@@ -139,7 +145,7 @@ def _keep_kernel_queue_short(bus: can.BusABC) -> None:
 
 
 def explain(device: Device, error: BaseException) -> Refusal:
-    """Return what is wrong with a device, from the exception that opening or using it raised."""
+    """Return the reason why opening or using a device raised this exception."""
     params: dict[str, str] = {"device": device.name, "interface": device.interface}
     for cause in causes(error):
         code = _CODE_OF_ERRNO.get(_errno(cause) or 0)
@@ -149,7 +155,8 @@ def explain(device: Device, error: BaseException) -> Refusal:
             return BUS_LIBUSB_MISSING(**params)
         if isinstance(cause, can.CanInterfaceNotImplementedError | ImportError):
             package = _PACKAGES.get(device.interface, device.interface)
-            return BUS_BACKEND_MISSING(**params, package=package)
+            missing = BUS_BACKEND_NOT_PACKED if is_packaged() else BUS_BACKEND_MISSING
+            return missing(**params, package=package)
     text = error_text(error)
     lowered = text.lower()
     for words, code in _CODE_OF_WORDS:
@@ -161,7 +168,7 @@ def explain(device: Device, error: BaseException) -> Refusal:
 
 
 _NO_LIBUSB: Final = "NoBackendError"
-"""pyusb's, a `ValueError`; pyusb itself need not be installed."""
+"""The exception's name in pyusb, a `ValueError`; pyusb itself need not be installed."""
 _CODE_OF_ERRNO: Final = {
     errno.ENODEV: BUS_GONE,
     errno.ENXIO: BUS_GONE,
@@ -184,8 +191,9 @@ _CODE_OF_WORDS: Final = (
     (("permission", "access is denied", "access denied"), BUS_PERMISSION),
     (("network is down",), BUS_DOWN),
 )
-"""For back-ends that put the reason into words only; the last entry of the first line is what
-python-can's back-ends stumble over when the maker's library is not there."""
+"""For back-ends that give the reason in words only. The last entry of the first line is the error
+of python-can's back-ends when the maker's library is missing.
+"""
 
 
 def _errno(error: BaseException) -> int | None:

@@ -34,22 +34,22 @@ ANSWERS: Final = frozenset(
         "DragAssistanceFeedback",
     }
 )
-"""Messages that answer something: each one is delivered, none is folded away."""
+"""Messages that answer a request: each one is delivered, none is merged with another."""
 
 _LAST_ANGLES: Final = "JointFeedback56"
-"""The last of the three frames that tell where the joints are."""
+"""The last of the three frames with the joint angles."""
 
 
 class FrameProcessor:
     """Processes every received frame, in the thread that reads the bus or the log.
 
     Args:
-        codec: Protocol to begin with; see :meth:`use_codec`.
-        listeners: Who else is told of every frame.
+        codec: The protocol to begin with; see :meth:`use_codec`.
+        listeners: Objects that are told of every frame.
         answered: Called with each :class:`Message` of :data:`ANSWERS`.
 
     Attributes:
-        codec: What is spoken now.
+        codec: The codec in use.
         notifier: Tells the listeners.
         samples: Every joint feedback, while somebody wants them.
     """
@@ -71,23 +71,23 @@ class FrameProcessor:
 
     @property
     def state(self) -> ArmState:
-        """The arm as heard since the last :meth:`use_codec`; may be read from any thread."""
+        """The arm's state from frames heard since the last :meth:`use_codec`, for any thread."""
         state, epoch = self._state, self._epoch
         return state if state.epoch == epoch else ArmState(epoch=epoch)
 
     @property
     def traffic(self) -> OtherTraffic:
-        """What other hosts were heard to send; may be read from any thread."""
+        """Frames heard from other hosts; may be read from any thread."""
         return self._traffic
 
     def use_codec(self, codec: Codec, *, forget: bool = True) -> None:
-        """Speak this codec from the next frame on; any thread may say so.
+        """Decode frames with this codec from the next one on; may be called from any thread.
 
         Args:
-            codec: What to speak.
+            codec: The codec to use.
             forget: From this call on :attr:`state` holds nothing that was heard or decoded before
-                it. Otherwise the codec only reads other hosts' frames otherwise: it must be of the
-                same generation and addressing.
+                it. If false, the codec only decodes other hosts' frames in another way: it must be
+                of the same generation and addressing.
         """
         if not forget:
             self._next_codecs.append((codec, None))
@@ -104,11 +104,11 @@ class FrameProcessor:
                 self._tracker = Tracker(self.codec, epoch)
 
     def process(self, frame: Frame, at_s: float, flags: int) -> None:
-        """Process a frame that this program did not send; a bad one spoils nothing but itself.
+        """Process a frame that this program did not send; one that fails is only counted.
 
         Args:
             frame: Identifier and payload.
-            at_s: When it was heard, by the program's clock.
+            at_s: When it was received, by the program's clock.
             flags: Its `FrameFlag` bits.
         """
         try:
@@ -132,9 +132,10 @@ class FrameProcessor:
                 self._answered(heard)
 
     def recall(self, frames: Sequence[tuple[Frame, float, int]]) -> None:
-        """Begin with what was last said of everything before a place in a log.
+        """Set the state to the latest frame of each kind before a place in a log.
 
-        Nobody is told of it, and the time that lies between does not count as silence.
+        No listener is told, and the time between these frames and the place does not count as
+        silence.
 
         Args:
             frames: Each with its time and flags, in the order of time.
@@ -169,13 +170,13 @@ class FrameProcessor:
         self._traffic = OtherTraffic()
 
     def publish(self) -> None:
-        """Publish a snapshot of what was heard in :attr:`state` and :attr:`traffic`."""
+        """Update :attr:`state` and :attr:`traffic` from the frames processed so far."""
         self._state = self._tracker.snapshot()
         self._traffic = self._others.traffic()
 
 
 def invalid_frame(frame: Frame, flags: int) -> InvalidFrame | None:
-    """Return what is wrong with a frame that is no classic data frame with an 11-bit identifier."""
+    """Return the fault of a frame that is no classic data frame with an 11-bit identifier."""
     if flags & FrameFlag.ERROR:
         detail = "the adapter reports a bus error"
     elif flags & FrameFlag.EXTENDED:

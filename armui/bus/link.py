@@ -30,7 +30,7 @@ BUS_UNACKNOWLEDGED = Reason(
 
 
 HEARD_S: Final = 0.5
-"""Frames heard not longer ago than this: the receiving side works."""
+"""A frame received within this time shows that the receiving side works."""
 
 _BUS_OFF: Final = 0x040
 _RESTARTED: Final = 0x100
@@ -42,16 +42,16 @@ class BusState(enum.Enum):
     OPENING = enum.auto()
     OPEN = enum.auto()
     BLOCKED = enum.auto()
-    """It is open, and no frame gets out; it goes on trying."""
+    """The device is open, but no frame can be sent; the thread goes on trying."""
     LOST = enum.auto()
-    """It was open and is gone; the thread keeps trying to open it again."""
+    """The device was open and is gone; the thread keeps trying to open it again."""
     FAILED = enum.auto()
-    """It could not be opened; the thread has ended."""
+    """The device could not be opened; the thread has ended."""
     CLOSED = enum.auto()
 
 
 class BusReport(NamedTuple):
-    """What the bus thread says of its device.
+    """A report of the bus thread on its device.
 
     Attributes:
         state: What it is doing.
@@ -67,10 +67,10 @@ class BusReport(NamedTuple):
 
 
 class BusHealth:
-    """Watches one open bus: whether frames get through, by error frames and the outbox.
+    """Judges from error frames and the outbox whether frames get through on an open bus.
 
     Args:
-        device: Whose bus it is.
+        device: The device of this bus.
     """
 
     def __init__(self, device: Device) -> None:
@@ -79,12 +79,12 @@ class BusHealth:
         self._heard_s: float | None = None
 
     def on_frame(self, now_s: float) -> None:
-        """Note that a data frame was received: the controller takes part in the bus."""
+        """Note that a data frame was received, so the controller is not bus-off."""
         self._bus_off = False
         self._heard_s = now_s
 
     def on_error_frame(self, arbitration_id: int) -> None:
-        """Note that the adapter reports an error of the bus."""
+        """Note an error frame from the adapter."""
         if self._device.interface not in LINUX_ERROR_FRAMES:
             return
         if arbitration_id & _BUS_OFF:
@@ -93,7 +93,7 @@ class BusHealth:
             self._bus_off = False
 
     def problem(self, now_s: float, *, blocked: bool) -> Refusal | None:
-        """Return what is wrong with the bus, or ``None``: frames get through as far as can be seen.
+        """Return what is wrong with the bus, or ``None`` if nothing is known to be wrong.
 
         Args:
             now_s: Monotonic time.

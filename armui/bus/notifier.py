@@ -17,21 +17,23 @@ if TYPE_CHECKING:
 _LOG: Final = logging.getLogger(__name__)
 
 SENT_KEPT: Final = 4096
-"""So many frames that were sent may wait for the bus thread, which looks every few milliseconds."""
+"""The number of sent frames that may wait for the bus thread, which collects them every few
+milliseconds.
+"""
 
 
 class Notifier:
-    """Collects frames and passes them to the listeners in batches, on the bus thread's side.
+    """Collects frames and passes them to the listeners in batches, in the bus thread.
 
     A listener that fails is told no more until the device is opened again: receiving goes on, and
     the other listeners hear as before.
 
     Args:
-        listeners: Who listens from the beginning.
+        listeners: The listeners at the beginning.
 
     Attributes:
-        sent: Frames as they went out and when, put in by the threads that send.
-        heard: Frames as they came in.
+        sent: Sent frames with their times, put in by the threads that send.
+        heard: Received frames.
     """
 
     def __init__(self, listeners: Sequence[Listener] = ()) -> None:
@@ -44,15 +46,15 @@ class Notifier:
         self.sent: deque[tuple[Frame, float]] = deque(maxlen=SENT_KEPT)
 
     def set_listeners(self, listeners: Sequence[Listener]) -> None:
-        """Set who listens from now on; called by any thread, followed at the next flush.
+        """Replace the listeners; may be called from any thread, and takes effect at the next flush.
 
-        One that comes while a device is open is told first that it was opened, and by which codec
-        frames are decoded.
+        A listener added while a device is open is first told that it was opened, and which codec
+        decodes its frames.
         """
         self._wanted = tuple(listeners)
 
     def open(self, codec: Codec, bitrate: int | None) -> None:
-        """Tell the listeners that a device was opened, and how it is spoken to."""
+        """Tell the listeners that a device was opened, with its codec and its bit rate in bit/s."""
         self._opened = codec, bitrate
         self._told, self._failed = [], []
         self._update_told()

@@ -1,4 +1,4 @@
-"""Frames on their way to the bus: an ordinary lane, and the stop's, which passes it.
+"""The queue of frames to be sent, with a second queue for the stop, which is always sent first.
 
 Two locks, never taken together by a thread that waits. The queue's lock is held for microseconds,
 while frames are put in or taken out; every thread may wait for it. The driver's lock is held while
@@ -24,13 +24,13 @@ if TYPE_CHECKING:
     import can
 
 KEEP_S: Final = 0.5
-"""A batch of which nothing could be sent for so long is dropped: a command must not act late."""
+"""A batch that could not begin within this time is dropped: a command must not act late."""
 
 BLOCKED_S: Final = 0.5
-"""So long nothing must have gone out before the bus counts as blocked."""
+"""The bus counts as blocked when nothing could be sent for this long."""
 
 _PATIENCE_S: Final = 0.02
-"""How long a stop's caller waits for the frame that is in the driver, or for the sending thread."""
+"""The time the caller of a stop waits for the frame in the driver, or for the sending thread."""
 _SEND_TIMEOUT_S: Final = 0.05
 
 
@@ -68,12 +68,12 @@ class _Port:
 
 
 class Outbox:
-    """What waits to be sent on one bus; used by the sending thread and by the threads that send.
+    """Queues frames for one bus; used by the sending thread and by the threads that send.
 
     Args:
         clock: Monotonic time in seconds.
-        listen_only: Nothing is sent but what is urgent.
-        sent: Every frame that has gone out is put in here, with its time; bounded.
+        listen_only: Only urgent frames are sent.
+        sent: A bounded queue that receives every sent frame with its time.
     """
 
     def __init__(
@@ -96,28 +96,28 @@ class Outbox:
 
     @property
     def dropped(self) -> int:
-        """How many ordinary frames were given up, by a stop, by age or as outdated."""
+        """The number of ordinary frames dropped by a stop, by age, or for a newer command."""
         return self._dropped
 
     @property
     def empty(self) -> bool:
-        """Whether nothing waits and nothing is in the driver."""
+        """True if nothing waits and no frame is in the driver."""
         port = self._port
         return not (self._batches or self._urgent or (port is not None and port.driver.locked()))
 
     @property
     def blocked(self) -> bool:
-        """Whether nothing has gone out for half a second, though something should have."""
+        """True if nothing has been sent for half a second although frames wait."""
         with self._changed:
             return self._is_blocked(self._clock())
 
     def attach(self, bus: can.BusABC, *, threaded: bool = False) -> None:
-        """Let frames go out on this bus from now on; drop what was left from before.
+        """Send on this bus from now on, and drop frames left from before.
 
         Args:
-            bus: Where to.
-            threaded: A sending thread serves it. Then a stop goes through that thread unless the
-                back-end is known to return in time: a driver may block for seconds.
+            bus: The bus to send on.
+            threaded: True if a sending thread serves the bus. A stop then goes through that thread
+                unless the back-end is known to return in time: a driver may block for seconds.
         """
         with self._changed:
             self._drop_waiting()
@@ -127,7 +127,7 @@ class Outbox:
             self._changed.notify_all()
 
     def detach(self) -> None:
-        """Let no frame go out any more, and drop all that waits."""
+        """Send nothing any more, and drop all frames that wait."""
         with self._changed:
             self._port = None
             self._drop_waiting()
@@ -140,16 +140,17 @@ class Outbox:
     ) -> bool:
         """Queue frames in order, as one batch: all of them go out, or none.
 
-        A batch is dropped as a whole before its first frame is out. Afterwards the rest follows,
-        unless a stop, a newer command, a loss, or half a second in which nothing goes out drops it.
+        A batch is dropped as a whole before its first frame is out. Once its first frame is out the
+        rest follows, unless it is dropped by a stop, by a newer command, by the loss of the device,
+        or after half a second in which nothing could be sent.
 
         Args:
-            frames: What to send.
+            frames: The frames to send.
             keep_s: A batch that could not begin within this time is dropped.
             command: The number of the command it belongs to; see :meth:`void`.
 
         Returns:
-            Whether they are queued: not without a bus, and not if it is only listened to.
+            True if they were queued; false without a bus, or in listen-only mode.
         """
         now_s = self._clock()
         batch = _Batch(deque(frames), now_s + keep_s, command)
@@ -175,13 +176,13 @@ class Outbox:
                 self._dropped += len(batch.frames)
 
     def put_urgent(self, frames: Sequence[Frame]) -> bool:
-        """Queue these before everything else, drop every ordinary frame, and send at once.
+        """Send frames before everything else, and drop every ordinary frame.
 
-        Returns within some 20 ms whatever the driver does.
+        The call returns within some 20 ms whatever the driver does.
 
         Returns:
-            Whether all of them are on the bus. Otherwise those that are not stay first in line
-            for the sending thread, as long as there is a bus.
+            True if all of them were sent. The others stay first in the queue of the sending thread,
+            as long as there is a bus.
         """
         with self._changed:
             port = self._port
@@ -199,16 +200,16 @@ class Outbox:
             return self._port is port and self._are_out(frames)
 
     def wait_for_work(self, bus: can.BusABC) -> bool:
-        """Wait until something is to be sent on this bus; false once it is attached no more."""
+        """Wait until a frame is to be sent on this bus; return false once it is detached."""
         with self._changed:
             self._changed.wait_for(lambda: not self._is_on(bus) or self._batches or self._urgent)
             return self._is_on(bus)
 
     def send_waiting(self) -> bool:
-        """Send what waits, stop frames first; called by the sending thread.
+        """Send the frames that wait, stop frames first; called by the sending thread.
 
         Returns:
-            Whether nothing is left: a full transmit queue leaves the rest for the next call.
+            True if nothing is left; a full transmit queue leaves the rest for the next call.
 
         Raises:
             can.CanError, OSError: The bus is gone.
@@ -341,19 +342,19 @@ class Outbox:
 
 
 _RETRY_S: Final = 0.005
-"""How long to leave a full transmit queue alone."""
+"""The pause before the next attempt after a full transmit queue."""
 
 _END_S: Final = 0.2
-"""How long the end is waited for: the driver may hold the thread for longer."""
+"""The time to wait for the thread's end: the driver may hold it for longer."""
 
 
 class SendingThread(threading.Thread):
-    """Sends what waits in an outbox as long as one bus is attached to it.
+    """Sends the frames of an outbox as long as one bus is attached to it.
 
-    A daemon: a driver that never returns does not keep the program from ending.
+    It is a daemon: a driver that never returns does not keep the program from ending.
 
     Attributes:
-        failure: Why the bus is gone, once the driver has said so; the thread has ended then.
+        failure: The driver's exception when the bus was lost; the thread has ended then.
     """
 
     def __init__(self, outbox: Outbox, bus: can.BusABC) -> None:
@@ -373,5 +374,5 @@ class SendingThread(threading.Thread):
             self.failure = error
 
     def end(self) -> None:
-        """Wait for the end, for a moment; the bus must be detached before."""
+        """Wait up to 0.2 s for the thread to end; the bus must be detached before."""
         self.join(_END_S)

@@ -1,7 +1,7 @@
-"""When the system received a frame, as opposed to when the bus thread came to read it: pure.
+"""Tells when the system received a frame, as opposed to when the bus thread read it: pure.
 
 A thread that was held up, by a busy computer or a sleeping one, finds a backlog. Frames of a
-backlog are old: taken for new ones they would show an arm where it was, and keep it online.
+backlog are old: taken as new they would show the arm at a former place, and keep it online.
 """
 
 from __future__ import annotations
@@ -11,25 +11,26 @@ from collections.abc import Callable
 from typing import Final
 
 STAMPED: Final = frozenset({"socketcan"})
-"""Back-ends of python-can whose stamp is the system's own at reception, by the time of day. Others
-stamp when they are read, or count from a moment of their own."""
+"""Back-ends of python-can whose time stamp is the system's time of day at reception. Others stamp
+frames when they are read, or count from a moment of their own.
+"""
 
 _AWAY_S: Final = 0.05
-"""A queue nobody has looked at for so long may hold a backlog."""
+"""A queue that was not read for this long may hold a backlog."""
 _EARLY_S: Final = 1.0
-"""A stamp so far in the future shows that the time of day was set back: it tells nothing."""
+"""A stamp this far in the future shows that the time of day was set back, and is ignored."""
 
 
 class ReceiveClock:
-    """Dates frames; used by the thread that reads them.
+    """Gives frames their times of reception; used by the thread that reads them.
 
-    No frame is dated before the moment when the queue was last found empty: it came later. Without
-    a stamp of the system a backlog has exactly that date, the oldest it can be.
+    No frame is dated before the moment when the queue was last found empty. Without a stamp of the
+    system all frames of a backlog get exactly that time, the earliest possible.
 
     Args:
         clock: The program's clock in seconds.
         stamped: Whether the frames bear the system's time of day at reception.
-        time_of_day: In seconds; only for tests other than the system's.
+        time_of_day: The time of day in seconds; tests may replace the system's.
     """
 
     def __init__(
@@ -46,7 +47,7 @@ class ReceiveClock:
         self._behind = False
 
     def begin(self) -> None:
-        """Note that the reader turns to the queue, after whatever else it did."""
+        """Note that the reader starts to read the queue."""
         self._behind = self._behind or self._clock() - self._empty_s > _AWAY_S
 
     def emptied(self) -> None:
@@ -55,11 +56,11 @@ class ReceiveClock:
         self._behind = False
 
     def at_s(self, stamp_s: float, now_s: float) -> float:
-        """Return when a frame was received, by the program's clock.
+        """Return the time at which a frame was received, by the program's clock.
 
         Args:
-            stamp_s: What the back-end says.
-            now_s: When it was read.
+            stamp_s: The time stamp of the back-end.
+            now_s: The time at which the frame was read.
         """
         if self._stamped:
             age_s = self._time_of_day() - stamp_s

@@ -1,4 +1,4 @@
-"""Where the system keeps frames that were received and not read yet: its length, and what it lost.
+"""The system's queue of received frames: sets its length, and counts the frames it lost.
 
 python-can stops at ancillary data that it did not ask for, so SO_RXQ_OVFL can't be switched on in
 its sockets. SO_MEMINFO reads the same counter of the kernel (``sk_drops``) without it.
@@ -18,23 +18,23 @@ if TYPE_CHECKING:
 
 _LOOK_S: Final = 0.5
 _WANTED_BYTES: Final = 8 << 20
-"""Some 10,000 frames as Linux counts them, over a second of the fastest bus."""
+"""Room for some 10,000 frames as Linux counts them, over a second of the fastest bus."""
 
 _SO_RCVBUFFORCE: Final = 33
 _SO_MEMINFO: Final = 55
 _MEMINFO: Final = struct.Struct("=9I")
 _DROPS: Final = 8
-"""Linux, asm-generic/socket.h and linux/sock_diag.h."""
+"""The index of ``sk_drops`` in SO_MEMINFO (Linux, asm-generic/socket.h, linux/sock_diag.h)."""
 
 _CAN_ERR_CRTL: Final = 0x004
 _RX_OVERFLOW: Final = 0x01
-"""Linux, linux/can/error.h: class of the error in the identifier, its kind in data byte 1."""
+"""The overflow's bit in data byte 1 of a controller error frame (linux/can/error.h)."""
 
 
 class ReceiveQueue:
-    """Makes the queue as long as the system allows, and counts what is lost in front of it.
+    """Makes the receive queue as long as the system allows, and counts lost frames.
 
-    Only Linux tells, for sockets: socketcan and udp_multicast.
+    Only Linux counts them, and only for sockets: socketcan and udp_multicast.
     """
 
     def __init__(self) -> None:
@@ -47,11 +47,11 @@ class ReceiveQueue:
 
     @property
     def dropped(self) -> int:
-        """Frames lost so far by the kernel's queue, and overflows told by the adapter."""
+        """The number of frames lost in the kernel's queue, plus the adapter's overflows."""
         return self._of_earlier + self._by_kernel + self._by_adapter
 
     def attach(self, bus: can.BusABC) -> None:
-        """Watch the queue of a device that was opened."""
+        """Watch the queue of an opened device."""
         self.detach()
         self._socket = _socket_of(bus)
         if self._socket is not None:
@@ -59,7 +59,7 @@ class ReceiveQueue:
             self._at_opening = _drops(self._socket)
 
     def detach(self) -> None:
-        """Watch no queue: the device is closed. What was lost stays counted."""
+        """Stop watching the device; the count is kept."""
         self._of_earlier += self._by_kernel
         self._by_kernel = 0
         if self._socket is not None:
@@ -67,13 +67,13 @@ class ReceiveQueue:
             self._socket = None
 
     def look(self, now_s: float) -> None:
-        """Ask the system, at most twice a second."""
+        """Read the kernel's counter, at most twice a second."""
         if self._socket is not None and now_s >= self._next_look_s:
             self._next_look_s = now_s + _LOOK_S
             self._by_kernel = _drops(self._socket) - self._at_opening
 
     def note_error(self, message: can.Message) -> None:
-        """Take in an error frame of the adapter."""
+        """Count the overflow that an error frame of the adapter reports."""
         is_of_controller = bool(message.arbitration_id & _CAN_ERR_CRTL)
         if is_of_controller and len(message.data) > 1 and message.data[1] & _RX_OVERFLOW:
             self._by_adapter += 1

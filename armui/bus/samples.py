@@ -1,4 +1,4 @@
-"""Joint angles as they come in, for what must not miss one: a bounded ring between two threads."""
+"""Joint angles as they arrive, for recording without gaps: a bounded ring between two threads."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ from typing import Final, NamedTuple
 from armui.arm.state import ArmState
 
 CAPACITY: Final = 4096
-"""Twenty seconds at 200 Hz: the GUI thread empties it thirty times a second."""
+"""Twenty seconds at 200 Hz; the GUI thread empties it thirty times a second."""
 
 
 class Sample(NamedTuple):
-    """Where the arm was.
+    """The joint angles and the gripper's opening at one time.
 
     Attributes:
         at_s: Monotonic time of reception.
         joints_deg: Six joint angles.
-        gripper_mm: The gripper's opening, ``None`` where the arm tells none.
+        gripper_mm: The gripper's opening; ``None`` if the arm reports none.
     """
 
     at_s: float
@@ -26,11 +26,11 @@ class Sample(NamedTuple):
 
 
 class SampleRing:
-    """Filled by the bus thread while somebody wants samples, emptied by the GUI thread.
+    """Filled by the bus thread while samples are wanted, emptied by the GUI thread.
 
     Attributes:
         wanted: Whether samples are kept.
-        dropped: How many were lost because nobody took them.
+        dropped: The number of samples lost because nobody took them.
     """
 
     def __init__(self) -> None:
@@ -39,7 +39,7 @@ class SampleRing:
         self.dropped = 0
 
     def put(self, state: ArmState, at_s: float) -> None:
-        """Keep where the arm is, if its six angles are known."""
+        """Add a sample, if all six angles are known."""
         joints_deg = state.angles_deg()
         if joints_deg is None:
             return
@@ -50,7 +50,7 @@ class SampleRing:
         self._samples.append(Sample(at_s, joints_deg, opening_mm))
 
     def take_samples(self) -> list[Sample]:
-        """Return the samples since the last call, and keep them no longer."""
+        """Return the samples since the last call, and remove them."""
         taken = []
         while self._samples:
             taken.append(self._samples.popleft())

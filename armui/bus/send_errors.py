@@ -1,4 +1,4 @@
-"""What python-can's back-ends do when a frame cannot be sent just now, and when they are gone."""
+"""Recognises the errors of python-can's back-ends: a full transmit queue, a lost device."""
 
 from __future__ import annotations
 
@@ -19,17 +19,17 @@ _FULL_ERRNOS: Final = frozenset(
         errno.ETIMEDOUT,  # libusb 1.0: the adapter did not take the frame in time
     }
 )
-"""Numbers of the operating system; of exceptions that are an `OSError` or wrap one."""
+"""Error numbers of the operating system that mean a full queue."""
 
 _USB_TIMEOUT: Final = "USBTimeoutError"
-"""pyusb's, whichever number its back-end gives it; pyusb itself need not be installed."""
+"""The name of pyusb's timeout, whatever number it bears; pyusb itself need not be installed."""
 
 _FULL_CODES: Final[Mapping[str, frozenset[int]]] = {
     "can.interfaces.kvaser": frozenset({-13, -7}),  # canERR_TXBUFOFL, canERR_TIMEOUT
     "can.interfaces.vector": frozenset({11}),  # XL_ERR_QUEUE_IS_FULL
     "can.interfaces.systec": frozenset({0x0B}),  # ERR_DLL_TXFULL
 }
-"""Numbers of the makers' own libraries, by the back-end whose exception carries them."""
+"""Error codes of the makers' libraries, by the module of the exception that carries them."""
 
 _FULL_WORDS: Final = (
     "transmit buffer full",  # socketcan after its time-out, without a number
@@ -42,7 +42,7 @@ _FULL_WORDS: Final = (
 )
 
 _BUS_OFF_WORDS: Final = ("bus-off", "bus off", "busoff", "'heavy'")
-"""The controller has counted too many errors, or is about to: the adapter itself is there."""
+"""Words that mean too many bus errors: the adapter itself is still there."""
 
 _PROMPT_SENDERS: Final = frozenset(
     {
@@ -51,17 +51,18 @@ _PROMPT_SENDERS: Final = frozenset(
         "can.interfaces.udp_multicast.bus",
     }
 )
-"""Where ``send`` waits by ``select`` or not at all, as python-can's sources show. The others wait
-inside a library, for the time it likes (gs_usb 1 s, serial ports without a limit)."""
+"""Back-ends whose ``send`` waits by ``select`` or not at all, as python-can's sources show. The
+others wait inside a library for a time of its own (gs_usb 1 s, serial ports without a limit).
+"""
 
 
 def obeys_its_timeout(bus: can.BusABC) -> bool:
-    """Tell whether ``send`` of this bus returns in the time it is given."""
+    """Return whether ``send`` of this bus returns within its timeout."""
     return getattr(bus.send, "__module__", None) in _PROMPT_SENDERS
 
 
 def queue_is_full(error: BaseException) -> bool:
-    """Tell whether a frame could not be sent just now, while the device itself is there."""
+    """Return whether a frame could not be sent just now although the device is there."""
     chain = list(causes(error))
     if any(_names_a_full_queue(cause) for cause in chain):
         return True
@@ -72,7 +73,7 @@ def queue_is_full(error: BaseException) -> bool:
 
 
 def flush_transmit_queue(bus: can.BusABC) -> None:
-    """Empty what the driver holds, where the back-end can: it would go out late."""
+    """Empty the driver's transmit queue if the back-end can: its frames would be sent late."""
     with contextlib.suppress(Exception):
         bus.flush_tx_buffer()
 
@@ -99,7 +100,7 @@ def _number(error: BaseException) -> int | None:
 
 
 def causes(error: BaseException) -> Iterator[BaseException]:
-    """Return an error, what it came of, and so on."""
+    """Yield an error, its cause, that one's cause, and so on."""
     cause: BaseException | None = error
     while cause is not None:
         yield cause

@@ -1,4 +1,4 @@
-"""The thread that owns the bus: it receives, decodes and folds; the GUI thread only reads.
+"""The thread that owns the bus: it receives, decodes, and publishes snapshots for the GUI.
 
 Sending has a thread of its own (:mod:`armui.bus.outbox`): a driver that blocks in ``send`` holds
 up neither the receiving nor the window.
@@ -41,7 +41,7 @@ socket without CAN_RAW_RECV_OWN_MSGS.
 
 
 def is_own_echo(message: can.Message, interface: str) -> bool:
-    """Tell whether a frame is one of ours that the adapter hands back."""
+    """Return whether a frame is one of ours that the adapter hands back."""
     return not message.is_rx and interface not in _MARKS_NEIGHBOURS
 
 
@@ -51,13 +51,13 @@ Opener = Callable[[Device], AbstractContextManager[can.BusABC]]
 """Opens a device; the bus is closed when the context ends."""
 
 _RECEIVE_S: Final = 0.005
-"""How long to wait for a frame before looking at what else is to be done."""
+"""The longest wait for a frame before the thread does its other work."""
 
 _BURST: Final = 256
-"""At most so many frames are taken in before the next look at what else is to be done."""
+"""The most frames processed before the thread does its other work."""
 
 _PICTURE_S: Final = 0.005
-"""A new snapshot of the arm at most so often: the screen shows one every 16 ms."""
+"""The least time between two snapshots of the arm: the screen shows one every 16 ms."""
 
 _REOPEN_S: Final = 0.5
 
@@ -66,16 +66,16 @@ class BusWorker(QThread):
     """Owns one device from connecting to disconnecting.
 
     Args:
-        device: What to open.
-        opener: How to open it.
-        codec: Protocol to begin with; see :meth:`use_codec`.
+        device: The device to open.
+        opener: The function that opens it.
+        codec: The protocol to begin with; see :meth:`use_codec`.
         clock: Monotonic time in seconds.
-        listen_only: Nothing is sent but what is urgent: the operator's stop.
-        number: Goes into its reports: one that comes late tells whose it is.
-        listeners: Who else is told of every frame.
+        listen_only: Only urgent frames are sent: the operator's stop.
+        number: The number of this thread in its reports; a late report can be told by it.
+        listeners: Objects that are told of every frame.
 
     Attributes:
-        samples: Every joint feedback, while somebody wants them.
+        samples: Every joint feedback, while they are wanted.
         released: Set once the device is closed for good.
 
     Signals:
@@ -118,22 +118,22 @@ class BusWorker(QThread):
 
     @property
     def idle(self) -> bool:
-        """Whether nothing waits to be sent."""
+        """True if nothing waits to be sent."""
         return self._outbox.empty
 
     @property
     def state(self) -> ArmState:
-        """The arm as heard since the last :meth:`use_codec`; may be read from any thread."""
+        """The arm's state from frames heard since the last :meth:`use_codec`, for any thread."""
         return self._processor.state
 
     @property
     def traffic(self) -> OtherTraffic:
-        """What other hosts were heard to send; may be read from any thread."""
+        """Frames heard from other hosts; may be read from any thread."""
         return self._processor.traffic
 
     @property
     def frames_dropped(self) -> int:
-        """Frames lost before the program could read them, as far as the system tells."""
+        """The number of frames lost before the program could read them, as far as is known."""
         return self._queue.dropped
 
     def send(
@@ -143,22 +143,21 @@ class BusWorker(QThread):
         return self._outbox.put(frames, KEEP_S if keep_s is None else keep_s, command)
 
     def void(self, newest: int) -> None:
-        """Drop what waits of commands older than this one; see :meth:`Outbox.void`."""
+        """Drop waiting batches of commands older than this one; see :meth:`Outbox.void`."""
         self._outbox.void(newest)
 
     def send_urgent(self, frames: Sequence[Frame]) -> bool:
-        """Send at once from the calling thread, past everything that waits; see :class:`Outbox`."""
+        """Send at once, before everything that waits; see :meth:`Outbox.put_urgent`."""
         return self._outbox.put_urgent(frames)
 
     def set_listeners(self, listeners: Sequence[Listener]) -> None:
-        """Who else is told of every frame from now on."""
+        """Replace the listeners that are told of every frame."""
         self._notifier.set_listeners(listeners)
 
     def use_codec(self, codec: Codec, *, forget: bool = True) -> None:
-        """Forget what was heard; speak this codec from the next frame on.
+        """Use this codec from the next frame on; forget what was heard unless told otherwise.
 
-        From this call on :attr:`state` holds nothing that was heard or decoded before it, unless
-        nothing is to be forgotten; see :meth:`armui.bus.frame_processor.FrameProcessor.use_codec`.
+        See :meth:`armui.bus.frame_processor.FrameProcessor.use_codec`.
         """
         self._processor.use_codec(codec, forget=forget)
 
@@ -166,17 +165,17 @@ class BusWorker(QThread):
         """Close the device and end the thread.
 
         Args:
-            within_ms: How long to wait for it.
+            within_ms: The time to wait for it.
 
         Returns:
-            Whether both are done. If not, a driver is busy: the device is closed as soon as it
-            lets go, and nothing more is sent to it.
+            True if both are done. Otherwise a driver is busy: the device is closed as soon as its
+            call returns, and nothing more is sent to it.
         """
         self._closing.set()
         return self.wait(within_ms)
 
     def run(self) -> None:
-        """Open, use, and after a loss reopen the device until :meth:`close`."""
+        """Open the device, use it, and reopen it after a loss, until :meth:`close`."""
         try:
             self._run()
         finally:
@@ -279,12 +278,12 @@ def _flags(message: can.Message) -> int:
 
 
 def opener_after(before: Sequence[threading.Event], opener: Opener) -> Opener:
-    """Open a device when other threads have closed theirs: it may be the same one.
+    """Return an opener that first waits until other threads have closed the same device.
 
     Args:
         before: Set by the threads that are ending, each when its device is closed. The threads
             themselves may be gone by then.
-        opener: How to open it.
+        opener: The function that opens it.
     """
 
     @contextmanager

@@ -33,11 +33,11 @@ _MIT_IDS = range(0x15A, 0x160)
 
 
 class FirmwareFinder:
-    """Looks for versions in one batch after the other.
+    """Searches batches for firmware versions.
 
     Attributes:
-        versions: By the channel they were named on, in the order they were first heard.
-        has_mit: Whether MIT frames have passed.
+        versions: The versions by channel, in the order they were first heard.
+        has_mit: True if MIT frames have passed.
     """
 
     def __init__(self) -> None:
@@ -46,7 +46,7 @@ class FirmwareFinder:
         self._collectors: dict[Channel, AnswerCollector] = {}
 
     def feed(self, batch: FrameBatch) -> None:
-        """Take in the frames of a batch, in their order."""
+        """Process the frames of a batch in their order."""
         plain = (batch.flags & NOT_OF_THE_ARM) == 0
         self.has_mit |= bool(np.isin(batch.ids[plain], _MIT_IDS).any())
         for row in np.flatnonzero(plain & (batch.ids == VERSION_ID)).tolist():
@@ -62,14 +62,14 @@ class FirmwareFinder:
 
     @property
     def first(self) -> FirmwareVersion | None:
-        """The version of the arm that named one first, ``None`` while none has."""
+        """The version of the arm that named one first; ``None`` if none has."""
         return next(iter(self.versions.values()), None)
 
 
 EXIT_COMPLETE = 0
 """Every frame of the log was read; unknown frames are no failure."""
 EXIT_INCOMPLETE = 1
-"""The log was read but for some lines, or up to where it breaks off."""
+"""The log was read except for some lines, or up to where it breaks off."""
 EXIT_NO_LOG = 2
 """The file cannot be opened or is no log."""
 EXIT_INTERRUPTED = 130
@@ -77,7 +77,7 @@ EXIT_INTERRUPTED = 130
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Declares the command's arguments; `run` takes what the parser makes of them."""
+    """Declares the command's arguments, which `run` receives as parsed."""
     parser.description = "Print a recorded CAN log, one line a frame, with signals and units."
     parser.epilog = (
         "Exit code: 0 all read, 1 some lines could not be read (numbered on the error output), "
@@ -172,7 +172,7 @@ class _Layout:
             _complain(path, f"firmware {asked}, as --firmware says, unless the log tells another")
 
     def look_at(self, batch: FrameBatch) -> bool:
-        """Take in what a batch tells, and say what is new; whether the firmware is another."""
+        """Search a batch and report news; return whether the firmware is another."""
         self._finder.feed(batch)
         for channel, version in self._finder.versions.items():
             if self._told.get(channel) != version:

@@ -2,7 +2,7 @@
 
 Frames of one message differ in few bits but those of its measured values. So a line is made once
 for each combination of the other bits (codes, flags), with gaps for time and measured values, and
-then filled in: many times as fast as putting each line together.
+then filled in, which is many times as fast as building each line.
 """
 
 from __future__ import annotations
@@ -27,7 +27,9 @@ if TYPE_CHECKING:
     from armui.session.frames import FrameBatch, LoggedFrame
 
 _MOST_TEMPLATES: Final = 4_096
-"""Templates kept of one message; hostile logs have more combinations of codes than memory."""
+"""The most templates kept of one message; malicious logs have more combinations of codes than
+memory.
+"""
 _NO_MEANING: Final = -1
 """Stands for every code that a message's selector does not have."""
 _KINDS: Final = {
@@ -37,7 +39,7 @@ _KINDS: Final = {
     FrameFlag.FD: "CAN FD frame",
     FrameFlag.EXTENDED: "frame with a 29-bit identifier",
 }
-"""What a frame is called that the arm does not send, the most telling first."""
+"""The name of each kind of frame that the arm does not send, the most significant first."""
 
 
 class _Reading(NamedTuple):
@@ -84,9 +86,9 @@ class _MessagePlan(NamedTuple):
 
 
 class LineFormat:
-    """Makes the lines.
+    """Formats frames as lines.
 
-    Text: time in seconds, identifier, message, signals with units; what is odd at the end.
+    Text: time in seconds, identifier, message, signals with units, and any fault at the end.
 
     JSON: an object with the keys "t" in seconds, "id", "message" (null when unknown), "signals" by
     name with "value", "unit" and, for codes, "word". A frame that does not follow the protocol has
@@ -94,8 +96,8 @@ class LineFormat:
     hexadecimal. A frame of another channel than the log's first one has "channel".
 
     Args:
-        codec: Speaks the generation of the recorded arm.
-        as_json: JSON instead of text.
+        codec: The codec of the recorded arm.
+        as_json: True for JSON instead of text.
     """
 
     def __init__(self, codec: Codec, *, as_json: bool) -> None:
@@ -104,12 +106,12 @@ class LineFormat:
         self._plans: dict[tuple[int, int], _MessagePlan] = {}
 
     def speak(self, codec: Codec) -> None:
-        """Read the frames of later batches as another codec does."""
+        """Decode later batches with another codec."""
         self._codec = codec
         self._plans.clear()
 
     def lines(self, batch: FrameBatch) -> list[str]:
-        """A line for each frame of a batch, in order."""
+        """Return a line for each frame of a batch, in order."""
         keys = batch.ids.astype(np.uint64) | batch.channels.astype(np.uint64) << np.uint64(32)
         order = np.argsort(keys, kind="stable")
         ends = np.flatnonzero(np.diff(keys[order])) + 1

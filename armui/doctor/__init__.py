@@ -1,7 +1,6 @@
-"""The command `armui doctor`: what is missing on this computer and on the bus, with the remedy.
+"""The command `armui doctor`: finds faults of this computer and of the bus, with their remedies.
 
-It runs where the window does not, so nothing here is loaded before it is needed: neither Qt nor
-numpy nor python-can.
+It must run where the window does not, so Qt, numpy and python-can are only loaded when needed.
 """
 
 from armui.doctor.doctor_command import add_arguments, run

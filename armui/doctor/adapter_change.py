@@ -1,7 +1,7 @@
-"""The adapter's helper of the package, started by pkexec: it alone does what only root may.
+"""Runs the package's adapter helper by pkexec, for the changes that only root may make.
 
-`resources/packaging/linux/adapter_helper.py` is that helper. It says what it would do, and does it
-when it is told to go; so the files can be seen before, and the arm is looked at after the password.
+`resources/packaging/linux/adapter_helper.py` is that helper. It prints its plan, and carries it out
+after «go»; so the files can be shown before, and the arm can be checked after the password.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ PKEXEC: Final = Path("/usr/bin/pkexec")
 BY_ROOT: Final = (str(PKEXEC), "--disable-internal-agent", str(HELPER))
 BY_ANYBODY: Final = (str(HELPER),)
 _GO_S: Final = 60.0
-"""From «go» to the last word; the helper gives each of its tools 5 s."""
+"""The longest time from «go» to the last line; the helper gives each of its tools 5 s."""
 _DISMISSED: Final = 126
 _NOT_AUTHORISED: Final = 127
 _PASSED_ON: Final = ("DBUS_", "DISPLAY", "HOME", "LANG", "LC_", "WAYLAND_", "XAUTH", "XDG_")
@@ -121,16 +121,16 @@ _SENTENCES: Final = {
         ADAPTER_SYSTEM,
     )
 }
-"""What the helper refuses by, by its code."""
+"""The helper's reasons for a refusal, by code."""
 
 
 @dataclass(frozen=True, slots=True)
 class Planned:
-    """What the helper is going to do.
+    """The helper's plan.
 
     Attributes:
-        files: What it writes, by path.
-        removed: What it takes away.
+        files: The files it writes, by path.
+        removed: The files it removes.
     """
 
     files: Mapping[str, str] = field(default_factory=dict)
@@ -139,10 +139,10 @@ class Planned:
 
 @dataclass(frozen=True, slots=True)
 class Done:
-    """It is done.
+    """The change is done.
 
     Attributes:
-        told: What the helper found afterwards.
+        told: The helper's result of checking it.
     """
 
     told: Mapping[str, Any]
@@ -153,15 +153,15 @@ Answer = Planned | Done | Refusal
 
 @cache
 def helper_is_there() -> bool:
-    """Whether the package has put the helper there, and nobody but root can change it.
+    """Return whether the package has installed the helper, and only root can change it.
 
-    It is looked for once, by whoever may wait for the disk.
+    The result is cached; the first call waits for the disk.
     """
     return are_owned((HELPER, POLICY, PKEXEC))
 
 
 def are_owned(files: Sequence[Path], owner: int = 0) -> bool:
-    """Whether files are there, and nobody but their owner can change or replace them."""
+    """Return whether files exist, and only their owner can change or replace them."""
     try:
         found = [each.lstat() for each in (*files, *(each.parent for each in files))]
     except OSError:
@@ -171,13 +171,13 @@ def are_owned(files: Sequence[Path], owner: int = 0) -> bool:
 
 
 class AdapterChange:
-    """One verb; the helper begins at once, in a thread of its own that listens to it.
+    """One change by the helper, which starts at once, with a thread that reads its output.
 
     Args:
-        words: Verb and words.
-        tell: Told the plan, and, after `go`, what came of it; or at once why it is not done. In
-            that thread, until it is ended.
-        command: How the helper is started: as root, or as who runs this program, to plan only.
+        words: The verb and its arguments.
+        tell: Called with the plan and, after `go`, with the result; or with a refusal. It is called
+            in that thread, until it is ended.
+        command: The command that starts the helper: as root, or as the present user, to plan only.
     """
 
     def __init__(
@@ -196,7 +196,7 @@ class AdapterChange:
         self._thread.start()
 
     def go(self) -> None:
-        """Have it done as planned."""
+        """Carry out the plan."""
         process = self._process
         if self.is_ended or process is None or process.stdin is None:
             return
@@ -208,7 +208,7 @@ class AdapterChange:
             process.stdin.flush()
 
     def end(self) -> None:
-        """Nobody wants it any more: without «go» it does nothing; what is being done is done."""
+        """Cancel: without «go» the helper does nothing; a change that has begun is completed."""
         with self._lock:
             self.is_ended = True
             process = self._process
@@ -222,7 +222,7 @@ class AdapterChange:
                     process.stdin.close()  # which a helper that waits for «go» takes for a no
 
     def wait(self, within_s: float) -> bool:
-        """Whether it has ended, after a time at most."""
+        """Wait up to a time, and return whether it has ended."""
         self._thread.join(within_s)
         return not self._thread.is_alive()
 

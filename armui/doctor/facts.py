@@ -1,4 +1,4 @@
-"""What was found out about this computer and the bus, before anybody judges it. Plain data."""
+"""The facts about this computer and the bus, before they are judged. Plain data."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from armui.system.sentence import Sentence
 
 @dataclass(frozen=True, slots=True)
 class PackageFacts:
-    """A Python package the program wants.
+    """A Python package that the program uses.
 
     Attributes:
-        name: As pip knows it.
-        wanted: The versions that do, as pip writes them, "" for any.
+        name: The name in pip.
+        wanted: The suitable versions in pip's notation, "" for any.
         installed: The version found, None if there is none.
-        satisfied: Whether that does.
-        extra: The optional group it belongs to, "" for what the program cannot do without.
+        satisfied: Whether that version is suitable.
+        extra: Its optional group, "" if the program needs it.
     """
 
     name: str
@@ -31,7 +31,7 @@ class PackageFacts:
 
 @dataclass(frozen=True, slots=True)
 class ProgramFacts:
-    """The program and what it runs on.
+    """The program and its environment.
 
     Attributes:
         armui: Its version.
@@ -40,9 +40,10 @@ class ProgramFacts:
         executable: Python's path.
         system: Operating system and machine.
         families: The Linux distribution and those it comes from, as in /etc/os-release.
-        packages: What the program wants.
-        goes_first: Whether its threads may go before other programs'; None: that was not tried.
-        priority_reason: What stood against it, in the system's words.
+        packages: The packages that the program uses.
+        goes_first: Whether its threads may have priority over other programs; None if not tried.
+        priority_reason: The system's reason for refusing it.
+        packaged: It brings Python and all packages itself; pip can add nothing.
     """
 
     armui: str
@@ -54,20 +55,21 @@ class ProgramFacts:
     packages: tuple[PackageFacts, ...] = ()
     goes_first: bool | None = None
     priority_reason: str = ""
+    packaged: bool = False
 
 
 @dataclass(frozen=True, slots=True)
 class ScreenFacts:
-    """Whether windows and the 3D picture can be drawn.
+    """The facts about windows and the 3D picture.
 
     Attributes:
         has_display: A desktop session was found.
         qt: Qt's version, None if PySide6 cannot be loaded.
-        platform: Qt's way to the screen (xcb, wayland, windows, cocoa), None if it failed.
-        qt_error: What went wrong.
-        missing_libraries: Files of system libraries that Qt wants and did not find.
+        platform: Qt's platform (xcb, wayland, windows, cocoa), None if it failed.
+        qt_error: The error of Qt.
+        missing_libraries: Files of system libraries that Qt needs and did not find.
         opengl: Renderer and version that the 3D picture draws with, None if it cannot draw.
-        opengl_error: What went wrong.
+        opengl_error: The error of OpenGL.
     """
 
     has_display: bool
@@ -87,14 +89,14 @@ class LinkFacts:
         name: can0.
         kind: can or vcan.
         up: Switched on.
-        state: Of the controller: ERROR-ACTIVE, ERROR-PASSIVE, BUS-OFF…; "" for vcan.
-        bitrate: Bit/s; None for vcan, or where none is set.
+        state: The controller's state: ERROR-ACTIVE, ERROR-PASSIVE, BUS-OFF…; "" for vcan.
+        bitrate: In bit/s; None for vcan, or if none is set.
         listen_only: The controller acknowledges nothing and sends nothing.
-        restart_ms: After so long a controller in bus-off comes back by itself; 0: never.
-        tx_errors, rx_errors: The controller's error counters, None where the driver tells none.
-        bus_offs: How often it was in bus-off.
-        dropped: Received frames that the kernel dropped.
-        serial: Of the adapter, where it tells one.
+        restart_ms: The time after which a controller in bus-off restarts by itself; 0 for never.
+        tx_errors, rx_errors: The controller's error counters, None if the driver reports none.
+        bus_offs: The number of times it was in bus-off.
+        dropped: The number of received frames that the kernel dropped.
+        serial: The adapter's serial number, if it reports one.
     """
 
     name: str
@@ -113,11 +115,11 @@ class LinkFacts:
 
 @dataclass(frozen=True, slots=True)
 class UsbAdapterFacts:
-    """A CAN adapter on the USB, whether a driver serves it or not.
+    """A CAN adapter on the USB, with or without a driver.
 
     Attributes:
-        usb_id: Vendor and product, 1d50:606f.
-        name: What it calls itself.
+        usb_id: Vendor and product, as 1d50:606f.
+        name: The name it reports.
         serial: Its serial number.
         links: The CAN interfaces its driver has made of it.
     """
@@ -130,12 +132,12 @@ class UsbAdapterFacts:
 
 @dataclass(frozen=True, slots=True)
 class SerialPortFacts:
-    """A serial port of the USB, which may be an slcan adapter.
+    """A serial port on the USB, possibly an slcan adapter.
 
     Attributes:
-        path: /dev/ttyACM0.
-        may_open: Whether this user may.
-        group: Who may.
+        path: The device, as /dev/ttyACM0.
+        may_open: Whether this user may open it.
+        group: The group whose members may open it.
     """
 
     path: str
@@ -154,16 +156,16 @@ class DeviceFacts:
 
 @dataclass(frozen=True, slots=True)
 class CanFacts:
-    """What there is to reach an arm by.
+    """The ways to reach an arm.
 
     Attributes:
         links: CAN interfaces of Linux.
         usb: Adapters known by their USB identifiers.
         ports: Serial ports of the USB.
-        devices: What a search of all back-ends found.
-        error: Why no search was possible.
-        kept: What the adapter's helper keeps at every start, by the names it was given.
-        wsl: Linux runs as a guest of Windows, which has the USB.
+        devices: The devices found by a search of all back-ends.
+        error: The reason why no search was possible.
+        kept: The names of settings that the adapter's helper applies at every start.
+        wsl: True if Linux runs as a guest of Windows, which controls the USB.
     """
 
     links: tuple[LinkFacts, ...] = ()
@@ -177,7 +179,7 @@ class CanFacts:
 
 @dataclass(frozen=True, slots=True)
 class LimitFacts:
-    """What an arm says about one of its joints; None where it said nothing."""
+    """An arm's limits of one joint; None for values it did not send."""
 
     joint: int
     min_deg: float | None = None
@@ -188,28 +190,28 @@ class LimitFacts:
 
 @dataclass(frozen=True, slots=True)
 class ArmFacts:
-    """What an arm's feedback says; joints are numbered from 1.
+    """The facts in an arm's feedback; joints are numbered from 1.
 
     Attributes:
-        generation: Of its protocol.
-        reason: What speaks for it, for people.
+        generation: The generation of its protocol.
+        reason: The reason for it, in words.
         firmware: Its version, None if it was not heard.
         identity: Hardware, node type and date of the firmware, as far as they were heard.
-        feedback_offset: Of its identifiers (0x470).
-        frames_per_s: Of this arm and everybody else.
+        feedback_offset: The offset of its identifiers (0x470).
+        frames_per_s: The frames of this arm and all others per second.
         status_code: 0x2A1 byte 1, None if 0x2A1 was not heard.
-        status_word: The same in the protocol's English word.
+        status_word: The protocol's English word for it.
         mode_word: 0x2A1 byte 2, likewise.
-        teaching_input: 0x2A1 says that the arm is a teaching input in a pair.
-        joints_deg, pose: Angles, and X Y Z RX RY RZ in mm and degrees; None where not heard.
+        teaching_input: True if 0x2A1 reports that the arm is a teaching input in a pair.
+        joints_deg, pose: Angles, and X Y Z RX RY RZ in mm and degrees; None for values not heard.
         unreachable: Joints that do not answer the main controller.
         beyond_limit: Joints beyond their limits.
         driver_faults: Joint and fault, in English words of the protocol.
-        lowest_voltage: Of the drivers, V.
+        lowest_voltage: The lowest of the drivers' voltages, V.
         teaching: Range, stroke limit and friction of 0x47E; 255 is known to silence the feedback.
-        limits: What was read of the joints' limits.
-        models: The names of the models that fit its angles and its pose; None: not compared.
-        chosen_model: What the operator says it is, None where nobody was asked.
+        limits: The joints' limits that were read.
+        models: The names of the models that fit its angles and its pose; None if not compared.
+        chosen_model: The model chosen by the operator, None if not asked.
     """
 
     generation: int
@@ -245,23 +247,23 @@ class OtherFrames:
 
 @dataclass(frozen=True, slots=True)
 class HeardFacts:
-    """What one device let hear.
+    """The facts heard on one device.
 
     Attributes:
         interface, channel: As python-can names them.
-        seconds: So long it was listened to.
+        seconds: The time of listening.
         frames: Data frames received.
         error_frames: Error frames received.
-        bus_off: One of them said that the controller is off the bus.
-        asked: Whether questions were sent; what was sent counts as nobody's.
+        bus_off: True if one of them reported bus-off.
+        asked: Whether questions were sent; they count as no other host's.
         answered: Whether one of them was answered.
         problem: Code of a refusal (see `armui.bus.adapters.explain`) if it could not be opened.
         problem_text: The driver's own words.
-        package: What its back-end wants, where that is missing.
+        package: The package that its back-end needs, if it is missing.
         arm: An arm's feedback, None if there was none.
-        other_offsets: Feedback that came under other offsets than the arm's: a second arm.
+        other_offsets: Offsets other than the arm's under which feedback came: a second arm.
         shifted_feedback: Identifiers of 0x3A1–0x3A8 heard.
-        leader: Somebody sends joint targets in lockstep, as a teaching-input arm does.
+        leader: True if joint targets come in lockstep, as from a teaching-input arm.
         other_hosts: Frames that move or set an arm, by identifier.
         unknown_ids: Some identifiers that belong to no arm.
     """
@@ -287,7 +289,7 @@ class HeardFacts:
 
 @dataclass(frozen=True, slots=True)
 class Facts:
-    """Everything; a part that was not looked at is None."""
+    """All facts; a part that was not examined is None."""
 
     program: ProgramFacts | None = None
     screen: ScreenFacts | None = None
@@ -296,7 +298,7 @@ class Facts:
 
 
 class DiagnosisLevel(enum.Enum):
-    """How grave a finding is."""
+    """The severity of a finding."""
 
     OK = "ok"
     NOTE = "note"
@@ -305,7 +307,7 @@ class DiagnosisLevel(enum.Enum):
 
 
 class Section(enum.Enum):
-    """What a finding is about."""
+    """The subject of a finding."""
 
     PROGRAM = "program"
     SCREEN = "screen"
@@ -315,11 +317,11 @@ class Section(enum.Enum):
 
 @dataclass(frozen=True, slots=True)
 class DiagnosisKind(Sentence):
-    """Something that can be found out.
+    """A kind of finding.
 
     Attributes:
-        section: What it is about; each has a class.
-        severity: How grave it is, as a rule.
+        section: Its subject; each subject has a class.
+        severity: Its usual severity.
     """
 
     context: ClassVar[str] = "Diagnosis"
@@ -327,44 +329,44 @@ class DiagnosisKind(Sentence):
     severity: DiagnosisLevel = field(default=DiagnosisLevel.FAULT, compare=False)
 
     def __call__(self, *commands: str, **params: str) -> Diagnosis:
-        """It with its remedy and with what its sentence mentions."""
+        """Return a finding with its remedy and with the values in its sentence."""
         return Diagnosis(self, self.severity, params, commands)
 
 
 class OfProgram(DiagnosisKind):
-    """It is about the program itself."""
+    """A kind of finding about the program itself."""
 
     section = Section.PROGRAM
 
 
 class OfScreen(DiagnosisKind):
-    """It is about windows and the 3D picture."""
+    """A kind of finding about windows and the 3D picture."""
 
     section = Section.SCREEN
 
 
 class OfCan(DiagnosisKind):
-    """It is about CAN devices."""
+    """A kind of finding about CAN devices."""
 
     section = Section.CAN
 
 
 class OfArm(DiagnosisKind):
-    """It is about what is heard on a bus."""
+    """A kind of finding about the traffic on a bus."""
 
     section = Section.ARM
 
 
 @dataclass(frozen=True, slots=True)
 class Diagnosis:
-    """One thing found out.
+    """One finding.
 
     Attributes:
-        kind: What it is.
-        severity: How grave it is.
-        params: What its sentence mentions, and more for those who read the report as JSON.
-        commands: The remedy, to be copied; a line each.
-        remedies: The same for the adapter's helper, which a button starts: verb and words.
+        kind: The kind of finding.
+        severity: Its severity.
+        params: The values in its sentence, and more for readers of the JSON report.
+        commands: The remedy's commands, a line each.
+        remedies: The same for the adapter's helper, which a button starts: verb and arguments.
     """
 
     kind: DiagnosisKind
@@ -374,15 +376,15 @@ class Diagnosis:
     remedies: tuple[tuple[str, ...], ...] = ()
 
     def mended_by(self, *remedies: tuple[str, ...]) -> Diagnosis:
-        """The same with what the adapter's helper can do about it."""
+        """Return the same finding with remedies for the adapter's helper."""
         return replace(self, remedies=remedies)
 
     @property
     def code(self) -> str:
-        """The id of what was found out."""
+        """The id of its kind."""
         return self.kind.id
 
     @property
     def section(self) -> Section:
-        """What it is about."""
+        """Its subject."""
         return self.kind.section

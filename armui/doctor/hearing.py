@@ -1,4 +1,4 @@
-"""From the frames heard on a bus to what they say. Pure: no bus, no clock."""
+"""Interprets the frames heard on a bus. Pure: no bus, no clock."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _STATUS_ID: Final = 0x2A1
 _FEEDBACK_IDS: Final = range(0x2A1, 0x2A9)
 _SHIFTED_IDS: Final = range(0x3A1, 0x3A9)
 _LEAST: Final = 3
-"""Frames of an identifier that make feedback; fewer may be strays."""
+"""The frames of an identifier that make feedback; fewer may be strays."""
 _SHOWN_IDS: Final = 8
 _ANSWER_IDS: Final = frozenset({0x473, 0x47C, 0x47E, 0x4AF})
 _DRIVER_FAULTS: Final = (
@@ -39,7 +39,7 @@ _DRIVER_FAULTS: Final = (
 
 
 class TimedFrame(NamedTuple):
-    """A data frame with an 11-bit identifier, and when it was received, in seconds."""
+    """A data frame with an 11-bit identifier, and its time of reception in seconds."""
 
     at_s: float
     frame: Frame
@@ -55,15 +55,15 @@ def hear(
     bus_off: bool = False,
     asked: frozenset[int] = frozenset(),
 ) -> HeardFacts:
-    """What was heard.
+    """Return the facts in the frames heard on a device.
 
     Args:
-        interface: Where, as python-can names it.
-        channel: Likewise.
-        frames: In the order they came.
-        seconds: So long it was listened to.
+        interface: The interface, as python-can names it.
+        channel: The channel, likewise.
+        frames: The frames in the order they came.
+        seconds: The time of listening.
         error_frames: Error frames received meanwhile.
-        bus_off: One of them said that the controller is off the bus.
+        bus_off: True if one of them reported bus-off.
         asked: Identifiers of the questions that were sent.
     """
     counts = Counter(each.frame.arbitration_id for each in frames)
@@ -102,13 +102,13 @@ def hear(
 def arm_facts(
     state: ArmState, codec: Codec, *, reason: str, frames_per_s: float, firmware: str | None
 ) -> ArmFacts:
-    """What an arm's state says.
+    """Return the facts in an arm's state.
 
     Args:
-        state: As heard.
-        codec: What it was decoded with.
-        reason: What speaks for the codec's generation.
-        frames_per_s: On the bus.
+        state: The state.
+        codec: The codec that decoded it.
+        reason: The reason for the codec's generation.
+        frames_per_s: The frames per second on the bus.
         firmware: The version it named.
     """
     status = None if state.status is None else state.status.value

@@ -1,4 +1,4 @@
-"""From what was heard on a bus to findings: the failures that owners of real arms report. Pure."""
+"""Derives findings from the traffic on a bus: failures reported by owners of real arms. Pure."""
 
 from __future__ import annotations
 
@@ -14,6 +14,11 @@ from armui.protocol.firmware_version import (
 )
 
 BUS_BACKEND_MISSING = OfArm("bus_backend_missing", "{device}: the package {package} is missing.")
+BUS_BACKEND_NOT_PACKED = OfArm(
+    "bus_backend_not_packed",
+    "{device} needs the Python package {package}, which is no part of this installed program, and "
+    "cannot be added to it. Use another adapter, or armui from its source with that package.",
+)
 BUS_DRIVER_MISSING = OfArm("bus_driver_missing", "{device}: the maker's driver is missing: {text}")
 BUS_GONE = OfArm("bus_gone", "{device} is not there (any more): {text}")
 BUS_BUSY = OfArm(
@@ -152,6 +157,7 @@ _PROBLEMS: Final = {
     each.id: each
     for each in (
         BUS_BACKEND_MISSING,
+        BUS_BACKEND_NOT_PACKED,
         BUS_DRIVER_MISSING,
         BUS_GONE,
         BUS_BUSY,
@@ -160,19 +166,20 @@ _PROBLEMS: Final = {
         BUS_BAD_ARGUMENT,
     )
 }
-"""By the reason for which a device was not opened; any other is that it failed."""
+"""The kind of finding for each reason why a device was not opened; any other means that it failed.
+"""
 
 _NORMAL: Final = 0
 _EMERGENCY_STOP: Final = 1
 _FASTEST_DEG_S: Final = 3600.0
 _FASTEST_DEG_S2: Final = 20_000.0
-"""Far above any joint of this arm; 0xFFFF read back is 37,548 °/s²."""
+"""An acceleration far above any joint of this arm; 0xFFFF read back is 37,548 °/s²."""
 _TILT_DEG: Final = 89.0
 _LOW_V: Final = 21.0
-"""The supply has 24 V."""
+"""A voltage below this is too low; the supply has 24 V."""
 _SILENT_BY_TEACHING_LEVEL: Final = 255
 KNOWN_BITRATES: Final = (1_000_000, 500_000)
-"""Today's hardware, and what generation 1's protocol text says."""
+"""The bit rates of today's hardware, and of generation 1's protocol text."""
 _UDEV_RULE: Final = (
     'echo \'SUBSYSTEM=="usb", ATTRS{idVendor}=="1d50", MODE="0666"\''
     " | sudo tee /etc/udev/rules.d/90-candlelight.rules"
@@ -183,7 +190,7 @@ _USUAL_MODES: Final = ("MOVE P", "MOVE J", "MOVE L", "MOVE C")
 
 
 def judge_heard(heard: HeardFacts) -> list[Diagnosis]:
-    """What a device let hear, or why it did not."""
+    """Return the findings on the traffic of a device, or why there was none."""
     name = _name(heard)
     base = {"device": name, "seconds": f"{heard.seconds:.1f}", "count": str(heard.frames)}
     if heard.problem:
@@ -219,7 +226,7 @@ def _is_leader(heard: HeardFacts) -> bool:
 
 
 def switched_on(interface: str) -> tuple[tuple[str, ...], ...]:
-    """How the adapter's helper switches an interface on: with each bit rate an arm may have."""
+    """Return the helper's commands that switch an interface on, one for each possible bit rate."""
     return tuple(("up", interface, str(each)) for each in KNOWN_BITRATES)
 
 
@@ -254,7 +261,7 @@ def _no_arm(heard: HeardFacts, base: dict[str, str]) -> Diagnosis:
 
 
 def judge_arm(arm: ArmFacts, heard: HeardFacts) -> list[Diagnosis]:
-    """An arm whose feedback is heard."""
+    """Return the findings on an arm whose feedback is heard."""
     params = {
         "device": _name(heard),
         "generation": str(arm.generation),
@@ -366,7 +373,7 @@ def _ask(heard: HeardFacts) -> tuple[str, ...]:
 
 
 def _all_zero(arm: ArmFacts) -> bool:
-    """Whether the end pose is all zero: no pose of this arm is."""
+    """Return whether the end pose is all zero: no pose of this arm is."""
     return all(each == 0 for each in arm.pose)
 
 

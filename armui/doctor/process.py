@@ -1,4 +1,4 @@
-"""`armui doctor` for the window: in a process of its own, as what it looks at may hang or crash."""
+"""Runs `armui doctor` for the window in a process of its own: examined parts may hang or crash."""
 
 from __future__ import annotations
 
@@ -18,15 +18,15 @@ _PATIENCE_S: Final = 180.0
 _LAST_WORDS: Final = 300
 
 Tell = Callable[[list[Diagnosis] | str], object]
-"""Given the findings, or in one line why there are none; called in another thread."""
+"""Called in another thread with the findings, or with one line on why there are none."""
 
 
 class DoctorProcess(CommandProcess):
-    """One examination; it begins at once.
+    """One examination, which starts at once.
 
     Args:
-        arguments: Of the command, beside ``--json``.
-        tell: Told once, unless it is ended before.
+        arguments: The command's arguments beside ``--json``.
+        tell: Called once, unless it is ended before.
     """
 
     def __init__(self, arguments: Sequence[str], tell: Tell) -> None:
@@ -61,10 +61,10 @@ _GRAVE = (DiagnosisLevel.FAULT, DiagnosisLevel.WARNING)
 
 
 def adapter_trouble() -> list[Diagnosis]:
-    """Interfaces that are down or wrongly set, adapters without a driver, ports nobody may open.
+    """Return faults of adapters: interfaces down or wrongly set, missing drivers, closed ports.
 
-    No device is opened, and python-can is not asked. Takes some milliseconds, as a rule; for a
-    thread that may wait. Faults come first.
+    No device is opened, and python-can is not used. It usually takes some milliseconds, and is
+    meant for a thread that may wait. Faults come first.
     """
     helper_is_there()  # whoever shows the findings must not wait for the disk
     findings = judge_can(look_at_adapters())

@@ -21,7 +21,7 @@ Language = Literal["zh", "en"]
 LANGUAGES: Final[tuple[Language, ...]] = get_args(Language)
 
 Translate = Callable[[str, str], str]
-"""Puts a text of a context into a language, as Qt's own does."""
+"""Translates a text of a context, like Qt's own function."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,31 +63,31 @@ class Words:
     """The words of one language.
 
     Args:
-        translate: Puts them into it.
+        translate: Translates them.
     """
 
     def __init__(self, translate: Translate) -> None:
         self._translate = translate
 
     def text(self, finding: Diagnosis) -> str:
-        """A finding as a sentence."""
+        """Return a finding as a sentence."""
         return self.plain(finding.kind).format_map(finding.params)
 
     def section(self, section: Section) -> str:
-        """What a section is called."""
+        """Return the title of a section."""
         return self.plain(_SECTIONS[section])
 
     def plain(self, text: Sentence) -> str:
-        """A text without figures."""
+        """Return a text without figures."""
         return self._translate(text.context, text.source)
 
     def mark(self, severity: DiagnosisLevel) -> str:
-        """How a severity is marked at the beginning of a line."""
+        """Return the mark of a severity at the beginning of a line."""
         return self.plain(_MARKS[severity])
 
 
 def translation(language: Language) -> Translate:
-    """What puts texts into a language where Qt may be missing: it reads the file of the texts."""
+    """Return a function that translates into a language by reading the texts' file, without Qt."""
     if language == "en":
         return lambda _context, source: source
     file = _resources() / "i18n" / "armui_zh.ts"
@@ -108,7 +108,7 @@ def _resources() -> Path:
 
 
 def language_of_system(settings_file: Path | None = None) -> Language:
-    """The language chosen in the program, else Chinese if the system speaks it, else English."""
+    """Return the program's chosen language, else Chinese if the system uses it, else English."""
     if settings_file is not None:
         try:
             chosen = json.loads(read_file(settings_file)).get("language")
@@ -124,7 +124,7 @@ def language_of_system(settings_file: Path | None = None) -> Language:
 
 
 def as_text(findings: Sequence[Diagnosis], words: Words, *, arm_answers: bool, asked: bool) -> str:
-    """The report for people, and for a support mail."""
+    """Return the report for people, and for a support mail."""
     lines = [f"armui doctor {__version__}"]
     lines.append(words.plain(ASKED if asked else LISTENED))
     for section in Section:
@@ -139,7 +139,7 @@ def as_text(findings: Sequence[Diagnosis], words: Words, *, arm_answers: bool, a
 
 
 def as_json(findings: Sequence[Diagnosis], words: Words, *, arm_answers: bool, asked: bool) -> str:
-    """One object: "armui", "arm_answers", "asked", and "findings" with their parts and words."""
+    """Return one object: "armui", "arm_answers", "asked", and "findings" with their sentences."""
     return (
         json.dumps(
             {
@@ -167,10 +167,10 @@ def as_json(findings: Sequence[Diagnosis], words: Words, *, arm_answers: bool, a
 
 
 def findings_of_json(text: str) -> list[Diagnosis]:
-    """The findings in what :func:`as_json` made.
+    """Return the findings in a text by :func:`as_json`.
 
     Raises:
-        ValueError, KeyError: It is something else.
+        ValueError, KeyError: The text is something else.
     """
     return [
         Diagnosis(

@@ -35,10 +35,10 @@ _EVERY_S: Final = 0.1
 
 
 class ProgressBar:
-    """Draws over itself; on anything but a terminal it draws nothing.
+    """A progress bar that overwrites itself; it draws only on a terminal.
 
     Args:
-        stream: Where to, commonly the error output.
+        stream: The output, usually standard error.
         clock: Monotonic time in seconds.
     """
 
@@ -51,11 +51,11 @@ class ProgressBar:
         self._wanted = stream.isatty()
 
     def show(self, done: float | None, words: str) -> None:
-        """Draw it anew, unless it has just been drawn.
+        """Draw the bar again, unless it has just been drawn.
 
         Args:
-            done: 0 to 1; ``None`` where nobody knows.
-            words: Behind it.
+            done: The share done, 0 to 1; ``None`` if not known.
+            words: The text behind it.
         """
         now_s = self._clock()
         if not self._wanted or now_s - self._drawn_s < _EVERY_S:
@@ -73,7 +73,7 @@ class ProgressBar:
         self._shown = len(line)
 
     def clear(self) -> None:
-        """Leave the line as if nothing had been drawn."""
+        """Clear the line."""
         if self._shown:
             self._stream.write("\r" + " " * self._shown + "\r")
             self._stream.flush()
@@ -81,7 +81,7 @@ class ProgressBar:
 
 
 def problem_text(problem: ExportProblem, detail: str, request: ExportRequest) -> str:
-    """Why nothing was written, and what helps."""
+    """Return the reason why nothing was written, with the remedy."""
     target = request.target
     texts = {
         ExportProblem.NO_LOG: detail,
@@ -115,7 +115,7 @@ def problem_text(problem: ExportProblem, detail: str, request: ExportRequest) ->
 
 
 def report_lines(report: ExportReport) -> list[str]:
-    """What was noticed on the way."""
+    """Return lines on the result and on anything noteworthy."""
     lines = [f"read as generation {report.generation}: {report.why_generation}"]
     lines.append(f"taken for a {report.model}: {report.why_model}")
     if report.offset:
@@ -152,7 +152,7 @@ def report_lines(report: ExportReport) -> list[str]:
 EXIT_COMPLETE = 0
 """Everything asked for was exported."""
 EXIT_INCOMPLETE = 1
-"""Exported but for the places of the log that cannot be read."""
+"""Exported except for the places of the log that cannot be read."""
 EXIT_NOTHING = 2
 """Nothing was written."""
 EXIT_INTERRUPTED = 130
@@ -162,7 +162,7 @@ _TELL_EVERY_S: Final = 0.1
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Declares the command's arguments; `run` takes what the parser makes of them."""
+    """Declares the command's arguments, which `run` receives as parsed."""
     parser.description = (
         "Export a recorded CAN log: MCAP with ROS 2 messages, a table as CSV or Parquet, or "
         "every frame as a CSV file for each message."
@@ -222,7 +222,7 @@ def run(options: argparse.Namespace) -> int:
     """Exports a log.
 
     Args:
-        options: As `add_arguments` declares them.
+        options: The options declared by `add_arguments`.
 
     Returns:
         The exit code.
@@ -282,7 +282,7 @@ class _Said:
         self.heard = True
 
     def begun(self, unfinished: Path) -> None:
-        """Nobody has to know where."""
+        """Do nothing: the name of the unfinished file is not needed here."""
 
     def progress(self, progress: ExportProgress) -> None:
         self._bar.show(progress.done, f"{progress.frames:,} frames")

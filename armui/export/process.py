@@ -1,6 +1,6 @@
-"""`armui export` in a process of its own, for the window, which shares no lock with it.
+"""Runs `armui export` for the window in a process of its own, so that they share no lock.
 
-It can be ended at any moment, whatever it is doing; what it had begun to write goes with it.
+It can be ended at any moment; the unfinished file is then removed.
 """
 
 from __future__ import annotations
@@ -25,17 +25,17 @@ from armui.system.command_process import CommandProcess
 
 _LAST_WORDS: Final = 300
 _NICER_BY: Final = 5
-"""The window and the bus go before it where there are too few cores for all."""
+"""The nice value's increase, so that window and bus come first if there are too few cores."""
 
 
 @dataclass(frozen=True, slots=True)
 class ExportDone:
-    """What became of an export.
+    """The result of an export.
 
     Attributes:
-        problem: Why nothing was written; ``None`` if it was.
-        detail: More of it, or what the process said when it failed by itself.
-        report: As `ExportReport`, by the names of its fields; empty if nothing was written.
+        problem: The reason why nothing was written; ``None`` if it was.
+        detail: Details of it, or the output of a process that failed.
+        report: The fields of `ExportReport` by name; empty if nothing was written.
     """
 
     problem: ExportProblem | None = None
@@ -44,15 +44,15 @@ class ExportDone:
 
 
 Tell = Callable[[ExportProgress | ExportDone], object]
-"""Given how far it has come, and what became of it at last; called in another thread."""
+"""Called in another thread with the progress, and at last with the result."""
 
 
 class ExportProcess(CommandProcess):
-    """One export; it begins at once.
+    """One export, which starts at once.
 
     Args:
         request: What to export.
-        tell: Told until it is over, unless it is ended before.
+        tell: Called until it is over, unless it is ended before.
     """
 
     def __init__(self, request: ExportRequest, tell: Tell) -> None:

@@ -1,1 +1,1 @@
-"""Gamepads and SpaceMice: read in a thread of their own; what their axes and buttons ask for."""
+"""Gamepads and SpaceMice: read in a thread of their own, and interpreted as commands to the arm."""

@@ -1,8 +1,8 @@
-"""Whether a device may move the arm, and how: the dead-man button and what takes it away; pure.
+"""Decides whether a device may move the arm: the dead-man button, and what ends its hold; pure.
 
-Moving takes, in this order: the dead-man button pressed with every axis at rest, then an axis
-pushed. Axes back at rest end the motion, and it may begin again. The button let go, and whatever
-else takes the hold away, ends it until the button has been let go and pressed anew.
+Motion begins when the dead-man button is pressed with every axis at rest, and then an axis is
+pushed. Axes back at rest end the motion, and it may begin again. Releasing the button, or anything
+else that ends the hold, stops it until the button has been released and pressed again.
 """
 
 from __future__ import annotations
@@ -25,31 +25,31 @@ from armui.gamepad.layout import (
 )
 
 UNATTENDED_S: Final = 10.0
-"""So long a hold lasts without any movement of the device."""
+"""A hold ends after this time without any movement of the device."""
 
 SIGN_OF_A_HAND: Final = 0.03
-"""An axis that moves by less may do so by itself: the last digits of a stick never stand still."""
+"""A smaller movement of an axis may be noise: the last digits of a stick never stand still."""
 
 _STILL: Final = (0.0,) * 6
 
 
 class HoldPhase(StrEnum):
-    """How far a hold has come."""
+    """The phase of a hold."""
 
     UP = "up"
     """The dead-man button is not pressed."""
     OFF_CENTRE = "off_centre"
-    """Pressed while an axis was pushed: that must come back to its centre first."""
+    """Pressed while an axis was pushed: the axis must return to its centre first."""
     READY = "ready"
-    """Pressed, and every axis at rest."""
+    """Pressed, with every axis at rest."""
     MOVING = "moving"
-    """Pressed, and an axis is pushed."""
+    """Pressed, with an axis pushed."""
     SPENT = "spent"
-    """Still pressed, and taken away: it must be let go first."""
+    """Still pressed, but the hold was ended: the button must be released first."""
 
 
 class Loss(StrEnum):
-    """What can take a hold away by the device's own state."""
+    """The reasons in the device's own state that end a hold."""
 
     SILENT = "silent"
     UNATTENDED = "unattended"
@@ -60,8 +60,9 @@ class DeviceHold:
     """A hold at a moment.
 
     Attributes:
-        rates: Of each axis of the arm the share of its highest speed, −1 to 1; all 0 unless moving.
-        lost: What took it away just now.
+        rates: For each axis of the arm the share of its highest speed, −1 to 1; all 0 unless
+            moving.
+        lost: The reason that has just ended it.
     """
 
     phase: HoldPhase = HoldPhase.UP
@@ -70,10 +71,10 @@ class DeviceHold:
 
 
 class DeadMan:
-    """Follows one device.
+    """Follows the dead-man button of one device.
 
     Attributes:
-        hold: As of the last look.
+        hold: The hold at the last update.
     """
 
     def __init__(self) -> None:
@@ -92,14 +93,14 @@ class DeadMan:
         *,
         one_axis: bool,
     ) -> DeviceHold:
-        """Look at the device.
+        """Process the device's state, and return the hold.
 
         Args:
-            state: As it is now.
-            buttons: What its buttons do.
-            mode: What its axes move.
-            now_s: By the program's clock.
-            one_axis: Only the axis that was pushed first moves, until all are at rest again.
+            state: The device's present state.
+            buttons: The assignment of its buttons.
+            mode: The axes it moves.
+            now_s: The time by the program's clock.
+            one_axis: True if only the axis pushed first moves, until all are at rest again.
         """
         self._watch_hand(state, now_s)
         if buttons.dead_man not in state.buttons:
@@ -114,12 +115,12 @@ class DeadMan:
         return self.hold
 
     def spend(self) -> None:
-        """Take the hold away, if there is one: only a new press begins another."""
+        """End the hold, if there is one: only a new press begins another."""
         if self.hold.phase is not HoldPhase.UP:
             self.hold = DeviceHold(HoldPhase.SPENT)
 
     def let_go(self) -> None:
-        """The dead-man button was let go, however shortly."""
+        """Note that the dead-man button was released, however briefly."""
         self._seen_up = True
         self.hold = DeviceHold()
 

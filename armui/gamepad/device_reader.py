@@ -1,4 +1,4 @@
-"""Reads the devices in a thread of its own: neither the window nor the bus waits for them."""
+"""Reads the devices in a thread of its own, for which neither the window nor the bus waits."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from armui.system.clock import steady_s
 
 
 class DeviceBackend(Protocol):
-    """Reads the devices of one kind; made and used in one thread only.
+    """Reads the devices of one kind; created and used in one thread only.
 
     Attributes:
-        package: What has to be installed for it.
-        unusable: Names of what was found and cannot be used.
+        package: The package it needs.
+        unusable: The names of devices found that cannot be used.
     """
 
     package: str
@@ -27,71 +27,73 @@ class DeviceBackend(Protocol):
         """Load the library.
 
         Raises:
-            ImportError: It is not installed.
-            OSError: It is, and does not work here.
+            ImportError: The library is not installed.
+            OSError: The library does not work here.
         """
         ...
 
     def look(self) -> None:
-        """Look for devices that came; may take some tenths of a second."""
+        """Search for new devices; may take some tenths of a second."""
         ...
 
     def read(self, now_s: float) -> tuple[DeviceState, ...]:
-        """The devices as they are now; one that went is missing. Never waits.
+        """Return the present state of the devices, without those that are gone; never waits.
 
         Args:
-            now_s: By the program's clock.
+            now_s: The time by the program's clock.
         """
         ...
 
     def close(self) -> None:
-        """Let everything go."""
+        """Release the devices and the library."""
         ...
 
 
 _LOG: Final = logging.getLogger(__name__)
 
 _PERIOD_S: Final = 0.004
-"""Twice as often as a device of USB tells: a press of the stop waits for the next look."""
+"""The period of reading, twice as short as a USB device's reports: a press of the stop waits for
+the next one.
+"""
 _IDLE_S: Final = 0.25
-"""The same while there is no device."""
+"""The period while there is no device."""
 _LOOK_S: Final = 2.0
 _END_S: Final = 2.0
 
 OnButtons = Callable[[DeviceInfo, frozenset[str], frozenset[str]], None]
-"""A device, the buttons that went down, and those that came up; called in the reader's thread."""
+"""Called in the reader's thread with a device, the pressed buttons and the released ones."""
 
 
 class Reader(Protocol):
-    """What tells of the devices."""
+    """The interface of a device reader."""
 
     @property
     def latest(self) -> DeviceSnapshot:
-        """The devices when they were last read."""
+        """The devices as last read."""
         ...
 
     @property
     def running(self) -> bool:
-        """Whether it still reads, or is about to end."""
+        """True until the reader has ended."""
         ...
 
     def stop(self) -> None:
-        """Stop reading, at the next look; does not wait for it."""
+        """Ask the reader to stop; does not wait for it."""
         ...
 
     def end(self) -> bool:
-        """Stop reading, and wait a little; whether it has ended."""
+        """Stop reading, wait a moment, and return whether the reader has ended."""
         ...
 
 
 class DeviceReader:
-    """Reads until :meth:`end`; what fails is told in the snapshot and kills nothing.
+    """Reads until :meth:`end`; errors are reported in the snapshot, and end nothing.
 
-    No press of a button is missed, however short: each is told by itself.
+    No press of a button is missed, however short: each one is reported.
 
     Args:
-        backends: Made in the caller's thread, used in the reader's only.
-        on_buttons: Told of each press and release.
+        backends: The back-ends, created in the caller's thread but used only in the reader's.
+        on_buttons: Called at each press and release.
         clock: Monotonic time in seconds.
     """
 
@@ -114,20 +116,20 @@ class DeviceReader:
 
     @property
     def latest(self) -> DeviceSnapshot:
-        """The devices when they were last read."""
+        """The devices as last read."""
         return self._latest
 
     @property
     def running(self) -> bool:
-        """Whether the thread runs."""
+        """True if the thread runs."""
         return self._thread.is_alive()
 
     def stop(self) -> None:
-        """Stop reading, at the next look."""
+        """Ask the thread to stop."""
         self._ending.set()
 
     def end(self) -> bool:
-        """Stop reading; a library that hangs is left behind with its thread."""
+        """Stop, and return whether the thread ended within a moment; a hanging one is left."""
         self.stop()
         self._thread.join(_END_S)
         return not self._thread.is_alive()
@@ -202,7 +204,7 @@ class DeviceReader:
 
 
 def read_devices(on_buttons: OnButtons, clock: Callable[[], float]) -> Reader:
-    """Begin to read every kind of device there is a library for."""
+    """Start reading devices of every kind for which there is a library."""
     from armui.gamepad.sdl_gamepads import SdlGamepads  # noqa: PLC0415 - loaded when switched on
     from armui.gamepad.space_mice import SpaceMice  # noqa: PLC0415 - as above
 

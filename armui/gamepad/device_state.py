@@ -1,4 +1,4 @@
-"""What a gamepad or a SpaceMouse shows at a moment; pure data."""
+"""The state of a gamepad or a SpaceMouse; pure data."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from enum import StrEnum
 
 
 class DeviceKind(StrEnum):
-    """What sort of device it is: its axes and buttons have their names from this."""
+    """The kind of device, which determines the names of its axes and buttons."""
 
     GAMEPAD = "gamepad"
     SPACE_MOUSE = "space_mouse"
@@ -19,8 +19,8 @@ class DeviceInfo:
     """A device that was found.
 
     Attributes:
-        key: Its own from plugging in to unplugging.
-        name: As it says itself; two of a model share it.
+        key: A key unique from plugging in to unplugging.
+        name: The name it reports; two of a model share it.
     """
 
     key: str
@@ -30,13 +30,13 @@ class DeviceInfo:
 
 @dataclass(frozen=True, slots=True)
 class DeviceState:
-    """A device at a moment.
+    """The state of a device at one time.
 
     Attributes:
-        axes: By name, −1 to 1; a trigger 0 to 1. An axis that is not named is at 0.
-        buttons: The names of those that are down.
-        silent: Nothing is heard of it although it is moved away from its centre, where a device of
-            its kind tells all the time.
+        axes: The axes by name, −1 to 1; a trigger 0 to 1. An axis that is missing is at 0.
+        buttons: The names of the pressed buttons.
+        silent: True if it reports nothing although it is off its centre, where a device of its kind
+            reports all the time.
     """
 
     info: DeviceInfo
@@ -47,14 +47,14 @@ class DeviceState:
 
 @dataclass(frozen=True, slots=True)
 class DeviceSnapshot:
-    """All devices at a moment.
+    """The state of all devices at one time.
 
     Attributes:
-        at_s: When they were read, by the program's clock.
-        devices: In the order in which they came.
-        unusable: Names of what was found and has no layout that is known.
+        at_s: The time of reading, by the program's clock.
+        devices: The devices in the order in which they came.
+        unusable: The names of devices found without a known layout.
         missing: Names of the packages that are not installed.
-        problems: What the libraries say of what does not work.
+        problems: The errors of the libraries.
     """
 
     at_s: float

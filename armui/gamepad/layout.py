@@ -1,4 +1,4 @@
-"""Which axis moves what, how fast, and which button does what; pure.
+"""The functions of axes and buttons, and the speeds of axes; pure.
 
 A gamepad has the layout that SDL gives every gamepad it knows: two sticks, two triggers, the four
 buttons a, b, x, y, shoulders, and a cross. Of a stick, right and down are positive. The six axes of
@@ -20,7 +20,7 @@ SPEED_AXIS: Final = "right_trigger"
 
 
 class JogMode(StrEnum):
-    """What the axes move: the joints, or the tool along the axes of the base or of the tool."""
+    """The mode of the axes: the joints, or the tool along the axes of the base or of the tool."""
 
     JOINT = "joint"
     BASE = "base"
@@ -29,11 +29,11 @@ class JogMode(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class AxisSource:
-    """What moves one axis of the arm: an axis of the device, or two of its buttons.
+    """The source of one axis of the arm: an axis of the device, or two of its buttons.
 
     Attributes:
-        axis: Of the device; empty: buttons.
-        sign: −1: the arm goes the other way.
+        axis: The device's axis; empty for buttons.
+        sign: −1 reverses the direction.
         plus, minus: The buttons for + and −.
     """
 
@@ -71,7 +71,7 @@ SOURCES: Final[Mapping[DeviceKind, Mapping[JogMode, tuple[AxisSource, ...]]]] = 
     },
     DeviceKind.SPACE_MOUSE: dict.fromkeys(JogMode, _MOUSE),
 }
-"""Of each axis of the arm (J1–J6, or X, Y, Z, RX, RY, RZ) what moves it."""
+"""The source of each axis of the arm (J1–J6, or X, Y, Z, RX, RY, RZ)."""
 
 _PAD_BUTTONS: Final = (
     *("a", "b", "x", "y", "left_shoulder", "right_shoulder"),
@@ -83,18 +83,18 @@ BUTTONS: Final[Mapping[DeviceKind, tuple[str, ...]]] = {
     DeviceKind.GAMEPAD: _PAD_BUTTONS,
     DeviceKind.SPACE_MOUSE: _MOUSE_BUTTONS,
 }
-"""What a button can be chosen from; the cross moves the arm."""
+"""The buttons that can be assigned; the cross moves the arm."""
 
 
 @dataclass(frozen=True, slots=True)
 class Assignment:
-    """Which button does what.
+    """The assignment of buttons to actions.
 
     Attributes:
-        dead_man: Must be held while anything moves.
+        dead_man: The button that must be held during motion.
         stop: The emergency stop; works at any time.
         halt: Halt and hold; works at any time. Empty: no button.
-        mode: The next mode. Empty: no button.
+        mode: Switches to the next mode. Empty: no button.
     """
 
     dead_man: str
@@ -104,7 +104,7 @@ class Assignment:
 
 
 ACTIONS: Final = tuple(field.name for field in fields(Assignment))
-"""What a button can do, by the names of the fields."""
+"""The actions of buttons, by the names of the fields."""
 
 _OPTIONAL: Final = frozenset({"halt", "mode"})
 
@@ -115,7 +115,7 @@ DEFAULTS: Final[Mapping[DeviceKind, Assignment]] = {
 
 
 def assignment(kind: DeviceKind, kept: Mapping[str, str] | None) -> Assignment:
-    """What was kept for a device, or the first assignment if that is none that can be used."""
+    """Return the stored assignment of a device, or the default if that cannot be used."""
     first = DEFAULTS[kind]
     if kept is None:
         return first
@@ -124,7 +124,7 @@ def assignment(kind: DeviceKind, kept: Mapping[str, str] | None) -> Assignment:
 
 
 def wrong_in(kind: DeviceKind, wanted: Assignment) -> str:
-    """The first action whose button is missing, unknown or given twice; empty: none."""
+    """Return the first action whose button is missing, unknown or used twice; empty if none."""
     taken: set[str] = set()
     for action, button in asdict(wanted).items():
         if not button and action in _OPTIONAL:
@@ -136,7 +136,7 @@ def wrong_in(kind: DeviceKind, wanted: Assignment) -> str:
 
 
 def swapped(now: Assignment, action: str, button: str) -> Assignment:
-    """The assignment with another button for an action; who had that button gets the old one."""
+    """Return the assignment with another button for an action; the two actions swap buttons."""
     figures = asdict(now)
     old = figures[action]
     for other, has in figures.items():
@@ -147,7 +147,7 @@ def swapped(now: Assignment, action: str, button: str) -> Assignment:
 
 
 def deflections(state: DeviceState, mode: JogMode) -> tuple[float, ...]:
-    """How far each axis of the arm is asked to move, −1 to 1, before dead zone and curve."""
+    """Return the deflection of each axis of the arm, −1 to 1, before dead zone and curve."""
     return tuple(_deflection(state, source) for source in SOURCES[state.info.kind][mode])
 
 
@@ -161,19 +161,19 @@ DEAD_ZONES: Final[Mapping[DeviceKind, float]] = {
     DeviceKind.GAMEPAD: 0.18,
     DeviceKind.SPACE_MOUSE: 0.10,
 }
-"""Nearer to its centre than this an axis is at rest: worn sticks stay up to 0.15 away from it."""
+"""Within this of its centre an axis is at rest: worn sticks stay up to 0.15 away from it."""
 
 SLOWEST: Final = 0.02
-"""Just outside the dead zone."""
+"""The share of the speed just outside the dead zone."""
 
 WITHOUT_TRIGGER: Final = 0.2
 """The share of the operator's speed while the trigger of a gamepad is not pulled."""
 
 
 def shaped(deflection: float, dead_zone: float) -> float:
-    """The share of the highest speed, −1 to 1: 0 in the dead zone, then slowly more.
+    """Return the share of the highest speed, −1 to 1: 0 in the dead zone, then rising slowly.
 
-    What is not a number counts as 0: no speed comes of a broken device.
+    NaN counts as 0, so that a broken device moves nothing.
     """
     size = abs(deflection)
     if not math.isfinite(size) or size <= dead_zone:
@@ -183,12 +183,12 @@ def shaped(deflection: float, dead_zone: float) -> float:
 
 
 def centred(deflections: Sequence[float], dead_zone: float) -> bool:
-    """Whether every axis is at rest; one that is not a number is not."""
+    """Return whether every axis is at rest; NaN is not at rest."""
     return all(abs(each) <= dead_zone for each in deflections)
 
 
 def speed_share(state: DeviceState) -> float:
-    """What the trigger leaves of the operator's speed; a SpaceMouse has none and leaves all."""
+    """Return the trigger's share of the operator's speed; 1 for a SpaceMouse, which has none."""
     if state.info.kind is DeviceKind.SPACE_MOUSE:
         return 1.0
     pulled = state.axes.get(SPEED_AXIS, 0.0)
@@ -197,5 +197,5 @@ def speed_share(state: DeviceState) -> float:
 
 
 def strongest(rates: Sequence[float]) -> int:
-    """The place of the axis that is pushed furthest."""
+    """Return the index of the axis that is pushed furthest."""
     return max(range(len(rates)), key=lambda place: abs(rates[place]))

@@ -1,4 +1,4 @@
-"""Gamepads through SDL 2: it knows the layout of some thousand models, wired and wireless."""
+"""Reads gamepads through SDL 2, which knows the layout of some thousand models."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from typing import Any, Final
 from armui.gamepad.device_state import DeviceInfo, DeviceKind, DeviceState
 
 _AXES: Final = ("left_x", "left_y", "right_x", "right_y", "left_trigger", "right_trigger")
-"""In SDL's order."""
+"""The axes in SDL's order."""
 _BUTTONS: Final = (
     *("a", "b", "x", "y", "back", "guide", "start", "left_stick", "right_stick"),
     *("left_shoulder", "right_shoulder", "dpad_up", "dpad_down", "dpad_left", "dpad_right"),
 )
-"""In SDL's order."""
+"""The buttons in SDL's order."""
 _FULL: Final = 32767.0
 _SPACE_MOUSE_VENDOR: Final = 0x256F
 _HINTS: Final = {
@@ -25,7 +25,7 @@ _HINTS: Final = {
 
 
 class SdlGamepads:
-    """See :class:`armui.gamepad.device_reader.DeviceBackend`."""
+    """Reads gamepads; see :class:`armui.gamepad.device_reader.DeviceBackend`."""
 
     package = "pysdl2"
 
@@ -47,10 +47,10 @@ class SdlGamepads:
         self._sdl = sdl2
 
     def look(self) -> None:
-        """SDL notices by itself what comes and goes; what came is opened in :meth:`read`."""
+        """Do nothing: SDL notices devices by itself, and :meth:`read` opens new ones."""
 
     def read(self, now_s: float) -> tuple[DeviceState, ...]:  # noqa: ARG002 - SDL says what goes
-        """The gamepads now."""
+        """Return the present state of the gamepads."""
         sdl = self._sdl
         sdl.SDL_GameControllerUpdate()
         # nobody takes the events that tell of devices: they must not pile up
@@ -66,7 +66,7 @@ class SdlGamepads:
         return tuple(states)
 
     def close(self) -> None:
-        """Let the gamepads and SDL go."""
+        """Release the gamepads and SDL."""
         if self._sdl is None:
             return
         for _info, pad in self._open.values():

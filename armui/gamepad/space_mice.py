@@ -1,9 +1,9 @@
-"""SpaceMice through hidapi: the device's own reports, with or without its maker's driver.
+"""Reads SpaceMice through hidapi: the device's own reports, with or without the maker's driver.
 
-Report 1 carries the translation, report 2 the rotation, each as three signed figures of 16 bits,
-low byte first; newer devices put all six into report 1. Report 3 carries one bit a button. The
-device counts X to the right, Y towards the operator and Z downwards; here X leads away from the
-operator, Y to the left and Z upwards, as the arm's own axes do for somebody who stands behind it.
+Report 1 carries the translation, report 2 the rotation, each as three signed numbers of 16 bits,
+low byte first; newer devices put all six into report 1. Report 3 carries one bit for each button.
+The device counts X to the right, Y towards the operator and Z downwards; here X leads away from the
+operator, Y to the left and Z upwards, like the arm's own axes for a person behind it.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from typing import Any, Final
 from armui.gamepad.device_state import DeviceInfo, DeviceKind, DeviceState
 
 _FULL: Final = 350.0
-"""What the device tells at the end of its travel."""
+"""The device's value at the end of its travel."""
 _TRANSLATION, _ROTATION, _BUTTONS = 1, 2, 3
 _BOTH_BYTES: Final = 13
 _HALF_BYTES: Final = 7
@@ -25,29 +25,29 @@ _MOST_BUTTONS: Final = 32
 
 @dataclass(frozen=True, slots=True)
 class SpaceMouseState:
-    """What was last told.
+    """The values reported last.
 
     Attributes:
         figures: X, Y, Z, RX, RY, RZ as the device counts them.
-        buttons: Numbers from 1 on.
+        buttons: The numbers of the pressed buttons, from 1.
     """
 
     figures: tuple[int, ...] = (0,) * 6
     buttons: frozenset[str] = frozenset()
 
     def axes(self) -> dict[str, float]:
-        """By the arm's axes, −1 to 1."""
+        """Return the deflections by the arm's axes, −1 to 1."""
         x, y, z, rx, ry, rz = (max(-1.0, min(1.0, each / _FULL)) for each in self.figures)
         return {"x": -y, "y": -x, "z": -z, "rx": -ry, "ry": -rx, "rz": -rz}
 
     @property
     def displaced(self) -> bool:
-        """Whether the cap is away from its centre: such a device tells all the time."""
+        """True if the cap is off its centre, where the device reports all the time."""
         return any(self.figures)
 
 
 def after(state: SpaceMouseState, report: bytes) -> SpaceMouseState:
-    """The state after a report; one that is of no known kind, or too short, changes nothing."""
+    """Return the state after a report; an unknown or too short one changes nothing."""
     if not report:
         return state
     number, body = report[0], report[1:]
@@ -66,7 +66,7 @@ def after(state: SpaceMouseState, report: bytes) -> SpaceMouseState:
 
 
 _VENDORS: Final = (0x256F, 0x046D)
-"""3Dconnexion; before 2013 its devices had Logitech's number."""
+"""The vendor numbers of 3Dconnexion; before 2013 its devices had Logitech's."""
 _OLD_PRODUCTS: Final = frozenset(
     {0xC603, 0xC605, 0xC606, 0xC621, 0xC623, 0xC625, 0xC626, 0xC627, 0xC628, 0xC629, 0xC62B}
 )
@@ -74,9 +74,9 @@ _GENERIC_DESKTOP: Final = 1
 _MULTI_AXIS: Final = 8
 _REPORT_BYTES: Final = 64
 _MOST_REPORTS: Final = 200
-"""At once: a device that floods must not keep the thread."""
+"""The most reports read at once: a flood must not occupy the thread."""
 SILENT_S: Final = 0.5
-"""Away from its centre a SpaceMouse tells every 8 to 16 ms; so long without a word it is gone."""
+"""Off its centre a SpaceMouse reports every 8 to 16 ms; after this silence it counts as gone."""
 
 
 @dataclass(slots=True)
@@ -88,7 +88,7 @@ class _Mouse:
 
 
 class SpaceMice:
-    """See :class:`armui.gamepad.device_reader.DeviceBackend`."""
+    """Reads SpaceMice; see :class:`armui.gamepad.device_reader.DeviceBackend`."""
 
     package = "hidapi"
 
@@ -98,7 +98,7 @@ class SpaceMice:
         self._mice: dict[bytes, _Mouse] = {}
 
     def open(self) -> None:
-        """Load hidapi; on Linux with the kernel's own driver, which leaves the device to others."""
+        """Load hidapi; on Linux with the kernel's driver, so that others can use the device."""
         if sys.platform == "linux":
             import hidraw as hid  # noqa: PLC0415 - an extra, loaded when it is wanted
         else:
@@ -106,7 +106,7 @@ class SpaceMice:
         self._hid = hid
 
     def look(self) -> None:
-        """Open what came; what may not be opened is named."""
+        """Open new devices; those that may not be opened are named in `unusable`."""
         unusable = []
         for each in (found for vendor in _VENDORS for found in self._hid.enumerate(vendor, 0)):
             path = each["path"]
@@ -126,7 +126,7 @@ class SpaceMice:
         self.unusable = tuple(unusable)
 
     def read(self, now_s: float) -> tuple[DeviceState, ...]:
-        """The SpaceMice now."""
+        """Return the present state of the SpaceMice."""
         states = []
         for path, mouse in list(self._mice.items()):
             try:
@@ -141,7 +141,7 @@ class SpaceMice:
         return tuple(states)
 
     def close(self) -> None:
-        """Let the devices go."""
+        """Release the devices."""
         for mouse in self._mice.values():
             mouse.device.close()
         self._mice.clear()

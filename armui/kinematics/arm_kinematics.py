@@ -33,13 +33,13 @@ class Kinematics:
         return rows_to_pose(flange_rows(self.geometry, joints_deg))
 
     def inverse(self, pose: Pose, near_deg: Sequence[float]) -> list[Joints]:
-        """Return all ways to bring the flange to a pose, whatever the joints' limits.
+        """Return all solutions that bring the flange to a pose, whatever the joints' limits.
 
-        Angles lie within half a turn of the middle of their joint's range. A joint that a wrist in
-        a singular pose leaves free stays where it is in `near_deg`.
+        Angles lie within half a turn of the middle of their joint's range. If a singular pose of
+        the wrist leaves a joint free, the joint keeps its angle in `near_deg`.
 
         Args:
-            pose: Where the flange shall be.
+            pose: The wanted pose of the flange.
             near_deg: Six angles; the solutions nearest to them come first.
 
         Returns:
@@ -50,5 +50,5 @@ class Kinematics:
         return nearest_first(self.geometry, pose_to_matrix(pose), near_deg)
 
     def missing_mm(self, pose: Pose) -> float:
-        """Return how far, in mm, the end of the forearm is out of reach for a pose; 0 within."""
+        """Return by how many mm the end of the forearm misses a pose; 0 within its reach."""
         return missing_mm(self.geometry, pose_to_matrix(pose))

@@ -1,4 +1,4 @@
-"""The axes of a pose and the frames they belong to, apart from `poses`, which loads numpy."""
+"""The axes of a pose and the frames to jog in; apart from `poses`, which loads numpy."""
 
 from __future__ import annotations
 
@@ -6,14 +6,14 @@ import enum
 from typing import Final
 
 AXES: Final = ("X", "Y", "Z", "RX", "RY", "RZ")
-"""Of a pose, in the order of its figures."""
+"""The names of a pose's six values, in their order."""
 
 LINEAR_AXES: Final = 3
-"""So many of them are lengths in mm; the others are angles in degrees."""
+"""The first three are lengths in mm; the others are angles in degrees."""
 
 
 class JogFrame(enum.Enum):
-    """Whose axes a step goes along."""
+    """The frame whose axes a jog step follows."""
 
     BASE = "base"
     TOOL = "tool"

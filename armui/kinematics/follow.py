@@ -1,4 +1,4 @@
-"""The joints along paths of the tool."""
+"""The joint angles along paths of the tool."""
 
 from __future__ import annotations
 
@@ -23,19 +23,21 @@ from armui.kinematics.spherical import (
 )
 
 _SURE_DEG: Final = 45.0
-"""While joints 4 and 6 turn less in a step, the nearer bend of the wrist is the same bend."""
+"""While joints 4 and 6 turn less than this in a step, the nearer solution of the wrist is the
+continued one.
+"""
 
 
 def follow(geometry: Geometry, targets: Matrix, starts_deg: Matrix) -> Matrix:
-    """Joints along paths, each on the way of the arm where it stands.
+    """Return the joint angles along paths, each in the solution branch of its start.
 
     Args:
-        geometry: Of the arm.
-        targets: (m, places, 4, 4) transforms of the flange, the first of them where it is.
-        starts_deg: (m, 6) the joints there.
+        geometry: The arm's geometry.
+        targets: (m, places, 4, 4) transforms of the flange, the first of them at the start.
+        starts_deg: (m, 6) the joints at the start.
 
     Returns:
-        (m, places, 6) angles in degrees, NaN from where the way ends.
+        (m, places, 6) angles in degrees, NaN from the place where the branch ends.
     """
     if geometry.wrist is Wrist.PARALLEL:
         return _follow_parallel(geometry, targets, starts_deg)
@@ -64,7 +66,7 @@ def follow(geometry: Geometry, targets: Matrix, starts_deg: Matrix) -> Matrix:
 
 
 def nearest_way(geometry: Geometry, targets: Matrix, joints_deg: Matrix) -> npt.NDArray[np.int64]:
-    """(m,) which way of the arm leads to each target with (m, 6) joints, or is nearest to that."""
+    """Return (m,) the branch of the arm that leads to each target, nearest to (m, 6) joints."""
     gaps = np.abs(arm_joints(geometry, targets) - joints_deg[:, None, :3]).max(axis=2)
     nearest: npt.NDArray[np.int64] = np.argmin(np.nan_to_num(gaps, nan=math.inf), axis=1)
     return nearest

@@ -1,4 +1,4 @@
-"""Where the links of the arm are at given joint angles, and how two bars reach a place.
+"""The places of the arm's links at given joint angles, and the two-bar geometry behind them.
 
 The arm's plane is turned by joint 1. In it the upper arm points along (cos s, −sin s). With a
 spherical wrist the forearm points along (sin e, cos e), and the hand's orientation in it is
@@ -24,26 +24,26 @@ _ROUNDING: Final = 1e-9
 Value = Any
 """A plain number, or an array of them."""
 Vector = tuple[Value, Value, Value]
-"""In the arm's plane: outwards from joint 1's axis, square to the plane, upwards."""
+"""Components in the arm's plane: outwards from joint 1's axis, square to the plane, upwards."""
 
 
 class PlaneVectors(NamedTuple):
     """The arm in its own plane: places in mm, directions of length 1.
 
     Attributes:
-        cos_1, sin_1: How the plane is turned.
+        cos_1, sin_1: Cosine and sine of joint 1, which turns the plane.
         upper_arm: From the shoulder to the elbow.
         forearm: Along the forearm; the axis of joint 4 of a spherical wrist.
         across: Square to the forearm, in the arm's plane.
-        axis_4: Of joint 4.
-        bend_axis: Of joint 5.
+        axis_4: The axis of joint 4.
+        bend_axis: The axis of joint 5.
         hand: From the wrist's centre to the flange, and on along the gripper.
         thumb: Square to the hand and to the axis of joint 5.
         turn_6: Cosine and sine of joint 6.
         elbow: The place of joint 3.
-        wrist: Where the forearm ends, the place of joint 4.
-        centre: Of the wrist: where the axes of joints 5 and 6 meet.
-        flange: Its place.
+        wrist: The end of the forearm, the place of joint 4.
+        centre: The wrist's centre, where the axes of joints 5 and 6 meet.
+        flange: The flange's place.
     """
 
     cos_1: Value
@@ -62,13 +62,13 @@ class PlaneVectors(NamedTuple):
     flange: Vector
 
     def turned(self, vector: Vector) -> Vector:
-        """X, Y and Z in the base frame of a vector in the plane."""
+        """Return X, Y and Z in the base frame of a vector in the plane."""
         out, aside, up = vector
         c1, s1 = self.cos_1, self.sin_1
         return c1 * out - s1 * aside, s1 * out + c1 * aside, up
 
     def flange_axes(self) -> tuple[Vector, Vector, Vector]:
-        """Return the flange's X, Y and Z in the base frame."""
+        """Return the directions of the flange's X, Y and Z axes in the base frame."""
         c6, s6 = self.turn_6
         along = _mixed(c6, self.thumb, s6, self.bend_axis)
         palm = _mixed(c6, self.bend_axis, -s6, self.thumb)
@@ -80,7 +80,7 @@ SIDE: Vector = (0.0, 1.0, 0.0)
 
 
 class Links(NamedTuple):
-    """Where the links of the arm are in the base frame; lengths in mm, directions of length 1.
+    """The arm's links in the base frame; lengths in mm, directions of length 1.
 
     All are (…, 3), named as in `PlaneVectors`; `side` is the axis of joints 2 and 3, `along` and
     `palm` are the flange's X and Y.
@@ -100,7 +100,7 @@ class Links(NamedTuple):
 
 
 def links(geometry: Geometry, joints_deg: Matrix) -> Links:
-    """Return where the links are at (…, 6) joint angles."""
+    """Return the places of the links at (…, 6) joint angles."""
     arm = plane_vectors(geometry, joints_deg)
     along, palm, hand = map(stacked, arm.flange_axes())
     side, upper, elbow, forearm, across, wrist, centre, flange = (
@@ -124,14 +124,14 @@ def flange_transforms(geometry: Geometry, joints_deg: Matrix) -> Matrix:
 
 
 def flange_rows(geometry: Geometry, joints_deg: Sequence[float]) -> list[float]:
-    """Return the twelve figures of the upper three rows of one transform, lengths in mm."""
+    """Return the twelve values of the upper three rows of one transform, lengths in mm."""
     arm = _plane_vectors(geometry, joints_deg, math.cos, math.sin, math.radians)
     rows = zip(*arm.flange_axes(), arm.turned(arm.flange), strict=True)
     return [figure for row in rows for figure in row]
 
 
 def flange_heights(geometry: Geometry, joints_deg: Matrix) -> Matrix:
-    """(…) how high the flange is, in mm, at (…, 6) joint angles; without all the rest."""
+    """Return (…) the heights of the flange in mm at (…, 6) joint angles, without the rest."""
     height: Matrix = plane_vectors(geometry, joints_deg).flange[2]
     return height
 
@@ -142,9 +142,9 @@ def plane_vectors(geometry: Geometry, joints_deg: Matrix) -> PlaneVectors:
 
 
 def forearm_axes(geometry: Geometry, joints_deg: Matrix) -> Matrix:
-    """(…, 3, 3) with the forearm's across, side and axis as rows, at (…, 3) joints 1–3.
+    """Return (…, 3, 3) the forearm's across, side and axis as rows, at (…, 3) joints 1–3.
 
-    Of an arm with a spherical wrist.
+    Only for arms with a spherical wrist.
     """
     angles = (*components(joints_deg), 0.0, 0.0, 0.0)
     arm = _plane_vectors(geometry, angles, np.cos, np.sin, np.radians)
@@ -155,7 +155,7 @@ def forearm_axes(geometry: Geometry, joints_deg: Matrix) -> Matrix:
 
 
 def stacked(vector: Vector) -> Matrix:
-    """(…, 3) of three components, the first of them (…)."""
+    """Return (…, 3) of a vector's three components, the first of them (…)."""
     figures = np.empty((*np.shape(vector[0]), 3))
     figures[..., 0], figures[..., 1], figures[..., 2] = vector
     return figures
@@ -217,10 +217,10 @@ def _mixed(part: Value, one: Vector, other_part: Value, other: Vector) -> Vector
 
 
 def wrist_centres(geometry: Geometry, targets: Matrix) -> tuple[Matrix, Matrix, Matrix]:
-    """Of each target: how far from joint 1's axis, how high above the shoulder, in which turn.
+    """Return each wrist centre: distance from joint 1's axis, height above the shoulder, turn.
 
     Args:
-        geometry: Of the arm.
+        geometry: The arm's geometry.
         targets: (…, 4, 4) transforms of the flange.
     """
     centres = targets[..., :3, 3] - geometry.hand_mm * targets[..., :3, 2]
@@ -231,10 +231,10 @@ def wrist_centres(geometry: Geometry, targets: Matrix) -> tuple[Matrix, Matrix, 
 def bar_angles(
     geometry: Geometry, out: Matrix, height: Matrix, elbow_above: npt.NDArray[np.bool_] | Any
 ) -> tuple[Matrix, Matrix]:
-    """Return how both bars rise, in radians, to end in a place; NaN out of their reach.
+    """Return the angles in radians by which both bars rise to end in a place; NaN out of reach.
 
     Args:
-        geometry: Of the arm; its second bar is the straight line from elbow to wrist.
+        geometry: The arm's geometry; its second bar is the straight line from elbow to wrist.
         out: (…) outwards from the shoulder, in mm.
         height: (…) above it, in mm.
         elbow_above: Whether the first bar rises more than the straight line to the place.
@@ -251,7 +251,7 @@ def bar_angles(
 
 
 def out_of_reach_mm(geometry: Geometry, out: Matrix, height: Matrix) -> Matrix:
-    """(…) how far a place of the plane is out of both bars' reach, in mm; 0 within it."""
+    """Return (…) by how many mm a place of the plane is out of both bars' reach; 0 within."""
     straight = np.hypot(out, height)
     upper_mm, fore_mm = geometry.upper_arm_mm, geometry.elbow_to_wrist_mm
     beyond = np.maximum(straight - upper_mm - fore_mm, abs(upper_mm - fore_mm) - straight)

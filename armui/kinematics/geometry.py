@@ -1,4 +1,4 @@
-"""The dimensions of an arm: its modified (Craig) DH table, and what the closed forms take of it.
+"""The dimensions of an arm: its modified (Craig) DH table, and the lengths for the closed forms.
 
 All arms of the family have a shoulder above the table, where joints 1 and 2 cross, and a bar from
 it to the elbow; joints 2 and 3 are parallel. Beyond the elbow there are two kinds (`Wrist`).
@@ -12,7 +12,7 @@ from collections.abc import Iterable, Sequence
 from typing import Final, NamedTuple
 
 MIDDLES_DEG: Final = (0.0, 90.0, -85.0, 0.0, 0.0, 0.0)
-"""The middles of the factory ranges of the joints, of every arm of the family."""
+"""The middles of the joints' factory ranges, the same for every arm of the family."""
 
 JOINT_COUNT: Final = 6
 
@@ -21,10 +21,10 @@ class DhRow(NamedTuple):
     """One row of a modified DH table: from the frame before to the frame of a joint.
 
     Attributes:
-        a_mm: Along the X axis before.
-        alpha_deg: About it.
-        d_mm: Along the joint's own axis.
-        theta_deg: About it, added to the joint's angle.
+        a_mm: The length along the X axis of the frame before.
+        alpha_deg: The turn about it.
+        d_mm: The length along the joint's own axis.
+        theta_deg: The turn about it, added to the joint's angle.
     """
 
     a_mm: float
@@ -34,30 +34,30 @@ class DhRow(NamedTuple):
 
 
 class Wrist(enum.Enum):
-    """How joints 4, 5 and 6 lie; the α and fixed θ of the DH table in degrees, joint 1 first."""
+    """The arrangement of joints 4–6: α and fixed θ of the DH table in degrees, joint 1 first."""
 
     SPHERICAL = ((0.0, -90.0, 0.0, 90.0, -90.0, 90.0), (0.0, None, None, 0.0, 0.0, 0.0))
-    """Their axes meet in one place, joint 4 turns about the forearm."""
+    """The axes meet in one place; joint 4 turns about the forearm."""
     PARALLEL = ((0.0, 90.0, 0.0, 0.0, -90.0, 90.0), (180.0, None, None, None, 90.0, 0.0))
     """Joint 4 is parallel to joints 2 and 3; the axes of joints 5 and 6 meet beyond it."""
 
 
 _A_OF: Final = {Wrist.SPHERICAL: {2, 3}, Wrist.PARALLEL: {2, 3, 4}}
 _D_OF: Final = {Wrist.SPHERICAL: {0, 3, 5}, Wrist.PARALLEL: {0, 5}}
-"""The rows whose a and d may differ from 0."""
+"""The DH rows whose a and d may differ from 0."""
 
 
 class GeometryError(ValueError):
-    """A DH table of an arm that no closed form here is for."""
+    """A DH table for which there is no closed form here."""
 
 
 class Geometry(NamedTuple):
-    """An arm's dimensions. Made by `from_dh`.
+    """An arm's dimensions, made by `from_dh`.
 
     Attributes:
         rows: The modified DH table, joint 1 first.
-        wrist: Of which kind the arm is.
-        base_mm: From the table to the shoulder, where the axes of joints 1 and 2 cross.
+        wrist: The kind of wrist.
+        base_mm: The height of the shoulder above the table, where the axes of joints 1 and 2 cross.
         upper_arm_mm: From the shoulder to the elbow.
         elbow_mm: The forearm's offset from the elbow, square to it in the arm's plane; 0 with a
             parallel wrist.
@@ -65,8 +65,8 @@ class Geometry(NamedTuple):
             the axis of joint 4.
         wrist_mm: From the axis of joint 4 to that of joint 5; 0 with a spherical wrist.
         hand_mm: From the wrist's centre, where the axes of joints 5 and 6 meet, to the flange.
-        plane_zeros_deg: What is added to joints 2, 3 and 4 to have the angles in the arm's plane,
-            as `forward` counts them; joint 4 of a spherical wrist turns about the forearm.
+        plane_zeros_deg: The degrees added to joints 2, 3 and 4 to get the angles in the arm's
+            plane, as `forward` counts them; joint 4 of a spherical wrist turns about the forearm.
     """
 
     rows: tuple[DhRow, ...]
@@ -84,10 +84,10 @@ class Geometry(NamedTuple):
         """Return the geometry of a DH table.
 
         Args:
-            rows: Six times a in mm, α in degrees, d in mm, θ offset in degrees.
+            rows: Six rows of a in mm, α in degrees, d in mm, θ offset in degrees.
 
         Raises:
-            GeometryError: The table is that of no arm of this family.
+            GeometryError: The table fits no arm of this family.
         """
         table = tuple(DhRow(*map(float, row)) for row in rows)
         wrist = _kind(table)
@@ -101,10 +101,10 @@ class Geometry(NamedTuple):
         return cls(table, wrist, d[0], a[2], *lengths, d[5], zeros)
 
     def with_zeros(self, shifts_deg: Sequence[float]) -> Geometry:
-        """The same arm whose joints have their zeros elsewhere.
+        """Return the same arm with other zeros of its joints.
 
         Args:
-            shifts_deg: What the θ offsets of the six joints are increased by.
+            shifts_deg: The degrees added to the θ offsets of the six joints.
         """
         return Geometry.from_dh(
             row._replace(theta_deg=row.theta_deg + shift)
@@ -113,7 +113,7 @@ class Geometry(NamedTuple):
 
     @property
     def elbow_to_wrist_mm(self) -> float:
-        """The straight line from the elbow to where the forearm ends."""
+        """The length of the straight line from the elbow to the end of the forearm."""
         return math.hypot(self.elbow_mm, self.forearm_mm)
 
 

@@ -14,27 +14,27 @@ from armui.kinematics.geometry import Geometry, Wrist
 from armui.kinematics.poses import Joints, Matrix, wrapped_deg
 
 FREE_DEG: Final = 2e-3
-"""A wrist so near to a singular pose leaves a joint free, which then stays where it is.
+"""A wrist this near to a singular pose leaves a joint free, which then keeps its angle.
 
-Two of the protocol's steps: a pose rounded to them must not turn the wrist about.
+This is two of the protocol's steps: rounding a pose to them must not turn the wrist round.
 """
 
 
 def solutions(
     geometry: Geometry, targets: Matrix, near_deg: Sequence[float] | None = None
 ) -> tuple[Matrix, Matrix]:
-    """Return all ways to bring the flange to each target, whatever the joints' limits.
+    """Return all solutions that bring the flange to each target, whatever the joints' limits.
 
     Args:
-        geometry: Of the arm.
+        geometry: The arm's geometry.
         targets: (…, 4, 4) transforms of the flange.
-        near_deg: Six angles: a joint that a wrist in a singular pose leaves free stays there, and
-            the two ways that are one there count once.
+        near_deg: Six angles: a joint that a singular pose of the wrist leaves free keeps its angle
+            there, and the two solutions that coincide there count once.
 
     Returns:
-        (…, 8, 6) angles in degrees in fixed places, NaN where there is no such way; a way keeps its
-        place along a continuous path. And (…) how far the wrist is from a singular pose, in the way
-        in which it is nearest: one nearer than `FREE_DEG` asks for `near_deg`.
+        (…, 8, 6) angles in degrees in fixed places, NaN for solutions that do not exist; a solution
+        keeps its place along a continuous path. Also (…) the wrist's distance from a singular pose
+        in degrees, in the solution nearest to one: below `FREE_DEG`, `near_deg` is needed.
     """
     if geometry.wrist is Wrist.PARALLEL:
         return parallel.solutions(geometry, targets, near_deg)
@@ -42,9 +42,9 @@ def solutions(
 
 
 def nearest_first(geometry: Geometry, target: Matrix, near_deg: Sequence[float]) -> list[Joints]:
-    """The ways to bring the flange to one target, those nearest to six angles first.
+    """Return the solutions that bring the flange to one target, those nearest to six angles first.
 
-    A joint that a wrist in a singular pose leaves free stays where it is in `near_deg`.
+    If a singular pose of the wrist leaves a joint free, the joint keeps its angle in `near_deg`.
     """
     found = solutions(geometry, target, near_deg)[0]
     ways: list[list[float]] = found[~np.isnan(found[:, 0])].tolist()
@@ -54,16 +54,16 @@ def nearest_first(geometry: Geometry, target: Matrix, near_deg: Sequence[float])
 def same_way(
     geometry: Geometry, here_deg: Matrix, joints: Joints, there_deg: Matrix
 ) -> Joints | None:
-    """Return where the joints come to at the end of a straight way that keeps to its branch.
+    """Return the joints at the end of a straight line that stays in its solution branch.
 
     Args:
-        geometry: Of the arm.
+        geometry: The arm's geometry.
         here_deg: (8, 6) the `solutions` at the start.
         joints: The joints there.
         there_deg: (8, 6) the `solutions` at the end.
 
     Returns:
-        The six angles, without a turn of the wrist more than needed; ``None`` where the way ends.
+        The six angles, without needless turns of the wrist; ``None`` if the branch ends before.
     """
     if geometry.wrist is Wrist.PARALLEL:
         ends = there_deg[_nearest(wrapped_deg(here_deg - np.array(joints)), 1)]
@@ -80,7 +80,7 @@ def same_way(
 
 
 def missing_mm(geometry: Geometry, target: Matrix) -> float:
-    """Return how far, in mm, the end of the forearm is out of reach for a target."""
+    """Return by how many mm the end of the forearm misses a target; 0 within its reach."""
     if geometry.wrist is Wrist.PARALLEL:
         return parallel.missing_mm(geometry, target)
     out, height, _ = wrist_centres(geometry, target)

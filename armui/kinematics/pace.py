@@ -1,7 +1,7 @@
-"""How fast a path may be followed: by joints and tool that are limited in speed and acceleration.
+"""The speeds at which paths may be followed when joints and tool have limits.
 
-Many paths at once, each over its own parameter; the simulated arm moves at this pace, and the host
-tells by it how long a line or an arc will take.
+Many paths are planned at once, each over its own parameter. The simulated arm moves at this pace,
+and the host computes with it how long a line or an arc will take.
 """
 
 from __future__ import annotations
@@ -19,17 +19,17 @@ from scipy.spatial.transform import Rotation
 Values = npt.NDArray[np.float64]
 
 FINER: Final = 4
-"""Limits are checked at this many places a step of the path."""
+"""The number of places in each step of the path at which limits are checked."""
 _BEND_SHARE: Final = 0.5
-"""Part of an acceleration limit that the path's bends may use up at full speed."""
+"""The part of an acceleration limit that the path's bends may use up at full speed."""
 
 
 @dataclass(frozen=True, slots=True)
 class Demand:
-    """What limited quantities want along the paths.
+    """The speeds and accelerations of limited quantities along the paths.
 
     Attributes:
-        rates: Their speeds at a speed of 1 along the path, (places, paths, quantities).
+        rates: The quantities' speeds at a speed of 1 along the path, (places, paths, quantities).
         bends: Their accelerations at that steady speed, of the same shape.
         speeds: The highest speeds, (quantities,).
         accelerations: The highest accelerations, (quantities,).
@@ -44,13 +44,13 @@ class Demand:
 def joint_demand(
     way: CubicSpline, places: Values, speeds: Sequence[float], accelerations: Sequence[float]
 ) -> Demand:
-    """Of the joints.
+    """Return the demand of the joints.
 
     Args:
-        way: Their angles in degrees over the path's parameter: (paths, 6) or (6,) at a place.
+        way: The joint angles in degrees over the path's parameter: (paths, 6) or (6,) at a place.
         places: (n,) values of the parameter.
-        speeds: Highest, in °/s.
-        accelerations: Highest, in °/s².
+        speeds: The highest speeds in °/s.
+        accelerations: The highest accelerations in °/s².
     """
     shape = (len(places), -1, len(speeds))
     return Demand(
@@ -62,7 +62,7 @@ def joint_demand(
 
 
 def tool_demand(poses: Values, places: Values, end_limits: Sequence[float]) -> Demand:
-    """Of the tool on one path.
+    """Return the demand of the tool on one path.
 
     Args:
         poses: (n, 4, 4) transforms of the flange, lengths in mm.
@@ -90,8 +90,8 @@ def pace(demands: Sequence[Demand]) -> tuple[Values, Values]:
     """Return the highest speed and acceleration along each path that keep every limit everywhere.
 
     Returns:
-        Two arrays, (paths,), in the paths' own parameters a second, and a second². Infinite where
-        nothing moves.
+        Two arrays, (paths,), in units of the paths' parameters per second and per second². Infinite
+        where nothing moves.
     """
     paths = demands[0].rates.shape[1]
     top_speed = np.full(paths, math.inf)

@@ -1,8 +1,8 @@
-"""The ways of an arm with a parallel wrist to bring its flange to a pose.
+"""The inverse kinematics of an arm with a parallel wrist.
 
-The centre of the wrist lies in the arm's plane, so it tells joint 1, in two ways. How the hand lies
-in that plane tells joint 5 and how the wrist lies in it, in two ways; joint 6 follows. What is left
-are two bars from the shoulder to the axis of joint 4, in two ways.
+The centre of the wrist lies in the arm's plane, so it gives two solutions for joint 1. The hand's
+orientation in that plane gives two solutions for joint 5 and the wrist's direction; joint 6
+follows. The rest are two bars from the shoulder to the axis of joint 4, again with two solutions.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from armui.kinematics.poses import Matrix, components, wrapped_deg
 
 WAYS: Final = 8
 SQUARE_DEG: Final = 2e-3
-"""With joint 5 nearer to ±90° than this, the wrist may as well lie in the plane as it does."""
+"""With joint 5 nearer to ±90° than this, the wrist may keep its direction in the plane."""
 
 _MIDDLES: Final = np.array(MIDDLES_DEG)
 
@@ -40,19 +40,19 @@ def joints_of(
     way: npt.NDArray[np.int64],
     near_deg: Sequence[float] | None = None,
 ) -> Matrix:
-    """Return the joints on one of the eight ways to each target.
+    """Return the joints of one of the eight solutions for each target.
 
     Args:
-        geometry: Of the arm.
+        geometry: The arm's geometry.
         targets: (…, 4, 4) transforms of the flange.
-        way: (…) which, 0–7: 4·(reaching back) + 2·(joint 5 beyond a right angle) + (elbow the other
-            way round). A way keeps its number along a continuous path.
-        near_deg: How the wrist lies where joint 5 is as good as ±90°, which then has one solution:
-            as at these six angles.
+        way: (…) the solution's number, 0–7: 4·(reaching back) + 2·(joint 5 beyond a right angle) +
+            (elbow the other way round). A solution keeps its number along a continuous path.
+        near_deg: Six angles: if joint 5 is practically ±90°, the wrist keeps its direction at these
+            angles, and the two solutions coincide.
 
     Returns:
-        (…, 6) angles in degrees within half a turn of the middles of the joints' ranges, NaN where
-        the way does not exist.
+        (…, 6) angles in degrees within half a turn of the middles of the joints' ranges, NaN for
+        solutions that do not exist.
     """
     back, rest = np.divmod(way, 4)
     beyond, elbow = np.divmod(rest, 2)
@@ -89,7 +89,7 @@ def joints_of(
 
 
 def square_deg(geometry: Geometry, targets: Matrix) -> Matrix:
-    """(…) how far joint 5 would be from ±90° at each target, in degrees."""
+    """Return (…) the distance of joint 5 from ±90° at each target, in degrees."""
     turn = wrist_centres(geometry, targets)[2]
     out, aside, up = _in_plane(turn, targets[..., :3, 2])
     off: Matrix = np.degrees(np.arctan2(np.hypot(out, up), np.abs(aside)))

@@ -1,4 +1,4 @@
-"""Poses as six figures and as transforms: put together, taken apart, moved and compared."""
+"""Poses as six values and as transforms: conversion, motion and comparison."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _Angle = TypeVar("_Angle", float, Matrix)
 class Pose(NamedTuple):
     """Position and orientation of the flange in the base frame.
 
-    R = Rz(rz)·Ry(ry)·Rx(rx), as the end pose feedback 0x2A2–0x2A4 has it.
+    R = Rz(rz)·Ry(ry)·Rx(rx), as in the end pose feedback 0x2A2–0x2A4.
     """
 
     x_mm: float
@@ -51,7 +51,7 @@ def pose_to_matrix(pose: Sequence[float] | Matrix) -> Matrix:
 
 
 def components(vectors: Matrix) -> list[Matrix]:
-    """Return the columns of (…, n): n times (…)."""
+    """Return the columns of (…, n) as n arrays (…)."""
     return [vectors[..., index] for index in range(vectors.shape[-1])]
 
 
@@ -61,7 +61,7 @@ def matrix_to_pose(matrix: Matrix) -> Pose:
 
 
 def rows_to_pose(rows: Sequence[float]) -> Pose:
-    """Return the pose of the twelve figures of a transform's upper three rows."""
+    """Return the pose of the twelve values in a transform's upper three rows."""
     xx, _, _, x, yx, yy, yz, y, zx, zy, zz, z = rows
     horizontal = math.hypot(xx, yx)
     ry = math.atan2(-zx, horizontal)
@@ -73,12 +73,12 @@ def rows_to_pose(rows: Sequence[float]) -> Pose:
 
 
 def wrapped_deg(angle_deg: _Angle) -> _Angle:
-    """The same angles within −180° to 180°."""
+    """Return the same angles within −180° to 180°."""
     return (angle_deg + 180.0) % 360.0 - 180.0
 
 
 def apart(one: Pose, other: Pose) -> tuple[float, float]:
-    """Return how far two poses are apart, in mm, and turned, in degrees."""
+    """Return the distance of two poses in mm, and the angle between them in degrees."""
     first, second = pose_to_matrix(np.array((one, other)))
     cosine = (float(np.trace(first[:3, :3].T @ second[:3, :3])) - 1.0) / 2.0
     turned_deg = math.degrees(math.acos(min(1.0, max(-1.0, cosine))))
@@ -92,18 +92,18 @@ def tool_matrix(flange: Matrix, tool: Sequence[float]) -> Matrix:
 
 
 def flange_matrix(tool_point: Matrix, tool: Sequence[float]) -> Matrix:
-    """Return where the flange must be for a tool centre point to be somewhere."""
+    """Return the flange's transform that brings the tool centre point to a transform."""
     result: Matrix = tool_point @ np.linalg.inv(pose_to_matrix(tool))
     return result
 
 
 def tool_pose(flange: Sequence[float], tool: Sequence[float]) -> Pose:
-    """Return the tool centre point's pose from the flange's and the tool's in it (mm, °)."""
+    """Return the tool centre point's pose, from the flange's and the tool's on it (mm, °)."""
     return matrix_to_pose(tool_matrix(pose_to_matrix(flange), tool))
 
 
 def flange_pose(tool_point: Sequence[float], tool: Sequence[float]) -> Pose:
-    """Return the flange's pose, from that of the tool centre point and the tool's in the flange."""
+    """Return the flange's pose, from the tool centre point's and the tool's on the flange."""
     return matrix_to_pose(flange_matrix(pose_to_matrix(tool_point), tool))
 
 
@@ -112,9 +112,9 @@ def shifted(tool_point: Matrix, axis: int, amount: float, frame: JogFrame) -> Ma
 
     Args:
         tool_point: 4×4 transform, lengths in mm.
-        axis: 0–2 along X, Y, Z; 3–5 about them. The point about which it turns is its own origin.
+        axis: 0–2 along X, Y, Z; 3–5 about them. It turns about its own origin.
         amount: In mm or degrees.
-        frame: Whose axes.
+        frame: The frame whose axes count.
     """
     step = pose_to_matrix([amount if each == axis else 0.0 for each in range(6)])
     moved: Matrix = tool_point @ step
@@ -131,10 +131,10 @@ def moved(
 
     Args:
         tool_point: 4×4 transform, lengths in mm.
-        way_mm: Along X, Y, Z.
-        turn_deg: A rotation vector: its direction is the axis, its length the angle. The point
-            about which it turns is the transform's own origin.
-        frame: Whose axes.
+        way_mm: The way along X, Y, Z.
+        turn_deg: A rotation vector: its direction is the axis, its length the angle. It turns about
+            its own origin.
+        frame: The frame whose axes count.
     """
     step = np.eye(4)
     step[:3, 3] = way_mm
@@ -147,7 +147,7 @@ def moved(
 
 
 def rotation(turn_deg: Sequence[float]) -> Matrix:
-    """Return the 3×3 rotation by a rotation vector in degrees."""
+    """Return the 3×3 matrix of a rotation vector in degrees."""
     vector = np.radians(np.asarray(turn_deg, dtype=np.float64))
     angle = float(np.linalg.norm(vector))
     if angle < 1e-12:

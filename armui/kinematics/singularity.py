@@ -1,7 +1,7 @@
-"""Singular poses: there joints turn fast for little motion of the flange, or not all are possible.
+"""Singular poses: joints turn fast there for little motion of the flange, or cannot follow it.
 
-The elbow is straight, or the wrist's centre above joint 1; or the wrist is straight, a spherical
-one, or joint 5 at ±90°, of a parallel one.
+In them the elbow is straight, or the wrist's centre is above joint 1; a spherical wrist is
+straight, or joint 5 of a parallel wrist is at ±90°.
 """
 
 from __future__ import annotations
@@ -18,22 +18,25 @@ from armui.kinematics.poses import Matrix
 _Figure = TypeVar("_Figure", float, Matrix)
 
 NEAR_SINGULAR: Final = 0.02
-"""Smallest singular value, m and rad a rad: a hand at 60 mm/s then asks a joint for its 3 rad/s."""
+"""A smallest singular value, in m and rad per rad: at it a hand moving at 60 mm/s needs a joint's 3
+rad/s.
+"""
 
 _FINE_STEP_MM: Final = 1.0
 _FINE_STEP_DEG: Final = 0.25
-"""A fine step of a tool path: so far, or the hand turned so far."""
+"""The length of a fine step of a tool path, or the turn of the hand in it."""
 _STEEPEST_DEG: Final = 5.0
-"""A joint that would turn further in a fine step of a path is at a singular pose."""
+"""A joint that turns further in a fine step of a path is at a singular pose."""
 JITTER_DEG: Final = 0.01
-"""But this much is rounding, in however short a step."""
+"""A turn up to this is rounding, in however short a step."""
 
 
 def jacobians(geometry: Geometry, joints_deg: Matrix) -> Matrix:
     """Return the Jacobian of the flange at (…, 6) joint angles.
 
     Returns:
-        (…, 6, 6): rows are its velocity in m/rad, then its angular velocity in rad/rad.
+        (…, 6, 6): the first three rows are its velocity in m/rad, the others its angular velocity
+        in rad/rad.
     """
     arm = plane_vectors(geometry, joints_deg)
     up, shoulder = (0.0, 0.0, 1.0), (0.0, 0.0, geometry.base_mm)
@@ -50,9 +53,9 @@ def jacobians(geometry: Geometry, joints_deg: Matrix) -> Matrix:
 
 
 def margins(geometry: Geometry, joints_deg: Matrix) -> Matrix:
-    """(…) how far (…, 6) joint angles are from a singular pose, 0 to 1, quick to work out.
+    """Return (…) a quick measure, 0 to 1, of how far (…, 6) joint angles are from singular poses.
 
-    Tells which of the poses of one path is nearest to a singular one; how near, the smallest
+    It finds the pose of a path that is nearest to a singular one; how near that is, the smallest
     singular value tells.
     """
     arm = plane_vectors(geometry, joints_deg)
@@ -67,38 +70,38 @@ def margins(geometry: Geometry, joints_deg: Matrix) -> Matrix:
 
 
 def smallest_singular_values(geometry: Geometry, joints_deg: Matrix) -> Matrix:
-    """(…) of the Jacobians at (…, 6) joint angles: 0 in a singular pose, some 0.1 in a good one.
+    """Return (…) that of the Jacobians at (…, 6) angles: 0 in a singular pose, 0.1 in a good one.
 
-    Its inverse is the most a joint turns for 1 m, or 1 rad, of the flange's way.
+    Its inverse is the most a joint turns for 1 m, or 1 rad, of the flange's motion.
     """
     values = np.linalg.svd(jacobians(geometry, joints_deg), compute_uv=False)
     return np.asarray(values[..., -1], dtype=np.float64)
 
 
 def fine_steps(length_mm: _Figure, angle_deg: _Figure) -> _Figure:
-    """Return how many fine steps tool paths have, from their lengths and the turns of the hand."""
+    """Return the number of fine steps of tool paths, from lengths and turns of the hand."""
     steps: _Figure = np.maximum(length_mm / _FINE_STEP_MM, angle_deg / _FINE_STEP_DEG)
     return steps
 
 
 def turns(joints_deg: Matrix) -> Matrix:
-    """(…, places − 1) how far the fastest joint turns from place to place of a path (…, places, 6).
+    """Return (…, places − 1) the turn of the fastest joint between places of paths (…, places, 6).
 
-    0 where the joints are not known.
+    It is in degrees, and 0 where the joints are not known.
     """
     fastest: Matrix = np.nan_to_num(np.abs(np.diff(joints_deg, axis=-2)).max(axis=-1))
     return fastest
 
 
 def leaps(joints_deg: Matrix, fine_steps: Matrix | float) -> npt.NDArray[np.bool_]:
-    """Tell whether a joint would turn too far from place to place of a path.
+    """Return whether a joint would turn too far from place to place of a path.
 
     Args:
         joints_deg: (…, places, 6) along paths.
-        fine_steps: How many fine steps lie between two places of each path.
+        fine_steps: The number of fine steps between two places of each path.
 
     Returns:
-        (…, places − 1)
+        (…, places − 1), true where a joint would turn too far.
     """
     most = _STEEPEST_DEG * np.asarray(fine_steps) + JITTER_DEG
     return np.asarray(turns(joints_deg) > most[..., None])

@@ -1,9 +1,10 @@
-"""The ways of an arm with a spherical wrist to bring its flange to a pose.
+"""The inverse kinematics of an arm with a spherical wrist.
 
-Joints 1–3 are two bars in a plane that joint 1 turns; they bring the wrist's centre to its place in
-up to four ways. Joints 4–6 then turn the hand, in two ways each: its orientation in the forearm is
-Rz(j4)·Ry(j5)·Rz(j6). All angles are arc tangents, so a stretched wrist (joint 5 at 0) loses no
-solution to rounding. There joints 4 and 6 turn about one axis and only their sum counts.
+Joints 1–3 are two bars in a plane that joint 1 turns; they bring the wrist's centre to its place
+with up to four solutions. Joints 4–6 then turn the hand, with two solutions each: its orientation
+in the forearm is Rz(j4)·Ry(j5)·Rz(j6). All angles are arc tangents, so a stretched wrist (joint 5
+at 0) loses no solution to rounding. There joints 4 and 6 turn about one axis, and only their sum
+counts.
 """
 
 from __future__ import annotations
@@ -20,14 +21,14 @@ from armui.kinematics.geometry import MIDDLES_DEG, Geometry
 from armui.kinematics.poses import Matrix, wrapped_deg
 
 STRETCHED_DEG: Final = 2e-3
-"""With joint 5 nearer to 0 than this, joint 4 may as well stay where it is.
+"""With joint 5 nearer to 0 than this, joint 4 may keep its angle.
 
-Two of the protocol's steps: a stretched wrist, rounded to them, must not turn about.
+This is two of the protocol's steps: rounding to them must not turn a stretched wrist round.
 """
 
 
 def bent_wrist(hands: Matrix) -> Matrix:
-    """Return both ways to bend the wrist.
+    """Return both solutions of the wrist.
 
     Args:
         hands: (…, 3, 3) orientations of the hand in the forearm.
@@ -44,14 +45,14 @@ def bent_wrist(hands: Matrix) -> Matrix:
 
 
 def bend_deg(hands: Matrix) -> Matrix:
-    """Return how far the wrist is bent, joint 5 without its sign, in degrees; (…) for (…, 3, 3)."""
+    """Return the wrist's bend in degrees, joint 5 without its sign; (…) for (…, 3, 3)."""
     aside = np.hypot(hands[..., 0, 2], hands[..., 1, 2])
     bend: Matrix = np.degrees(np.arctan2(aside, hands[..., 2, 2]))
     return bend
 
 
 def continued(angles_deg: Sequence[float], before_deg: Sequence[float]) -> list[float]:
-    """The same angles without a turn more than needed from those before."""
+    """Return the same angles, each within half a turn of the one before."""
     return [
         before + wrapped_deg(angle - before)
         for angle, before in zip(angles_deg, before_deg, strict=True)
@@ -59,14 +60,14 @@ def continued(angles_deg: Sequence[float], before_deg: Sequence[float]) -> list[
 
 
 def stretched_wrist(hands: Matrix, joint_4_deg: float) -> Matrix:
-    """Joints 4–6 of a wrist as good as stretched when joint 4 stays where it is.
+    """Return joints 4–6 of a practically stretched wrist when joint 4 keeps its angle.
 
-    Exact when the hand's axis lies in the plane joint 4 leaves it; off by at most the bend of the
-    wrist otherwise.
+    The result is exact if the hand's axis lies in the plane that joint 4 allows; otherwise it is
+    off by at most the bend of the wrist.
 
     Args:
         hands: (…, 3, 3) orientations of the hand in the forearm.
-        joint_4_deg: Where joint 4 stays.
+        joint_4_deg: The angle joint 4 keeps.
 
     Returns:
         (…, 3) in degrees.
@@ -81,7 +82,7 @@ def stretched_wrist(hands: Matrix, joint_4_deg: float) -> Matrix:
 
 
 WAYS: Final = 4
-"""Ways to bring the wrist's centre to a place: reaching ahead or back, the elbow up or down."""
+"""The number of solutions for the wrist's centre: reaching ahead or back, the elbow up or down."""
 
 _ARM: Final = np.array(MIDDLES_DEG[:3])
 
@@ -89,17 +90,18 @@ _ARM: Final = np.array(MIDDLES_DEG[:3])
 def arm_joints(
     geometry: Geometry, targets: Matrix, way: npt.NDArray[np.int64] | int | None = None
 ) -> Matrix:
-    """Joints 1–3 of ways to bring the wrist's centre where each target wants it.
+    """Return joints 1–3 that bring the wrist's centre to where each target needs it.
 
     Args:
-        geometry: Of the arm.
+        geometry: The arm's geometry.
         targets: (…, 4, 4) transforms of the flange.
-        way: Which, 0–3: 2·(reaching back) + (elbow the other way round); (…), or one for all.
+        way: The solution's number, 0–3: 2·(reaching back) + (elbow the other way round); (…), or
+            one for all.
 
     Returns:
-        (…, 3) angles in degrees within half a turn of the middles of the joints' ranges, NaN
-        where the way does not exist; (…, 4, 3) of all ways if none is named. A way keeps its
-        number along a continuous path.
+        (…, 3) angles in degrees within half a turn of the middles of the joints' ranges, NaN for a
+        solution that does not exist; (…, 4, 3) of all solutions if no number is given. A solution
+        keeps its number along a continuous path.
     """
     if way is None:
         targets, way = targets[..., None, :, :], np.arange(WAYS)
@@ -119,10 +121,10 @@ def arm_joints(
 
 
 def hand_orientations(geometry: Geometry, arms_deg: Matrix, targets: Matrix) -> Matrix:
-    """(…, 3, 3) how the hand must lie in the forearm, for the wrist's joints.
+    """Return (…, 3, 3) the hand's orientation in the forearm that each target needs.
 
     Args:
-        geometry: Of the arm.
+        geometry: The arm's geometry.
         arms_deg: (…, 3) joints 1–3.
         targets: (…, 4, 4) transforms of the flange.
     """

@@ -1,6 +1,7 @@
-"""Where the tool goes: straight lines and arcs of the flange.
+"""Paths of the tool: straight lines and arcs of the flange.
 
-Geometry without time; the simulated arm moves by it, and the host checks by it before it sends.
+These are geometry without time; the simulated arm moves along them, and the host checks them before
+it sends.
 """
 
 from __future__ import annotations
@@ -15,25 +16,25 @@ from scipy.spatial.transform import Rotation, RotationSpline
 from armui.kinematics.poses import Matrix
 
 _SMALLEST_TRIANGLE: Final = 1e-4
-"""Sine of the angle at an arc's start under which its three points lie on a line."""
+"""The sine of the angle at an arc's start below which its three points count as a line."""
 
 Shares = npt.NDArray[np.float64]
-"""(n,) parts of the way, 0 at the start and 1 at the end."""
+"""(n,) parts of the path, 0 at the start and 1 at the end."""
 
 
 class ToolPath(Protocol):
-    """A way of the flange.
+    """A path of the flange.
 
     Attributes:
-        length_mm: Of the way.
-        angle_deg: How much the hand turns on it.
+        length_mm: The length of the path.
+        angle_deg: The angle by which the hand turns on it.
     """
 
     length_mm: float
     angle_deg: float
 
     def poses(self, shares: Shares) -> Matrix:
-        """(n, 4, 4) transforms at parts of the way."""
+        """Return (n, 4, 4) transforms at parts of the path."""
         ...
 
 
@@ -42,7 +43,7 @@ class ArcError(ValueError):
 
 
 class Line:
-    """Straight, with the hand turning evenly about one axis."""
+    """A straight line, with the hand turning evenly about one axis."""
 
     def __init__(self, start: Matrix, end: Matrix) -> None:
         self._lines = StraightLines(start[None], end[None])
@@ -50,16 +51,16 @@ class Line:
         self.angle_deg = float(self._lines.angles_deg[0])
 
     def poses(self, shares: Shares) -> Matrix:
-        """(n, 4, 4) transforms at parts of the way."""
+        """Return (n, 4, 4) transforms at parts of the path."""
         poses: Matrix = self._lines.poses(shares)[0]
         return poses
 
 
 class StraightLines:
-    """Many lines at once.
+    """Many straight lines at once.
 
     Attributes:
-        lengths_mm, angles_deg: (m,) of the ways.
+        lengths_mm, angles_deg: (m,) lengths of the paths, and turns of the hand.
     """
 
     def __init__(self, starts: Matrix, ends: Matrix) -> None:
@@ -71,7 +72,7 @@ class StraightLines:
         self.angles_deg: Matrix = np.degrees(np.linalg.norm(self._turns_rad, axis=1))
 
     def poses(self, shares: Shares) -> Matrix:
-        """(m, n, 4, 4) transforms at parts of the ways."""
+        """Return (m, n, 4, 4) transforms at parts of the paths."""
         starts = self._starts[:, None]
         turns = (self._turns_rad[:, None] * shares[:, None]).reshape(-1, 3)
         turned_by = Rotation.from_rotvec(turns).as_matrix().reshape(len(starts), -1, 3, 3)
@@ -80,12 +81,12 @@ class StraightLines:
 
 
 class Arc:
-    """The circle through three points, from the first over the second to the third.
+    """An arc of the circle through three points, from the first over the second to the third.
 
     The hand turns smoothly through its three orientations.
 
     Raises:
-        ArcError: The points lie on a line or upon one another.
+        ArcError: The points lie on a line or coincide.
     """
 
     def __init__(self, start: Matrix, middle: Matrix, end: Matrix) -> None:
@@ -109,7 +110,7 @@ class Arc:
         self.angle_deg = math.degrees(sum(float(leg.magnitude()) for leg in legs))
 
     def poses(self, shares: Shares) -> Matrix:
-        """(n, 4, 4) transforms at parts of the way."""
+        """Return (n, 4, 4) transforms at parts of the path."""
         angles = (shares * self._angle_rad)[:, None]
         places = self._centre_mm + np.cos(angles) * self._ahead + np.sin(angles) * self._aside
         return _transforms(places, self._turn(shares).as_matrix())

@@ -1,1 +1,1 @@
-"""What the bytes on the bus mean, in both generations of the protocol; no Qt, no bus. Pure."""
+"""The meaning of the bytes on the bus, in both generations of the protocol; no Qt, no bus. Pure."""

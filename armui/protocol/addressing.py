@@ -1,11 +1,11 @@
-"""The identifier offsets an arm can be given with 0x470, so that two arms share one bus."""
+"""The identifier offsets that 0x470 gives an arm, so that two arms can share one bus."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 OFFSETS = (0x00, 0x10, 0x20)
-"""What the protocol allows: 0x10 moves 0x2Ax to 0x2Bx and 0x15x to 0x16x, 0x20 one further."""
+"""The legal offsets: 0x10 moves 0x2Ax to 0x2Bx and 0x15x to 0x16x, 0x20 one further."""
 
 _FEEDBACK = range(0x2A1, 0x2A9)
 _CONTROL = range(0x150, 0x160)
@@ -37,7 +37,7 @@ class Addressing:
                 )
 
     def to_wire(self, arbitration_id: int) -> int:
-        """The identifier on the bus for one of the protocol's tables."""
+        """Return the identifier on the bus for one of the protocol's tables."""
         if arbitration_id in _FEEDBACK:
             return arbitration_id + self.feedback_offset
         if arbitration_id in _CONTROL:
@@ -45,7 +45,7 @@ class Addressing:
         return arbitration_id
 
     def on_every_offset(self, arbitration_id: int) -> tuple[int, ...]:
-        """A motion command's identifier on the bus under each offset there is, one's own first."""
+        """Return a motion command's identifiers on the bus for all offsets, the arm's own first."""
         base = self.from_wire(arbitration_id)
         if base is None or base not in _CONTROL:
             return (arbitration_id,)
@@ -53,7 +53,7 @@ class Addressing:
         return (arbitration_id, *others)
 
     def from_wire(self, arbitration_id: int) -> int | None:
-        """The identifier in the protocol's tables for one seen on the bus.
+        """Return the identifier in the protocol's tables for one seen on the bus.
 
         Returns:
             The identifier without its offset, or None when it belongs to another arm: one of the

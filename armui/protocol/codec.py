@@ -1,4 +1,4 @@
-"""Frames to named signals in physical units, and back; what cannot be said is refused in words."""
+"""Decodes frames to named signals in physical units, and encodes them, refusing wrong values."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 _JOINT = "Joint"
-"""The signal that tells which joint a message speaks of."""
+"""The signal that holds the joint number of a message."""
 
 _UPGRADE_RANGES = (
     range(0x0A0, 0x0B0),
@@ -31,7 +31,7 @@ _UPGRADE_RANGES = (
     range(0x4B0, 0x4C0),
     range(0x4C0, 0x4D0),
 )
-"""Identifiers kept for firmware upgrades; their content is not documented."""
+"""Identifiers reserved for firmware upgrades; their content is not documented."""
 
 
 class Message(NamedTuple):
@@ -47,7 +47,7 @@ class Message(NamedTuple):
 
 
 class InvalidFrameKind(enum.Enum):
-    """What is odd about a frame."""
+    """The ways in which a frame can be invalid."""
 
     UNKNOWN_ID = "unknown identifier"
     WRONG_LENGTH = "wrong length"
@@ -58,12 +58,12 @@ class InvalidFrame(NamedTuple):
     """A frame that does not follow the protocol; to be counted, never fatal.
 
     Attributes:
-        kind: What is odd.
+        kind: The kind of error.
         arbitration_id: The identifier as seen on the wire.
         detail: One sentence for the log.
-        message: What the frame says nevertheless, where only a value is odd (a newer firmware may
-            know codes that the tables don't); None where it cannot be read, or speaks of a joint
-            that no arm has.
+        message: The decoded content, if only a value is invalid (a newer firmware may use codes
+            that the tables lack); None if the frame cannot be decoded, or names a joint that no arm
+            has.
     """
 
     kind: InvalidFrameKind
@@ -73,11 +73,11 @@ class InvalidFrame(NamedTuple):
 
 
 _STEP_NOISE = 1e-6
-"""Part of a raw step by which a value may pass the end of a range: noise of the scaling."""
+"""The part of a raw step by which rounding noise may carry a value past the end of a range."""
 
 
 def raw_value(layout: MessageLayout, signal: SignalLayout, value: float | None) -> int:
-    """Raw value of a physical one, rounded to the nearest raw step.
+    """Return the raw value of a physical one, rounded to the nearest raw step.
 
     Args:
         layout: The message, for the error's text.
@@ -85,8 +85,8 @@ def raw_value(layout: MessageLayout, signal: SignalLayout, value: float | None) 
         value: In the signal's unit; None for "leave unchanged".
 
     Raises:
-        EncodeError: Out of range, not finite, outside the table, a fraction where only whole
-            numbers mean something, or None where nothing can be left unchanged.
+        EncodeError: The value is out of range, not finite, outside the table, a fraction where only
+            whole numbers are legal, or None where nothing can be left unchanged.
     """
     if value is None:
         if signal.unchanged_raw is None:
@@ -110,10 +110,10 @@ def raw_value(layout: MessageLayout, signal: SignalLayout, value: float | None) 
 
 
 def neutral_value(layout: MessageLayout, signal: SignalLayout) -> int:
-    """Raw value of a signal nobody gave: "leave unchanged" where the protocol has it, else 0.
+    """Return the raw value of a signal left out: "leave unchanged" if there is one, else 0.
 
     Raises:
-        EncodeError: 0 means nothing for this signal, so it must be given.
+        EncodeError: 0 is not legal for this signal, so it must be given.
     """
     if signal.unchanged_raw is not None:
         return signal.unchanged_raw
@@ -124,10 +124,10 @@ def neutral_value(layout: MessageLayout, signal: SignalLayout) -> int:
 
 
 def chosen_variant(layout: MessageLayout, signals: Mapping[str, float | None]) -> MessageLayout:
-    """The message as its selector, given or neutral, has it.
+    """Return the message's variant for its selector, which is given or neutral.
 
     Raises:
-        EncodeError: The selector is wrong, or it leaves no room for one of the signals.
+        EncodeError: The selector's value is illegal, or the variant lacks one of the signals.
     """
     selector = layout.selector
     if selector is None:
@@ -153,7 +153,7 @@ def chosen_variant(layout: MessageLayout, signals: Mapping[str, float | None]) -
 
 
 def unknown_signal(layout: MessageLayout, signal: str) -> EncodeError:
-    """The error for a signal the message does not have in this generation."""
+    """Return the error for a signal that the message does not have in this generation."""
     return EncodeError(
         f"{layout.name} has no signal {signal} in this generation; it has {listed(layout.signals)}",
         message=layout.name,
@@ -162,7 +162,7 @@ def unknown_signal(layout: MessageLayout, signal: str) -> EncodeError:
 
 
 def allowed(signal: SignalLayout) -> str:
-    """What a signal may be, in words: its range, its codes or both."""
+    """Return the legal values of a signal as text: its range, its codes or both."""
     words = listed(
         f"{number(signal.to_physical(raw), signal)} ({word})"
         for raw, word in sorted(signal.words.items())
@@ -173,7 +173,7 @@ def allowed(signal: SignalLayout) -> str:
 
 
 def number(value: object, signal: SignalLayout) -> str:
-    """A physical value with its unit, as messages print it."""
+    """Return a physical value with its unit, as error messages print it."""
     try:
         text = f"{value:.10g}" if isinstance(value, int | float) else repr(value)
     except OverflowError:
@@ -182,7 +182,7 @@ def number(value: object, signal: SignalLayout) -> str:
 
 
 def listed(items: Iterable[str]) -> str:
-    """Items as messages list them."""
+    """Return items as error messages list them."""
     return ", ".join(items)
 
 
@@ -211,15 +211,15 @@ def _refused(
 
 
 class Codec:
-    """Speaks one generation of the protocol with one arm's identifier offsets.
+    """Encodes and decodes one generation of the protocol with one arm's identifier offsets.
 
-    What was said before changes nothing; one codec may be used from several threads.
+    It keeps no state between frames; several threads may use one codec.
 
     Attributes:
-        generation: The protocol spoken.
+        generation: The generation of the protocol.
         addressing: The identifier offsets of the arm.
-        firmware: The arm's version, which says how its MIT frames are laid out; ``None``: not
-            known, they are taken for those of the version that the maker recommends.
+        firmware: The arm's version, which decides the layout of its MIT frames; ``None`` if not
+            known: that of the version recommended by the maker is assumed.
         layouts: Every message by its identifier on the wire.
     """
 
@@ -239,14 +239,14 @@ class Codec:
 
     @property
     def quirks(self) -> FirmwareQuirks:
-        """What the firmware does; that of the recommended version where it is not known."""
+        """The firmware's quirks; those of the recommended version if it is not known."""
         return quirks_of(self.firmware or RECOMMENDED)
 
     def decode(self, frame: Frame) -> Message | InvalidFrame:
-        """What a frame says; who reads it leaves it as it is.
+        """Return the content of a frame; callers must not change it.
 
-        Never raises, whatever the frame holds: it runs on the thread that owns the bus. An arm
-        repeats most of what it says, and the same bytes say the same: they are decoded once.
+        Never raises, whatever the frame holds: it runs on the thread that owns the bus. Results are
+        cached, because an arm repeats most of its frames.
         """
         latest = self._latest.get(frame.arbitration_id)
         if latest is not None and latest[0] == frame.data:
@@ -259,7 +259,7 @@ class Codec:
         return heard
 
     def encode(self, name: str, **signals: float | None) -> Frame:
-        """The frame that says this.
+        """Return the frame of a message with these signals.
 
         Args:
             name: The message's name.
@@ -270,9 +270,9 @@ class Codec:
             The frame, with the arm's identifier offsets applied.
 
         Raises:
-            EncodeError: Unknown message or signal, a value out of range, not finite or outside its
-                table, a signal left out that has no neutral value, None where nothing can be left
-                unchanged, a signal that another one says is not there.
+            EncodeError: The message or a signal is unknown, a value is out of range, not finite or
+                outside its table, a signal without neutral value is missing, None is given where
+                nothing can be left unchanged, or the selector excludes a signal.
         """
         layout = self._message(name)
         if not signals.keys() <= layout.signals.keys():
@@ -288,9 +288,9 @@ class Codec:
         return Frame(self.addressing.to_wire(layout.arbitration_id), layout.pack(raw))
 
     def is_exact(self, frame: Frame) -> bool:
-        """Whether this generation itself would send the frame so: its length, no reserved bit set.
+        """Return whether this generation sends the frame so: its length, no reserved bit set.
 
-        Decoding is more generous; this is what tells the generations apart in a log.
+        Decoding is more tolerant; this check tells the generations apart in a log.
         """
         layout = self.layouts.get(frame.arbitration_id)
         return (
@@ -301,11 +301,11 @@ class Codec:
         )
 
     def layout(self, arbitration_id: int) -> MessageLayout | None:
-        """The message with an identifier on the wire, None when it is not in the tables."""
+        """Return the message with an identifier on the wire, or None if the tables lack it."""
         return self.layouts.get(arbitration_id)
 
     def signals(self, message: str) -> tuple[str, ...]:
-        """Names of a message's signals in the order of bytes and, within a byte, of bits.
+        """Return the names of a message's signals in the order of bytes and, in a byte, of bits.
 
         Raises:
             EncodeError: No such message in this generation.
@@ -313,7 +313,7 @@ class Codec:
         return tuple(self._message(message).signals)
 
     def may_lack(self, message: str, signal: str) -> bool:
-        """Whether a frame of the message may hold something else in a signal's place.
+        """Return whether a frame of the message may hold another signal in this one's place.
 
         Raises:
             EncodeError: No such message or signal in this generation.
@@ -321,7 +321,7 @@ class Codec:
         return self._signal(message, signal).selection is not None
 
     def unit(self, message: str, signal: str) -> str:
-        """Unit of a signal, "" for bare numbers and codes.
+        """Return the unit of a signal, "" for bare numbers and codes.
 
         Raises:
             EncodeError: No such message or signal in this generation.
@@ -329,7 +329,7 @@ class Codec:
         return self._signal(message, signal).unit
 
     def step(self, message: str, signal: str) -> float:
-        """The smallest difference a signal can carry, in its unit.
+        """Return the smallest difference a signal can carry, in its unit.
 
         Raises:
             EncodeError: No such message or signal in this generation.
@@ -337,7 +337,7 @@ class Codec:
         return self._signal(message, signal).scale
 
     def can_leave(self, message: str, signal: str) -> bool:
-        """Whether ``None`` may be encoded: leave the arm's own value (0x7FFF, generation 2).
+        """Return whether ``None`` may be encoded: keep the arm's value (0x7FFF, generation 2).
 
         Raises:
             EncodeError: No such message or signal in this generation.
@@ -345,7 +345,7 @@ class Codec:
         return self._signal(message, signal).unchanged_raw is not None
 
     def word(self, message: str, signal: str, value: float) -> str | None:
-        """The value table's word for a physical value, None when it has none.
+        """Return the value table's word for a physical value, or None if it has none.
 
         Raises:
             EncodeError: No such message or signal in this generation.
@@ -354,9 +354,9 @@ class Codec:
         return layout.words.get(round(layout.to_steps(value))) if layout.words else None
 
     def code(self, message: str, signal: str, word: str) -> int:
-        """The code that the value table gives a word.
+        """Return the code of a word in the value table.
 
-        With it, codes that differ between the generations stay in the files.
+        Codes that differ between the generations are thus kept in the files only.
 
         Raises:
             EncodeError: No such message, signal or word in this generation.

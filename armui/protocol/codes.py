@@ -13,7 +13,7 @@ from typing import Final
 
 
 class ControlMode(enum.IntEnum):
-    """Who commands the arm: 0x2A1 byte 0; a host may ask for 0–4 and 7 with 0x151 byte 0."""
+    """The source of commands: 0x2A1 byte 0; a host may request 0–4 and 7 with 0x151 byte 0."""
 
     STANDBY = 0x00
     CAN_CONTROL = 0x01
@@ -26,7 +26,7 @@ class ControlMode(enum.IntEnum):
 
 
 class ArmStatusCode(enum.IntEnum):
-    """What is wrong or going on: 0x2A1 byte 1."""
+    """The arm's state or fault: 0x2A1 byte 1."""
 
     NORMAL = 0x00
     EMERGENCY_STOP = 0x01
@@ -47,7 +47,7 @@ class ArmStatusCode(enum.IntEnum):
 
 
 class MoveMode(enum.IntEnum):
-    """Kind of motion: 0x151 byte 1 and 0x2A1 byte 2."""
+    """The kind of motion: 0x151 byte 1 and 0x2A1 byte 2."""
 
     MOVE_P = 0x00
     MOVE_J = 0x01
@@ -72,14 +72,14 @@ class TeachingState(enum.IntEnum):
 
 
 class MotionState(enum.IntEnum):
-    """Whether the target is reached: 0x2A1 byte 4."""
+    """The arrival at the target: 0x2A1 byte 4."""
 
     REACHED = 0x00
     NOT_REACHED = 0x01
 
 
 class StopCommand(enum.IntEnum):
-    """0x150 byte 0."""
+    """Emergency stop and resume: 0x150 byte 0."""
 
     NO_ACTION = 0x00
     EMERGENCY_STOP = 0x01
@@ -87,7 +87,7 @@ class StopCommand(enum.IntEnum):
 
 
 class TrajectoryCommand(enum.IntEnum):
-    """0x150 byte 1."""
+    """The commands to trajectories: 0x150 byte 1."""
 
     OFF = 0x00
     PAUSE = 0x01
@@ -101,14 +101,14 @@ class TrajectoryCommand(enum.IntEnum):
 
 
 class MitMode(enum.IntEnum):
-    """0x151 byte 3, generation 2."""
+    """The control loop, position-velocity or MIT: 0x151 byte 3, generation 2."""
 
     POSITION_VELOCITY = 0x00
     MIT = 0xAD
 
 
 class Mounting(enum.IntEnum):
-    """How the arm is mounted: 0x151 byte 5, generation 2."""
+    """The mounting of the arm: 0x151 byte 5, generation 2."""
 
     UNCHANGED = 0x00
     LEVEL = 0x01
@@ -118,7 +118,7 @@ class Mounting(enum.IntEnum):
 
 
 class ArcPointNumber(enum.IntEnum):
-    """Which point of the arc a pose is: 0x158."""
+    """The role of a pose in an arc: 0x158."""
 
     NONE = 0x00
     START = 0x01
@@ -127,7 +127,7 @@ class ArcPointNumber(enum.IntEnum):
 
 
 class SilenceMode(enum.IntEnum):
-    """0x422."""
+    """Silence on the bus for a firmware upgrade: 0x422."""
 
     LEAVE_SILENCE = 0x00
     SILENCE_FOR_CONTROLLER_UPGRADE = 0x01
@@ -135,7 +135,7 @@ class SilenceMode(enum.IntEnum):
 
 
 class LinkageRole(enum.IntEnum):
-    """0x470 byte 0."""
+    """The arm as teaching input or motion output: 0x470 byte 0."""
 
     UNCHANGED = 0x00
     TEACHING_INPUT = 0xFA
@@ -143,21 +143,21 @@ class LinkageRole(enum.IntEnum):
 
 
 class MotorAction(enum.IntEnum):
-    """0x471 byte 1."""
+    """Enabling and disabling motors: 0x471 byte 1."""
 
     DISABLE = 0x01
     ENABLE = 0x02
 
 
 class LimitQuery(enum.IntEnum):
-    """0x472 byte 1."""
+    """The limits asked for: 0x472 byte 1."""
 
     ANGLE_AND_SPEED_LIMITS = 0x01
     ACCELERATION_LIMIT = 0x02
 
 
 class ParameterQuery(enum.IntEnum):
-    """0x477 byte 0."""
+    """The parameters asked for: 0x477 byte 0."""
 
     NONE = 0x00
     END_LIMITS = 0x01
@@ -168,7 +168,7 @@ class ParameterQuery(enum.IntEnum):
 
 
 class FactoryReset(enum.IntEnum):
-    """0x477 byte 1."""
+    """The parameters to be reset: 0x477 byte 1."""
 
     NONE = 0x00
     END_LIMITS_TO_FACTORY = 0x01
@@ -176,7 +176,7 @@ class FactoryReset(enum.IntEnum):
 
 
 class EndLoad(enum.IntEnum):
-    """0x477 byte 4."""
+    """The load at the end of the arm: 0x477 byte 4."""
 
     EMPTY = 0x00
     HALF = 0x01
@@ -185,7 +185,7 @@ class EndLoad(enum.IntEnum):
 
 
 class SettingIndex(enum.IntEnum):
-    """Which setting 0x476 answers: the low byte of its identifier."""
+    """The setting that 0x476 answers: the low byte of its identifier."""
 
     MOTION_COMMAND = 0x50
     LINKAGE_SETTING = 0x70
@@ -201,14 +201,17 @@ class SettingIndex(enum.IntEnum):
 
 
 class GripperMeasure(enum.IntEnum):
-    """What bytes 0–3 of 0x159 and 0x2A8 are: 0x159 byte 6 bit 2, 0x2A8 byte 7; from S-V1.8-8."""
+    """The meaning of bytes 0–3 of 0x159 and 0x2A8: an opening or an angle; from S-V1.8-8.
+
+    It is told by bit 2 of 0x159 byte 6, and by 0x2A8 byte 7.
+    """
 
     OPENING = 0x00
     ANGLE = 0x01
 
 
 class CpvAction(enum.IntEnum):
-    """0x181–0x187 byte 0, generation 2."""
+    """Reading or writing a value in CPV: 0x181–0x187 byte 0, generation 2."""
 
     ANSWER = 0x61
     READ = 0x72
@@ -216,7 +219,7 @@ class CpvAction(enum.IntEnum):
 
 
 class CpvKind(enum.IntEnum):
-    """0x181–0x187 bytes 1–2, two letters; generation 2."""
+    """The value in a CPV frame: 0x181–0x187 bytes 1–2, two letters; generation 2."""
 
     ACCELERATION = 0x6163
     DECELERATION = 0x6463
@@ -230,7 +233,7 @@ class CpvKind(enum.IntEnum):
 
 
 class LeaderZero(enum.IntEnum):
-    """0x191 bytes 0–2, generation 2, from S-V1.7-4."""
+    """The commands to a leader arm: 0x191 bytes 0–2, generation 2, from S-V1.7-4."""
 
     LEADER_AND_FOLLOWER = 0x010000
     BOTH_TO_ZERO = 0x010001
@@ -238,10 +241,10 @@ class LeaderZero(enum.IntEnum):
 
 
 VALID = 0xAE
-"""Makes a field of 0x159, 0x475 or 0x477 take effect."""
+"""The value that makes a field of 0x159, 0x475 or 0x477 take effect."""
 
 MOVE_UNCHANGED = 0xFF
-"""0x151 byte 1: keep the kind of motion; generation 2."""
+"""The value of 0x151 byte 1 that keeps the kind of motion; generation 2."""
 
 ALL_JOINTS = 7
 """The joint number that means every joint in 0x471 and 0x475."""
@@ -258,4 +261,4 @@ DEGREES_PER: Final[Mapping[str, float]] = {
     "rpm/s": 6.0,
     "rad/s^2": math.degrees(1.0),
 }
-"""Degrees (per second, per second squared) in one of the units of the DBC files."""
+"""Degrees (per second, per second squared) in one unit of the DBC files."""

@@ -1,10 +1,10 @@
-"""What a host can say to the arm: one function a command.
+"""The commands of a host to the arm, one function for each.
 
 Each takes the codec first and physical units after it (degrees and millimetres; any other unit is
 in the name), and returns the frames in sending order. All raise `EncodeError` for a value the
-protocol cannot carry and for a command the generation does not have; whether the arm can do what is
-asked is not theirs to judge. No window offers the commands to the motor drivers, MIT and CPV, which
-stand at the end.
+protocol cannot carry and for a command the generation does not have; they do not check whether the
+arm can do it. The commands to the motor drivers, MIT and CPV, are at the end; no window offers
+them.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ def _exactly(
 
 
 def emergency_stop(codec: Codec) -> list[Frame]:
-    """All motors go limp under damping; the arm sinks slowly (0x150)."""
+    """Stops the arm: all motors go limp under damping, and it sinks slowly (0x150)."""
     return [codec.encode("MotionCommand", EmergencyStop=StopCommand.EMERGENCY_STOP)]
 
 
@@ -112,7 +112,7 @@ def set_mode(
     dwell_s: float = 0,
     mounting: Mounting = Mounting.UNCHANGED,
 ) -> list[Frame]:
-    """Control mode, kind of motion and speed (0x151).
+    """Sets control mode, kind of motion and speed (0x151).
 
     Args:
         codec: The arm's codec.
@@ -136,7 +136,7 @@ def set_mode(
 
 
 def joint_target(codec: Codec, joints_deg: Sequence[float]) -> list[Frame]:
-    """Target angles of joints 1–6, without starting the motion (0x155–0x157)."""
+    """Sends target angles of joints 1–6 in degrees, without starting the motion (0x155–0x157)."""
     j1, j2, j3, j4, j5, j6 = _exactly("JointTarget12", joints_deg, 6, "joint angles", "deg")
     return [
         codec.encode("JointTarget12", J1=j1, J2=j2),
@@ -146,7 +146,7 @@ def joint_target(codec: Codec, joints_deg: Sequence[float]) -> list[Frame]:
 
 
 def cartesian_target(codec: Codec, pose: Sequence[float]) -> list[Frame]:
-    """Target of the flange, without starting the motion (0x152–0x154).
+    """Sends a target of the flange, without starting the motion (0x152–0x154).
 
     Args:
         codec: The arm's codec.
@@ -270,15 +270,15 @@ _JOINTS = tuple(f"J{joint}" for joint in range(1, 7))
 def set_parameters(
     codec: Codec, message: str, values: Mapping[str, float | None], joint: int = ALL_JOINTS
 ) -> list[Frame]:
-    """Sets what one frame carries of the values an arm keeps (0x474, 0x475, 0x479, 0x47A, 0x47D).
+    """Sets values in the arm's memory by one frame (0x474, 0x475, 0x479, 0x47A, 0x47D, 0x487).
 
     Args:
         codec: The arm's codec.
         message: ``LimitSetting``, ``JointSetting``, ``EndLimitSetting``, ``CollisionSetting``,
             ``TeachingSetting`` or ``DragAssistanceSetting``.
-        values: By signal, in the unit that ``codec.unit(message, signal)`` says: generation 1 takes
-            rpm where generation 2 takes rad/s. None leaves a value unchanged (generation 2).
-        joint: 1–6, where the message is about one; 7 is all of them in ``JointSetting``.
+        values: The values by signal, in the unit ``codec.unit(message, signal)``: generation 1
+            takes rpm where generation 2 takes rad/s. None leaves a value unchanged (generation 2).
+        joint: 1–6 if the message is about one joint; 7 means all in ``JointSetting``.
     """
     signals = dict(values)
     if "Joint" in codec.signals(message):
@@ -316,7 +316,7 @@ def set_end_feedback(codec: Codec, *, on: bool) -> list[Frame]:
 
 
 def set_load(codec: Codec, load: EndLoad) -> list[Frame]:
-    """Tells the arm what it carries: nothing, half or the full payload (0x477)."""
+    """Sets the load of the arm: none, half or the full payload (0x477)."""
     return [codec.encode("ParameterCommand", LoadValid=VALID, Load=load)]
 
 
@@ -341,11 +341,11 @@ def set_linkage(
 
 
 def set_drag_assistance(codec: Codec, levels: Sequence[int | None]) -> list[Frame]:
-    """Sets how much joints 1–6 help the hand in drag teaching (0x487, from S-V1.8-1).
+    """Sets how much each joint supports the hand in drag teaching (0x487, from S-V1.8-1).
 
     Args:
         codec: The arm's codec.
-        levels: 0–10 a joint; None leaves a joint's level as it is.
+        levels: 0–10 for each joint; None leaves a joint's level as it is.
     """
     six = _exactly("DragAssistanceSetting", levels, len(_JOINTS), "levels", "")
     return [codec.encode("DragAssistanceSetting", **dict(zip(_JOINTS, six, strict=True)))]
@@ -429,7 +429,7 @@ def query_teaching(codec: Codec) -> list[Frame]:
 
 
 def query_drag_assistance(codec: Codec) -> list[Frame]:
-    """Asks how much the joints help the hand; answered by DragAssistanceFeedback (0x477).
+    """Asks for the drag assistance levels; answered by DragAssistanceFeedback (0x477).
 
     Only firmware from S-V1.8-1 on answers.
     """
@@ -452,7 +452,7 @@ def query_firmware(codec: Codec) -> list[Frame]:
 # depend on the firmware: `armui.protocol.firmware_version.quirks_of`.
 
 CPV_GRIPPER: Final = 7
-"""Stands for the gripper in zero learning (0x187)."""
+"""The number that means the gripper in zero learning (0x187)."""
 
 _CHECK: Final = "Crc4"
 _CPV_SIGNALS: Final = {
@@ -467,13 +467,13 @@ _CPV_SIGNALS: Final = {
 }
 _LEARN: Final = 0x65
 _LEARNERS: Final = (4, 5, 6, CPV_GRIPPER)
-"""Which joints learn their zero so, by the maker's example."""
+"""The joints that learn their zero in this way, by the maker's example."""
 
 
 def set_mit_mode(codec: Codec, *, speed_percent: float = 0) -> list[Frame]:
-    """Hands the joints to their drivers' own loop (0x151); limp until their first setpoint.
+    """Gives the joints to their drivers' control loop (0x151); limp until the first setpoint.
 
-    MOVE M has the code of the codec's firmware.
+    The code of MOVE M is that of the codec's firmware.
     """
     return set_mode(
         codec,
@@ -496,7 +496,7 @@ def set_high_follow(codec: Codec, *, speed_percent: float = 0) -> list[Frame]:
 
 
 def set_cpv_mode(codec: Codec, *, speed_percent: float = 50) -> list[Frame]:
-    """Lets joints be told position, speed and gains one by one (0x151); from S-V1.8-1."""
+    """Prepares for setpoints of position, speed and gains joint by joint (0x151); from S-V1.8-1."""
     return set_mode(
         codec,
         control_mode=ControlMode.CAN_CONTROL,
@@ -515,10 +515,10 @@ def mit_setpoint(
     kd: float,
     torque_nm: float,
 ) -> list[Frame]:
-    """What one joint's driver is to do in MIT (0x15A + joint - 1), in the firmware's layout.
+    """Sends one joint's setpoint in MIT mode (0x15A + joint - 1), in the firmware's layout.
 
-    Values become the step below them, as the maker's kits have it: 0 is not exact (0 rad/s becomes
-    -0.011). The torque is that on the wire: its signs and its factor are the caller's.
+    Values are rounded down to a raw step, as in the maker's kits: 0 is not exact (0 rad/s becomes
+    -0.011). The torque is that on the wire: the caller applies its sign and its factor.
 
     Args:
         codec: The arm's codec.
@@ -561,9 +561,9 @@ def cpv_write(codec: Codec, joint: int, kind: CpvKind, value: float) -> list[Fra
     Args:
         codec: The arm's codec.
         joint: 1–6.
-        kind: Any but zero learning. A position counts only when sent twice where it is the first
-            one after CPV was entered.
-        value: Degrees, rad/s, rad/s² or a bare number, as the kind has it.
+        kind: Any but zero learning. The first position after entering CPV counts only when sent
+            twice.
+        value: Degrees, rad/s, rad/s² or a bare number, according to the kind.
     """
     return [_cpv(codec, joint, CpvAction.WRITE, kind, value)]
 
@@ -576,7 +576,7 @@ def cpv_read(codec: Codec, joint: int, kind: CpvKind) -> list[Frame]:
 def cpv_learn_zero(codec: Codec, joint: int) -> list[Frame]:
     """Lets joint 4, 5 or 6, or the gripper with 7, find its zero at its stop (0x184–0x187).
 
-    Its motor must be off first: it moves by itself, and the others may drop.
+    Its motor must be disabled first: the joint moves by itself, and the others may drop.
     """
     number = _joint("CpvControl", joint, _LEARNERS)
     name = "CpvGripper" if number == CPV_GRIPPER else f"CpvControl{number}"

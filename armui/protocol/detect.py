@@ -1,4 +1,4 @@
-"""Tells from recorded traffic which generation an arm speaks."""
+"""Detects from recorded traffic which generation an arm speaks."""
 
 from __future__ import annotations
 
@@ -11,21 +11,21 @@ from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 
 _CLEAR_LEAD = 20
-"""So many frames of one generation more than of the other leave no doubt."""
+"""The lead in frames of one generation over the other that leaves no doubt."""
 _CYCLIC_IDS = (0x2A1, 0x2A5, 0x251)
 _PERIOD_SAMPLES = 200
 _LONGEST_PERIOD_S = 1.0
-"""What lies further apart was a pause, or has times that mean nothing."""
+"""A longer interval was a pause, or comes from meaningless times."""
 _PERIOD_BORDER_S = 0.012
-"""Between the 5 ms of generation 2's feedback and the 20 ms of generation 1's."""
+"""The border between the 5 ms of generation 2's feedback and the 20 ms of generation 1's."""
 
 
 class GenerationVerdict(NamedTuple):
-    """What the traffic speaks for.
+    """The generation that the traffic indicates.
 
     Attributes:
         generation: The generation to decode with.
-        reason: Why, as the end of a sentence that begins "generation N, because".
+        reason: The reason, as the end of a sentence that begins "generation N, because".
     """
 
     generation: Generation
@@ -50,22 +50,22 @@ class GenerationDetector:
 
     @property
     def certain(self) -> bool:
-        """Whether more frames cannot change the verdict in good sense."""
+        """True if more frames are very unlikely to change the verdict."""
         one, two = self._votes.values()
         return bool(self._version) or abs(one - two) >= _CLEAR_LEAD
 
     @property
     def has_evidence(self) -> bool:
-        """Whether anything so far speaks for one of the generations."""
+        """True if the frames so far indicate one of the generations."""
         one, two = self._votes.values()
         return bool(self._version) or one != two or bool(self._intervals_s)
 
     def feed(self, frame: Frame, time_s: float) -> None:
-        """Takes one data frame with an 11-bit identifier into account.
+        """Adds the evidence of one data frame with an 11-bit identifier.
 
         Args:
             frame: The frame.
-            time_s: When it was recorded; only differences matter.
+            time_s: The time of recording; only differences matter.
         """
         if frame.arbitration_id == VERSION_ID:
             self._feed_version(frame.data)
@@ -76,7 +76,7 @@ class GenerationDetector:
         self._feed_period(frame.arbitration_id, time_s)
 
     def verdict(self) -> GenerationVerdict:
-        """What the frames so far speak for; generation 2 when nothing tells."""
+        """Return the generation that the frames so far indicate; generation 2 without evidence."""
         if self._version:
             return GenerationVerdict(Generation.TWO, f"the arm named its firmware {self._version}")
         one, two = self._votes[Generation.ONE], self._votes[Generation.TWO]

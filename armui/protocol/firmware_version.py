@@ -1,7 +1,7 @@
-"""What a firmware version of generation 2 does: the versions in order, and what each changed.
+"""The firmware versions of generation 2, and what each of them changed.
 
 The facts are those of the table of firmware versions: public texts and code up to autumn 2026. A
-row of `_CHANGES` stands for what is different from that version on; nothing else asks for a number.
+row of `_CHANGES` holds what differs from that version on; no other code compares version numbers.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ _TEXT: Final = re.compile(r"S-V(\d{1,3})\.(\d{1,3})-(\d{1,3})")
 
 
 class FirmwareVersion(NamedTuple):
-    """A version as numbers: as text 1.10 would stand before 1.9.
+    """A version as numbers: compared as text, 1.10 would come before 1.9.
 
     Attributes:
         major: The first number of ``S-V1.8-9``.
@@ -34,7 +34,7 @@ class FirmwareVersion(NamedTuple):
 
     @classmethod
     def parse(cls, text: str) -> FirmwareVersion | None:
-        """The version that a text is, as ``S-V1.8-9``; ``None`` if it is none."""
+        """Return the version in a text such as ``S-V1.8-9``, or ``None`` if it is none."""
         found = _TEXT.fullmatch(text.strip())
         return None if found is None else cls(*map(int, found.groups()))
 
@@ -42,11 +42,11 @@ class FirmwareVersion(NamedTuple):
 FIRST: Final = FirmwareVersion(1, 5, 2)
 """The first version of generation 2."""
 RECOMMENDED: Final = FirmwareVersion(1, 8, 9)
-"""The maker recommends this one or a later one; the simulated arm has it."""
+"""The oldest version that the maker recommends; the simulated arm has it."""
 
 
 class MitLayout(enum.Enum):
-    """Where the torque stands in a MIT frame; no bit on the wire tells the two apart."""
+    """The place of the torque in a MIT frame; no bit on the wire tells the two apart."""
 
     A = "A"  # 8 bits of ±8 N·m and a check of 4 bits
     B = "B"  # 12 bits of ±16 N·m
@@ -78,35 +78,37 @@ _AS_MOVE_J: Final[SixSigns] = (1, 1, 1, 1, 1, 1)
 
 
 class FirmwareQuirks(NamedTuple):
-    """What an arm with one firmware version does, and which frames it has.
+    """The behaviour of an arm with one firmware version, and the frames it has.
 
     Attributes:
         version: The version asked for.
         model: The arm asked for.
         mit_code: 0x151 byte 1 and 0x2A1 byte 2 of MOVE M, the MIT mode.
         mit_layout: How a MIT frame carries its torque.
-        mit_signs: What a MIT command (position, speed and torque) of joints 1-6 is multiplied with
-            to turn the joint as MOVE J does: 1 or -1. Feedback isn't affected.
+        mit_signs: The factors, 1 or -1, by which a MIT command (position, speed and torque) of
+            joints 1-6 is multiplied so that the joint turns as with MOVE J. Feedback is not
+            affected.
         mit_signs_known: Whether the signs were seen on an arm of this model; else they are the
             PiPER's, or unflipped.
-        mit_torque_factors: What the firmware multiplies the torque on the wire with, joints 1-6 (b
-            of the table: 4, 4, 4, 1, 1, 1 up to S-V1.8-2). The host divides by it.
+        mit_torque_factors: The factors by which the firmware multiplies the torque on the wire,
+            joints 1-6 (b of the table: 4, 4, 4, 1, 1, 1 up to S-V1.8-2). The host divides by it.
         mit_torque_nm: The largest torque on the wire.
-        mode_exit: How MIT and high-follow are left. The maker's texts contradict one another about
-            S-V1.8-5, so a mode word counts from S-V1.8-6 on.
-        exits_by_mode_word: Whether a mode word does leave them in the better reading of the texts,
-            from S-V1.8-5 on: what a simulated arm does.
+        mode_exit: The way to leave MIT and high-follow. The maker's texts contradict one another
+            about S-V1.8-5, so a mode word counts from S-V1.8-6 on.
+        exits_by_mode_word: True if a mode word leaves them by the likelier reading of the texts,
+            from S-V1.8-5 on; the simulated arm does so.
         shifted_zeros: Joints 2 and 3 count from zeros 2° elsewhere (before S-V1.6-3).
         has_friction: 0x47D and 0x47E byte 2, the teaching handle's friction.
         has_leader_zero: 0x191 sends the leader arm to its zero.
         has_cpv: 0x181-0x187.
-        cpv_position_signs: What ``po`` of joints 1-6 is multiplied with to turn as MOVE J does.
+        cpv_position_signs: The factors for ``po`` of joints 1-6, so that the joint turns as with
+            MOVE J.
         cpv_speed_signs: The same for ``sp``.
         has_drag_assistance: 0x487 and 0x488.
         has_ik_solution: 0x2AA-0x2AC, after MOVE P.
         has_upside_down: Mounting 4 of 0x151 byte 5.
         has_gripper_angle: 0x159 byte 6 bit 2.
-        bugs: What users reported of this very version.
+        bugs: The faults that users reported of this version.
     """
 
     version: FirmwareVersion
@@ -172,7 +174,7 @@ _CHANGES: Final = (
     }),
     _Change(FirmwareVersion(1, 8, 9), _X, {"mit_signs": _AS_MOVE_J}),
 )  # fmt: skip
-"""In order of versions; of 1.9-0 no list of changes is public, it counts as 1.8-9."""
+"""The changes in order of versions. No list of changes is public for 1.9-0; it counts as 1.8-9."""
 
 _BUGS: Final = {
     FirmwareVersion(1, 5, 8): frozenset({FirmwareBug.ZERO_FEEDBACK}),
@@ -191,7 +193,7 @@ _BUGS: Final = {
 
 
 def first_with(field: str) -> FirmwareVersion:
-    """The first version in which a field of `FirmwareQuirks` that begins with ``has_`` holds.
+    """Return the first version that has a feature: a field of `FirmwareQuirks` named ``has_…``.
 
     Raises:
         KeyError: No version changed it.
@@ -204,11 +206,11 @@ def first_with(field: str) -> FirmwareVersion:
 
 @cache
 def quirks_of(version: FirmwareVersion, model: PiperModel = PiperModel.PIPER) -> FirmwareQuirks:
-    """What an arm with this firmware does.
+    """Return the behaviour of an arm with this firmware.
 
     Args:
         version: As the arm named it; one before `FIRST` counts as that.
-        model: The arm; what differs between the models is the signs.
+        model: The arm's model; the models differ in their signs.
     """
     quirks = FirmwareQuirks(version, model, bugs=_BUGS.get(version, frozenset()))
     for change in _CHANGES:
@@ -225,14 +227,16 @@ def quirks_of(version: FirmwareVersion, model: PiperModel = PiperModel.PIPER) ->
 VERSION_ID: Final = 0x4AF
 
 ANSWER_BYTES: Final = 88
-"""Eleven frames of 8 bytes."""
+"""The length of a whole answer to 0x4AF: eleven frames of 8 bytes."""
 ANSWER_S: Final = 0.5
-"""A pause this long ends an answer; what comes after it belongs to another one."""
+"""A pause this long ends an answer; later frames belong to another one."""
 LONGEST: Final = 16
-"""More bytes than any version text has; what lies further back cannot be its beginning."""
+"""More bytes than any version text has; text further back cannot be its beginning."""
 
 _HEARD_TEXT: Final = re.compile(rb"S-V\d{1,3}\.\d{1,3}-\d")
-"""One digit of patch: without padding the date follows at once (S-V1.9-0260716)."""
+"""The version in an answer. The patch is one digit: without padding the date follows at once
+(S-V1.9-0260716).
+"""
 _HARDWARE: Final = re.compile(rb"H-V\d{1,3}\.\d{1,3}-\d")
 _DATE: Final = re.compile(rb"[\0 ]*(\d{6})(?!\d)")
 _NODE_NUMBER: Final = re.compile(rb"[\0 ]*(\d{1,3})(?!\d)")
@@ -243,15 +247,15 @@ _QUESTION: Final = b"\x01"
 
 
 class ArmIdentity(NamedTuple):
-    """What an arm answered; "" for what could not be read.
+    """The content of an arm's answer to 0x4AF; "" for each text that could not be read.
 
     Attributes:
-        software: As ``S-V1.8-5``.
-        hardware: As ``H-V1.2-1``; the letters stand for the hardware's version, not for PiPER H.
-        node_type: As ``ARM_MC``.
+        software: The software version, as ``S-V1.8-5``.
+        hardware: The hardware version, as ``H-V1.2-1``; its H does not mean PiPER H.
+        node_type: The node type, as ``ARM_MC``.
         batch: The motors' ratio or batch, two figures.
-        date: Of the software, as six figures: year, month, day.
-        node_number: As ``15``.
+        date: The software's date as six figures: year, month, day.
+        node_number: The node's number, as ``15``.
     """
 
     software: str
@@ -262,7 +266,7 @@ class ArmIdentity(NamedTuple):
     node_number: str = ""
 
     def contradicts(self, other: ArmIdentity) -> bool:
-        """Tell whether it cannot be the same arm with the same firmware: a text both have differs.
+        """Return whether a text that both have differs: another arm, or other firmware.
 
         Node type and batch do not count: a lost frame of an answer shortens them unnoticed.
         """
@@ -272,7 +276,7 @@ class ArmIdentity(NamedTuple):
 
     @property
     def iso_date(self) -> str:
-        """The date as 2025-09-25; as it was told where it is no date, "" where none was."""
+        """The date as 2025-09-25; the text itself if it is no date, "" if there was none."""
         year, month, day = self.date[:2], self.date[2:4], self.date[4:]
         if "01" <= month <= "12" and "01" <= day <= "31":
             return f"20{year}-{month}-{day}"
@@ -280,20 +284,20 @@ class ArmIdentity(NamedTuple):
 
 
 def is_question(payload: bytes) -> bool:
-    """Whether a 0x4AF frame is a host's question: 01, alone or padded with zeros."""
+    """Return whether a 0x4AF frame is a host's question: 01, alone or padded with zeros."""
     return payload.rstrip(b"\0") == _QUESTION
 
 
 def find_version(text: bytes) -> str | None:
-    """The version in the joined payloads of an answer, as ``S-V1.8-5``; ``None`` if it is cut."""
+    """Return the version in the joined payloads of an answer, or ``None`` if it is cut."""
     found = _HEARD_TEXT.search(text)
     return None if found is None else found.group().decode("ascii")
 
 
 def find_identity(text: bytes) -> ArmIdentity | None:
-    """What the joined payloads of answers say; ``None`` while no whole version is among them.
+    """Return the content of joined answers, or ``None`` while they hold no whole version.
 
-    Of several answers the last whole version counts, with what stands before and behind it.
+    Of several answers the last whole version counts, with the texts before and behind it.
     """
     wholes = list(_HEARD_TEXT.finditer(text))
     if not wholes:
@@ -324,9 +328,9 @@ class NamedVersion(NamedTuple):
     """A version in an arm's answer.
 
     Attributes:
-        software: As ``S-V1.8-5``.
-        date: The six figures behind it; "" if other text is there, or nothing yet.
-        began_s: When the frame in which its text begins was heard.
+        software: The version, as ``S-V1.8-5``.
+        date: The six figures behind it; "" if other text is there, or none yet.
+        began_s: The time of the frame in which its text begins.
     """
 
     software: str
@@ -335,10 +339,10 @@ class NamedVersion(NamedTuple):
 
 
 class AnswerCollector:
-    """Joins the frames of 0x4AF as they come, and reads what they say so far.
+    """Joins the frames of 0x4AF, and reads their content as they arrive.
 
     Attributes:
-        identity: What is known of the arm by its answers.
+        identity: The arm's identity by its answers so far.
         named: The versions in the last answers, each with its time, the oldest first.
     """
 
@@ -349,11 +353,11 @@ class AnswerCollector:
         self.named: tuple[NamedVersion, ...] = ()
 
     def take(self, payload: bytes, at_s: float) -> ArmIdentity | None:
-        """Take in one frame of an answer; what is known of the arm by then.
+        """Add one frame of an answer, and return the arm's identity as known by then.
 
         Args:
-            payload: Eight bytes; a host's question is none of them.
-            at_s: When it was heard.
+            payload: Eight bytes; host questions must not be passed.
+            at_s: The time of reception.
         """
         if self._times_s and not 0.0 <= at_s - self._times_s[-1] <= ANSWER_S:
             self._text.clear()
@@ -377,7 +381,7 @@ class AnswerCollector:
 
 
 def _less(found: ArmIdentity, known: ArmIdentity | None, *, whole: bool) -> bool:
-    """Tell whether it says less than what is known of the same version: an answer is under way.
+    """Return whether it says less than what is known of the same version: an answer is under way.
 
     Other words for the same version count once the answer is whole: a lost frame shifts them.
     """

@@ -1,4 +1,4 @@
-"""One CAN frame, as everything inside the program passes it on; the error where there is none."""
+"""One CAN frame, as everything inside the program passes it on; the error when none can be made."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ class Frame(NamedTuple):
 
 
 class FrameFlag(enum.IntFlag):
-    """What sort of frame was recorded; the arm sends none of these but TRANSMITTED ones.
+    """The kind of a recorded frame; the arm sends ordinary frames only.
 
-    EXTENDED: the identifier has 29 bits. REMOTE: a request without data. ERROR: an error frame.
-    FD, BITRATE_SWITCH, ERROR_STATE: CAN FD and its bits. TRANSMITTED: sent by this
-    computer, not received. IMPOSSIBLE: its parts contradict one another, so that no bus can have
-    carried it; it is given as it was recorded.
+    EXTENDED: the identifier has 29 bits. REMOTE: a request without data. ERROR: an error frame. FD,
+    BITRATE_SWITCH, ERROR_STATE: CAN FD and its bits. TRANSMITTED: sent by this computer, not
+    received. IMPOSSIBLE: its parts contradict one another, so that no bus can have carried it; it
+    is kept as it was recorded.
     """
 
     EXTENDED = 1
@@ -41,10 +41,10 @@ class FrameFlag(enum.IntFlag):
 
 
 class EncodeError(ValueError):
-    """A command that has no frame: unknown name, value out of range, code outside the table.
+    """A command that cannot be encoded: unknown name, value out of range, code outside the table.
 
-    Nothing has been sent when it is raised. The text names message, signal, value, what is allowed
-    and what to do.
+    Nothing has been sent when it is raised. The text names message, signal, value, legal values and
+    remedy.
 
     Attributes:
         message: Name of the message asked for.

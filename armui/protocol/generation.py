@@ -1,4 +1,4 @@
-"""Which arm it is: the two generations of the protocol, and the family that speaks them."""
+"""The two generations of the protocol, and the models of the family that speak them."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import enum
 
 
 class PiperModel(enum.StrEnum):
-    """One arm of the family; its value is the name in files and on the command line."""
+    """One model of the family; its value is its name in files and on the command line."""
 
     PIPER = "piper"
     PIPER_H = "piper_h"
@@ -15,7 +15,7 @@ class PiperModel(enum.StrEnum):
 
 
 class Generation(enum.IntEnum):
-    """Which protocol an arm speaks: that of the manual, or that of today's firmware."""
+    """The protocol an arm speaks: that of the manual, or that of today's firmware."""
 
     ONE = 1
     TWO = 2

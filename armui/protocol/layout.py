@@ -1,6 +1,6 @@
-"""The DBC files that say what the bytes on the bus mean, and what the codec knows by them.
+"""Reads the DBC files that define the messages, and prepares them for the codec.
 
-That of each message stands ready before its first frame arrives.
+Every message is prepared before its first frame arrives.
 """
 
 from __future__ import annotations
@@ -31,18 +31,20 @@ _DATABASES: Final = {
     (Generation.TWO, MitLayout.A): "agx_gen2_until_1.8-7.dbc",
     (Generation.TWO, MitLayout.B): "agx_gen2.dbc",
 }
-"""No bit on the wire tells the two layouts of a MIT frame apart, so each has a file that any CAN
-tool opens; a test sees to it that they differ in nothing else."""
+"""The DBC file of each generation and MIT layout. No bit on the wire tells the two layouts of a MIT
+frame apart, so each has a file that any CAN tool opens; a test ensures that they differ in nothing
+else.
+"""
 
 
 def database_path(generation: Generation, mit_layout: MitLayout = MitLayout.B) -> Path:
-    """The DBC file of a generation, of generation 2 that with this layout of MIT frames."""
+    """Return the DBC file of a generation; for generation 2 that with this layout of MIT frames."""
     return RESOURCES / "protocol" / _DATABASES[generation, mit_layout]
 
 
 @cache
 def load_database(generation: Generation, mit_layout: MitLayout = MitLayout.B) -> Database:
-    """The protocol of one generation, as cantools sees it.
+    """Return the protocol of one generation as a cantools database.
 
     Args:
         generation: The protocol wanted.
@@ -64,7 +66,7 @@ def load_database(generation: Generation, mit_layout: MitLayout = MitLayout.B) -
 
 
 LEAVE_UNCHANGED = "Leave unchanged"
-"""What the value tables call the raw value that leaves a setting as it is (generation 2)."""
+"""The value tables' name for the raw value that leaves a setting as it is (generation 2)."""
 
 _SHORT_FORMS = {
     "ArcPoint": (1, 8),
@@ -72,18 +74,19 @@ _SHORT_FORMS = {
     "FirmwareVersion": (1, 8),
     "LinkageSetting": (4, 8),
 }
-"""Messages that generation 1 sends shorter than generation 2, and the question for the version,
-which hosts send with one byte or with eight; both lengths are accepted."""
+"""Messages whose shorter and longer forms are both accepted: generation 1 sends them shorter than
+generation 2, and hosts ask for the version with one byte or with eight.
+"""
 
 
 class Selection(NamedTuple):
-    """What another signal of the message must hold for a signal to be there.
+    """The condition under which a signal is present: the value of another signal of the message.
 
     Attributes:
-        selector: That signal's name.
+        selector: The other signal's name.
         first_bit: Its highest bit, counted from the payload's first and highest one.
         bits: Its length.
-        raw: What it must hold.
+        raw: The value it must have.
     """
 
     selector: str
@@ -108,13 +111,13 @@ class SignalLayout:
         words: Value table, by raw value.
         exhaustive: The table lists every legal value. A table of one entry only names a special
             value that is legal beside the range.
-        legal_raw: Every raw value that means something.
+        legal_raw: Every legal raw value.
         unchanged_raw: The raw value that leaves a setting as it is, or None.
         first_bit: The signal's highest bit, counted from the payload's first and highest one.
         bits: Its length.
         is_signed: Two's complement.
-        selection: When the signal is there, where its bits hold something else at other times;
-            ``None``: always.
+        selection: The condition under which the signal is present, if its bits may hold another
+            one; ``None`` if it is always present.
     """
 
     name: str
@@ -135,28 +138,28 @@ class SignalLayout:
 
     @property
     def is_count(self) -> bool:
-        """Whether only whole numbers mean something: codes, counters, levels."""
+        """True if only whole numbers mean something: codes, counters, levels."""
         return not self.unit and not self.is_scaled
 
     @property
     def is_scaled(self) -> bool:
-        """Whether physical and raw value differ."""
+        """True if physical and raw value differ."""
         return self.divisor != 1 or self.offset != 0
 
     def to_physical(self, raw: float) -> float:
-        """Physical value of a raw one."""
+        """Return the physical value of a raw one."""
         if self.divisor is not None and not self.offset:
             return raw / self.divisor if self.divisor != 1 else raw
         return raw * self.scale + self.offset
 
     def to_steps(self, value: float) -> float:
-        """Raw value of a physical one, not rounded."""
+        """Return the raw value of a physical one, not rounded."""
         if self.divisor is not None:
             return (value - self.offset) * self.divisor
         return (value - self.offset) / self.scale
 
     def raw_in(self, data: bytes) -> int:
-        """The raw value in a payload, without regard to its sign."""
+        """Return the raw value in a payload, without regard to its sign."""
         word = int.from_bytes(data, "big")
         return word >> 8 * len(data) - self.first_bit - self.bits & (1 << self.bits) - 1
 
@@ -177,10 +180,10 @@ class MessageLayout:
         checked: (name, legal raw values) of the signals whose payload bits can hold illegal values.
         divided: (name, divisor) of the scaled signals whose scale is one over a whole number.
         stretched: The other scaled signals.
-        selector: The signal that says what others mean; ``None`` in most messages.
-        variants: With a selector, the message without those signals that are not there, by the
-            selector's raw value. Of such a message ``unpack`` and ``pack`` are its variants'.
-        rest: With a selector, the message without any signal that may not be there.
+        selector: The signal that selects which others are present; ``None`` in most messages.
+        variants: With a selector, the message reduced to the signals present, by the selector's raw
+            value. Of such a message ``unpack`` and ``pack`` are its variants'.
+        rest: With a selector, the message reduced to the signals that are always present.
     """
 
     name: str
@@ -199,20 +202,20 @@ class MessageLayout:
     rest: MessageLayout | None = None
 
     def variant(self, data: bytes) -> MessageLayout:
-        """The message as this payload has it; the message itself where it has no selector."""
+        """Return the variant for this payload; the message itself if it has no selector."""
         if self.selector is None:
             return self
         return self.variant_of(self.selector.raw_in(data))
 
     def variant_of(self, raw: int) -> MessageLayout:
-        """The message with this raw value of the selector."""
+        """Return the variant for this raw value of the selector."""
         return self.variants.get(raw, self.rest or self)
 
     def scale(self, raw: dict[str, float]) -> dict[str, float]:
         """Turn raw values into physical ones, in place.
 
         Raw / 1000 is the double nearest to the decimal value; cantools' own raw * 0.001 often is
-        not, and the last digit would dance.
+        not, and the last digit would flicker.
         """
         for name, divisor in self.divided:
             raw[name] /= divisor
@@ -352,7 +355,7 @@ class _Span:
 
 
 def _can_be_illegal(signal: DbcSignal, layout: SignalLayout) -> bool:
-    """Whether the signal's bits can hold a raw value that means nothing."""
+    """Return whether the signal's bits can hold a raw value that means nothing."""
     values: int = 2**signal.length
     if isinstance(layout.legal_raw, frozenset):
         return len(layout.legal_raw) < values

@@ -1,6 +1,6 @@
 """Records whose fields name the signals they hold: ``friction: Annotated[float, "Friction"]``.
 
-Such a record needs no code of its own to be read from a decoded frame, or to be put into one.
+Such records are read from decoded frames, and encoded, without code of their own.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ T = TypeVar("T")
 
 @cache
 def signal_names(record: type) -> Mapping[str, str]:
-    """The signal of every field of a record's class, by the field's name; read once.
+    """Return the signal of every field of a record's class, by the field's name.
 
     Raises:
         TypeError: A field names no signal.
@@ -29,9 +29,9 @@ def signal_names(record: type) -> Mapping[str, str]:
 
 
 def record_reader(record: type[T]) -> Callable[[Mapping[str, float]], T]:
-    """Makes what fills a record from the signals of its message, in their units.
+    """Return a function that fills a record from the signals of its message, in their units.
 
-    What it makes raises `KeyError` for a message without one of the signals.
+    The function raises `KeyError` for a message without one of the signals.
     """
     kind: type = record
     names = tuple(signal_names(kind).items())

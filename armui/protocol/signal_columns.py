@@ -1,4 +1,4 @@
-"""One signal of many frames at once, for logs of millions of frames."""
+"""Decodes one signal of many frames at once, for logs of millions of frames."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ _WORD_BITS = 64
 
 
 def payload_words(payloads: NDArray[np.uint8]) -> NDArray[np.uint64]:
-    """Payloads of 8 bytes, shape (rows, 8), as one big-endian number each."""
+    """Return payloads of 8 bytes, shape (rows, 8), as one big-endian number each."""
     return np.ascontiguousarray(payloads).view(">u8").reshape(-1).astype(np.uint64)
 
 
 def signal_column(words: NDArray[np.uint64], signal: SignalLayout) -> NDArray[Any]:
-    """Physical values of one signal, the same that `Codec.decode` gives frame by frame.
+    """Return the physical values of one signal, equal to those of `Codec.decode` frame by frame.
 
     Args:
-        words: Payloads as `payload_words` gives them, zeros behind the end of shorter ones.
+        words: Payloads as `payload_words` gives them, shorter ones padded with zeros.
         signal: The signal's layout.
 
     Returns:
@@ -52,7 +52,7 @@ def _column(words: NDArray[np.uint64], signal: SignalLayout) -> NDArray[Any]:
 
 
 def bit_mask(signals: Iterable[SignalLayout]) -> int:
-    """The bits of some signals in a payload word."""
+    """Return the bits of some signals in a payload word."""
     mask = 0
     for signal in signals:
         mask |= ((1 << signal.bits) - 1) << (_WORD_BITS - signal.first_bit - signal.bits)

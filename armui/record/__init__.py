@@ -1,4 +1,4 @@
-"""`armui record`: what is on a bus into a file, without a window."""
+"""`armui record`: records the traffic of a bus in a file, without a window."""
 
 from armui.record.record_command import add_arguments, run
 

@@ -1,4 +1,4 @@
-"""Reads a bus and hands its frames to a recording; it sends nothing."""
+"""Reads a bus and passes its frames to a recording; it sends nothing."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _AT_ONCE: Final = 256
 
 @contextmanager
 def opened(device: Device) -> Iterator[can.BusABC]:
-    """A device, and behind a simulated one an arm.
+    """Open a device; for a simulated one also start its arm.
 
     Raises:
         can.CanError, OSError, ValueError, ImportError: see `armui.bus.adapters.explain`.
@@ -46,16 +46,16 @@ def opened(device: Device) -> Iterator[can.BusABC]:
 
 
 class BusListener:
-    """Takes frames from a bus.
+    """Passes frames from a bus to a recording.
 
     Args:
-        bus: Open.
-        device: What it is of.
-        lane: Where the frames go.
+        bus: The open bus.
+        device: The device of the bus.
+        lane: The queue for the frames.
         clock: The program's, in seconds.
 
     Attributes:
-        frames: Heard so far.
+        frames: The number of frames so far.
     """
 
     def __init__(
@@ -68,7 +68,7 @@ class BusListener:
         self.frames = 0
 
     def listen(self) -> None:
-        """Wait a moment for frames, and pass on those that come.
+        """Wait a moment for frames, and pass on those that came.
 
         Raises:
             can.CanError, OSError: The device is gone.

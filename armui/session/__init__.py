@@ -1,1 +1,1 @@
-"""Recordings of whole sessions: read here, by decode, replay and exports alike. No Qt."""
+"""Recordings of whole sessions, read here for decode, replay and exports alike. No Qt."""

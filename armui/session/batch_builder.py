@@ -1,4 +1,4 @@
-"""Messages of python-can's readers to batches of columns; what contradicts itself is said."""
+"""Converts messages of python-can's readers into batches of columns, and notes contradictions."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ _TOP_EXTENDED_ID = 0x1FFFFFFF
 _TOP_ID = 0xFFFFFFFF
 _MOST_CHANNELS = 255
 FURTHER_CHANNELS: Final = "further channels"
-"""What all channels beyond the 255th are called together."""
+"""The common name of all channels beyond the 255th."""
 _EARLIEST_DATE_S: Final = 5e8
 _SMALLER_UNITS: Final = {"ms": 1e3, "µs": 1e6, "ns": 1e9, "ps": 1e12}
 MESSAGE_FLAGS: Final = (
@@ -42,7 +42,7 @@ MESSAGE_FLAGS: Final = (
     ("bitrate_switch", FrameFlag.BITRATE_SWITCH),
     ("error_state_indicator", FrameFlag.ERROR_STATE),
 )
-"""What python-can's messages say of themselves, by attribute."""
+"""The attributes of python-can's messages, with the flag each stands for."""
 _columns = attrgetter(
     "timestamp",
     "arbitration_id",
@@ -58,9 +58,9 @@ class BatchBuilder:
     """Turns messages into batches and keeps count of frames and channels.
 
     Attributes:
-        frames: Frames given so far.
-        damages: Where contradictions are noted.
-        header_seen: The file begins as a log does: it is one, even when no frame follows.
+        frames: The number of frames so far.
+        damages: The list of contradictions.
+        header_seen: True if the file begins as a log does: it is one, even if no frame follows.
     """
 
     def __init__(self, damages: DamageList) -> None:
@@ -72,11 +72,11 @@ class BatchBuilder:
         self._last_s = 0.0
 
     def batch(self, messages: list[can.Message], place: Callable[[int], str]) -> FrameBatch:
-        """Return the batch of some messages; those that are no frame at all are left out and noted.
+        """Return the batch of some messages; those that are no frames are left out and noted.
 
         Args:
-            messages: As a reader gave them.
-            place: Where the message with this index stands, for the notes.
+            messages: The messages of a reader.
+            place: Returns the place of the message with an index, for the notes.
         """
         try:
             batch = self._columns(messages)
@@ -96,7 +96,7 @@ class BatchBuilder:
         return self.count(batch)
 
     def note(self, place: str, reason: str, rows_before: int, *, frame_given: bool = False) -> None:
-        """Notes a damaged place, a number of rows behind the frames given so far."""
+        """Notes a damaged place, some rows after the frames counted so far."""
         self.damages.add(Damage(place, reason, self.frames + rows_before, frame_given))
 
     def _columns(self, messages: list[can.Message]) -> FrameBatch:
@@ -132,11 +132,11 @@ class BatchBuilder:
 
     @property
     def channel_names(self) -> tuple[Channel, ...]:
-        """The channels met so far, in the order of the indices that batches carry."""
+        """The channels met so far, in the order of the indices in batches."""
         return tuple(self._channels)
 
     def count(self, batch: FrameBatch) -> FrameBatch:
-        """Takes a batch made elsewhere into account, and passes it on with times that are some."""
+        """Counts a batch made elsewhere; returns it with times that are valid."""
         if len(batch):
             batch = self._with_times(batch)
             self._last_s = float(batch.times_s[-1])
@@ -177,7 +177,7 @@ class BatchBuilder:
         return 1.0
 
     def channel_column(self, channels: tuple[Channel, ...]) -> NDArray[np.uint8]:
-        """Indices of channels; those beyond the 255th share the last one, which is noted."""
+        """Return the indices of channels; those beyond the 255th share one, which is noted."""
         known = self._channels
         for channel in dict.fromkeys(channels):
             if channel in known:
@@ -192,7 +192,7 @@ class BatchBuilder:
         return np.array([known.get(channel, further) for channel in channels], np.uint8)
 
     def _usable(self, message: can.Message, index: int, place: Callable[[int], str]) -> bool:
-        """Tell whether a message has an identifier, data and a time at all."""
+        """Return whether a message has an identifier, data and a time at all."""
         try:
             self._columns([message])
             reason = "" if math.isfinite(message.timestamp) else "its time is no number"

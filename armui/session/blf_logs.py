@@ -1,4 +1,4 @@
-"""Reads the binary log format with python-can."""
+"""Reads Vector's binary log format with python-can."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ if TYPE_CHECKING:
 
 _SIGNATURE: Final = b"LOBJ"
 _BASE: Final = struct.Struct("<4sHHLL")
-"""Signature, header size, header version, object size, object type."""
+"""An object's head: signature, header size, header version, object size, object type."""
 _CONTAINER: Final = struct.Struct("<H6xL4x")
-"""Method of compression, size unpacked."""
+"""A container's head: method of compression, unpacked size."""
 _HEADERS: Final = {
     1: _BASE.size + blf.OBJ_HEADER_V1_STRUCT.size,
     2: _BASE.size + blf.OBJ_HEADER_V2_STRUCT.size,
@@ -39,24 +39,24 @@ _BODIES: Final = {
     blf.CAN_FD_MESSAGE: blf.CAN_FD_MSG_STRUCT.size,
     blf.CAN_FD_MESSAGE_64: blf.CAN_FD_MSG_64_STRUCT.size,
 }
-"""Bytes that the reader unpacks of an object, by type; some tools leave out unused ones."""
+"""The bytes that the reader unpacks of an object, by type; some tools omit unused ones."""
 _SPARED: Final = {blf.CAN_MESSAGE: 8, blf.CAN_MESSAGE2: 8, blf.CAN_FD_MESSAGE: 64}
-"""Bytes of data at the end of an object, of which a writer may leave out what the frame lacks."""
+"""The bytes of data at the end of an object that a writer may omit if the frame is shorter."""
 _LARGEST: Final = 1 << 24
-"""A larger object is taken for a damaged length."""
+"""A larger object counts as a damaged length."""
 _PIECE: Final = 1 << 20
 _PACKED_PIECE: Final = 1 << 14
 _PATIENT_BYTES: Final = 1 << 26
-"""So many unpacked bytes without an object, and the rest of a container is passed over."""
+"""After this many unpacked bytes without an object the rest of a container is skipped."""
 _PADDING: Final = 7
-"""Most bytes between two objects."""
+"""The most bytes between two objects."""
 
 
 class ObjectStream:
-    """Whole objects, unpacked, in pieces of bounded size.
+    """Yields whole unpacked objects in pieces of bounded size.
 
     Args:
-        source: The file, behind its header.
+        source: The file, positioned after its header.
         position: Bytes of the file read so far.
         note: Called with the byte's number and the reason for each damaged place.
     """
@@ -71,7 +71,7 @@ class ObjectStream:
         self._idle_bytes = 0
 
     def pieces(self) -> Iterator[bytes]:
-        """Some whole objects each, without gaps between pieces."""
+        """Yield some whole objects at a time, without gaps between the pieces."""
         while (top := self._next_top()) is not None:
             place, kind, body = top
             if kind != blf.LOG_CONTAINER:
@@ -226,7 +226,7 @@ class ObjectStream:
 
 
 def container(objects: bytes) -> bytes:
-    """Objects as a container that is not packed."""
+    """Return objects as an uncompressed container."""
     size = _BASE.size + _CONTAINER.size + len(objects)
     head = _BASE.pack(_SIGNATURE, _BASE.size, 1, size, blf.LOG_CONTAINER)
     return head + _CONTAINER.pack(blf.NO_COMPRESSION, len(objects)) + objects + bytes(size % 4)
@@ -247,7 +247,7 @@ class _Feed:
         self._waiting = memoryview(header)
 
     def read(self, size: int) -> bytes:
-        """As a file's."""
+        """Return the next bytes, like a file."""
         while not self._waiting and size > 0:
             objects = next(self._pieces, None)
             if objects is None:
@@ -258,22 +258,21 @@ class _Feed:
         return bytes(data)
 
     def restart(self) -> None:
-        """Drops the rest of the container, and begins again with the header."""
+        """Drop the rest of the container, and begin again with the header."""
         self._waiting = memoryview(self._header)
 
     def close(self) -> None:
-        """Called by the reader at its end; the file belongs to whoever opened it."""
+        """Do nothing: the reader calls this at its end, but the file belongs to its opener."""
 
 
 def read_blf_log(source: LogSource, builder: BatchBuilder) -> Iterator[FrameBatch]:
-    """Return frames of a log, in order.
+    """Yield the frames of a log, in order.
 
-    Objects that are no CAN frames are passed over. Frames that stand in the file by themselves,
-    outside of a container, are read as well.
+    Objects other than CAN frames are skipped. Frames outside of a container are read as well.
 
     Args:
         source: The file.
-        builder: Makes the batches, and is told what cannot be read.
+        builder: Builds the batches, and notes what cannot be read.
 
     Raises:
         NotALogError: The file does not begin as a log of this format.

@@ -1,4 +1,4 @@
-"""Logs that are databases: python-can's own (.db, SQLite) and ASAM's (.mf4, with asammdf)."""
+"""Reads logs that are databases: python-can's own (.db, SQLite) and ASAM's (.mf4, with asammdf)."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Final
 import can
 
 from armui.session.frames import NotALogError
+from armui.system.command_process import is_packaged
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -23,7 +24,7 @@ _ROWS: Final = 4_096
 _MOST_FAILURES: Final = 200
 _ALL_ROWS: Final = "SELECT * FROM messages"
 _LONGEST_VALUE: Final = 1 << 16
-"""Bytes of a value; a frame has 64 at most."""
+"""The most bytes of a value; a frame has 64 at most."""
 
 
 class _Database(can.SqliteReader):
@@ -35,14 +36,14 @@ class _Database(can.SqliteReader):
         self._conn.execute("PRAGMA query_only = 1")
 
     def has_table(self) -> bool:
-        """Tell whether there is a table of frames; a view might never end."""
+        """Return whether there is a table of frames; a view might never end."""
         found = self._conn.execute(
             "SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = 'messages'"
         )
         return found.fetchone() is not None
 
     def rows(self) -> Iterator[can.Message | Exception]:
-        """Each row's message, or why it is none.
+        """Yield each row's message, or the reason why it is none.
 
         Raises:
             sqlite3.Error: The file is damaged from here on.
@@ -74,10 +75,10 @@ class _Database(can.SqliteReader):
 
 
 def read_database(path: Path, builder: BatchBuilder) -> Iterator[FrameBatch]:
-    """Return frames of a log that `can.SqliteWriter` wrote, in the order of its table.
+    """Yield the frames of a log written by `can.SqliteWriter`, in the order of its table.
 
     Raises:
-        NotALogError: It is no database, or none with such a table.
+        NotALogError: The file is no database, or lacks the table.
     """
     try:
         database = _Database(path)
@@ -95,14 +96,16 @@ def read_database(path: Path, builder: BatchBuilder) -> Iterator[FrameBatch]:
 
 
 def read_mf4(path: Path, builder: BatchBuilder) -> Iterator[FrameBatch]:
-    """Return frames of a bus log in ASAM's format.
+    """Yield the frames of a bus log in ASAM's format.
 
     Raises:
         NotALogError: asammdf is not installed, or cannot open the file.
     """
     if find_spec("asammdf") is None:
         raise NotALogError(
-            ".mf4 files are read with asammdf, which is missing: pip install asammdf"
+            ".mf4 files are read with asammdf, which is no part of this installed program"
+            if is_packaged()
+            else ".mf4 files are read with asammdf, which is missing: pip install asammdf"
         )
     from armui.session.mf4_process import Mf4ProcessError, rows_of  # noqa: PLC0415 - multiprocessing
 

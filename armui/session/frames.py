@@ -1,4 +1,4 @@
-"""Frames of a log in batches of columns, and what was damaged between them."""
+"""The frames of a log in batches of columns, and the damaged places between them."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 CLASSIC_BYTES = 8
-"""Data bytes of a classic CAN frame at most."""
+"""The most data bytes of a classic CAN frame."""
 MOST_BYTES = 64
-"""Data bytes of a CAN FD frame at most."""
+"""The most data bytes of a CAN FD frame."""
 LATEST_S = 1e10
-"""No time of a log lies further from 1970, or from its beginning: the year 2286."""
+"""The largest time of a log, from 1970 or from its beginning: the year 2286."""
 MOST_DAMAGES = 1_000
-"""So many damaged places are kept one by one; further ones are only counted."""
+"""The number of damaged places that are kept; further ones are only counted."""
 
 Channel: TypeAlias = int | str | None
 """A channel as the log names it: "can0", 1, or None where the format has no channels."""
@@ -29,16 +29,17 @@ Channel: TypeAlias = int | str | None
 
 _REMOTE = int(FrameFlag.REMOTE)
 NOT_OF_THE_ARM = ~FrameFlag.TRANSMITTED & 0xFF
-"""Flags that a frame of the arm's protocol does not have."""
+"""The flags that a frame of the arm's protocol cannot have."""
 
 
 class LoggedFrame(NamedTuple):
     """One frame of a log.
 
     Attributes:
-        time_s: As recorded: since the start of the log or since 1970, as its format has it.
+        time_s: The time as recorded: since the start of the log or since 1970, depending on its
+            format.
         frame: Identifier and payload; a frame of the arm's protocol only without flags.
-        flags: What sort of frame it is.
+        flags: The kind of frame.
         channel: As the log names it.
     """
 
@@ -60,7 +61,7 @@ class FrameBatch:
         lengths: Bytes of data, uint8; of a remote frame the bytes it asks for.
         payloads: The first 8 bytes of data, zeros behind its end; uint8, shape (rows, 8).
         channels: Index into `channel_names`, uint8.
-        channel_names: The channels met in the log so far.
+        channel_names: The channels of the log so far.
         long_data: Data of the frames with more than 8 bytes, by row.
     """
 
@@ -78,7 +79,7 @@ class FrameBatch:
         return len(self.ids)
 
     def data(self, row: int) -> bytes:
-        """Data of one frame; empty for a remote frame."""
+        """Return the data of one frame; empty for a remote frame."""
         if self.flags[row] & _REMOTE:
             return b""
         whole = self.long_data.get(row)
@@ -101,10 +102,10 @@ class Damage(NamedTuple):
     """A place in a log that could not be read, or only with a contradiction.
 
     Attributes:
-        place: Where: "line 12", "byte 4711", "frame 3".
-        reason: Why, or what stands there.
-        before_frame: Number, from 0, of the frame that it stands before or in.
-        frame_given: The frame was read all the same, and is marked as impossible.
+        place: The place: "line 12", "byte 4711", "frame 3".
+        reason: The reason, or the text found there.
+        before_frame: The number, from 0, of the frame before or in which it is.
+        frame_given: True if the frame was read all the same, and is marked as impossible.
     """
 
     place: str
@@ -114,10 +115,10 @@ class Damage(NamedTuple):
 
 
 class DamageList:
-    """Damaged places of a log in the order they were met; bounded, beyond that counted.
+    """The damaged places of a log in the order they were met; bounded, then only counted.
 
     Attributes:
-        count: All of them, the uncounted ones included.
+        count: The number of all damaged places, also of those not kept.
     """
 
     def __init__(self) -> None:
@@ -125,7 +126,7 @@ class DamageList:
         self.count = 0
 
     def add(self, damage: Damage) -> None:
-        """Keeps or counts one more."""
+        """Keeps or counts one more damaged place."""
         self.count += 1
         if len(self._kept) < MOST_DAMAGES:
             self._kept.append(damage)
@@ -134,19 +135,19 @@ class DamageList:
         return len(self._kept)
 
     def since(self, index: int) -> list[Damage]:
-        """Return the places kept from a position of the list on."""
+        """Return the kept places from an index on."""
         return self._kept[index:]
 
     @property
     def full(self) -> bool:
-        """Whether further places are only counted."""
+        """True if further places are only counted."""
         return len(self._kept) >= MOST_DAMAGES
 
     @property
     def not_kept(self) -> int:
-        """How many were counted only."""
+        """The number of places that were only counted."""
         return self.count - len(self._kept)
 
 
 class NotALogError(Exception):
-    """The file cannot be opened, or nothing in it is a frame; the text says which, in one line."""
+    """The file cannot be opened, or holds no frame; the text tells which, in one line."""

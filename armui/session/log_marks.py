@@ -1,4 +1,4 @@
-"""What the frames of a log tell of faults, stops and commands: the marks on its time line: pure."""
+"""Finds faults, stops and commands in the frames of a log: the marks on its time line: pure."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ if TYPE_CHECKING:
     from armui.session.session import Session
 
 MOST_MARKS: Final = 5_000
-"""Of one sort; a log that holds more is noise, and further ones are left out."""
+"""The most marks of one kind; a log with more is noise, and further ones are left out."""
 SILENT_S: Final = 0.5
-"""An arm not heard for longer is silent, as it is for the program while it is connected."""
+"""An arm not heard for longer counts as silent, as in the running program."""
 _BURST_S: Final = 0.5
-"""Commands of one sort that follow each other faster are one stream, marked where it begins."""
+"""Commands of one kind that follow each other faster are one stream, marked at its beginning."""
 
 AT_WORK: Final = frozenset(
     {
@@ -39,7 +39,7 @@ AT_WORK: Final = frozenset(
         ArmStatusCode.TEACHING_PAUSED,
     }
 )
-"""Statuses that are no fault."""
+"""The statuses that are no fault."""
 _JOINT_FAULTS: Final = (
     "Undervoltage",
     "MotorOvertemperature",
@@ -50,7 +50,7 @@ _JOINT_FAULTS: Final = (
     "DriverFault",
     "StallProtection",
 )
-"""Bits of 0x261–0x266 that name a fault in one of the generations."""
+"""The bits of 0x261–0x266 that name a fault in one of the generations."""
 _DRIVERS: Final = tuple(f"DriverSlow{joint}" for joint in range(1, 7))
 _FAST: Final = tuple(f"DriverFast{joint}" for joint in range(1, 7))
 _TARGETS: Final = ("JointTarget12", "CartesianTarget1", "MitControl1", "GripperCommand")
@@ -58,12 +58,12 @@ _TARGETS: Final = ("JointTarget12", "CartesianTarget1", "MitControl1", "GripperC
 
 @dataclass(frozen=True, slots=True)
 class LogFrames:
-    """Where marks are looked for.
+    """The frames in which marks are searched.
 
     Attributes:
         channels: The channels of the log.
-        rows: Gives times and payloads, shape (rows, 8), of the data frames of one identifier on one
-            channel; ``None`` where there are none.
+        rows: Returns times and payloads, shape (rows, 8), of the data frames of one identifier on
+            one channel; ``None`` if there are none.
     """
 
     channels: tuple[Channel, ...]
@@ -71,10 +71,10 @@ class LogFrames:
 
 
 def marks_of(frames: LogFrames, generation: Generation) -> list[SessionMark]:
-    """Faults with their ends, stops, and where commands begin, in the order of time.
+    """Return faults with their ends, stops, and beginnings of commands, in the order of time.
 
-    An entry has "code" and "channel"; what belongs to it stands beside: "status", "joint", "what",
-    "message", and of what lasts "ended_s" in log time, ``None`` where it goes on to the end.
+    An entry has "code" and "channel", and as needed "status", "joint", "what" and "message";
+    lasting ones have "ended_s" in log time, ``None`` if they go on to the end.
     """
     marks: list[SessionMark] = []
     for channel in frames.channels:
@@ -92,7 +92,7 @@ def marks_of(frames: LogFrames, generation: Generation) -> list[SessionMark]:
 
 
 def marked_ids(generation: Generation) -> tuple[frozenset[int], frozenset[int]]:
-    """Return the identifiers that marks are found in: of every frame, and of those heard at all."""
+    """Return the identifiers needed for marks: those read completely, and those only as heard."""
     names = {"ArmStatus", "MotionCommand", "MotorEnable", *_TARGETS, *_DRIVERS}
     every, heard = set(), set()
     for offset in OFFSETS:
@@ -114,7 +114,7 @@ class _Finder:
     def words(
         self, message: str
     ) -> tuple[NDArray[np.float64], NDArray[np.uint64], MessageLayout] | None:
-        """Times and payloads of a message, ``None`` if there are none."""
+        """Return times and payloads of a message, or ``None`` if there are none."""
         if message not in self._ids:
             return None
         wire_id, layout = self._ids[message]
@@ -189,7 +189,7 @@ class _Finder:
         yield from self._sent(times_s, actions == MotorAction.DISABLE, command, code="disable_sent")
 
     def of_silence(self) -> Iterator[SessionMark]:
-        """Return where nothing of the arm is heard for long, under whatever offset."""
+        """Yield the stretches in which nothing of the arm is heard, under any offset."""
         ids = [self._ids[name][0] for name in _FAST]
         ids += [0x2A1 + offset for offset in OFFSETS]
         ids += [0x2A5 + offset for offset in OFFSETS]
@@ -260,19 +260,19 @@ def _bursts(times_s: NDArray[np.float64], places: NDArray[np.int64]) -> list[int
 _IDS: Final = 0x800
 _NOT_DATA: Final = FrameFlag.EXTENDED | FrameFlag.REMOTE | FrameFlag.ERROR | FrameFlag.IMPOSSIBLE
 _HARDLY_S: Final = 0.05
-"""So much of a time without frames is none, where only silences are looked for."""
+"""Where only silences are searched, frames are thinned to this time."""
 
 
 class IdRows:
-    """Keeps what it is asked for in memory: 30 bytes a frame.
+    """Keeps the frames of some identifiers in memory: 30 bytes a frame.
 
     Args:
-        session: What is passed through, once.
-        channel: What is seen of it.
-        ids: Of these every data frame is kept.
-        heard: Of these so many that silences can be told: the first and last one of each twentieth
-            of a second.
-        is_wanted: Asked now and then; when it is not, the rest stays away.
+        session: The session, which is read once.
+        channel: The channel to read.
+        ids: The identifiers of which every data frame is kept.
+        heard: The identifiers of which enough is kept to find silences: the first and last frame of
+            each twentieth of a second.
+        is_wanted: Called now and then; if it returns false, the rest is left out.
     """
 
     def __init__(
@@ -304,13 +304,13 @@ class IdRows:
             self._found = _by_id(np.concatenate(ids_found), found)
 
     def data_rows(self, channel: Channel, arbitration_id: int) -> DataRows | None:
-        """See `HasDataRows`; ``None`` also for what was not asked for."""
+        """Return the data frames of an identifier, or ``None``, also if it was not requested."""
         return self._found.get(arbitration_id) if channel == self._channel else None
 
     def times_and_payloads(
         self, channel: Channel, arbitration_id: int
     ) -> tuple[NDArray[np.float64], NDArray[np.uint8]] | None:
-        """The same as `armui.session.log_marks.LogFrames` asks for it."""
+        """Return times and payloads as `armui.session.log_marks.LogFrames` needs them."""
         found = self.data_rows(channel, arbitration_id)
         return None if found is None else (found.times_s, found.payloads)
 

@@ -1,4 +1,4 @@
-"""Which arm of the family a log holds, by the poses in it; its recording may say it itself."""
+"""Finds the model of the arm in a log, by its sidecar or by the poses in it."""
 
 from __future__ import annotations
 
@@ -24,17 +24,17 @@ if TYPE_CHECKING:
     from armui.session.session import Session
 
 _PLACES: Final = (1.0, 0.0, 0.5, 0.25, 0.75)
-"""Parts of the log that are looked at: its ends first, where an arm often stands."""
+"""The parts of the log that are examined: its ends first, where an arm often stands still."""
 END_POSE: Final = (
     ("EndPose1", "X"), ("EndPose1", "Y"), ("EndPose2", "Z"),
     ("EndPose2", "RX"), ("EndPose3", "RY"), ("EndPose3", "RZ"),
 )  # fmt: skip
-"""Where the pose of the end stands: messages and signals."""
+"""The messages and signals of the end pose."""
 _Said = TypeVar("_Said")
 
 
 def joint_signals(message: str) -> tuple[tuple[str, str], ...]:
-    """Return where six angles stand, measured or asked for: messages and signals."""
+    """Return the messages and signals of six joint angles, measured or commanded."""
     return tuple((f"{message}{pair}", f"J{joint}") for pair in ("12", "34", "56") for joint in pair)
 
 
@@ -44,10 +44,10 @@ ANGLES: Final = joint_signals("JointFeedback")
 def model_of_log(
     session: Session, channel: Channel, generation: Generation, feedback_offset: int
 ) -> PiperModel | None:
-    """Return the model of the arm on a channel of a log; ``None`` where nothing tells.
+    """Return the model of the arm on a channel of a log, or ``None`` if it cannot be found.
 
-    What the operator had chosen goes first, as the recording's sidecar has it: the replay says,
-    as the program did live, where the arm's own word is another.
+    The operator's choice in the recording's sidecar comes first: if the arm's own pose contradicts
+    it, the replay shows that as the live program did.
     """
     told = told_model(getattr(session, "lines", ()))
     if told is not None:
@@ -58,7 +58,7 @@ def model_of_log(
 def zeros_of_log(
     session: Session, channel: Channel, generation: Generation, feedback_offset: int
 ) -> bool | None:
-    """Tell whether poses in a log have the zeros before S-V1.6-3; ``None``: unknown."""
+    """Return whether poses in a log have the zeros before S-V1.6-3, or ``None`` if unknown."""
     return _agreed(session, channel, generation, feedback_offset, lambda arm: arm.older_zeros)
 
 
@@ -80,14 +80,14 @@ def _agreed(
 
 
 def told_model(lines: Iterable[Mapping[str, Any]]) -> PiperModel | None:
-    """Return the model the lines of a sidecar say last; ``None``: none is understood."""
+    """Return the last model named in the lines of a sidecar, or ``None``."""
     told = [line.get("model") for line in lines if line.get("kind") == "arm"]
     known = [PiperModel(each) for each in told if each in list(PiperModel)]
     return known[-1] if known else None
 
 
 def told_firmware(lines: Iterable[Mapping[str, Any]]) -> str:
-    """Return the version that the lines of a sidecar name last, "" where they name none."""
+    """Return the last version named in the lines of a sidecar, or ""."""
     told = [line.get("firmware") for line in lines if line.get("kind") == "arm"]
     known = [each for each in told if isinstance(each, str) and each]
     return known[-1] if known else ""
@@ -116,18 +116,18 @@ def _fitting(
 # Which generation the arm of a log speaks, found out from the log's beginning.
 
 _FRAMES_LOOKED_AT: Final = 6_000
-"""So many frames, two seconds of an arm, tell the generation as well as all of them."""
+"""The frames, two seconds of an arm, that show the generation as well as all of them."""
 _MOST_FRAMES_LOOKED_AT: Final = 200_000
-"""Among foreign frames the arm's are looked for longer, but not without end."""
+"""The most frames searched for the arm's among foreign ones."""
 
 
 def detect_generation(
     batches: Iterator[FrameBatch],
 ) -> tuple[list[FrameBatch], GenerationVerdict]:
-    """Reads a log's beginning until its generation is certain.
+    """Read a log's beginning until its generation is certain.
 
     Returns:
-        What was read for it, and the verdict.
+        The batches read, and the verdict.
     """
     detector = GenerationDetector()
     looked_at: list[FrameBatch] = []

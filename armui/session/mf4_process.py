@@ -1,7 +1,7 @@
 """Reads logs in ASAM's format (.mf4) with asammdf, in a process of its own.
 
-A damaged file may have asammdf go round in circles, take all the memory, or die of a segmentation
-fault: that costs the file, and nothing else.
+A damaged file may make asammdf loop forever, take all the memory, or crash: then only this file is
+lost.
 """
 
 from __future__ import annotations
@@ -27,20 +27,22 @@ if TYPE_CHECKING:
 
 _ROWS: Final = 4_096
 _ANSWERS_WITHIN_S: Final = 60.0
-"""A file of gigabytes is opened, and some thousand rows are read, in some seconds."""
+"""The longest wait: a file of gigabytes is opened, and some thousand rows are read, in some
+seconds.
+"""
 _MOST_MEMORY_BYTES: Final = 4 << 30
-"""Besides what the file itself takes twice; most of it is address space that nobody uses."""
+"""The memory allowed besides twice the file's size; most of it is unused address space."""
 _ENDS_WITHIN_S: Final = 1.0
 
 Rows = list[can.Message]
 
 
 class Mf4ProcessError(Exception):
-    """The file cannot be read, or not from here on; its text says why."""
+    """The file cannot be read, or not from here on; the text tells why."""
 
 
 def rows_of(path: Path) -> Generator[Rows]:
-    """Return the frames of a file; the first answer is empty, once it is opened.
+    """Yield the frames of a file; the first item is empty, once the file is opened.
 
     Raises:
         Mf4ProcessError: It cannot be read from here on.

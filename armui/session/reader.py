@@ -1,7 +1,7 @@
-"""Opens a recorded CAN log of any format that python-can reads, and reads what can be read of it.
+"""Opens a recorded CAN log of any format that python-can reads, and reads as much as possible.
 
-Used by `armui decode`, and the way in for replay, index and exports: a log is a sequence of
-batches of frames and a list of damaged places.
+`armui decode`, replay, index and exports use it: a log is a sequence of batches of frames and a
+list of damaged places.
 """
 
 from __future__ import annotations
@@ -35,9 +35,9 @@ _SIGNS: Final = {
     ".csv": re.compile(rb"^timestamp,arbitration_id,"),
     ".log": re.compile(rb"^\(\d+\.\d+\) \S+ [0-9A-Fa-f]+#", re.MULTILINE),
 }
-"""What the files of each format have near their beginning."""
+"""The mark of each format near the beginning of its files."""
 _NOT_PACKED: Final = (".db", ".mf4")
-"""Formats that are not read from their beginning to their end, so that .gz cannot be put on top."""
+"""Formats that are not read sequentially, so that they cannot be compressed as .gz."""
 
 
 class LogFile:
@@ -45,7 +45,7 @@ class LogFile:
 
     Attributes:
         path: The file.
-        damages: Damaged places met so far.
+        damages: The damaged places met so far.
     """
 
     def __init__(self, path: Path, *, pipes: bool = False) -> None:
@@ -88,21 +88,21 @@ class LogFile:
 
     @property
     def size(self) -> int:
-        """Bytes of the file, 0 where it is not known."""
+        """The size of the file in bytes, 0 if not known."""
         return self._source.size
 
     @property
     def position(self) -> int:
-        """Bytes of the file read so far."""
+        """The bytes of the file read so far."""
         return self._source.position
 
     @property
     def frames(self) -> int:
-        """Frames read so far."""
+        """The number of frames read so far."""
         return self._builder.frames
 
     def batches(self) -> Iterator[FrameBatch]:
-        """Return the frames, in the order of the file; only once."""
+        """Yield the frames in the order of the file; this can be called only once."""
         if self._first is not None:
             first, self._first = self._first, None
             yield first
@@ -158,7 +158,7 @@ def _looks_like(path: Path) -> str:
 
 
 def is_known_kind(path: Path) -> bool:
-    """Tell whether a file is a log by its name."""
+    """Return whether a file is a log by its name."""
     try:
         _log_suffix(path)
     except NotALogError:

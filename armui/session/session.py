@@ -1,4 +1,4 @@
-"""A recording that any place of can be reached at once: what replay and exports are given."""
+"""A recording with access to any place; replay and exports use it."""
 
 from __future__ import annotations
 
@@ -15,14 +15,15 @@ if TYPE_CHECKING:
 
 
 REMEMBERED_IDS: Final = frozenset({0x473, 0x47C, 0x4AF})
-"""Limits and accelerations, whose payload says of which joint they are, and the version, whose text
-takes several frames: the last one alone says too little."""
+"""Limits and accelerations, whose payload names the joint, and the version, whose text takes
+several frames: the last frame alone is not enough.
+"""
 REMEMBERED: Final = 16
-"""So many of their last frames belong to a snapshot."""
+"""The number of their last frames in a snapshot."""
 
 
 class MarkKind(enum.Enum):
-    """What sort of moment a mark names."""
+    """The kind of moment at a mark."""
 
     FAULT = enum.auto()
     STOP = enum.auto()
@@ -32,12 +33,12 @@ class MarkKind(enum.Enum):
 
 
 class SessionMark(NamedTuple):
-    """A moment worth going to.
+    """A notable moment of a session.
 
     Attributes:
         at_s: Log time.
-        kind: What sort of moment it is.
-        entry: What happened, as a record of JSON values, as an event of the program's is written.
+        kind: The kind of moment.
+        entry: The event as a record of JSON values.
     """
 
     at_s: float
@@ -46,20 +47,20 @@ class SessionMark(NamedTuple):
 
 
 class Session(Protocol):
-    """A recording, indexed.
+    """A recording with an index.
 
     Log time is in seconds as the recording has it, since 1970 or since its beginning. It never runs
-    backwards here: times that do in the file were put right, and `reversed_times` counts them.
-    Every method may be called from any thread, also several at once. `open_session` makes one.
+    backwards: such times in the file were corrected, and `reversed_times` counts them. Every method
+    may be called from any thread, also several at once. `open_session` makes one.
 
     Attributes:
         start_s, end_s: Log time of the first and of the last frame; both 0 without any.
-        frames: How many there are.
+        frames: The number of frames.
         channels: The channels that occur, in the order of their first frames.
-        marks: In the order of time; of a log without events what its frames tell.
-        damages: Damaged places, in the order of the file, bounded.
-        damage_count: All of them.
-        reversed_times: Frames whose time was before that of the frame in front of them.
+        marks: The marks in the order of time; for a log without events those found in its frames.
+        damages: The damaged places in the order of the file, bounded.
+        damage_count: The number of all damaged places.
+        reversed_times: The number of frames whose time was before that of the preceding one.
     """
 
     @property
@@ -87,7 +88,7 @@ class Session(Protocol):
     def reversed_times(self) -> int: ...  # noqa: D102 - said above
 
     def frames_between(self, t0_s: float, t1_s: float) -> Iterator[FrameBatch]:
-        """Return the frames with t0_s <= time < t1_s, in the order of time.
+        """Yield the frames with t0_s <= time < t1_s, in the order of time.
 
         A batch's `first` is the number of its first frame within the whole session.
         """
@@ -95,19 +96,19 @@ class Session(Protocol):
     def snapshot_at(self, t_s: float) -> FrameBatch:
         """Return the last frame of each identifier and channel up to a time, in order.
 
-        Of those in `REMEMBERED_IDS` the last `REMEMBERED`. Its rows are no neighbours in the log:
-        `first` is 0 and means nothing.
+        Of those in `REMEMBERED_IDS` it holds the last `REMEMBERED`. Its rows are not consecutive in
+        the log, so `first` is 0 and has no meaning.
         """
 
     def close(self) -> None:
-        """Let go of files and memory; nothing may be asked afterwards."""
+        """Release files and memory; no other method may be called afterwards."""
 
 
 class DataRows(NamedTuple):
     """All data frames of one identifier on one channel, in the order of time.
 
     Attributes:
-        numbers: Within the whole session, shape (rows,).
+        numbers: The frames' numbers within the whole session, shape (rows,).
         times_s: Log time, shape (rows,).
         lengths: Bytes of the payloads, shape (rows,).
         payloads: Zeros behind the end of shorter ones, shape (rows, 8).
@@ -119,26 +120,26 @@ class DataRows(NamedTuple):
     payloads: NDArray[np.uint8]
 
     def of(self, rows: NDArray[Any] | slice) -> DataRows:
-        """Some of them."""
+        """Return some of the rows."""
         numbers, times_s, lengths, payloads = self
         return DataRows(numbers[rows], times_s[rows], lengths[rows], payloads[rows])
 
 
 @runtime_checkable
 class KeepsCounts(Protocol):
-    """A `Session` beside which its numbers of faults and stops are kept."""
+    """A `Session` that stores its numbers of faults and stops."""
 
     @property
     def lacks_counts(self) -> bool:
-        """Whether nobody has counted them yet."""
+        """True if they have not been counted yet."""
 
     def keep_counts(self, marks: Sequence[SessionMark]) -> None:
-        """Keep how many the marks tell of; waits for a disk."""
+        """Store the numbers of faults and stops among the marks; waits for a disk."""
 
 
 @runtime_checkable
 class HasDataRows(Protocol):
-    """A `Session` that has the frames of each identifier at hand."""
+    """A `Session` with direct access to the frames of each identifier."""
 
     def data_rows(self, channel: Channel, arbitration_id: int) -> DataRows | None:
-        """Return frames with 11-bit identifiers that carry data; ``None``: there are none."""
+        """Return data frames with an 11-bit identifier, or ``None`` if there are none."""

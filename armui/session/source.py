@@ -1,4 +1,4 @@
-"""The bytes of a log: opened, unpacked, counted, and never more of them in memory than a block."""
+"""Reads the bytes of a log: opens, unpacks and counts them, with no more than a block in memory."""
 
 from __future__ import annotations
 
@@ -17,24 +17,24 @@ if TYPE_CHECKING:
 _BLOCK = 1 << 18
 _LONGEST_LINE = 16_384
 READ_ERRORS = (OSError, EOFError, zlib.error)
-"""What reading a damaged or vanished file raises."""
+"""The exceptions of reading a damaged or vanished file."""
 
 
 class LogSource:
     """An open file, read from its beginning to its end.
 
     Attributes:
-        size: Bytes on the disk, 0 where it is not known (a pipe).
-        taken: Bytes read so far, unpacked.
-        broken: Why it could not be read to its end, "" if it could.
+        size: The size on the disk, 0 if not known (a pipe).
+        taken: The bytes read so far, unpacked.
+        broken: The reason why it could not be read to its end, "" if it could.
     """
 
     def __init__(self, log: Path | bytes, *, pipes: bool = False) -> None:
         """Open a file.
 
         Args:
-            log: The file, or bytes that stand for one.
-            pipes: Whether a pipe will do; opening one waits for whoever feeds it.
+            log: The file, or its bytes.
+            pipes: True to accept a pipe; opening one waits for its writer.
 
         Raises:
             NotALogError: It cannot be opened.
@@ -59,11 +59,11 @@ class LogSource:
 
     @property
     def position(self) -> int:
-        """Bytes of the file on the disk that are read, for a progress bar."""
+        """The bytes of the file on the disk that were read, for a progress bar."""
         return self.taken if self._is_pipe else self._raw.tell()
 
     def read(self, size: int) -> bytes:
-        """Return the next bytes, fewer at the end or where the file breaks."""
+        """Return the next bytes, fewer at the end or where the file is damaged."""
         if self.broken or size <= 0:
             return b""
         try:
@@ -96,9 +96,9 @@ class LogSource:
         self._raw.close()
 
     def lines(self) -> Iterator[list[str]]:
-        """Blocks of stripped lines, blank ones too; of an overlong line its beginning.
+        """Yield blocks of stripped lines, blank ones included; an overlong line is truncated.
 
-        Only a line end ends a line, so that their numbers are those of an editor.
+        Only line ends separate lines, so that the numbers are those of an editor.
         """
         carry = b""
         dropping = False

@@ -1,4 +1,4 @@
-"""What a log tells of the arms in it, before it is replayed."""
+"""Finds the arms in a log, before it is replayed."""
 
 from __future__ import annotations
 
@@ -25,13 +25,13 @@ if TYPE_CHECKING:
 _STATUS_ID: Final = 0x2A1
 _LOOKED_BACK_S: Final = 3.0
 _FRAMES: Final = 6_000
-"""So many frames of an arm, two seconds of it, tell the generation as well as all of them."""
+"""The frames, two seconds of an arm, that show the generation as well as all of them."""
 _ARMS: Final = 16
-"""In so many channels an arm is looked for: each costs a look at the whole log."""
+"""The most channels in which an arm is searched: each costs a pass over the whole log."""
 _ANSWER_FRAMES: Final = 2_000
-"""So many frames with the version are looked at: an answer has eleven."""
+"""The most frames with the version that are examined: an answer has eleven."""
 _ARM: Final = range(0x251, 0x2D0)
-"""Where the cyclic feedback lies under every offset."""
+"""The identifiers of the cyclic feedback under every offset."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,16 +40,15 @@ class ChannelSurvey:
 
     Attributes:
         channel: As the log names it.
-        arm_ids: How many identifiers of an arm's cyclic feedback occur.
-        generation: Which protocol it speaks, as far as can be told.
-        reason: Why, as the end of a sentence that begins "generation N, because".
-        is_certain: Whether anything tells; if not, the operator should choose.
+        arm_ids: The number of identifiers of an arm's cyclic feedback.
+        generation: The protocol it speaks, as far as can be told.
+        reason: The reason, as the end of a sentence that begins "generation N, because".
+        is_certain: True if there is evidence; if not, the operator should choose.
         feedback_offset: Added to the identifiers of its feedback (0x470).
-        firmware: The version it names anywhere in the log, as ``S-V1.8-5``; "" where none was
-            found.
-        model: Which arm of the family it is; ``None``: nothing tells.
-        older_zeros: Its poses say that joints 2 and 3 count from the zeros before S-V1.6-3;
-            ``None``: they say nothing.
+        firmware: The version it names anywhere in the log, as ``S-V1.8-5``; "" if none was found.
+        model: The model of the family; ``None`` if not known.
+        older_zeros: True if its poses show that joints 2 and 3 count from the zeros before
+            S-V1.6-3; ``None`` if they do not show it either way.
     """
 
     channel: Channel
@@ -64,10 +63,10 @@ class ChannelSurvey:
 
 
 def survey(session: Session) -> tuple[ChannelSurvey, ...]:
-    """Look at the end of a log, which knows every identifier, and at a few seconds of each arm.
+    """Return what is known of each channel, from the log's end and a few seconds of each arm.
 
     Returns:
-        The channels, that with most of an arm first.
+        The channels, the one with most of an arm first.
     """
     last = session.snapshot_at(math.inf)
     ordinary = (last.flags & NOT_OF_THE_ARM) == 0

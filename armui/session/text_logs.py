@@ -1,4 +1,4 @@
-"""Reads the line-based log formats with python-can, past lines that its readers give up on.
+"""Reads the line-based log formats with python-can, beyond lines at which its readers fail.
 
 A reader of python-can is one generator: an exception in a line ends it. Here it is fed with lines
 one by one; when the reader fails, the line is noted and a new generator of the same reader goes on
@@ -28,7 +28,7 @@ _ERROR_FLAG: Final = 0x20000000
 _CANDUMP_FRAME: Final = re.compile(r"\s([0-9a-f]+)#([0-9a-f]*)", re.IGNORECASE)
 _CANDUMP_LENGTH_CODE: Final = re.compile(r"(#[0-9a-f]{16})_[9-f]\b", re.IGNORECASE)
 _LONGEST_SCREEN_LINE: Final = 400
-"""Characters; 64 bytes of CAN FD with their text take some 300."""
+"""The most characters of a line; 64 bytes of CAN FD with their text take some 300."""
 _CANDUMP_SCREEN: Final = re.compile(
     r"\((?P<time>[\d.]+)\)\s+(?P<channel>\S+)\s+(?:(?P<sent>TX)\s+[-BE\s]+|RX\s+[-BE\s]+)?"
     r"(?P<id>[0-9a-f]{3}|[0-9a-f]{8})\s+(?:\[\d\]|(?P<fd>\[\d\d\]))\s+"
@@ -49,19 +49,19 @@ def _no_repair(_line: str) -> str | None:
 
 @dataclass(frozen=True)
 class TextFormat:
-    """One format's peculiarities; the patterns ignore case.
+    """The properties of one format; the patterns ignore case.
 
     Attributes:
-        name: What people call it.
+        name: Its common name.
         reader: The reader of python-can; it takes a stream of lines and is iterated for messages.
         header: Lines that open a log of this format: it is one, even when no frame follows.
         silent: Lines that rightly yield no frame: comments, events, statistics.
         opening: Line that the reader swallows before its first frame. It is slipped in where the
             log lacks it and whenever the reader starts anew, so that no frame is swallowed instead.
-        sound: What a line with a frame looks like, where the reader makes frames of other lines.
-        complete: Adds to a message what stands in its line and the reader passes over; called for
+        sound: The pattern of a line with a frame, if the reader also makes frames of other lines.
+        complete: Adds to a message the parts of its line that the reader ignores; called for
             extended identifiers and error frames only.
-        rewrite: Another way to write a line that the reader cannot read, None if there is none.
+        rewrite: Rewrites a line that the reader cannot read; None if not needed.
     """
 
     name: str
@@ -134,7 +134,7 @@ TRC: Final = TextFormat(
     silent=r";|\s*\d+\)?\s+[\d.]+\s+(\d+\s+)?(st|er|ec|ev|warng|error|ffffffff)\b",
 )
 TEXT_FORMATS: Final = {".log": CANDUMP, ".txt": CANDUMP, ".csv": CSV, ".asc": ASC, ".trc": TRC}
-"""By file suffix."""
+"""The formats by file suffix."""
 
 
 # Whole blocks of ordinary candump lines at once, as python-can's reader gives them, but faster.
@@ -153,7 +153,7 @@ def quick_batch(lines: list[str], builder: BatchBuilder) -> FrameBatch | None:
     """Return the frames of a block of lines.
 
     Args:
-        lines: Stripped lines; empty ones are passed over.
+        lines: Stripped lines; empty ones are skipped.
         builder: Numbers frames and channels.
 
     Returns:
@@ -196,14 +196,14 @@ def quick_batch(lines: list[str], builder: BatchBuilder) -> FrameBatch | None:
 
 
 _ROWS: Final = 4_096
-"""Frames of a batch at most."""
+"""The most frames of a batch."""
 _LINES_AT_ONCE: Final = 512
-"""Lines that go through python-can's reader together when one of them is out of the ordinary."""
+"""The lines that go through python-can's reader together when one of them is unusual."""
 _EXCERPT: Final = 60
 _PATIENT_LINES: Final = 1_000
-"""So many unreadable lines before the first frame, and the file is no log."""
+"""After this many unreadable lines before the first frame the file is no log."""
 _PATIENT_BYTES: Final = 1 << 26
-"""So many bytes without a frame, and the file is no log, or none from here on."""
+"""After this many bytes without a frame the file is no log, or none from here on."""
 
 
 class NonsenseError(Exception):
@@ -243,11 +243,11 @@ class _Lines:
         self.hopeful = False
 
     def feed(self, blocks: Iterable[list[str]]) -> None:
-        """What to hand out from here on."""
+        """Set the lines to hand out from here on."""
         self._blocks = blocks
 
     def __iter__(self) -> Iterator[str]:
-        """Return lines that are not blank, once each, and lines given back.
+        """Yield lines that are not blank, once each, and lines given back.
 
         Raises:
             NonsenseError: The file begins with too much that is no frame.
@@ -279,10 +279,10 @@ class _Lines:
             self.look_for_end()
 
     def look_for_end(self) -> None:
-        """Gives up on a file that has been nothing but nonsense for long.
+        """Give up on a file that has held nothing readable for long.
 
         Raises:
-            NonsenseError: It has, from its beginning.
+            NonsenseError: Nothing was readable from the beginning on.
         """
         frames = self._builder.frames + self.rows
         if frames > self._frames_before:
@@ -293,10 +293,10 @@ class _Lines:
             self._source.broken = "nothing in so many bytes is a frame; the rest is not read"
 
     def close(self) -> None:
-        """Called by readers at their end; the file belongs to whoever opened it."""
+        """Do nothing: readers call this at their end, but the file belongs to its opener."""
 
     def go_on(self) -> None:
-        """After the reader has failed: the line is tried in other words once, or noted.
+        """After the reader has failed, try the line once in rewritten form, or note it.
 
         A new generator of the reader comes next, which swallows the opening again.
         """
@@ -308,7 +308,7 @@ class _Lines:
             self.skip()
 
     def settle_with(self, message: can.Message) -> bool:
-        """Takes the pending line for read, if a message can have come of it."""
+        """Mark the pending line as read, and return true, if a message can have come of it."""
         if not self._sound.match(self.pending):
             self.skip()
             return False
@@ -319,18 +319,18 @@ class _Lines:
         return True
 
     def end(self) -> None:
-        """Notes where the file breaks off, if it does."""
+        """Note the place where the file breaks off, if it does."""
         if self._source.broken:
             self._builder.note(f"after line {self.number}", self._source.broken, 0)
 
     def settle(self) -> None:
-        """The reader is done with the pending line: it is noted unless it may yield nothing."""
+        """Finish the pending line: it is noted unless it may yield nothing."""
         if self.pending and not self._silent.match(self.pending):
             self.skip()
         self.pending = ""
 
     def skip(self) -> None:
-        """Notes the pending line as unreadable."""
+        """Note the pending line as unreadable."""
         if not self.pending:
             return
         if self._builder.damages.full:
@@ -348,15 +348,15 @@ class _Lines:
 def read_text_log(
     source: LogSource, log_format: TextFormat, builder: BatchBuilder
 ) -> Iterator[FrameBatch]:
-    """Return frames of a log in order.
+    """Yield the frames of a log in order.
 
     Args:
         source: The file.
         log_format: Its format.
-        builder: Makes the batches, and is told what cannot be read.
+        builder: Builds the batches, and notes what cannot be read.
 
     Raises:
-        NonsenseError: The file begins with too much that is no frame.
+        NonsenseError: Too much was unreadable before the first frame.
     """
     lines = _Lines(source, log_format, builder)
     if log_format is CANDUMP:

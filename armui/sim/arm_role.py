@@ -1,4 +1,4 @@
-"""The role beside another arm (0x470): when it takes effect, and what a leader does and sends."""
+"""The role beside another arm (0x470): when it takes effect, and what a leader sends."""
 
 from __future__ import annotations
 
@@ -29,7 +29,8 @@ CONTROL: Final = frozenset(
         *(f"MitControl{joint}" for joint in JOINTS),
     )
 )
-"""The host's commands, as opposed to its settings and questions: a teaching input obeys none."""
+"""The host's commands, as opposed to settings and questions; a teaching input obeys none of them.
+"""
 
 _FULL_SPEED_PERCENT: Final = 100
 _GRIPPER_TORQUE_NM: Final = 1.0
@@ -46,7 +47,7 @@ class LinkedInput:
         self._cache = FrameCache(Codec(generation, Addressing(control_offset=target_offset)))
 
     def frames(self, joints_deg: SixValues, gripper: SimulatedGripper) -> list[Frame]:
-        """Return the frames that send the follower to where this arm is."""
+        """Return the frames that send the follower to this arm's position."""
         cache = self._cache
         return [
             cache.frame(
@@ -73,25 +74,25 @@ class LinkedInput:
 
 
 _TO_ZERO_SHARE: Final = 0.2
-"""Share of the joints' highest speeds with which a leader goes to its zero."""
+"""The share of the joints' highest speeds with which a leader moves to its zero."""
 
 
 class ArmRole:
     """Makes an arm a teaching input or a motion output.
 
     Attributes:
-        leader: What a teaching input sends; None while it is none.
+        leader: The frames of a teaching input; None while the arm is none.
     """
 
     def __init__(
         self, arm: Firmware, *, drop_targets: Callable[[], None], speak: Callable[[], None]
     ) -> None:
-        """Looks after one arm's role.
+        """Manages the role of one arm.
 
         Args:
-            arm: Has the role.
-            drop_targets: Drops the targets it has.
-            speak: Takes over the identifiers that the settings ask for.
+            arm: The arm.
+            drop_targets: Drops the arm's targets.
+            speak: Switches to the identifiers in the settings.
         """
         self._generation = arm.generation
         self._mechanics = arm.mechanics
@@ -106,7 +107,7 @@ class ArmRole:
         self.leader: LinkedInput | None = None
 
     def take_effect(self) -> None:
-        """Lets the kept setting take effect: the identifiers and the role."""
+        """Applies the stored setting: the identifiers and the role."""
         linkage = self._settings.linkage
         self._waits = self._is_quiet = False
         self._speak()
@@ -121,7 +122,7 @@ class ArmRole:
             self._mechanics.hold()
 
     def set(self, linkage: LinkageSettings) -> None:
-        """Keeps a setting.
+        """Stores a setting.
 
         It takes effect at once in standby or as a teaching input, else as soon as in standby.
         """
@@ -133,15 +134,15 @@ class ArmRole:
             self.take_effect()
 
     def mode_entered(self) -> None:
-        """Notices that the arm has entered a control mode."""
+        """Applies a waiting setting when the arm has entered standby."""
         if self._waits and self._condition.control_mode is ControlMode.STANDBY:
             self.take_effect()
 
     def zero(self, command: LeaderZero) -> None:
         """Obeys 0x191 as a leader.
 
-        It goes to its zero by itself, with the follower or without, or gives way to the hand again.
-        How fast it goes is assumed; no answer is known.
+        The arm moves to its zero by itself, with the follower or without, or gives way to the hand
+        again. Its speed is assumed; no answer is known.
         """
         if self.leader is None:
             return
@@ -159,7 +160,7 @@ class ArmRole:
         )
 
     def told(self, gripper: SimulatedGripper) -> list[Frame]:
-        """Return what a leader sends to its follower now."""
+        """Return the frames that a leader now sends to its follower."""
         if self.leader is None or self._is_quiet:
             return []
         return self.leader.frames(self._mechanics.positions_deg, gripper)

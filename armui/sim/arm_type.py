@@ -1,4 +1,4 @@
-"""Which arm a simulated arm is: the model and the firmware version, and what follows from both."""
+"""The type of a simulated arm: its model and firmware version, and what follows from both."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ class ArmType:
 
     Attributes:
         model: The model's data.
-        version: What the arm answers to 0x4AF.
-        quirks: What its firmware does.
+        version: The version in the answer to 0x4AF.
+        quirks: The firmware's behaviour.
     """
 
     model: ModelData
@@ -34,23 +34,23 @@ class ArmType:
 
     @classmethod
     def of(cls, model: PiperModel, version: str) -> ArmType:
-        """Return a model with a version as ``S-V1.8-9``; an unreadable one counts as today's."""
+        """Return a model with a version like ``S-V1.8-9``; an unreadable one counts as today's."""
         parsed = FirmwareVersion.parse(version) or RECOMMENDED
         return cls(model_data(model), version, quirks_of(parsed, model))
 
     @property
     def geometry(self) -> Geometry:
-        """Its dimensions, with the zeros this firmware counts from."""
+        """The dimensions, with the zeros of this firmware."""
         return self.model.geometry_of(self.version)
 
     @property
     def links(self) -> tuple[RigidLink, ...]:
-        """Its links and their masses."""
+        """The links with their masses."""
         return rigid_links(self.model, self.geometry)
 
     @property
     def nm_per_ampere(self) -> SixFactors:
-        """Torque at the output for a motor current, joint 1 first: k·b·c.
+        """The torque at the output for each ampere of motor current, joint 1 first: k·b·c.
 
         A calibration c that is not known counts as 1.
         """
@@ -62,10 +62,10 @@ class ArmType:
 
     @property
     def mit_torque_scale(self) -> SixFactors:
-        """Torque at the output for 1 N·m in a MIT frame, joint 1 first.
+        """The torque at the output for 1 N·m in a MIT frame, joint 1 first.
 
-        What the firmware multiplies with, then the calibration c; and whatever the model, the
-        firmware turns torque into current with the PiPER's k·b.
+        It holds the firmware's factor and the calibration c. Whatever the model, the firmware
+        converts torque to current with the PiPER's k·b.
         """
         torque, piper = self.model.torque, model_data().torque
         calibration = torque.c or (1.0,) * 6

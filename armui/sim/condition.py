@@ -14,8 +14,8 @@ from armui.sim.mechanics.powered_joints import JOINT_COUNT
 class Alarm(enum.StrEnum):
     """An alarm of a driver; the value is the name of its bit in 0x261–0x266.
 
-    Not every generation has every bit. A sensor fault is told as a driver fault where its own bit
-    means something else; collision and stall then show in 0x2A1 alone.
+    Not every generation has every bit. Where the sensor's own bit means something else, a sensor
+    fault is reported as a driver fault; collision and stall then show in 0x2A1 alone.
     """
 
     UNDERVOLTAGE = "Undervoltage"
@@ -29,18 +29,22 @@ class Alarm(enum.StrEnum):
 
 
 KEPT: Final = frozenset({Alarm.OVERCURRENT, Alarm.DRIVER, Alarm.COLLISION, Alarm.STALL})
-"""Stay after their cause has gone, until they are cleared; the others end with their cause."""
+"""Alarms that stay after their cause has gone, until they are cleared; the others end with their
+cause.
+"""
 
 CUTS_POWER: Final = frozenset({Alarm.OVERCURRENT, Alarm.DRIVER})
-"""The driver switches its own motor off; with the others it goes on holding the joint."""
+"""Alarms at which the driver switches its own motor off; with the others it goes on holding the
+joint.
+"""
 
 
 class Alarms:
     """The alarms of six drivers.
 
     Attributes:
-        any: Whether there is one.
-        collision: Whether one of them is a collision.
+        any: True if there is an alarm.
+        collision: True if one of them is a collision.
     """
 
     def __init__(self) -> None:
@@ -54,7 +58,7 @@ class Alarms:
         return self._causes[index] | self._kept[index]
 
     def set(self, index: int, alarm: Alarm, *, present: bool) -> bool:
-        """Says whether the cause of an alarm is there; tells whether the alarm is new."""
+        """Sets whether an alarm's cause is present; returns whether the alarm is new."""
         if present == (alarm in self._causes[index]):
             return False
         is_new = present and alarm not in self._kept[index]
@@ -68,7 +72,7 @@ class Alarms:
         return is_new
 
     def clear(self, indices: Iterable[int]) -> None:
-        """Clears what is kept; an alarm whose cause is still there stays."""
+        """Clears kept alarms; an alarm whose cause is still present stays."""
         for index in indices:
             self._kept[index] = self._causes[index] & KEPT
         self._sum_up()
@@ -88,21 +92,21 @@ class Condition:
     """Modes, flags and faults of the arm.
 
     Attributes:
-        control_mode: Who commands the arm.
-        move_mode: Which kind of motion targets ask for.
+        control_mode: The source of the arm's commands.
+        move_mode: The kind of motion to targets.
         speed_percent: Share of the joints' highest speeds, 0–100.
-        teaching_state: What drag teaching does.
-        motion_state: Whether the last target is reached; a motion cut short leaves it unreached.
+        teaching_state: The state of drag teaching.
+        motion_state: Whether the last target is reached; an aborted motion leaves it unreached.
         stopped: Whether an emergency stop is in force.
         no_solution: Whether no way to the last target was found.
         singular: Whether the way to the last target leads through a singular pose.
-        activity: What drag teaching does, for the status.
+        activity: The activity of drag teaching, for the status.
         beyond_limit: The joints whose last target was refused.
         communication_fault: The joints the controller cannot talk to.
-        alarms: What the drivers complain of.
-        direct: Whether 0xAD in the mode word has handed the joints to their drivers' own loop.
-        needs_reset: Whether the arm was taken out of that loop by a mode word that its firmware
-            does not understand so: it takes up no target until it is reset.
+        alarms: The drivers' alarms.
+        direct: Whether 0xAD in the mode word has put the joints under their drivers' own loop.
+        needs_reset: Whether a mode word that its firmware does not support was to end that loop:
+            the arm accepts no target until it is reset.
     """
 
     control_mode: ControlMode = ControlMode.STANDBY
@@ -140,21 +144,21 @@ class Condition:
         return self.activity
 
     def obeys(self, *move_modes: MoveMode) -> bool:
-        """Tell whether a target of one of these kinds of motion starts it as it arrives."""
+        """Return whether a target of one of these kinds of motion starts it as it arrives."""
         return self.control_mode is ControlMode.CAN_CONTROL and self.move_mode in move_modes
 
     def accept_target(self) -> None:
-        """Forgets what was wrong with the target before."""
+        """Clears the faults of the former target."""
         self.no_solution = self.singular = False
         self.beyond_limit = _no_joint()
 
     @property
     def hindered(self) -> bool:
-        """Whether a fault keeps a joint from moving."""
+        """True if a fault keeps a joint from moving."""
         return self.alarms.any or any(self.communication_fault)
 
     def clear_errors(self) -> None:
-        """Clears errors as a resume does; an error whose cause is still there stays."""
+        """Clears errors as a resume does; an error whose cause is still present stays."""
         self.stopped = False
         self.alarms.clear(range(JOINT_COUNT))
         self.accept_target()
@@ -162,7 +166,7 @@ class Condition:
         self.direct = self.needs_reset = False
 
     def start_anew(self) -> None:
-        """Goes back to the state after a power cycle; an error whose cause is still there stays."""
+        """Returns to the state after a power cycle; an error whose cause is still present stays."""
         self.clear_errors()
         self.control_mode = ControlMode.STANDBY
         self.move_mode = MoveMode.MOVE_P

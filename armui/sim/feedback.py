@@ -1,4 +1,4 @@
-"""The frames that the simulated arm sends by itself, and when each is due."""
+"""The frames that the simulated arm sends periodically, and the time at which each is due."""
 
 from __future__ import annotations
 
@@ -27,14 +27,14 @@ if TYPE_CHECKING:
 _NUDGE_DEG: Final = 0.01
 _MM_PER_M: Final = 1000.0
 _MOST: Final = 64
-"""Of one message; joints on their way never say the same twice."""
+"""The frames kept of one message; moving joints never repeat theirs."""
 
 
 class FrameCache:
-    """Keeps frames of each message; one is encoded when its values are none of those kept.
+    """Keeps frames of each message; a frame is encoded only if its values differ from all of them.
 
-    Most of an arm's 3,000 frames a second repeat the ones before them, or, like the supply's
-    voltage with its noise, one of a few.
+    Most of an arm's 3,000 frames a second repeat the ones before them or, like the noisy supply
+    voltage, one of a few.
     """
 
     def __init__(self, codec: Codec) -> None:
@@ -62,14 +62,14 @@ class FrameCache:
 
 
 TICK_NS: Final = 5_000_000
-"""Frames leave on this grid: one burst of frames, one thread switch."""
+"""Frames leave on this grid: one burst of frames for each switch of threads."""
 
 _NS_PER_MS: Final = 1_000_000
 _PER_DRIVER: Final = ("DriverFast", "DriverSlow")
 _END_MOTION: Final = tuple(f"EndMotion{joint}" for joint in range(1, 7))
 _IK_SOLUTION: Final = ("IkSolution12", "IkSolution34", "IkSolution56")
 _IK_SOLUTION_MS: Final = 5
-"""Assumed: the protocol text gives no cycle time."""
+"""The cycle time of the IK solution, which is assumed: the protocol text gives none."""
 _DRIVERS: Final = tuple(f"{kind}{joint}" for kind in _PER_DRIVER for joint in range(1, 7))
 
 
@@ -77,7 +77,7 @@ _OPTIONS: Final = {
     **dict.fromkeys(_END_MOTION, "end_motion"),
     **dict.fromkeys(_IK_SOLUTION, "ik_solution"),
 }
-"""What has to be on for the frames that are not always sent."""
+"""The attribute that switches on the frames that are not always sent."""
 
 
 @dataclass(slots=True)
@@ -93,8 +93,8 @@ class _Slot:
 class FeedbackSchedule:
     """The periodic feedback of one generation, with the cycle times of its DBC file.
 
-    The controller sends all that has the same cycle time as one burst, so that it belongs
-    together. The six drivers send each for itself, spread over the period as far as the grid
+    The controller sends all frames with the same cycle time as one burst, so that their values
+    belong together. The six drivers send independently, spread over the period as far as the grid
     allows.
 
     Attributes:
@@ -111,7 +111,7 @@ class FeedbackSchedule:
         }
 
     def pop(self) -> list[str]:
-        """Return the names of the frames due at `next_ns`, in the order of the bus; moves on."""
+        """Return the names of the frames due at `next_ns`, in bus order, and advance."""
         now_ns = self.next_ns
         names: list[str] = []
         for slot in self._slots:
@@ -150,13 +150,15 @@ def _slots(generation: Generation) -> tuple[tuple[int, int, tuple[str, ...], str
 
 
 _DEGREES_PER: Final = {**DEGREES_PER, "pulse": 360.0 / 65536.0}
-"""With the encoder's pulses; the protocol text gives no number of them a turn, this is assumed."""
+"""The units with the encoder's pulses. The protocol text gives no number of pulses for a turn; this
+one is assumed.
+"""
 _NO_ALARM: Final[Mapping[str, float]] = dict.fromkeys(Alarm, False)
 _NO_GRIPPER_FAULT: Final[Mapping[str, float]] = dict.fromkeys(GripperFault, False)
 
 
 class Feedback:
-    """Makes the periodic frames from the state of the arm's parts."""
+    """Builds the periodic frames from the state of the arm's parts."""
 
     def __init__(self, codec: Codec, arm: Firmware) -> None:
         self._cache = FrameCache(codec)
@@ -185,7 +187,7 @@ class Feedback:
             self._makers[f"EndMotion{joint}"] = partial(self._end_motion, joint)
 
     def frames(self, names: Iterable[str]) -> list[Frame]:
-        """Return the messages of these names, in their order, as of now."""
+        """Return the present frames of these messages, in their order."""
         positions = self._arm.mechanics.positions_deg
         if positions != self._posed_at:
             self._posed_at = positions

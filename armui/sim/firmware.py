@@ -1,6 +1,6 @@
 """The simulated arm's controller: takes frames, advances in time, returns the frames it sends.
 
-No clock, no thread, no bus: `on_frame` and `step` are all there is. Behaviour follows the
+It has no clock, no thread and no bus: a host calls `on_frame` and `step`. Its behaviour follows the
 protocol text and what is known of the maker's firmware.
 """
 
@@ -62,23 +62,24 @@ class Firmware:
 
     Attributes:
         generation: The protocol it speaks.
-        type: Which arm it is: model and firmware version.
-        kinematics: Of the geometry its version has.
-        condition: Modes, flags and faults, as 0x2A1 tells them.
+        type: The arm's type: model and firmware version.
+        kinematics: The kinematics of its version's geometry.
+        condition: Modes, flags and faults, as reported in 0x2A1.
         mechanics: Joints and motors.
-        drivers: What the motor drivers measure.
+        drivers: The measurements of the motor drivers.
         gripper: The gripper.
-        hand_guiding: A hand that leads the arm where it gives way.
+        hand_guiding: A hand that moves joints which give way.
         teaching: Drag teaching and its recording.
         settings: The values the arm keeps.
-        flash: Where it keeps them.
-        protection: What watches the drivers.
-        settings_applier: What keeps the parts in step with the settings.
+        flash: The storage of these values.
+        protection: The protection that watches the drivers.
+        settings_applier: Applies the settings to the parts.
         bugs: Known bugs of firmware versions that it has.
-        feedback_stopped: Whether the arm, broken, tells nothing unless asked.
-        drivers_tell: Whether 0x251–0x266 go on while it is a teaching input, as on some arms.
-        ignored: How many frames were not understood, by kind.
-        unsupported: How many ask for what it does not do: transfer of trajectories, zero learning.
+        feedback_stopped: True if the arm, by a fault, sends no periodic feedback.
+        drivers_tell: True if 0x251–0x266 continue while it is a teaching input, as on some arms.
+        ignored: The number of frames not understood, by kind.
+        unsupported: The number of frames asking for functions it lacks: transfer of trajectories,
+            zero learning.
     """
 
     def __init__(
@@ -92,15 +93,16 @@ class Firmware:
         flash: Flash | None = None,
         bugs: frozenset[FirmwareBug] = frozenset(),
     ) -> None:
-        """An arm just switched on: motors off, standby, supported where it lies.
+        """Creates an arm that was just switched on: motors off, standby, supported where it lies.
 
         Args:
             generation: The protocol it speaks.
-            seed: Of the little noise there is; the same seed and calls give the same frames.
-            joints_deg: Where it lies, joint 1 first, counted from the factory's zeros.
-            version: Of its firmware, as ``S-V1.8-9`` (generation 2); today's with None.
-            model: Which arm of the family it is.
-            flash: Where its settings are kept; without it they end with this object.
+            seed: The seed of the noise; the same seed and calls give the same frames.
+            joints_deg: The joint angles at the start, joint 1 first, counted from the factory's
+                zeros.
+            version: The firmware's version, as ``S-V1.8-9`` (generation 2); today's with None.
+            model: The model of the family.
+            flash: The storage of its settings; without it they end with this object.
             bugs: Known bugs that it has.
         """
         self.generation = generation
@@ -167,77 +169,77 @@ class Firmware:
 
     @property
     def joints_deg(self) -> SixValues:
-        """Where the joints are."""
+        """The joint angles."""
         return self.mechanics.positions_deg
 
     @property
     def true_joints_deg(self) -> SixValues:
-        """Where the joints truly are, counted from the factory's zeros; nothing on the bus says."""
+        """The true joint angles, counted from the factory's zeros; no frame reports them."""
         return tuple(self.mechanics.weight.true_deg(self.mechanics.positions_deg))
 
     @property
     def enabled(self) -> tuple[bool, ...]:
-        """Which motors have power."""
+        """For each motor, true if it has power."""
         return self.mechanics.powered
 
     @property
     def status(self) -> ArmStatusCode:
-        """As 0x2A1 byte 1 tells it."""
+        """The status code as in 0x2A1 byte 1."""
         return self.condition.status
 
     @property
     def stopped(self) -> bool:
-        """Whether an emergency stop is in force."""
+        """True if an emergency stop is in force."""
         return self.condition.stopped
 
     @property
     def control_mode(self) -> ControlMode:
-        """Who commands the arm."""
+        """The source of the arm's commands."""
         return self.condition.control_mode
 
     @property
     def move_mode(self) -> MoveMode:
-        """Which kind of motion targets ask for."""
+        """The kind of motion to targets."""
         return self.condition.move_mode
 
     @property
     def speed_percent(self) -> int:
-        """Share of the joints' highest speeds."""
+        """The share of the joints' highest speeds."""
         return self.condition.speed_percent
 
     @property
     def motion_state(self) -> MotionState:
-        """Whether the last target is reached."""
+        """The state of arrival: whether the last target has been reached."""
         return self.condition.motion_state
 
     @property
     def teaching_state(self) -> TeachingState:
-        """What drag teaching does."""
+        """The state of drag teaching."""
         return self.condition.teaching_state
 
     @property
     def targets_deg(self) -> SixValues:
-        """The last joint targets it took on."""
+        """The last joint targets that were accepted."""
         return self._moves.targets_deg
 
     @property
     def ik_solution_deg(self) -> SixValues | None:
-        """Where the last pose of MOVE P leads the joints, as 0x2AA–0x2AC tell."""
+        """The joint angles of the last pose of MOVE P, as in 0x2AA–0x2AC."""
         return self._moves.ik_solution_deg if self.type.quirks.has_ik_solution else None
 
     @property
     def silent(self) -> bool:
-        """Whether the bus silence of 0x422 is in force."""
+        """True if the bus silence of 0x422 is in force."""
         return self._silent
 
     @property
     def leads(self) -> bool:
-        """Whether it is a teaching input: it sends commands, and obeys none."""
+        """True if it is a teaching input: it sends commands and obeys none."""
         return self._linkage.leader is not None
 
     @property
     def time_s(self) -> float:
-        """How long the arm has been on."""
+        """The time for which the arm has been on."""
         return self._now_ns / _NS_PER_S
 
     @property
@@ -249,7 +251,7 @@ class Firmware:
         """Obeys or answers a frame at once.
 
         Args:
-            frame: Anything that is on the bus; what the arm does not know it counts and ignores.
+            frame: Any frame on the bus; unknown ones are counted and ignored.
 
         Returns:
             The answers, in order.
@@ -274,16 +276,16 @@ class Firmware:
         return [] if self._quiet else answers
 
     def step(self, dt_s: float) -> list[Frame]:
-        """Lets time pass.
+        """Advances in time, and returns the feedback that is due.
 
         Args:
-            dt_s: How much, from 0 up.
+            dt_s: The time to advance, 0 or more.
 
         Returns:
             The feedback due in that time, in order.
 
         Raises:
-            ValueError: Time cannot run backwards.
+            ValueError: The time is negative.
         """
         if not 0.0 <= dt_s < math.inf:
             raise ValueError(f"dt_s is {dt_s}; give a time from 0 up")
@@ -304,18 +306,18 @@ class Firmware:
         return self._silent or self.bugs.silent
 
     def set_communication_fault(self, joint: int, *, present: bool) -> None:
-        """Breaks or mends the connection between the controller and a joint (1–6)."""
+        """Breaks or restores the connection between the controller and a joint (1–6)."""
         self.condition.communication_fault[joint - 1] = present
         if present:
             self._moves.abort_motion()
 
     def power_cycle(self) -> None:
-        """Takes the power away and gives it back: see `switch_off` and `switch_on`."""
+        """Switches the power off and on again: see `switch_off` and `switch_on`."""
         self.switch_off()
         self.switch_on()
 
     def switch_off(self) -> None:
-        """Takes the power away: the arm drops, hears nothing and says nothing."""
+        """Switches the power off: the arm drops, and neither receives nor sends."""
         self._off = True
         self._motion_commands.drop_work()
         self.teaching.entered = False
@@ -324,7 +326,7 @@ class Firmware:
         self.gripper.release()
 
     def switch_on(self) -> None:
-        """Gives the power back: standby, motors off; only what the flash holds is still known."""
+        """Switches the power on: standby, motors off; only what the flash holds is kept."""
         self._off = False
         self.settings_applier.restart()
         self.condition.start_anew()
@@ -333,7 +335,7 @@ class Firmware:
         self.bugs.switched_on()
 
     def corrupt_limits(self, joint: int) -> None:
-        """Lets a joint's (1–6) limits read back as 0xFFFF, as from a worn flash."""
+        """Makes a joint's (1–6) limits read back as 0xFFFF, as from a worn flash."""
         self._parameter_server.corrupt_limits(joint - 1)
 
     def _advance(self, to_ns: int) -> None:

@@ -19,30 +19,35 @@ from armui.system.clock import steady_s
 _LOG: Final = logging.getLogger(__name__)
 
 PERIOD_S: Final = 0.005
-"""How often the thread runs: it wakes 200 times a second, not for each of 3,000 frames."""
+"""The period of the thread: it wakes 200 times a second, not for each of 3,000 frames."""
 
 _LONGEST_CATCH_UP_S: Final = 0.25
-"""After a longer pause (a computer that slept) the arm does not live through the time missed."""
+"""After a longer pause (a computer that slept) the arm skips the missed time."""
 
 _MOST_A_POLL: Final = 1_000
-"""A bus carries some 40 frames in a period; a flood must not keep the arm from sending."""
+"""The most frames received in a period. A bus carries some 40; a flood must not keep the arm from
+sending.
+"""
 
 _BUS_ERRORS: Final = (can.CanError, OSError)
 
 
 class Node:
-    """One simulated arm on one bus. The bus stays the caller's, who closes it after `stop`.
+    """One simulated arm on one bus.
+
+    The bus belongs to the caller, who closes it after `stop`.
 
     Attributes:
         firmware: The arm. While the thread runs, only read it; its `hand_guiding` may be used.
-        faults: What is broken; while the thread runs, plan it beforehand.
-        link: What happens to the frames on their way; while the thread runs, leave it alone.
+        faults: The faults; plan them before the thread runs.
+        link: The faults of the line; must not be changed while the thread runs.
         heard: The frames the arm received, newest last.
-        sent: How many frames went out.
-        lost: How many frames the bus did not take (full, down, unplugged, a fault of the line).
-        receive_errors: How often the bus failed to receive.
-        failures: How often the thread met an error of the program's, and lived on.
-        worst_lateness_s: The most the thread was behind its clock.
+        sent: The number of frames sent.
+        lost: The number of frames the bus did not take (full, down, unplugged, a fault of the
+            line).
+        receive_errors: The number of failures to receive.
+        failures: The number of program errors in the thread, which goes on after them.
+        worst_lateness_s: The longest delay of the thread behind its clock.
     """
 
     def __init__(
@@ -58,10 +63,10 @@ class Node:
 
         Args:
             firmware: The arm.
-            bus: An open bus that does not return what is sent on it.
-            remember: How many received frames `heard` keeps.
-            faults: What breaks when.
-            seed: Of the faults that are a matter of chance.
+            bus: An open bus that does not return the frames sent on it.
+            remember: The number of received frames kept in `heard`.
+            faults: The planned faults.
+            seed: The seed of random faults.
         """
         self.link = FaultyLink(seed)
         self.faults = Faults(firmware, self.link, faults)
@@ -87,10 +92,10 @@ class Node:
         self.stop()
 
     def poll(self, dt_s: float) -> None:
-        """Lets the arm hear what has arrived, then lets time pass and sends what is due.
+        """Passes received frames to the arm, advances its time, and sends what is due.
 
         Args:
-            dt_s: How much time passes.
+            dt_s: The time to advance.
         """
         arm, link = self.firmware, self.link
         self.faults.at(arm.time_s)
@@ -112,7 +117,7 @@ class Node:
         """Starts the thread that runs the arm in real time.
 
         Raises:
-            RuntimeError: It runs already.
+            RuntimeError: The thread runs already.
         """
         if self._thread is not None:
             raise RuntimeError("the node runs already; stop it first")
@@ -121,7 +126,7 @@ class Node:
         self._thread.start()
 
     def stop(self) -> None:
-        """Ends the thread and waits for it; harmless when none runs."""
+        """Ends the thread and waits for it; does nothing if none runs."""
         if self._thread is not None:
             self._ending.set()
             self._thread.join()

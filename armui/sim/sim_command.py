@@ -31,11 +31,11 @@ _OF_THE_VERSION: Final = "those of the version"
 
 _STATUS_PERIOD_S: Final = 1.0
 _BITS_PER_FRAME: Final = 123
-"""A standard frame of 8 bytes with the gap behind it and an average of stuffing bits."""
+"""The bits of a standard frame of 8 bytes with the gap behind it and average stuffing."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Says which options the command takes."""
+    """Declares the options of the command."""
     bugs = {name: PURPOSES[bug] for name, bug in BUG_NAMES.items()}
     parser.epilog = "\n\n".join(
         (
@@ -152,15 +152,15 @@ def run_arm(
     seed: int = 0,
     ending: threading.Event | None = None,
 ) -> int:
-    """Runs an arm and writes a status line a second.
+    """Runs an arm and writes a status line every second.
 
     Args:
         firmware: The arm.
         interface: A python-can interface, as `virtual`, `udp_multicast`, `socketcan`.
         channel: Its channel, as `vcan0`; empty for the interface's own choice.
-        bitrate: Bits per second; None where the system has set it.
-        faults: What breaks when.
-        seed: Of the faults that are a matter of chance.
+        bitrate: In bit/s; None if the system has set it.
+        faults: The planned faults.
+        seed: The seed of random faults.
         ending: Ends the command when it is set; without it only Ctrl-C does.
 
     Returns:
@@ -268,7 +268,7 @@ def _report(node: Node, ending: threading.Event, bitrate: int) -> None:
 
 
 def status_line(node: Node, sent: int, received: int, load_percent: float) -> str:
-    """Return one line for the terminal: what went over the bus in the last second, how the arm is.
+    """Return one line for the terminal: the traffic of the last second, and the arm's state.
 
     Args:
         node: The running arm.

@@ -1,1 +1,1 @@
-"""What the program needs of the computer: paths, files, clock, log, helper processes."""
+"""The program's access to the computer: paths, files, clock, log, helper processes."""

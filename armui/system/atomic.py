@@ -1,4 +1,4 @@
-"""Writing a file so that whoever reads it, at any moment, finds the old one or the new one, whole.
+"""Writes a file so that a reader finds, at any moment, either the old or the new one, complete.
 
 The new bytes go to a file of another name in the same folder and to the disk; then that file takes
 the place of the old one in a single step of the file system, and the folder goes to the disk.
@@ -18,29 +18,29 @@ from typing import BinaryIO, Final, Self
 from armui.system.files import check_file, open_file
 
 UNFINISHED: Final = ".unfinished"
-"""How the name of a file ends that is still being written, or was when the program was killed."""
+"""The ending of a file that is being written, or was when the program was killed."""
 
 _SCANNER_PAUSES_S: Final = (0.01, 0.02, 0.04, 0.08, 0.15, 0.2)
-"""Together half a second."""
+"""The pauses between attempts, half a second in all."""
 
 _ABANDONED_S: Final = 600.0
-"""A file this old is nobody's: another running program may be writing a younger one."""
+"""An unfinished file this old is abandoned; a younger one may belong to another running program."""
 
 
 class WholeFile:
-    """A file that has its name only when it is whole; use it in a ``with`` statement.
+    """A file that gets its name only when it is complete; use it in a ``with`` statement.
 
-    Left by an exception, or without `finish`, nothing remains of it.
+    If the block is left by an exception or without `finish`, nothing remains of it.
 
     Args:
-        path: The name it shall have; its folder must exist.
-        replace: Whether a file of this name may be replaced.
-        to_disk: Whether it must outlive a power cut; what can be made anew need not wait for it.
-        unfinished: What it is called meanwhile, for whoever may have to remove it after a kill.
+        path: The file's final path; its folder must exist.
+        replace: True if a file of this name may be replaced.
+        to_disk: True if it must survive a power cut; not needed for files that can be made again.
+        unfinished: Its name meanwhile, if it must be known for removal after a kill.
 
     Attributes:
-        unfinished: What it is called until then.
-        stream: Where its bytes go.
+        unfinished: Its path until it is finished.
+        stream: The stream for its bytes.
 
     Raises:
         FileExistsError: There is one, and it may not be replaced.
@@ -70,10 +70,10 @@ class WholeFile:
             raise _exists(self._path)
 
     def finish(self) -> None:
-        """Everything is written: give it its name.
+        """Give the complete file its name.
 
         Raises:
-            FileExistsError: A file of this name has come meanwhile.
+            FileExistsError: A file of this name was created meanwhile.
             OSError: The disk does not take it.
         """
         if not self.stream.closed:
@@ -97,10 +97,10 @@ class WholeFile:
 
 
 def replace_file(source: Path, target: Path) -> None:
-    """Give a file or folder the place of another one in a single step.
+    """Move a file or folder into the place of another one in a single step.
 
-    On Windows that is refused while a virus scanner or an index looks at either; they take a
-    moment, so it is tried again for half a second. Elsewhere a refusal is meant.
+    On Windows that is refused while a virus scanner or an indexer has either open, so it is tried
+    again for half a second. Elsewhere a refusal is final.
 
     Raises:
         OSError: It is refused, or stays refused.
@@ -123,20 +123,20 @@ def _exists(path: Path) -> FileExistsError:
 
 
 def unfinished_name(path: Path) -> Path:
-    """Return a name of its own, beside a file or folder, for what is to take its place."""
+    """Return a unique temporary name beside a file or folder."""
     return path.with_name(f".{os.urandom(8).hex()}{UNFINISHED}")
 
 
 def write_whole(path: Path, data: bytes, *, to_disk: bool = True) -> None:
-    """Put bytes into a file, all or none of them.
+    """Write bytes into a file, all or none of them.
 
     Args:
         path: The file; it need not exist, its folder must.
-        data: What it is to hold.
+        data: The bytes.
         to_disk: As of :class:`WholeFile`.
 
     Raises:
-        OSError: It was not written; the old file is as it was.
+        OSError: It was not written; the old file is unchanged.
     """
     with WholeFile(path, to_disk=to_disk) as whole:
         whole.stream.write(data)
@@ -144,10 +144,10 @@ def write_whole(path: Path, data: bytes, *, to_disk: bool = True) -> None:
 
 
 def sync_folder(folder: Path) -> None:
-    """Have the names in a folder written to the disk, where the system lets one ask.
+    """Have the names in a folder synced to the disk, if the system supports it.
 
-    Windows opens no folders, some network file systems know no such thing: then the change is as
-    durable as the system makes it, and it is made all the same.
+    Windows cannot open folders, and some network file systems lack this: then the change is only as
+    durable as the system makes it.
     """
     with contextlib.suppress(OSError):
         handle = os.open(folder, os.O_RDONLY)
@@ -158,7 +158,7 @@ def sync_folder(folder: Path) -> None:
 
 
 def remove_abandoned(folder: Path) -> None:
-    """Remove what killed programs left half written in a folder."""
+    """Remove half-written files of killed programs from a folder."""
     oldest = time.time() - _ABANDONED_S
     for path in folder.glob(f".*{UNFINISHED}"):
         with contextlib.suppress(OSError):
@@ -170,14 +170,15 @@ def remove_abandoned(folder: Path) -> None:
 
 
 class WholeFolder:
-    """Nothing but files of one ending, written elsewhere until `finish`; for a ``with`` statement.
+    """A folder of files of one ending, written elsewhere until `finish`; for a ``with`` statement.
 
-    Left by an exception, or without `finish`, nothing remains of it.
+    If the block is left by an exception or without `finish`, nothing remains of it.
 
     Args:
-        path: The name it shall have; the folder around it must exist.
-        ending: Of its files.
-        replace: Whether a folder of this name may be replaced, if it holds no other files.
+        path: The final path; its parent folder must exist.
+        ending: The ending of its files.
+        replace: True if a folder of this name may be replaced, provided that it holds no other
+            files.
 
     Attributes:
         unfinished: The folder until then.
@@ -205,10 +206,10 @@ class WholeFolder:
             raise OSError(errno.ENOTEMPTY, f"it holds other files: {others[0]}")
 
     def finish(self) -> None:
-        """Everything is written: give it its name.
+        """Give the complete folder its name.
 
         Raises:
-            FileExistsError: A folder of this name has come meanwhile.
+            FileExistsError: A folder of this name was created meanwhile.
             OSError: The disk does not allow it.
         """
         self._check()

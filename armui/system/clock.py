@@ -1,7 +1,7 @@
-"""The one clock of the program: it never goes back, and it also runs while the computer sleeps.
+"""The program's clock: it never goes back, and also runs while the computer sleeps.
 
-What was heard before a sleep must be old afterwards. Python's :func:`time.monotonic` does not
-promise that, and on Linux and macOS it stands still (``CLOCK_MONOTONIC``, ``mach_absolute_time``).
+Values heard before a sleep must be old afterwards. Python's :func:`time.monotonic` does not promise
+that, and on Linux and macOS it stands still (``CLOCK_MONOTONIC``, ``mach_absolute_time``).
 """
 
 from __future__ import annotations
@@ -30,18 +30,19 @@ else:
 
 
 steady_s: Callable[[], float] = _steady_clock()
-"""Seconds since some moment in the past; only differences mean something."""
+"""The function that returns seconds since some moment in the past; only differences have a meaning.
+"""
 
 
 _CALENDAR_S = 1e10
-"""Up to the year 2286; what Python and the system can tell of times far beyond differs."""
+"""The year 2286; Python and the systems differ for times far beyond."""
 
 
 def local_time(unix_s: float) -> datetime | None:
-    """Return a time since 1970 as local time; ``None`` where no calendar has it.
+    """Return a time since 1970 as local time, or ``None`` if no calendar has it.
 
     Args:
-        unix_s: Seconds, from anywhere: a file may hold any number, or none at all.
+        unix_s: Seconds, from any source: a file may hold any number, even NaN.
     """
     if in_calendar_s(unix_s) != unix_s:
         return None
@@ -49,14 +50,14 @@ def local_time(unix_s: float) -> datetime | None:
 
 
 def in_calendar_s(unix_s: float) -> float:
-    """Return the time nearest to one since 1970 that every calendar has; 0 for one that is none."""
+    """Return the nearest time since 1970 that every calendar has; 0 for NaN."""
     return min(unix_s, _CALENDAR_S) if unix_s > 0.0 else 0.0
 
 
 def wall_clock(clock: Callable[[], float]) -> Callable[[float], datetime]:
-    """Return what the clock on the wall showed at a moment of another clock, with its time zone.
+    """Return a function that converts a moment of a clock to the time of day with its time zone.
 
     Args:
-        clock: Seconds; the moments asked for are its own.
+        clock: The clock, in seconds, of the moments to convert.
     """
     return lambda at_s: datetime.now().astimezone() - timedelta(seconds=clock() - at_s)

@@ -1,4 +1,4 @@
-"""What several of the program's commands share."""
+"""Functions shared by several of the program's commands."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from collections.abc import Mapping
 from typing import Final
 
 _COLUMN: Final = 26
-"""Where the help of an option begins, at most."""
+"""The largest column at which the help of an option begins."""
 _WIDTH: Final = 79
 
 
 class HelpFormatter(argparse.RawDescriptionHelpFormatter):
-    """Wraps help and description; the lists behind them stay as they are laid out."""
+    """Wraps help and description; the lists after them keep their layout."""
 
     def __init__(self, prog: str) -> None:
         super().__init__(prog, max_help_position=_COLUMN)
@@ -29,11 +29,11 @@ class HelpFormatter(argparse.RawDescriptionHelpFormatter):
 
 
 def name_list(title: str, meanings: Mapping[str, str]) -> str:
-    """Return names with what each means, a line each, as argparse lists options.
+    """Return names with their meanings, a line each, as argparse lists options.
 
     Args:
-        title: Stands above them.
-        meanings: By the names.
+        title: The line above them.
+        meanings: The meanings by name.
     """
     lines = [f"{title}:"]
     for name, meaning in meanings.items():
@@ -54,11 +54,11 @@ def add_device(parser: argparse._ActionsContainer) -> None:
 
 
 def write_out(text: str) -> None:
-    """Write to the output, at once.
+    """Write to the output without buffering.
 
     Raises:
-        BrokenPipeError: Whoever read it has gone, as `head` that has seen enough. Windows calls
-            that an invalid argument.
+        BrokenPipeError: The reader has ended, for example `head`. Windows calls that an invalid
+            argument.
     """
     try:
         sys.stdout.write(text)
@@ -71,14 +71,14 @@ def write_out(text: str) -> None:
 
 
 def detach_output() -> None:
-    """Keeps the interpreter from failing once more when it flushes the closed output at its end."""
+    """Redirect the closed output, so that the interpreter's last flush does not fail again."""
     nowhere = os.open(os.devnull, os.O_WRONLY)
     os.dup2(nowhere, sys.stdout.fileno())
     os.close(nowhere)
 
 
 def has_display() -> bool:
-    """Tell whether there is a desktop session to show a window in."""
+    """Return whether there is a desktop session in which to show a window."""
     system: str = sys.platform
     if system in {"win32", "darwin"} or os.environ.get("QT_QPA_PLATFORM"):
         return True

@@ -13,32 +13,39 @@ from typing import Any, Final
 
 _END_S: Final = 10.0
 NO_CONSOLE: Final[int] = getattr(subprocess, "CREATE_NO_WINDOW", 0)
-"""A command begun by a program without a console gets none of its own there: it would flash up."""
+"""The flag by which a command, started without a console, gets none of its own that would flash up.
+"""
 _WITHOUT_CONSOLE: Final = "armui-window"
 
 
-def this_program() -> list[str]:
-    """Return how this program is started once more; the name of a command follows.
+def is_packaged() -> bool:
+    """Tell whether the program has a Python of its own, to which pip can add nothing."""
+    return bool(getattr(sys, "frozen", False))
 
-    A packaged program is its own interpreter, and knows none of an interpreter's options. On
-    Windows the one without a console lies beside the one whose output can be read.
+
+def this_program() -> list[str]:
+    """Return the command line that starts this program again; the name of a command follows.
+
+    A packaged program is its own interpreter, without an interpreter's options. On Windows there
+    are two beside each other: one without a console, one whose output can be read.
     """
-    if not getattr(sys, "frozen", False):
+    if not is_packaged():
         return [sys.executable, "-m", "armui"]
     program = Path(sys.executable)
     return [str(program.with_stem("armui") if program.stem == _WITHOUT_CONSOLE else program)]
 
 
 class CommandProcess:
-    """Begins at once; a thread of its own listens to it.
+    """Runs a command; it starts at once, and a thread reads its output.
 
     Args:
-        arguments: Of the program: the name of the command first.
-        tell: Told what it says and what became of it, until it is ended; in that thread.
-        nicer_by: The window and the bus go before it where there are too few cores for all.
+        arguments: The program's arguments: the name of the command first.
+        tell: Called in that thread with its output and its result, until it is ended.
+        nicer_by: The nice value's increase, so that window and bus come first if there are too few
+            cores.
 
     Attributes:
-        is_ended: Whether nobody wants it any more.
+        is_ended: True if it was ended by :meth:`end`.
     """
 
     def __init__(
@@ -58,14 +65,14 @@ class CommandProcess:
         self._thread.start()
 
     def end(self) -> None:
-        """End it, whatever it is doing."""
+        """Kill the process, whatever it is doing."""
         with self._lock:
             self.is_ended = True
             if self._process is not None and self._process.poll() is None:
                 self._process.kill()
 
     def wait(self, within_s: float = _END_S) -> bool:
-        """Tell whether it has ended and was listened to, after a time at most."""
+        """Wait up to a time; return whether it has ended and its output was read."""
         self._thread.join(within_s)
         return not self._thread.is_alive()
 

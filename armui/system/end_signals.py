@@ -1,4 +1,4 @@
-"""The signals by which the system, or whoever started it, asks the program to end.
+"""The signals by which the system or the user asks the program to end.
 
 Source: signal(7).
 """
@@ -18,13 +18,13 @@ Handler = Callable[[int, FrameType | None], Any]
 
 
 def take_over(handler: Handler) -> dict[int, Any]:
-    """Have each of them handled, but for those that are ignored, as ``nohup`` has it.
+    """Install a handler for these signals, except for ignored ones, as under ``nohup``.
 
     Args:
         handler: Called in the main thread; this can be called only there, too.
 
     Returns:
-        Who handled them before.
+        The former handlers.
     """
     numbers = [getattr(signal, name) for name in _NAMES if hasattr(signal, name)]
     followed = [each for each in numbers if signal.getsignal(each) is not signal.SIG_IGN]
@@ -32,7 +32,7 @@ def take_over(handler: Handler) -> dict[int, Any]:
 
 
 def give_back(before: dict[int, Any]) -> None:
-    """Have them handled by whoever handled them before."""
+    """Restore the former handlers of these signals."""
     for number, handler in before.items():
         signal.signal(number, handler)
 
@@ -52,7 +52,7 @@ def handled_by(handler: Handler) -> Iterator[None]:
 
 @contextmanager
 def interrupting() -> Iterator[list[int]]:
-    """Let each of them raise `KeyboardInterrupt`; yields those that came."""
+    """Let each of these signals raise `KeyboardInterrupt`; yield the list of those that came."""
     heard: list[int] = []
 
     def interrupt(number: int, _frame: FrameType | None) -> None:
@@ -64,9 +64,9 @@ def interrupting() -> Iterator[list[int]]:
 
 
 def end_at_once_on_ctrl_c() -> None:
-    """Let Ctrl-C end the process as SIGTERM does, on the spot, until something is to be ended.
+    """Let Ctrl-C end the process immediately, like SIGTERM, while there is nothing to end properly.
 
-    Python's own exception would get lost in Qt, or tell of whatever was half loaded.
+    Python's own exception would get lost in Qt, or print a traceback of a half-loaded module.
     """
     if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
         signal.signal(signal.SIGINT, signal.SIG_DFL)

@@ -1,8 +1,8 @@
-"""While a device is open, the system is to keep this program's timers, also behind other windows.
+"""Keeps the system from coarsening this program's timers while a device is open.
 
-Windows 11 lets the timers of a window that is covered go by steps of 15.6 ms, macOS (App Nap) by
-more the longer nobody sees the window; those of the bus would go with them. Without a device the
-program saves power like any other.
+Windows 11 coarsens the timers of a covered window to 15.6 ms, macOS (App Nap) further the longer
+the window is hidden; this would affect the bus. Without a device the program saves power like any
+other.
 
 Source: SetProcessInformation, PROCESS_POWER_THROTTLING_STATE; NSProcessInfo, NSActivityOptions.
 """
@@ -18,13 +18,13 @@ from typing import Any, Final
 _LOG: Final = logging.getLogger(__name__)
 
 _POWER_THROTTLING: Final = 4
-"""ProcessPowerThrottling of PROCESS_INFORMATION_CLASS."""
+"""The value ProcessPowerThrottling of PROCESS_INFORMATION_CLASS."""
 _EXECUTION_SPEED: Final = 0x1
 _IGNORE_TIMER_RESOLUTION: Final = 0x4
 _USER_INITIATED: Final = 0x00EFFFFF
-"""NSActivityUserInitiatedAllowingIdleSystemSleep."""
+"""The value NSActivityUserInitiatedAllowingIdleSystemSleep."""
 _LATENCY_CRITICAL: Final = 0xFF00000000
-"""NSActivityLatencyCritical."""
+"""The value NSActivityLatencyCritical."""
 _WHY: Final = b"A robot arm is connected"
 
 Send = Callable[..., Any]
@@ -32,7 +32,7 @@ Send = Callable[..., Any]
 
 
 class PowerThrottling(ctypes.Structure):
-    """PROCESS_POWER_THROTTLING_STATE: what is decided by the process, and what it decides."""
+    """PROCESS_POWER_THROTTLING_STATE: the settings that the process controls, and their values."""
 
     _fields_ = (
         ("version", ctypes.c_uint32),
@@ -42,15 +42,15 @@ class PowerThrottling(ctypes.Structure):
 
 
 def keep_on_windows(kernel: Any, process: object, *, kept: bool) -> bool:
-    """Have Windows keep speed and timers of this process, or leave both to it again.
+    """Have Windows keep the speed and timers of this process, or decide on both again.
 
     Args:
         kernel: The library kernel32.
         process: The handle of this process.
-        kept: Which.
+        kept: True to keep them.
 
     Returns:
-        Whether it was granted; Windows 10 before version 1709 knows no such thing.
+        True if it was granted; Windows 10 before version 1709 lacks this.
     """
     decided = _EXECUTION_SPEED | _IGNORE_TIMER_RESOLUTION if kept else 0
     state = PowerThrottling(1, decided, 0)
@@ -59,7 +59,7 @@ def keep_on_windows(kernel: Any, process: object, *, kept: bool) -> bool:
 
 
 class Activity:
-    """What keeps macOS from letting the program nap, while it lasts.
+    """An activity that keeps macOS from napping the program.
 
     Args:
         send: Sends a message; a class is named by its name.
@@ -70,7 +70,7 @@ class Activity:
         self._begun: Any = None
 
     def keep(self, *, kept: bool) -> None:
-        """Begin it, or end it; harmless if that is so already."""
+        """Begin or end the activity; harmless if it is in that state already."""
         process = self._send("NSProcessInfo", "processInfo")
         if kept and self._begun is None:
             why = self._send("NSString", "stringWithUTF8String:", _WHY)

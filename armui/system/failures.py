@@ -1,7 +1,7 @@
-"""What nobody expected: caught at the last place, logged, and told once however often it repeats.
+"""Unexpected exceptions: caught at the outermost place, logged, and reported once if they repeat.
 
 An exception in a slot of Qt, in a thread, or in a part of the controller goes through the logger
-``armui`` to the log file (:mod:`armui.system.log_file`) and to whoever shows it (safety S23).
+``armui`` to the log file (:mod:`armui.system.log_file`) and to the window (safety S23).
 """
 
 from __future__ import annotations
@@ -27,13 +27,14 @@ Key = tuple[str, str, int]
 
 @dataclass(frozen=True, slots=True)
 class Failure:
-    """One exception nobody expected.
+    """An unexpected exception.
 
     Attributes:
-        error: Its kind and its words, one line.
-        text: Everything a developer needs, to be copied.
-        modules: Of this program, from where it was noticed to where it happened.
-        count: How often it has happened by now.
+        error: Its type and message in one line.
+        text: The full text for a developer, to be copied.
+        modules: This program's modules in the traceback, from where it was caught to where it was
+            raised.
+        count: The number of times it has happened.
     """
 
     error: str
@@ -43,7 +44,7 @@ class Failure:
 
 
 def key_of(error: BaseException) -> Key:
-    """Return what two exceptions have in common that are the same failure: kind and place."""
+    """Return a key that is equal for two exceptions of the same type from the same place."""
     file, line = "", 0
     for frame, at in traceback.walk_tb(error.__traceback__):
         file, line = frame.f_code.co_filename, at or 0
@@ -51,7 +52,7 @@ def key_of(error: BaseException) -> Key:
 
 
 def is_our_own(error: BaseException) -> bool:
-    """Tell whether an exception was raised by this program, not by a library or driver."""
+    """Return whether an exception was raised by this program, not by a library or driver."""
     last = None
     for frame, _line in traceback.walk_tb(error.__traceback__):
         last = frame.f_globals.get("__name__", "")
@@ -59,14 +60,14 @@ def is_our_own(error: BaseException) -> bool:
 
 
 LOGGERS: Final = ("armui", "concurrent.futures")
-"""Those through which exceptions come that nobody expected: also of whoever waits for a future."""
+"""The loggers through which unexpected exceptions come, also those of waiting futures."""
 
 
 class FailureHandler(logging.Handler):
     """Makes a :class:`Failure` of each logged exception.
 
     Args:
-        tell: Takes them, in the thread where they happen.
+        tell: Called with each failure, in the thread where it happens.
     """
 
     def __init__(self, tell: Callable[[Failure], None]) -> None:
@@ -75,7 +76,7 @@ class FailureHandler(logging.Handler):
         self._counts: Counter[Key] = Counter()
 
     def emit(self, record: logging.LogRecord) -> None:
-        """Tell of a record that carries an exception; others are for the log file only."""
+        """Report a record that carries an exception; others are for the log file only."""
         error = record.exc_info[1] if record.exc_info else None
         if error is None:
             return
@@ -92,14 +93,14 @@ class FailureHandler(logging.Handler):
 
 
 class Repeats(logging.Filter):
-    """Keeps a failure that repeats out of the log but for the 1st, 10th, 100th … time."""
+    """Filters a repeated failure out of the log except for the 1st, 10th, 100th … time."""
 
     def __init__(self) -> None:
         super().__init__()
         self._counts: Counter[Key] = Counter()
 
     def filter(self, record: logging.LogRecord) -> bool:
-        """Tell whether a record is logged; one that stands for others says for how many."""
+        """Return whether a record is logged; one that stands for others holds their number."""
         error = record.exc_info[1] if record.exc_info else None
         if error is None:
             return True
@@ -131,9 +132,9 @@ _LONGEST: Final = 200
 
 @contextlib.contextmanager
 def hooks() -> Iterator[None]:
-    """Log whatever nobody catches: in slots and threads of Qt, in those of Python, in callbacks.
+    """Log every uncaught exception: in slots and threads of Qt, in Python's threads, in callbacks.
 
-    The hooks that were there before come back at the end.
+    The former hooks are restored at the end.
     """
     before, before_in_threads = sys.excepthook, threading.excepthook
     before_unraisable = sys.unraisablehook

@@ -1,7 +1,7 @@
-"""The one place where files are opened: regular files only, and never by waiting for anybody.
+"""Opens all files of the program: regular files only, without blocking on a pipe or device.
 
-Opening a pipe waits until somebody opens its other end, which may be never; a device or a socket
-does whatever it does. Each is refused here as what it is. Everything here still waits for the disk:
+Opening a pipe blocks until its other end is opened, perhaps forever; devices and sockets are
+unpredictable. All of them are refused, with their kind. These functions still wait for the disk:
 while a device is open, only the file thread or another process may call it (safety S2).
 """
 
@@ -19,8 +19,9 @@ if TYPE_CHECKING:
 Mode = Literal["rb", "r+b", "wb", "xb", "x+b", "ab", "a+b"]
 
 _AT_ONCE: Final = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOCTTY", 0)
-"""A pipe that takes the file's place between two looks is not waited for either; on a regular file
-these change nothing."""
+"""The flags that keep a pipe which takes the file's place meanwhile from blocking; on a regular
+file they change nothing.
+"""
 _KINDS: Final = (
     (stat.S_ISDIR, "a folder"),
     (stat.S_ISFIFO, "a pipe"),
@@ -31,15 +32,15 @@ _KINDS: Final = (
 
 
 class NotAFileError(OSError):
-    """There is something at a path that is no regular file."""
+    """The path leads to something that is no regular file."""
 
 
 def open_file(path: Path | str, mode: Mode = "rb") -> BinaryIO:
     """Open a regular file.
 
     Args:
-        path: Where it is; a link is followed.
-        mode: As of Python's ``open``; binary.
+        path: The path; links are followed.
+        mode: The mode as in Python's ``open``; binary.
 
     Raises:
         NotAFileError: It is a folder, a pipe, a socket or a device.
@@ -52,7 +53,7 @@ def open_file(path: Path | str, mode: Mode = "rb") -> BinaryIO:
 
 
 def open_stream(path: Path) -> BinaryIO:
-    """Open a file or a pipe to read from, waiting for whoever feeds it; for commands only.
+    """Open a file or a pipe for reading, waiting for the pipe's writer; for commands only.
 
     Raises:
         OSError: It cannot be opened.
@@ -64,11 +65,11 @@ def read_file(path: Path | str, most_bytes: int | None = None) -> bytes:
     """Return the bytes of a regular file.
 
     Args:
-        path: Where it is.
-        most_bytes: A file that has more is not read.
+        path: The path.
+        most_bytes: A larger file is not read.
 
     Raises:
-        NotAFileError: As of `open_file`.
+        NotAFileError: See `open_file`.
         OSError: It cannot be read, or is too large (``EFBIG``).
     """
     with open_file(path) as file:
@@ -79,11 +80,11 @@ def read_file(path: Path | str, most_bytes: int | None = None) -> bytes:
 
 
 def check_file(path: Path | str) -> None:
-    """Refuse what a library that opens paths by itself must not be given.
+    """Raise an error for a path that must not be passed to a library that opens files by itself.
 
     Raises:
-        NotAFileError: It is there, and no regular file.
-        OSError: It cannot be looked at.
+        NotAFileError: It exists and is no regular file.
+        OSError: It cannot be examined.
     """
     with contextlib.suppress(FileNotFoundError):
         _check(os.stat(path), path)  # noqa: PTH116 - no pathlib for the first file of the start
@@ -107,5 +108,5 @@ def _check(found: os.stat_result, path: Any) -> None:
 
 
 def error_text(error: BaseException) -> str:
-    """Of the system's errors its words without number and path, of others theirs, or the kind."""
+    """Return an error's message, without number and path for errors of the system, or its type."""
     return getattr(error, "strerror", None) or str(error) or type(error).__name__

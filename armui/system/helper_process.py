@@ -9,7 +9,6 @@ import mmap
 import multiprocessing
 import os
 import pickle
-import shutil
 import signal
 import tempfile
 import threading
@@ -33,7 +32,7 @@ from queue import Empty, SimpleQueue
 from typing import TYPE_CHECKING, Any, Final
 
 from armui.system.files import open_file
-from armui.system.scratch import make_folder, remove_leftovers
+from armui.system.scratch import make_folder, remove_folder, remove_leftovers
 
 if TYPE_CHECKING:
     from multiprocessing.process import BaseProcess
@@ -43,19 +42,19 @@ if TYPE_CHECKING:
 # which no button is heard. Writing them to a file and mapping it holds it for none.
 
 LARGE_BYTES: Final = 1 << 18
-"""Arrays of this size and more go into the file."""
+"""Arrays of at least this size are passed through a file."""
 
 _ALIGNED: Final = 64
 
 
 @dataclass(frozen=True, slots=True)
 class Packed:
-    """A value on its way.
+    """A value packed for another process.
 
     Attributes:
         data: Everything but its large arrays.
-        path: The file that holds those; the receiver removes it. ``None`` where there are none.
-        spans: Where each begins in the file, and how many bytes it has.
+        path: The file that holds these; the receiver removes it. ``None`` if there are none.
+        spans: The place of each in the file, and its size in bytes.
     """
 
     data: bytes
@@ -64,11 +63,11 @@ class Packed:
 
 
 def pack(value: object, folder: Path) -> Packed:
-    """Make a value ready to be sent.
+    """Return a value packed for another process.
 
     Args:
         value: Anything that can be pickled.
-        folder: Where its large arrays may be written.
+        folder: The folder for its large arrays.
 
     Raises:
         OSError: They were not written.
@@ -96,7 +95,7 @@ def pack(value: object, folder: Path) -> Packed:
 
 
 def unpack(packed: Packed) -> Any:
-    """Return the value. Changes of its arrays are seen by nobody else.
+    """Return the value of a packed one. Changes of its arrays do not reach the sender.
 
     Raises:
         OSError: The file of its large arrays is gone.
@@ -120,7 +119,7 @@ def _remove(path: Path) -> None:
 
 
 def call_packed(packed: Packed, folder: Path) -> Packed:
-    """In the other process: call what was sent, send back what comes of it."""
+    """Call the packed function in the other process, and return its packed result."""
     function, args, kwargs = unpack(packed)
     return pack(function(*args, **kwargs), folder)
 
@@ -128,22 +127,24 @@ def call_packed(packed: Packed, folder: Path) -> Packed:
 _LOG: Final = logging.getLogger(__name__)
 
 _NICER_BY: Final = 5
-"""The window and the bus go before it where there are too few cores for all."""
+"""The nice value's increase, so that window and bus come first if there are too few cores."""
 _END_S: Final = 10.0
 
 HANGS_S: Final = 10.0
-"""A disk that spins up takes some seconds; one that takes longer does not answer."""
+"""A disk that spins up takes some seconds; after this time it counts as hanging."""
 CALL_HANGS_S: Final = 120.0
-"""Two hours of samples are read in some seconds, on a slow computer in a minute."""
+"""Reading two hours of samples takes some seconds, on a slow computer a minute; after this time a
+call counts as hanging.
+"""
 _MOST_HANGING: Final = 8
-"""So many threads are left to themselves; each keeps what it was given."""
+"""The most hanging threads that are abandoned; each keeps its arguments in memory."""
 
 
 class HelperProcess(Executor):
-    """Does one piece of work after another; it begins with the first and ends with the program.
+    """Runs one function after another in a process, from the first call to the program's end.
 
-    A process that dies takes its work along; the next piece gets another. Starting the process and
-    copying what it is given is done by a thread: whoever asks for work goes on at once.
+    If the process dies, its work is lost, and the next call starts another. A thread starts the
+    process and copies the arguments, so that the caller never waits.
     """
 
     def __init__(self) -> None:
@@ -155,11 +156,11 @@ class HelperProcess(Executor):
         self._folder: Path | None = None
 
     def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
-        """Have something done.
+        """Run a function in the process, and return its future.
 
         Args:
             fn: A function of a module: the other process imports it by its name.
-            *args: What it is called with; it is copied, and so is what comes back.
+            *args: Its arguments; they are copied, and so is the result.
             **kwargs: As above.
         """
         answer: Future[Any] = Future()
@@ -207,7 +208,7 @@ class HelperProcess(Executor):
             self._pool = None
 
     def shutdown(self, wait: bool = True, *, cancel_futures: bool = True) -> None:
-        """End the process, whatever it is doing: nobody waits for it any more."""
+        """End the process, whatever it is doing."""
         if self._sender is not None:
             self._sender.shutdown(wait=True, cancel_futures=cancel_futures)
             self._sender = None
@@ -217,7 +218,7 @@ class HelperProcess(Executor):
         for answer in tuple(self._asked):
             answer.cancel()
         if self._folder is not None:
-            shutil.rmtree(self._folder, ignore_errors=True)
+            remove_folder(self._folder)
             self._folder = None
 
 
@@ -272,12 +273,12 @@ def _taken_from(jobs: SimpleQueue[_FileJob | None]) -> list[_FileJob]:
 
 
 class FileThread(Executor):
-    """One thread for what waits for a disk, with a process for what would take it long.
+    """One thread for work that waits for a disk, with a process for what would take it long.
 
-    A disk or network share that does not answer holds whoever asked it, and no thread can be ended:
-    `replace_hung` leaves it to itself and goes on with another. What the first was doing may still
-    come to its end, and is told then. Only so many are left behind; after that everything is
-    refused until one of them comes back.
+    A disk or network share that does not answer blocks the thread, and no thread can be ended:
+    `replace_hung` abandons it and continues with another. The first one's work may still finish,
+    and its result is delivered then. Only a few threads are abandoned; after that everything is
+    refused until one of them returns.
     """
 
     def __init__(self) -> None:
@@ -291,23 +292,23 @@ class FileThread(Executor):
 
     @property
     def ended(self) -> bool:
-        """Whether, after `shutdown`, everything that was asked for is done."""
+        """True if, after `shutdown`, all submitted work is done."""
         return self._last is not None and self._last.done() and not self.hanging
 
     @property
     def hanging(self) -> int:
-        """How many threads wait for a disk that does not answer."""
+        """The number of threads that wait for a disk that does not answer."""
         self._left = [each for each in self._left if each.is_alive()]
         return len(self._left)
 
     @property
     def waiting(self) -> list[str]:
-        """What was asked for and is not done, by the names of its functions."""
+        """The names of the submitted functions that are not done yet."""
         undone = self._undone.copy()
         return [name for answer, name in undone.items() if answer is not self._last]
 
     def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
-        """Have something done, after what was asked for before.
+        """Run a function after those submitted before, and return its future.
 
         Raises:
             RuntimeError: After `shutdown`.
@@ -331,14 +332,14 @@ class FileThread(Executor):
             self._jobs.put(job)
 
     def replace_hung(self, after_s: float = HANGS_S, call_s: float = CALL_HANGS_S) -> bool:
-        """Go on without the thread if it hangs; to be called once a second.
+        """Replace the thread if it hangs; to be called once a second.
 
         Args:
-            after_s: So long nothing takes that a disk answers.
-            call_s: So long nothing takes that the other process does for it.
+            after_s: The time after which a disk counts as hanging.
+            call_s: The time after which a call to the process counts as hanging.
 
         Returns:
-            Whether it was found to hang.
+            True if it was found to hang.
         """
         worker = self._worker
         if worker is None or (since_s := worker.since_s) is None:
@@ -363,10 +364,10 @@ class FileThread(Executor):
         waiting.put(None)  # it may have come back in this moment, and look for more
 
     def call(self, function: Callable[..., Any], *args: Any) -> Any:
-        """Call something in the process, and wait for it; only this thread may.
+        """Call a function in the process and wait for its result; only from this thread.
 
         Raises:
-            Exception: What it raises there.
+            Exception: Any exception of the function.
         """
         worker = threading.current_thread()
         if not isinstance(worker, _Worker):
@@ -378,7 +379,7 @@ class FileThread(Executor):
             worker.calling, worker.since_s = False, time.monotonic()
 
     def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
-        """End it when what was asked for is done, or after ten seconds: a disk may hang."""
+        """End the thread when all submitted work is done, or after ten seconds: a disk may hang."""
         if self._last is None:
             if cancel_futures:
                 with self._turn:
@@ -441,7 +442,7 @@ def _log_failure(called_off: threading.Event, future: Future[Any]) -> None:
 
 
 def configure_process() -> None:
-    """In the new process: leave Ctrl-C to the program, stand back, do not outlive it."""
+    """Set up the new process: ignore Ctrl-C, lower its priority, end with the program."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     if hasattr(os, "nice"):
         os.nice(_NICER_BY)

@@ -1,6 +1,6 @@
-"""The program's log: a file that rotates, written by a thread that nobody waits for.
+"""The program's log: a rotating file, written by a thread of its own without blocking others.
 
-Programs that run side by side write a file each: one that rotates the other's would fail on
+Programs that run at the same time have a file each: rotating another one's file would fail on
 Windows, and lose lines elsewhere.
 """
 
@@ -28,10 +28,10 @@ _OLD_FILES: Final = 4
 
 
 class RotatingFile(RotatingFileHandler):
-    """Takes lines; the file is opened with the first.
+    """Writes lines to a rotating file, which is opened with the first line.
 
     Args:
-        path: The file; older ones lie beside it, with a number.
+        path: The file; older ones are beside it, with a number.
     """
 
     def __init__(self, path: Path) -> None:
@@ -48,24 +48,26 @@ class RotatingFile(RotatingFileHandler):
         return TextIOWrapper(open_file(self._path, "ab"), encoding="utf-8")
 
     def handleError(self, record: logging.LogRecord) -> None:  # noqa: N802 - logging's name
-        """A disk that is full, or a file another program holds: the log goes on when it can."""
+        """Ignore a full disk, or a file held by another program: the log continues when it can."""
 
 
 NAME: Final = "armui.log"
-"""Of the first of several programs that run at a time; then armui-2.log and so on."""
+"""The file of the first of several programs running at a time; the others write armui-2.log and so
+on.
+"""
 _MOST_PROGRAMS: Final = 9
 _MOST_WAITING: Final = 1000
-"""Lines that wait for a slow disk; later ones are lost, never waited for."""
+"""The most lines that wait for a slow disk; further ones are lost."""
 _FLUSH_S: Final = 0.05
-"""A disk that takes longer may hang."""
+"""The longest wait for the disk, which may hang."""
 _FORMAT: Final = "%(asctime)s %(levelname)s %(name)s [%(threadName)s] %(message)s"
 
 
 class UnhurriedHandler(logging.Handler):
-    """Hands lines over and never waits; where nobody takes them they are lost.
+    """Passes lines on without ever waiting; if the queue is full they are lost.
 
     Attributes:
-        lines: What waits; ``None`` is the end.
+        lines: The queue of lines; ``None`` marks the end.
     """
 
     def __init__(self) -> None:
@@ -73,7 +75,7 @@ class UnhurriedHandler(logging.Handler):
         self.lines: queue.Queue[str | None] = queue.Queue(_MOST_WAITING)
 
     def emit(self, record: logging.LogRecord) -> None:
-        """Put its line into the queue."""
+        """Put the record's line into the queue."""
         try:
             self.lines.put_nowait(self.format(record))
         except queue.Full:
@@ -82,16 +84,16 @@ class UnhurriedHandler(logging.Handler):
             self.handleError(record)
 
     def flush(self) -> None:
-        """Wait for a moment until it is written."""
+        """Wait briefly until the lines are written."""
         with self.lines.all_tasks_done:
             self.lines.all_tasks_done.wait_for(lambda: not self.lines.unfinished_tasks, _FLUSH_S)
 
     def handleError(self, record: logging.LogRecord) -> None:  # noqa: N802 - logging's name
-        """A log that fails is no reason to say more."""
+        """Ignore errors of the log itself."""
 
 
 def flush_log() -> None:
-    """Wait for a moment until what was logged is written: the process is about to end."""
+    """Wait briefly until the log is written, because the process is about to end."""
     for handler in logging.getLogger(LOGGERS[0]).handlers:
         handler.flush()
 
@@ -120,16 +122,16 @@ class _LogThread(threading.Thread):
 
 @contextlib.contextmanager
 def log_to(folder: Path) -> Iterator[Path | None]:
-    """Keep what the program logs in a folder, until the end.
+    """Write the program's log to a folder within a ``with`` block.
 
-    The logger ``armui`` gets its level, each of `LOGGERS` one handler for that time. A folder that
-    cannot be used is no reason not to start.
+    The logger ``armui`` gets its level, and each of `LOGGERS` gets one handler for that time. A
+    folder that cannot be used does not keep the program from starting.
 
     Args:
-        folder: It need not exist.
+        folder: The folder; it need not exist.
 
     Yields:
-        The file, or ``None``: there is none.
+        The file, or ``None`` if none can be written.
     """
     try:
         folder.mkdir(parents=True, exist_ok=True)

@@ -1,4 +1,4 @@
-"""Where the program's own files are, beside the package or inside it; and the operator's."""
+"""The places of the program's own files, beside the package or inside it, and of the operator's."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ def _data_folder(name: str) -> Path:
 
 
 RESOURCES = _data_folder("resources")
-"""Protocol databases, translations, icons."""
+"""The folder of protocol databases, translations and icons."""
 
 URDF = _data_folder("urdf")
-"""The robot description with its meshes."""
+"""The folder of the robot descriptions with their meshes."""
 
 
 def runtime() -> Path:
-    """Return where running programs of one user meet: locks, void when they have ended.
+    """Return the folder for the locks of one user's running programs; locks of ended ones are void.
 
-    The system's folder for that where it is the user's own, also where the environment does not
+    It is the system's folder for that if it belongs to the user, even if the environment does not
     name it; else one among the user's files, for this computer alone.
     """
     named = [Path(os.environ.get("XDG_RUNTIME_DIR") or "")]
@@ -43,7 +43,7 @@ def runtime() -> Path:
 
 
 def is_private(folder: Path) -> bool:
-    """Return whether a folder is there, is no link, and only its user can change what is in it."""
+    """Return whether a folder exists, is no link, and only its user can change its contents."""
     try:
         found = folder.lstat()
     except OSError:
@@ -56,7 +56,7 @@ def is_private(folder: Path) -> bool:
 
 
 def make_private(folder: Path) -> None:
-    """Make a folder that is closed to other users, if it is not there.
+    """Create a folder that is closed to other users, if it does not exist.
 
     Raises:
         PermissionError: It is a link, or another user's.
@@ -72,15 +72,15 @@ def make_private(folder: Path) -> None:
 
 
 def logs() -> Path:
-    """Return where the operating system keeps the logs of a user's programs."""
+    """Return the operating system's folder for the logs of a user's programs."""
     return platformdirs.user_log_path("armui", appauthor=False)
 
 
 def trajectories() -> Path:
-    """Return where the operator's trajectories are kept: the user's folder for data of programs."""
+    """Return the folder of the operator's trajectories, in the user's data of programs."""
     return platformdirs.user_data_path("armui", appauthor=False) / "trajectories"
 
 
 def sessions() -> Path:
-    """Return where recordings of sessions are kept, unless the operator chooses another folder."""
+    """Return the default folder for recordings of sessions."""
     return platformdirs.user_data_path("armui", appauthor=False) / "sessions"

@@ -1,7 +1,7 @@
-"""Which programs of this computer use the same thing: each holds a lock of its own in a folder.
+"""Counts this computer's programs that use the same thing: each holds a lock in a common folder.
 
-The operating system lets go of the lock of a program that was killed, so nobody is there who is
-not. Everything here touches the disk: a thread of its own does it, nobody waits for it.
+The operating system releases the lock of a program that was killed, so no ended program is counted.
+All of it touches the disk: a thread of its own does the work, and nobody waits for it.
 """
 
 from __future__ import annotations
@@ -23,10 +23,10 @@ _LOOK_S: Final = 1.0
 
 
 class Presence:
-    """One of those who use a thing.
+    """The presence of this program among the users of a thing.
 
     Args:
-        folder: Of that thing, the same for all of them; it need not exist.
+        folder: The thing's folder, the same for all users; it need not exist.
     """
 
     def __init__(self, folder: Path) -> None:
@@ -35,7 +35,7 @@ class Presence:
         self._lock = FileLock(self._path, thread_local=False)
 
     def enter(self) -> None:
-        """Be there from now on.
+        """Register this program.
 
         Raises:
             OSError: The folder cannot be used.
@@ -48,7 +48,7 @@ class Presence:
             raise OSError(errno.ENOLCK, os.strerror(errno.ENOLCK), str(self._path)) from error
 
     def others(self) -> int:
-        """Return how many others are there; what killed programs left is removed.
+        """Return the number of other programs; the files of killed ones are removed.
 
         Raises:
             OSError: The folder cannot be read.
@@ -57,7 +57,7 @@ class Presence:
         return sum(map(_is_held, paths))
 
     def leave(self) -> None:
-        """Be there no more; harmless if one never was."""
+        """Unregister this program; harmless if it was not registered."""
         with contextlib.suppress(OSError):
             self._lock.release()
             self._path.unlink(missing_ok=True)
@@ -78,13 +78,13 @@ def _is_held(path: Path) -> bool:
 
 
 class PresenceWatch:
-    """Is there until it is closed, and tells how many others are.
+    """Registers this program until it is closed, and reports the number of others.
 
     Args:
-        folder: Of the thing; see :class:`Presence`.
-        tell: Called with their number whenever it changes, in a thread of its own; with what is
-            wrong where nobody can be met there.
-        look_s: How often to look.
+        folder: The thing's folder; see :class:`Presence`.
+        tell: Called in a thread of its own with their number whenever it changes, or with an error
+            if the folder cannot be used.
+        look_s: The period of checking.
     """
 
     def __init__(
@@ -98,7 +98,7 @@ class PresenceWatch:
         self._thread.start()
 
     def close(self, wait_s: float = 0.1) -> None:
-        """Leave; a disk that does not answer is not waited for."""
+        """Unregister the program, without waiting for a disk that does not answer."""
         self._closing.set()
         self._thread.join(wait_s)
 

@@ -1,4 +1,4 @@
-"""Sentences for the operator: each stands, in English, beside what says it."""
+"""Sentences for the operator, declared in English beside the code that uses them."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ from typing import ClassVar
 
 @dataclass(frozen=True, slots=True)
 class Sentence:
-    """A sentence for the operator, as a constant ``NAME`` of the module that says it.
+    """A sentence for the operator, a constant ``NAME`` of the module that uses it.
 
-    ``python -m tests.translations`` collects them: id and sentence are literals. The user
-    interface puts them into the operator's language. Two are equal if their ids are.
+    ``python -m tests.translations`` collects them: id and sentence are literals. The user interface
+    translates them. Two are equal if their ids are.
 
     Attributes:
-        context: Of the translation; each class has its own, and in it each id is there once.
-        id: ``name``. What files and clients keep; it never changes.
-        source: The sentence in English: what, its value and limit, and the remedy; ``{name}`` is a
-            figure. It is empty where only the id was read from a file.
+        context: The context of the translation; each class has its own, and an id is unique in it.
+        id: ``name``. It is kept in files and by clients, and never changes.
+        source: The sentence in English: the thing, its value and limit, and the remedy; ``{name}``
+            is a figure. It is empty if only the id was read from a file.
     """
 
     context: ClassVar[str]

@@ -1,9 +1,9 @@
-"""Window, bus and stop go before other programs where a PC is kept busy, as far as it lets them.
+"""Gives window, bus and stop priority over other programs on a busy PC, as far as permitted.
 
-A press waits until the system gives its thread a turn: on a PC whose cores are all taken that is
-most of the time between press and bus. Linux lets a program go first by its nice value, which it
-grants by a limit (RLIMIT_NICE) or, on a desktop, through rtkit; Windows by the priority class of a
-process. macOS puts the thread of a window first by itself.
+A press waits until the system schedules its thread: on a PC whose cores are all busy that is most
+of the time between press and bus. Linux prioritises a program by its nice value, which it grants by
+a limit (RLIMIT_NICE) or, on a desktop, through rtkit; Windows by the priority class of a process.
+macOS prioritises the thread of a window by itself.
 
 Source: setpriority(2), sched(7), rtkit's README, SetPriorityClass.
 """
@@ -25,32 +25,32 @@ from typing import Final
 _LOG: Final = logging.getLogger(__name__)
 
 NICE: Final = -10
-"""Nine times the share of an ordinary thread; rtkit grants down to -15."""
+"""The nice value: nine times the share of an ordinary thread; rtkit grants down to -15."""
 
 _ABOVE_NORMAL: Final = 0x8000
-"""ABOVE_NORMAL_PRIORITY_CLASS, which processes begun by this one don't inherit."""
+"""The value ABOVE_NORMAL_PRIORITY_CLASS, which child processes don't inherit."""
 _TASKS: Final = Path("/proc/self/task")
 _ANSWER_S: Final = 2.0
 
 
 class RaisedBy(enum.Enum):
-    """Who has let the program go first."""
+    """The party that granted the priority."""
 
     SYSTEM = "system"
-    """Its own rights suffice."""
+    """The program's own rights suffice."""
     RTKIT = "rtkit"
     NOBODY = "nobody"
     NOT_NEEDED = "not needed"
-    """The system puts the thread of a window first by itself."""
+    """The system prioritises the thread of a window by itself."""
 
 
 @dataclass(frozen=True, slots=True)
 class Rise:
-    """What came of asking.
+    """The result of requesting a priority.
 
     Attributes:
-        by: Who has granted it.
-        reason: What stood against it, in the system's words; "" if nothing did.
+        by: The party that granted it.
+        reason: The system's reason for a refusal; "" if there was none.
     """
 
     by: RaisedBy
@@ -58,19 +58,21 @@ class Rise:
 
 
 def raise_threads(thread_ids: Iterable[int] | None = None) -> Rise:
-    """Let threads of this process go before those of other programs. Waits for files and D-Bus.
+    """Raise threads of this process above other programs.
 
-    Threads and processes that these begin do not inherit it: ask again once there are new ones.
+    Waits for files and D-Bus.
+
+    Threads and processes started by these do not inherit it: call this again for new ones.
 
     Args:
-        thread_ids: As the system numbers them; every thread there is by default. Windows knows
-            only the whole process.
+        thread_ids: The system's thread numbers; by default all threads. Windows has only a priority
+            of the whole process.
     """
     return _raise(thread_ids)
 
 
 def raise_in_background() -> None:
-    """Ask for every thread there is now, in a thread that then ends; what comes of it is logged."""
+    """Raise all present threads in a short-lived thread, which logs the result."""
     threading.Thread(target=_raise_and_tell, name="armui-priority", daemon=True).start()
 
 

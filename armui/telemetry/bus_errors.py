@@ -1,4 +1,4 @@
-"""What an error frame says, where the adapter tells it in Linux's way.
+"""The content of error frames from adapters that use Linux's format.
 
 Source: Linux, ``linux/can/error.h``: classes in the identifier, more of the controller in byte 1.
 """
@@ -9,11 +9,11 @@ import enum
 from typing import Final
 
 LINUX_ERROR_FRAMES: Final = frozenset({"socketcan", "gs_usb", "candle"})
-"""Back-ends of python-can whose error frames are written so."""
+"""Back-ends of python-can whose error frames have this format."""
 
 
 class BusError(enum.StrEnum):
-    """Something that went wrong on the bus, or that goes well again."""
+    """An error on the bus, or its end."""
 
     SEND_TIMEOUT = "send_timeout"
     ARBITRATION_LOST = "arbitration_lost"
@@ -52,7 +52,7 @@ _CONTROLLER_KINDS: Final = (
 
 
 def errors_of(arbitration_id: int, data: bytes, interface: str) -> tuple[BusError, ...]:
-    """Return what an error frame says, the gravest first; nothing where the adapter tells no more.
+    """Return the errors in an error frame, the gravest first; none if the adapter gives no details.
 
     Args:
         arbitration_id: Its identifier.

@@ -1,4 +1,4 @@
-"""Who has sent a frame, as far as its identifier tells."""
+"""Finds the sender of a frame, as far as its identifier tells."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class Sender(enum.StrEnum):
-    """Who a frame comes from."""
+    """The sender of a frame."""
 
     ARM = "arm"
     OWN = "own"
@@ -24,12 +24,12 @@ class Sender(enum.StrEnum):
     OTHER_ARM = "other_arm"
     """An arm with other identifier offsets (0x470)."""
     ADAPTER = "adapter"
-    """Nobody on the bus: an error frame is the adapter's own word."""
+    """No node of the bus: error frames are made by the adapter."""
     UNKNOWN = "unknown"
 
 
 VERSION_ID: Final = 0x4AF
-"""The host asks with it, and the arm answers with it."""
+"""The identifier with which the host asks for the version, and the arm answers."""
 _QUESTION: Final = bytes((1, 0, 0, 0, 0, 0, 0, 0))
 
 _FEEDBACK_OFFSETS: Final = range(0x2A1, 0x2C9)
@@ -42,14 +42,14 @@ _NO_DATA_FRAME: Final = FrameFlag.EXTENDED | FrameFlag.REMOTE | FrameFlag.FD
 
 
 def sender_of(frame: Frame, flags: int, addressing: Addressing) -> Sender:
-    """Who has sent a frame that was heard.
+    """Return the sender of a received frame.
 
-    The drivers' frames and the answers to settings have the same identifiers on every arm: those of
-    a second arm on the bus count as this arm's.
+    The drivers' frames and the answers to settings have the same identifiers on every arm, so those
+    of a second arm on the bus count as this arm's.
 
     Args:
-        frame: As it came.
-        flags: What sort of frame it is, `FrameFlag` bits.
+        frame: The frame as received.
+        flags: Its kind, `FrameFlag` bits.
         addressing: The identifier offsets of the arm.
     """
     if flags & FrameFlag.ERROR:
@@ -70,7 +70,7 @@ def sender_of(frame: Frame, flags: int, addressing: Addressing) -> Sender:
 
 
 def speaks_for_arm(arbitration_id: int) -> bool:
-    """Tell whether only arms send frames with this identifier, under any offset (0x470)."""
+    """Return whether only arms send frames with this identifier, under any offset (0x470)."""
     return arbitration_id in FIXED_FEEDBACK or (
         arbitration_id in _FEEDBACK_OFFSETS and 1 <= arbitration_id & 0xF <= 8
     )

@@ -1,6 +1,6 @@
-"""What goes over the bus, counted by identifier and sender, and the last frames in order.
+"""The traffic on the bus, counted by identifier and sender, and the last frames in order.
 
-The bus thread only hands batches over: it neither counts nor waits. Who looks does the counting, a
+The bus thread only queues batches: it neither counts nor waits. The reading thread counts, a
 limited number of frames at a time.
 """
 
@@ -27,23 +27,23 @@ if TYPE_CHECKING:
     from armui.telemetry.listener import ReceivedFrame
 
 BUS_CYCLES: Final = 256
-"""So many of the last cycles are looked at, at most."""
+"""The most of the last cycles that are evaluated."""
 RECENT_S: Final = 3.0
-"""Cycles of so long a time before the last frame give its rate and its jitter …"""
+"""Rate and jitter of a frame come from its cycles within this time before the last one …"""
 _FEWEST: Final = 8
-"""… but at least so many, for frames that come seldom."""
+"""… but from at least this many, for frames that come seldom."""
 SILENT_S: Final = 0.5
-"""A periodic frame that is missing for so long, and for three cycles, has fallen silent."""
+"""A periodic frame missing for this long, and for three cycles, counts as silent."""
 _SILENT_CYCLES: Final = 3.0
 
 
 @dataclass(frozen=True, slots=True)
 class Cycle:
-    """How regularly a frame comes.
+    """The regularity of a frame.
 
     Attributes:
-        rate_hz: Of the recent cycles.
-        deviation_s: How far they are from their mean, on average.
+        rate_hz: The rate over the recent cycles.
+        deviation_s: Their mean deviation from their average.
     """
 
     rate_hz: float
@@ -52,23 +52,23 @@ class Cycle:
 
 @dataclass(frozen=True, slots=True)
 class FrameRow:
-    """Frames of one identifier and one sender.
+    """The frames of one identifier and one sender.
 
     Attributes:
-        number: Its own, as long as the statistics are not cleared.
-        arbitration_id: As seen on the wire.
-        flags: What sort of frame it is, `FrameFlag` bits; 0: a data frame with 11 bits.
-        sender: Who sends it.
-        count: How many were counted.
-        last_s: When the last one came.
+        number: The row's number, unique until the statistics are cleared.
+        arbitration_id: The identifier on the wire.
+        flags: Its kind, `FrameFlag` bits; 0 for a data frame with an 11-bit identifier.
+        sender: Its sender.
+        count: The number of frames.
+        last_s: The time of the last one.
         data: Its payload.
-        changed_s: When each of the first eight bytes was last seen to change, or minus infinity.
-        times_s: When the last ones came, without a break between them.
+        changed_s: The time at which each of the first eight bytes last changed, or minus infinity.
+        times_s: The times of the last ones without a break between them.
         max_gap_s: The longest cycle; ``None`` before there was one.
-        invalid: The last one that does not follow the protocol.
-        invalid_count: How many do not.
-        invalid_length: How many bytes that one has.
-        invalid_s: When that one came.
+        invalid: The last frame that does not follow the protocol.
+        invalid_count: The number of such frames.
+        invalid_length: The length of the last such frame in bytes.
+        invalid_s: The time of the last such frame.
     """
 
     number: int
@@ -87,16 +87,16 @@ class FrameRow:
     invalid_s: float
 
     def order(self) -> tuple[bool, int, int, str]:
-        """Rows are shown by identifier, error frames last."""
+        """Return the sort key of the row: by identifier, error frames last."""
         error = bool(self.flags & FrameFlag.ERROR)
         return error, self.arbitration_id, self.flags, self.sender
 
     def cycle(self) -> Cycle | None:
-        """Of the recent frames; ``None`` if there were fewer than two."""
+        """Return the cycle of the recent frames, or ``None`` if there were fewer than two."""
         return cycle_of(self.times_s)
 
     def is_silent(self, now_s: float) -> bool:
-        """Tell whether frames that came regularly come no more."""
+        """Return whether frames that came regularly have stopped."""
         away_s = now_s - self.last_s
         if away_s <= SILENT_S or len(self.times_s) < 3:
             return False
@@ -104,22 +104,22 @@ class FrameRow:
         return cycle is not None and away_s * cycle.rate_hz > _SILENT_CYCLES
 
     def changed_since(self, at_s: float) -> bool:
-        """Tell whether a byte was seen to change after a time."""
+        """Return whether a byte has changed after a time."""
         return max(self.changed_s) > at_s
 
 
 @dataclass(frozen=True, slots=True)
 class BusSnapshot:
-    """All that was counted up to a moment.
+    """All counts up to a moment.
 
     Attributes:
-        at_s: When it was taken.
-        since_s: When the counting began.
-        rows: By identifier.
-        frames: All of them, error frames included.
-        error_frames: What the adapter reported as errors.
-        left_out: Frames that were never counted, because nobody looked for too long.
-        beyond: Frames of identifiers that are more than there are rows for.
+        at_s: The time of the snapshot.
+        since_s: The time at which counting began.
+        rows: The rows by identifier.
+        frames: The number of all frames, error frames included.
+        error_frames: The number of errors reported by the adapter.
+        left_out: The number of frames never counted, because nobody read them for too long.
+        beyond: The number of frames of identifiers for which there was no row left.
     """
 
     at_s: float
@@ -132,9 +132,9 @@ class BusSnapshot:
 
 
 def cycle_of(times_s: Sequence[float]) -> Cycle | None:
-    """Return how regularly frames came at these times; ``None`` if it can't be told.
+    """Return the cycle of frames that came at these times, or ``None`` if it can't be told.
 
-    Of those within 3 s before the last one, or of the last nine.
+    It covers the frames within 3 s before the last one, or the last nine.
     """
     if len(times_s) < 2:
         return None
@@ -150,11 +150,11 @@ def cycle_of(times_s: Sequence[float]) -> Cycle | None:
 
 
 MOST_ROWS: Final = 512
-"""A bus full of nonsense has more identifiers than anybody can look at."""
+"""The most rows; a bus full of noise has more identifiers than anybody can read."""
 MOST_WAITING: Final = 40_000
-"""Frames that wait to be counted: some five seconds of a bus as full as it can be."""
+"""The most frames that wait to be counted: some five seconds of a full bus."""
 MOST_AT_ONCE: Final = 4_000
-"""Counted in one go: some milliseconds."""
+"""The frames counted in one call: some milliseconds."""
 _BYTES: Final = 8
 _SORT_SHIFT: Final = 32
 _KIND: Final = FrameFlag.EXTENDED | FrameFlag.REMOTE | FrameFlag.ERROR | FrameFlag.FD
@@ -201,7 +201,7 @@ class _Series:
         self.row: FrameRow | None = None
 
     def change(self, data: bytes) -> int:
-        """Take in another payload; which bits of the first eight bytes differ."""
+        """Add a payload, and return the bits of its first eight bytes that have changed."""
         word = _word(data)
         difference = word ^ self.word if len(data) == len(self.data) else _ALL_BITS
         self.data, self.word = data, word
@@ -209,7 +209,7 @@ class _Series:
         return difference
 
     def shown(self, at_s: float) -> FrameRow:
-        """As a row that stays as it is; the same as before if nothing came."""
+        """Return a frozen row; the same one as before if nothing came."""
         if self.row is not None and self.row.count == self.count:
             return self.row
         difference, self.difference = self.difference, 0
@@ -238,13 +238,13 @@ class _Series:
 
 _ALL_BITS: Final = (1 << 8 * _BYTES) - 1
 _OPENED: Final[list[ReceivedFrame]] = []
-"""Stands in the queue where a device was opened: no cycle goes on over it."""
+"""Marks in the queue that a device was opened: no cycle continues across it."""
 
 
 class BusStatistics(Listener):
-    """A listener on the bus (`armui.bus.notifier.Listener`), and what was counted since it began.
+    """A listener on the bus (`armui.bus.notifier.Listener`) that counts its frames.
 
-    `on_…` are called by the bus thread, the others by one thread that looks.
+    The bus thread calls `on_…`, one reading thread the other methods.
 
     Args:
         clock: Monotonic time in seconds, the same as of the frames.
@@ -267,23 +267,23 @@ class BusStatistics(Listener):
     # The bus thread ---------------------------------------------------------------------------
 
     def know_generation(self, generation: Generation | None) -> None:
-        """Which protocol the arm was found to speak."""
+        """Set the protocol that the arm was found to speak."""
         self._generation = generation
 
     def on_open(self, _bitrate: int | None) -> None:
-        """A device was opened."""
+        """Note that a device was opened."""
         self._waiting.append((_OPENED, False))
 
     def on_codec(self, codec: Codec) -> None:
-        """How frames are decoded from now on."""
+        """Set the codec that decodes the frames from now on."""
         self._codec = codec
 
     def on_heard(self, batch: Sequence[ReceivedFrame]) -> None:
-        """Frames that others sent."""
+        """Add frames that others sent."""
         self._hand_over(batch, own=False)
 
     def on_sent(self, batch: Sequence[ReceivedFrame]) -> None:
-        """Frames that this program sent."""
+        """Add frames that this program sent."""
         self._hand_over(batch, own=True)
 
     def _hand_over(self, batch: Sequence[ReceivedFrame], *, own: bool) -> None:
@@ -297,16 +297,16 @@ class BusStatistics(Listener):
 
     @property
     def codec(self) -> Codec | None:
-        """How frames are decoded now; ``None`` before the first device."""
+        """The present codec; ``None`` before the first device."""
         return self._codec
 
     @property
     def generation_known(self) -> bool:
-        """Whether the arm is known to speak the codec's generation."""
+        """True if the arm is known to speak the codec's generation."""
         return self._codec is not None and self._codec.generation is self._generation
 
     def clear(self) -> None:
-        """Begin to count anew."""
+        """Start counting from zero."""
         self._series: dict[tuple[int, Sender], _Series] = {}
         self._heard: dict[int, _Series] = {}
         self._own: dict[int, _Series] = {}
@@ -316,12 +316,12 @@ class BusStatistics(Listener):
         self.trace.clear()
 
     def forget_waiting(self) -> None:
-        """What was handed over and not counted yet is not wanted any more."""
+        """Drop the frames that were not counted yet."""
         while self._waiting:
             self._taken += len(self._waiting.popleft()[0])
 
     def count_waiting(self, most: int = MOST_AT_ONCE) -> bool:
-        """Count frames that wait, about so many at most; tell whether none is left."""
+        """Count waiting frames, up to about `most`; return whether none is left."""
         if self._spoken is not self._codec:
             # an identifier may be another sender's now
             self._spoken = self._codec
@@ -335,7 +335,7 @@ class BusStatistics(Listener):
         return not self._waiting
 
     def snapshot(self) -> BusSnapshot:
-        """Return what was counted, to be kept as it is."""
+        """Return a frozen copy of the counts."""
         now_s = self._clock()
         rows = sorted((each.shown(now_s) for each in self._series.values()), key=FrameRow.order)
         return BusSnapshot(

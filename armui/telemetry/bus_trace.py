@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from armui.telemetry.listener import ReceivedFrame
 
 TRACE_FRAMES: Final = 10_000
-"""Some three seconds of an arm; a view takes in more of them too slowly."""
+"""Some three seconds of an arm; a view takes too long for more."""
 _BYTES: Final = 8
 
 
@@ -23,13 +23,13 @@ class TracedFrame(NamedTuple):
     """One frame of the trace.
 
     Attributes:
-        at_s: When it came, or went.
-        arbitration_id: As seen on the wire.
-        flags: What sort of frame it is, `FrameFlag` bits.
-        sender: Who sent it.
+        at_s: The time of reception or sending.
+        arbitration_id: The identifier on the wire.
+        flags: Its kind, `FrameFlag` bits.
+        sender: Its sender.
         data: Its first eight bytes.
-        length: How many it has.
-        changed: Which of them differ from the frame before of this identifier and sender.
+        length: Its length in bytes.
+        changed: Those bytes that differ from the frame before of this identifier and sender.
     """
 
     at_s: float
@@ -43,15 +43,15 @@ class TracedFrame(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class TraceSnapshot:
-    """Frames of the trace, oldest first, to be kept as they are.
+    """Frozen frames of the trace, the oldest first.
 
     Attributes:
-        times_s: Of each.
+        times_s: The time of each.
         numbers: The row of each in the statistics.
         words: The first eight bytes of each.
         differences: Bits that differ from the frame before of the same row.
-        lengths: Of the payloads.
-        names: What a row is, by its number.
+        lengths: The lengths of the payloads.
+        names: The identity of each row, by its number.
     """
 
     times_s: NDArray[np.float64]
@@ -67,12 +67,12 @@ class TraceSnapshot:
     def selected(
         self, allowed: Collection[int], *, only_changed: bool = False, most: int = TRACE_FRAMES
     ) -> TraceSnapshot:
-        """Some of them.
+        """Return a selection of the frames.
 
         Args:
-            allowed: The rows whose frames are wanted, by number.
-            only_changed: Frames alone that differ from the one before.
-            most: So many of the last ones.
+            allowed: The numbers of the rows whose frames are wanted.
+            only_changed: True for only the frames that differ from the one before.
+            most: The most frames, counted from the end.
         """
         wanted = np.zeros(max(len(self.names), 1), np.bool_)
         wanted[[each for each in allowed if each < len(self.names)]] = True
@@ -90,7 +90,7 @@ class TraceSnapshot:
         )
 
     def frame(self, place: int) -> TracedFrame:
-        """Return one of them."""
+        """Return one frame."""
         arbitration_id, flags, sender = self.names[int(self.numbers[place])]
         length = int(self.lengths[place])
         data = int(self.words[place]).to_bytes(_BYTES, "big")[:length]
@@ -101,7 +101,7 @@ class TraceSnapshot:
 
 
 class BusTrace:
-    """Keeps the last frames; the oldest give way."""
+    """Keeps the last frames; the oldest are dropped."""
 
     def __init__(self, most: int = TRACE_FRAMES) -> None:
         self._most = most
@@ -114,12 +114,12 @@ class BusTrace:
         self._count = 0
 
     def clear(self) -> None:
-        """Forget all of them."""
+        """Drop all frames."""
         self._names = []
         self._count = 0
 
     def name(self, number: int, arbitration_id: int, flags: int, sender: Sender) -> None:
-        """Say what the next row of the statistics is; they are numbered from 0."""
+        """Set the identity of the next row of the statistics; rows are numbered from 0."""
         assert number == len(self._names), "rows are named one after another"  # noqa: S101
         self._names.append((arbitration_id, flags, sender))
 
@@ -130,7 +130,7 @@ class BusTrace:
         words: Sequence[int],
         differences: Sequence[int],
     ) -> None:
-        """Take in frames in order: their rows, their bytes, and which bits have changed."""
+        """Add frames in order: their rows, their bytes, and the bits that have changed."""
         count = len(batch)
         if not count:
             return

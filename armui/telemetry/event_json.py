@@ -1,4 +1,4 @@
-"""Events as lines of JSON, and the files they are kept in; whoever writes them waits for a disk."""
+"""Converts events to lines of JSON, and appends them to files; this waits for the disk."""
 
 from __future__ import annotations
 
@@ -18,15 +18,15 @@ from armui.system.files import open_file
 from armui.telemetry.events import Asker, EventEntry, EventKind, EventOutcome, Level
 
 LONGEST: Final = 100_000
-"""Characters of a line; a longer one is none of ours."""
+"""The most characters of a line; a longer one is none of ours."""
 
 _YEARS: Final = 1970, 2300
 LATEST_S: Final = 1e10
-"""Times that lie further away overflow a calendar."""
+"""Times further away overflow a calendar."""
 
 
 def to_json(entry: EventEntry) -> str:
-    """Return one line without its end; times are seconds of the clock that does not go back."""
+    """Return the line of an event without its end; times are by the clock that does not go back."""
     fields: dict[str, object] = {
         "number": entry.number,
         "wall": entry.wall.isoformat(timespec="milliseconds"),
@@ -54,10 +54,10 @@ def to_json(entry: EventEntry) -> str:
 
 
 def from_json(text: str) -> EventEntry:
-    """Return an event from its line.
+    """Return the event in a line.
 
     Raises:
-        ValueError: It is none, or says something impossible.
+        ValueError: The line is no event, or holds impossible values.
     """
     if len(text) > LONGEST:
         raise ValueError(f"a line of {len(text)} characters; events have {LONGEST} at most")
@@ -68,10 +68,10 @@ def from_json(text: str) -> EventEntry:
 
 
 def from_record(record: Mapping[str, Any]) -> EventEntry:
-    """Return an event from the JSON values of its line.
+    """Return the event in the JSON values of a line.
 
     Raises:
-        ValueError: It is none, or says something impossible.
+        ValueError: The values are no event, or are impossible.
     """
     try:
         return _entry(record)
@@ -191,13 +191,13 @@ _OLD_FILES: Final = 4
 def append(
     folder: Path, text: str, most_bytes: int = _MOST_BYTES, old_files: int = _OLD_FILES
 ) -> None:
-    """Add lines to the file; when it is full, it makes room for a new one.
+    """Append lines to the file; a full file is renamed and a new one begun.
 
     Args:
-        folder: It need not exist.
+        folder: The folder; it need not exist.
         text: Whole lines.
         most_bytes: A file that is larger becomes ``events.1.jsonl``.
-        old_files: So many of those are kept.
+        old_files: The number of those that are kept.
 
     Raises:
         OSError: The disk or the folder does not allow it.

@@ -1,4 +1,4 @@
-"""What happened, as data: one entry an event, in a log that is bounded and never waits."""
+"""Events as data: one entry each, in a bounded log that never blocks."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from typing import Any, Final
 
 
 class Level(enum.Enum):
-    """How grave an event is."""
+    """The severity of an event."""
 
     INFO = enum.auto()
     DONE = enum.auto()
@@ -34,16 +34,16 @@ __all__ = [
 ]
 
 MOST_ENTRIES: Final = 10_000
-"""Some 20 MB where each is a motion with its figures and its end; the oldest make room."""
+"""Some 20 MB if each is a motion with its figures and its end; the oldest are dropped."""
 REPEAT_S: Final = 10.0
-"""What happens again within this time is counted, not listed anew."""
+"""An event that happens again within this time is counted instead of listed again."""
 REPEATS_SPAN_S: Final = 60.0
-"""Repeats are counted for so long; then they are listed anew, or one line would hide a day."""
+"""Repeats are counted for this long, then listed again; otherwise one line could cover a day."""
 
 
 @unique
 class Asker(StrEnum):
-    """Who asked for something, or says it."""
+    """The source of a command or of an event."""
 
     OPERATOR = "operator"
     RUN = "run"
@@ -57,28 +57,28 @@ class Asker(StrEnum):
 
 @unique
 class EventKind(StrEnum):
-    """What sort of event it is."""
+    """The kind of an event."""
 
     COMMAND = "command"
     RESULT = "result"
-    """What became of a command."""
+    """The result of a command."""
     STATUS = "status"
     FAULT = "fault"
     LINK = "link"
     OTHER_HOST = "other_host"
     ODDITY = "oddity"
-    """On the bus: frames that are unknown, malformed, missing or lost."""
+    """Frames on the bus that are unknown, malformed, missing or lost."""
     PROGRAM = "program"
 
 
 @dataclass(frozen=True, slots=True)
 class EventOutcome:
-    """What became of a command.
+    """The outcome of a command.
 
     Attributes:
-        code: What happened, as in `EventEntry`.
+        code: The id of its sentence, as in `EventEntry`.
         at_s: Monotonic time.
-        level: DONE, or how grave it is.
+        level: DONE, or its severity.
         params: The figures of its sentence.
     """
 
@@ -90,24 +90,26 @@ class EventOutcome:
 
 @dataclass(frozen=True, slots=True)
 class EventEntry:
-    """One event. The user interface has the sentence for it, in the operator's language.
+    """One event.
+
+    The user interface has the sentence for it, in the operator's language.
 
     Attributes:
-        number: In its log; it grows.
+        number: Its number in the log, rising.
         at_s: Monotonic time of its beginning.
-        wall: What the clock on the wall showed then, with its time zone.
-        level: How grave it is.
-        kind: What sort it is.
-        who: Who asked for it, or says it.
-        code: What happened.
+        wall: The time of day then, with its time zone.
+        level: Its severity.
+        kind: Its kind.
+        who: Its source.
+        code: The id of its sentence.
         params: The figures of its sentence.
-        lasts: It has a beginning and an end: ``ended_s`` tells whether it goes on.
-        ended_s: When it ended.
-        unheard: It was not heard to end: whoever said it fell silent, or was disconnected.
-        count: How often it happened; of frames, how many.
+        lasts: True if it has a beginning and an end; it goes on while ``ended_s`` is ``None``.
+        ended_s: The time at which it ended.
+        unheard: True if its end was not heard, because its source fell silent or was disconnected.
+        count: The number of times it happened; for frames, their number.
         last_s: Monotonic time of the last repeat.
-        answer: Of a command, what the arm has answered (0x476); ``None``: nothing so far.
-        result: Of a command, how it ended by what was read back from the arm.
+        answer: For a command, the arm's answer (0x476); ``None`` if there is none so far.
+        result: For a command, its end by the values read back from the arm.
     """
 
     number: int
@@ -128,27 +130,27 @@ class EventEntry:
 
     @property
     def goes_on(self) -> bool:
-        """Whether it has not ended yet."""
+        """True if it has not ended yet."""
         return self.lasts and self.ended_s is None
 
     @property
     def newest_s(self) -> float:
-        """When it happened last."""
+        """The time at which it happened last."""
         return self.at_s if self.last_s is None else self.last_s
 
     def wall_at(self, at_s: float) -> datetime:
-        """What the clock on the wall showed at another moment, as far as it was not set since."""
+        """Return the time of day at another moment, if it was not set since."""
         return self.wall + timedelta(seconds=at_s - self.at_s)
 
 
 class EventLog:
-    """The newest entries; those that change keep their number.
+    """The newest entries; a changed entry keeps its number.
 
-    One thread writes, any thread reads. Each addition and each change has a revision; who follows
-    the log asks for what is newer than the last revision it has seen.
+    One thread writes, any thread reads. Each addition and each change has a revision; a reader asks
+    for everything newer than the last revision it has seen.
 
     Args:
-        most: So many entries are kept.
+        most: The most entries kept.
     """
 
     def __init__(self, most: int = MOST_ENTRIES) -> None:
@@ -162,40 +164,40 @@ class EventLog:
 
     @property
     def revision(self) -> int:
-        """Of the newest change."""
+        """The revision of the newest change."""
         return self._revision
 
     @property
     def newest(self) -> int:
-        """The number of the newest entry; 0 while there is none."""
+        """The number of the newest entry; 0 if there is none."""
         return self._number
 
     @property
     def oldest(self) -> int:
-        """The number of the oldest entry that is kept; 1 while there is none."""
+        """The number of the oldest kept entry; 1 if there is none."""
         with self._lock:
             return next(iter(self._entries), 1)
 
     def entries(self) -> list[EventEntry]:
-        """All that are kept, the oldest first."""
+        """Return all kept entries, the oldest first."""
         with self._lock:
             return list(self._entries.values())
 
     def snapshot(self) -> tuple[int, list[EventEntry]]:
-        """The same as `since` from the beginning, with less to do."""
+        """Return the same as `since` from the beginning, with less work."""
         with self._lock:
             return self._revision, list(self._entries.values())
 
     def get(self, number: int) -> EventEntry | None:
-        """An entry by its number, or ``None``: it has made room, or never was."""
+        """Return an entry by its number, or ``None`` if it was dropped or never existed."""
         with self._lock:
             return self._entries.get(number)
 
     def since(self, revision: int) -> tuple[int, list[EventEntry]]:
-        """What was added or changed after a revision.
+        """Return the entries added or changed after a revision.
 
         Returns:
-            The revision to ask from the next time, and the entries as they are now, by number.
+            The revision to pass the next time, and the present entries, by number.
         """
         with self._lock:
             numbers: list[int] = []
@@ -210,11 +212,11 @@ class EventLog:
     def add(
         self, *, repeat_key: Hashable = None, within_s: float = REPEAT_S, **what: Any
     ) -> EventEntry:
-        """Take in an event, or count it where it repeats one of the last seconds.
+        """Add an event, or count it if it repeats a recent one.
 
         Args:
             repeat_key: Equal for an event and its repeats; with ``None`` it is never a repeat.
-            within_s: What comes later than this is no repeat.
+            within_s: A later event is no repeat.
             **what: The fields of `EventEntry`, but for its number.
         """
         with self._lock:
@@ -254,7 +256,7 @@ class EventLog:
         return before if again else None
 
     def change(self, number: int, **changes: Any) -> EventEntry | None:
-        """Note what became of an entry: ``None`` if it is not kept any more.
+        """Change an entry, and return it; ``None`` if it is not kept any more.
 
         Args:
             number: Its number.

@@ -1,4 +1,4 @@
-"""The interface of those who are told of every frame on the bus, in batches."""
+"""The interface of objects that are told of every frame on the bus, in batches."""
 
 from __future__ import annotations
 
@@ -11,34 +11,37 @@ if TYPE_CHECKING:
     from armui.protocol.generation import Generation
 
 ReceivedFrame = tuple["Message | InvalidFrame", float, "Frame", int]
-"""A frame as decoded, its monotonic time in seconds, the frame itself, and its `FrameFlag` bits.
+"""A decoded frame, its monotonic time in seconds, the frame itself, and its `FrameFlag` bits.
 
-A frame that is repeated shares its decoded message: it must not be changed."""
+A repeated frame shares its decoded message, which must not be changed.
+
+A frame that is repeated shares its decoded message: it must not be changed.
+"""
 
 
 class Listener:
-    """Hears every frame; a subclass overrides what it needs.
+    """Receives every frame; subclasses override the methods they need.
 
     All but `know_generation` is called by the bus thread.
     """
 
     def know_generation(self, generation: Generation | None) -> None:
-        """Which protocol the arm was found to speak; ``None``: not known, or not any more."""
+        """Set the protocol that the arm was found to speak; ``None`` if it is not known."""
 
     def on_open(self, bitrate: int | None) -> None:
-        """A device was opened."""
+        """Handle the opening of a device."""
 
     def on_codec(self, codec: Codec) -> None:
-        """How frames are decoded from now on."""
+        """Set the codec that decodes frames from now on."""
 
     def on_heard(self, batch: Sequence[ReceivedFrame]) -> None:
-        """Frames that others sent."""
+        """Handle frames that others sent."""
 
     def on_sent(self, batch: Sequence[ReceivedFrame]) -> None:
-        """Frames that this program sent."""
+        """Handle frames that this program sent."""
 
     def on_error_frame(self) -> None:
-        """The adapter has reported an error on the bus."""
+        """Handle an error on the bus that the adapter has reported."""
 
     def on_look(self, now_s: float) -> None:
-        """Called every few milliseconds."""
+        """Do periodic work; called every few milliseconds."""

@@ -1,4 +1,4 @@
-"""Every quantity the protocol tells or commands: in which message, in which unit, since when."""
+"""Every quantity of the protocol, reported or commanded: its message, its unit, its rate."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
 FULL_HZ: Final = 200.0
-"""Feedback of the controller and of the motors; targets are streamed as fast."""
+"""The rate of the controller's and the motors' feedback; targets are streamed as fast."""
 _SLOW_HZ: Final = 40.0
 _BUS_HZ: Final = 10.0
 
@@ -23,7 +23,7 @@ BUS_SERIES: Final = "bus"
 
 
 class Source(enum.StrEnum):
-    """Whose word a quantity is."""
+    """The source of a quantity."""
 
     ARM = "arm"
     OWN = "own"
@@ -32,7 +32,7 @@ class Source(enum.StrEnum):
 
 
 class Space(enum.Enum):
-    """Commands of which the newest alone stands."""
+    """A kind of command of which only the newest one holds."""
 
     MOTION = enum.auto()
     GRIPPER = enum.auto()
@@ -44,11 +44,11 @@ class Field:
     """One signal of a message, or several bits of it as one code.
 
     Attributes:
-        name: In the series.
-        unit: As the operator reads it.
-        signals: Its name in the DBC files; several: bits, the first one worth 1.
-        is_code: A whole number of 0–255 that every generation tells.
-        is_angle: Turned into degrees from whatever unit the generation has.
+        name: The name in the series.
+        unit: The operator's unit.
+        signals: Its signals in the DBC files; if several, they are bits, the first one worth 1.
+        is_code: True for a whole number of 0–255 that every generation reports.
+        is_angle: True for an angle, converted to degrees from the generation's unit.
     """
 
     name: str
@@ -60,15 +60,15 @@ class Field:
 
 @dataclass(frozen=True, slots=True)
 class Record:
-    """A message whose signals are kept.
+    """A message whose signals are kept over time.
 
     Attributes:
         message: Its name in the DBC files.
-        source: Who says it.
-        number: The joint it is about, where it is about one.
-        fields: What is kept of it.
-        common: It means the same in both generations.
-        space: Of a command.
+        source: The source of the message.
+        number: The joint it is about, if any.
+        fields: The fields that are kept.
+        common: True if it means the same in both generations.
+        space: For a command, its kind.
     """
 
     message: str
@@ -81,12 +81,12 @@ class Record:
 
     @property
     def name(self) -> str:
-        """Of its series."""
+        """The name of its series."""
         return self.message if self.source is Source.ARM else f"{self.source}.{self.message}"
 
     @property
     def shape(self) -> Shape:
-        """Of its series."""
+        """The shape of its series."""
         figures = tuple(field.name for field in self.fields if not field.is_code)
         codes = tuple(field.name for field in self.fields if field.is_code)
         return Shape(self.name, self.rate_hz, figures, codes, held=self.space is not None)
@@ -94,16 +94,16 @@ class Record:
 
 @dataclass(frozen=True, slots=True)
 class Quantity:
-    """What can be drawn as a curve.
+    """A quantity that can be drawn as a curve.
 
     Attributes:
-        key: Its name in layouts, for good: ``arm.joint_angle.1``.
-        kind: What it is: ``joint_angle``.
-        source: Whose word it is.
-        number: Of the joint, where it belongs to one.
-        unit: As the operator reads it; "" for codes.
-        series, field: Where it is kept.
-        held: It stands until the next one: a command.
+        key: Its permanent name in layouts: ``arm.joint_angle.1``.
+        kind: The kind of quantity, as ``joint_angle``.
+        source: Its source.
+        number: The joint's number, if it belongs to one.
+        unit: The operator's unit; "" for codes.
+        series, field: The series and the field that hold it.
+        held: True for a command, which holds until the next one.
     """
 
     key: str
@@ -140,7 +140,9 @@ TOOL_POSE: Final = Record(
         _figure(f"tool_{axis}", "°" if axis.startswith("r") else "mm", "") for axis in _POSE_AXES
     ),
 )
-"""No message has it: it is worked out of the flange's pose while a tool is set."""
+"""The pose of the tool. No message has it: it is computed from the flange's pose while a tool is
+set.
+"""
 _STATUS: Final = Record(
     "ArmStatus",
     Source.ARM,
@@ -274,7 +276,7 @@ def _quantities() -> Iterator[Quantity]:
 
 
 QUANTITIES: Final[Mapping[str, Quantity]] = {each.key: each for each in _quantities()}
-"""All of them by key, in the order in which a list shows them."""
+"""All quantities by key, in the order of the list."""
 
 
 _SOURCES: Final = {
@@ -285,7 +287,7 @@ _SOURCES: Final = {
 
 
 def quantity_key(sender: Sender, message: str, signal: str) -> str | None:
-    """Return the key of a signal's quantity; ``None``: it is not kept."""
+    """Return the key of a signal's quantity, or ``None`` if it is not kept."""
     source = _SOURCES.get(sender)
     return None if source is None else _keys().get((source, message, signal))
 

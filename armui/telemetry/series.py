@@ -1,4 +1,4 @@
-"""The signals of one message over time: every sample for half an hour, beside one time stamp."""
+"""The signals of one message over time: every sample of half an hour, with its time."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ _WORTH_PAGES = 65_536
 
 
 def zeros(shape: tuple[int, ...], kind: np.dtype[Any] | str) -> NDArray[Any]:
-    """Return an array of zeros like `numpy.zeros`, whose memory goes back to the system with it.
+    """Return an array of zeros like `numpy.zeros` whose memory returns to the system when freed.
 
-    The heap of the C library keeps what large arrays have freed, in pieces.
+    The heap of the C library would keep the memory of freed arrays in pieces.
     """
     kind = np.dtype(kind)
     count = int(np.prod(shape))
@@ -37,11 +37,11 @@ BASE_EXPONENT: Final = -4
 """The finest buckets are 2⁻⁴ s = 62.5 ms wide: 12 samples at 200 Hz."""
 LEVELS: Final = 4
 _LEVEL_STEP: Final = 2
-"""A level's buckets are 2² times as wide as those of the level below: 62.5 ms, 0.25, 1 and 4 s."""
+"""The exponent's step between levels: buckets are 62.5 ms, 0.25, 1 and 4 s wide."""
 _NONE: Final = np.iinfo(np.int64).min
 
 Extremes = tuple["NDArray[np.float64]", "NDArray[np.float64]"]
-"""Minima and maxima, one row a signal, one column a bucket; NaN where there are none."""
+"""Minima and maxima, one row for each signal, one column for each bucket; NaN for none."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,7 +59,7 @@ class _Level:
 
 
 def firsts(numbers: NDArray[np.int64]) -> NDArray[np.intp]:
-    """Return where each run of equal numbers begins; there must be one."""
+    """Return the index at which each run of equal numbers begins; at least one is needed."""
     begins = np.empty(numbers.size, np.bool_)
     begins[0] = True
     np.not_equal(numbers[1:], numbers[:-1], out=begins[1:])
@@ -67,18 +67,18 @@ def firsts(numbers: NDArray[np.int64]) -> NDArray[np.intp]:
 
 
 class Pyramid:
-    """Minima and maxima over buckets of time, in a few levels, each coarser than the one below.
+    """Minima and maxima over buckets of time, in a few levels of rising width.
 
     Written by one thread, read by any number, without a lock. Buckets are aligned to absolute time:
-    a bucket's number is its time divided by its width. A curve that scrolls keeps its buckets, and
-    its shape.
+    a bucket's number is its time divided by its width. A scrolling curve keeps its buckets, and its
+    shape.
 
-    A place of a ring says which bucket it holds: what is older than the ring, or just being
-    written, is read as empty.
+    Each place of a ring holds the number of its bucket: buckets older than the ring, or just being
+    written, are read as empty.
 
     Args:
-        blocks: For each block of signals how many they are, and their type.
-        keep_s: How long a bucket is kept.
+        blocks: The number of signals and their type for each block of signals.
+        keep_s: The time for which a bucket is kept.
     """
 
     def __init__(self, blocks: Sequence[tuple[int, DTypeLike]], keep_s: float) -> None:
@@ -97,7 +97,7 @@ class Pyramid:
 
     @property
     def bytes_kept(self) -> int:
-        """How much memory it takes."""
+        """The memory in use, in bytes."""
         arrays = [
             array for level in self._levels for array in (level.numbers, *level.lows, *level.highs)
         ]
@@ -109,11 +109,11 @@ class Pyramid:
         lows: Sequence[NDArray[Any]],
         highs: Sequence[NDArray[Any]],
     ) -> None:
-        """Take in buckets of the finest level; the writing thread only.
+        """Add buckets of the finest level; for the writing thread only.
 
         Args:
-            numbers: Which, ascending, none before the last one put in.
-            lows: For each block, one row a signal.
+            numbers: The buckets' numbers, ascending, none before the last one added.
+            lows: For each block, one row for each signal.
             highs: As above.
         """
         for level in self._levels:
@@ -128,17 +128,17 @@ class Pyramid:
     def read(
         self, exponent: int, begin: int, end: int, block: int, rows: Sequence[int]
     ) -> tuple[NDArray[np.bool_], Extremes]:
-        """Return the buckets from one number up to another.
+        """Return a range of buckets.
 
         Args:
             exponent: Buckets are 2^exponent seconds wide, no finer than the finest level.
             begin: Number of the first bucket, of this width.
-            end: Number of the one behind the last.
-            block: Of which signals.
-            rows: Which ones of them.
+            end: Number of the bucket behind the last.
+            block: The block of signals.
+            rows: The signals in the block.
 
         Returns:
-            Which buckets hold anything, and their extremes.
+            The mask of buckets that hold data, and their extremes.
         """
         place = min((exponent - BASE_EXPONENT) // _LEVEL_STEP, LEVELS - 1)
         ratio: int = 1 << (exponent - BASE_EXPONENT - _LEVEL_STEP * place)
@@ -197,10 +197,10 @@ def _store(
 
 
 KEPT_S: Final = 1800.0
-"""So long every sample is kept, if they come at the rate of the protocol."""
+"""Every sample is kept for this long, if they come at the rate of the protocol."""
 
 _FOLD_EVERY: Final = 512
-"""So many samples are taken into the pyramid at once: numpy pays off by the hundred."""
+"""The number of samples added to the pyramid at once: numpy pays off by the hundred."""
 _BASE_PER_S: Final = 2.0**-BASE_EXPONENT
 _LATEST_TRIES: Final = 3
 
@@ -209,14 +209,14 @@ Row = tuple[float, ...]
 
 @dataclass(frozen=True, slots=True)
 class Shape:
-    """What a series holds.
+    """The content of a series.
 
     Attributes:
-        name: Of the series.
-        rate_hz: How many samples a second the protocol has at most.
-        figures: Names of its figures, kept as 32-bit floats; NaN is one that was not told.
+        name: The name of the series.
+        rate_hz: The protocol's highest rate of samples.
+        figures: Names of its figures, kept as 32-bit floats; NaN if not reported.
         codes: Names of its codes, whole numbers of 0–255.
-        held: A value stands until the next one: a command. A row of NaN ends it.
+        held: True for commands, whose value holds until the next one, or until a row of NaN.
     """
 
     name: str
@@ -227,7 +227,7 @@ class Shape:
 
     @property
     def fields(self) -> tuple[str, ...]:
-        """The names of all of them, in the order of a row."""
+        """The names of all figures and codes, in the order of a row."""
         return (*self.figures, *self.codes)
 
 
@@ -238,8 +238,8 @@ class Envelope:
     Attributes:
         exponent: Each bucket is 2^exponent seconds wide.
         begin: The number of the first bucket.
-        heard: Whether anything was heard in a bucket; for a held series, whether a value stands.
-        low, high: One row a field, NaN where there is no figure.
+        heard: True for buckets with samples; for a held series, with a value in force.
+        low, high: One row for each field, NaN without a value.
     """
 
     exponent: int
@@ -252,20 +252,20 @@ class Envelope:
 class Series:
     """A ring of samples and their pyramid.
 
-    One thread writes; it says how far it has come after what it wrote is there. Others copy what
-    they want, and then look whether it was overwritten meanwhile. Nobody waits for anybody.
+    One thread writes, and publishes the count after the data. Readers copy their range, and then
+    check whether it was overwritten meanwhile. No thread waits for another.
 
-    Nothing is taken of the memory before the first sample.
+    No memory is allocated before the first sample.
 
     Args:
-        shape: What it holds.
-        keep_s: How long.
+        shape: The content of the series.
+        keep_s: The time for which samples are kept.
 
     Attributes:
         shape: As given.
         write: Adds a sample: monotonic time in seconds, then the figures and codes in the order of
             `Shape.fields`; the writing thread only. A time before the last one counts as that one.
-        replaced: How often everything in it became something else.
+        replaced: The number of times its whole content was replaced.
     """
 
     def __init__(self, shape: Shape, keep_s: float = KEPT_S) -> None:
@@ -280,7 +280,7 @@ class Series:
         self.release()
 
     def release(self) -> None:
-        """Give the memory back, samples and all; nothing may be written meanwhile."""
+        """Free the memory and all samples; nothing may be written meanwhile."""
         self._count = self._folded = self._ahead = 0
         self.replaced += 1
         self._fold_at = _FOLD_EVERY
@@ -292,10 +292,10 @@ class Series:
         self.write = self._write_first
 
     def adopt(self, other: Series) -> None:
-        """Take over everything that another one of the same shape holds, if it holds anything.
+        """Take over the content of another series of the same shape, if it holds any.
 
-        The writing thread only; nothing may be done with the other one any more. Who reads
-        meanwhile may get samples of both, once: `replaced` tells that they must be read anew.
+        For the writing thread only; the other series must not be used any more. A reader may get
+        samples of both once: `replaced` shows that they must be read again.
         """
         if other._pyramid is None:
             return
@@ -332,10 +332,10 @@ class Series:
             self._fold()
 
     def extend(self, times_s: NDArray[np.float64], columns: Mapping[str, NDArray[Any]]) -> None:
-        """Add many samples at once, as `write` adds one; the writing thread only.
+        """Add many samples at once, as `write` adds one; for the writing thread only.
 
         Args:
-            times_s: When, ascending.
+            times_s: The times, ascending.
             columns: The values of every field, by name.
         """
         most = self._capacity // 4
@@ -394,28 +394,28 @@ class Series:
 
     @property
     def count(self) -> int:
-        """How many samples there ever were."""
+        """The number of samples ever added."""
         return self._count
 
     @property
     def newest_s(self) -> float | None:
-        """When the last sample came; ``None`` before the first."""
+        """The time of the last sample; ``None`` before the first."""
         count = self._count
         return float(self._times_s[(count - 1) % self._capacity]) if count else None
 
     @property
     def bytes_kept(self) -> int:
-        """How much memory it takes now."""
+        """The memory in use, in bytes."""
         pyramid = self._pyramid
         return 0 if pyramid is None else self._samples.nbytes + pyramid.bytes_kept
 
     @property
     def most_bytes(self) -> int:
-        """How much memory it will take at most."""
+        """The most memory it will use, in bytes."""
         return self._capacity * self._size + Pyramid(self._blocks(), self._keep_s).bytes_kept
 
     def latest(self, field: str) -> tuple[float, float] | None:
-        """Return when the last sample came, and one value of it; ``None`` before the first."""
+        """Return the time of the last sample and one of its values; ``None`` before the first."""
         for _ in range(_LATEST_TRIES):
             count = self._count
             if count == 0:
@@ -431,7 +431,7 @@ class Series:
         Args:
             begin_s: Monotonic time.
             end_s: As above.
-            around: With the last one before and the first one after.
+            around: True to include the last one before and the first one after.
 
         Returns:
             A structured array with ``time_s`` and the fields' names, oldest first: a copy.
@@ -443,17 +443,17 @@ class Series:
         return self._span(first, last)
 
     def count_between(self, begin_s: float, end_s: float) -> int:
-        """Return how many samples there are from one time up to another."""
+        """Return the number of samples from one time up to another."""
         return self._place(end_s) - self._place(begin_s)
 
     def value_at(self, field: str, at_s: float) -> tuple[float, float] | None:
-        """Return the last sample up to a time, as `latest`; ``None``: there is none any more."""
+        """Return the last sample up to a time, like `latest`; ``None`` if it is no longer kept."""
         place = self._place(np.nextafter(at_s, np.inf)) - 1
         found = self._span(place, place + 1)
         return (float(found["time_s"][0]), float(found[field][0])) if found.size else None
 
     def envelope(self, exponent: int, begin: int, end: int, fields: Sequence[str]) -> Envelope:
-        """Minima and maxima in buckets of time.
+        """Return minima and maxima in buckets of time.
 
         Args:
             exponent: The buckets are 2^exponent seconds wide.

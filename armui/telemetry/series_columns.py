@@ -1,6 +1,7 @@
-"""From messages to the figures and codes of their series.
+"""Converts messages to the figures and codes of their series.
 
-One decoded message at a time, as it is heard; or the frames of a log at once, with the same values.
+It works for one decoded message at a time, as received, or for the frames of a log at once, with
+the same values.
 """
 
 from __future__ import annotations
@@ -37,17 +38,17 @@ _NAN: Final = math.nan
 _UNPROVEN: Final = frozenset(
     {"SpeedPercent", "TrajectoryPoint", *(f"J{joint}LimitExceeded" for joint in JOINTS)}
 )
-"""What bytes 5 and 6 of 0x2A1 hold is known with the generation."""
+"""The signals of 0x2A1 bytes 5 and 6, whose meaning depends on the generation."""
 
 
 def row_of(record: Record, codec: Codec, *, proven: bool) -> Callable[[_Signals], Row] | None:
-    """Return what makes a row of a message's signals; ``None`` if nothing of it can be understood.
+    """Return a function that makes a row of a message's signals, or ``None`` if none is understood.
 
     Args:
-        record: What is kept of the message.
-        codec: How it is decoded.
-        proven: The arm is known to speak this generation. Until then only what both of them say
-            alike is kept.
+        record: The fields that are kept.
+        codec: The codec that decodes it.
+        proven: True if the arm is known to speak this generation. Otherwise only values with the
+            same meaning in both are kept.
     """
     told = told_signals(record, codec, proven=proven)
     if told is None:
@@ -62,7 +63,7 @@ def row_of(record: Record, codec: Codec, *, proven: bool) -> Callable[[_Signals]
 
 
 def told_signals(record: Record, codec: Codec, *, proven: bool) -> frozenset[str] | None:
-    """Return the signals of a message that are understood; ``None``: none; see `row_of`."""
+    """Return the signals of a message that are understood, or ``None`` if none; see `row_of`."""
     if not (proven or record.common):
         return None
     try:
@@ -83,7 +84,7 @@ def _plain(names: list[str], factors: list[float]) -> Callable[[_Signals], Row]:
 
 
 def factor_of(record: Record, field: Field, codec: Codec) -> float:
-    """Return what a signal is multiplied by to have the field's unit."""
+    """Return the factor that converts a signal to the field's unit."""
     if not field.is_angle:
         return 1
     return DEGREES_PER.get(codec.unit(record.message, field.signals[0]), _NAN)
@@ -116,7 +117,7 @@ class FrameColumns:
     """Frames of a log, one row each, in the order of time.
 
     Attributes:
-        times_s: By the clock of the samples.
+        times_s: The times by the samples' clock.
         ids: Identifiers.
         flags: `FrameFlag` bits.
         lengths: Bytes of data.
@@ -133,7 +134,7 @@ class FrameColumns:
         return len(self.ids)
 
     def of(self, rows: NDArray[Any] | slice) -> FrameColumns:
-        """Some of the rows."""
+        """Return some of the rows."""
         return FrameColumns(
             self.times_s[rows],
             self.ids[rows],
@@ -144,22 +145,22 @@ class FrameColumns:
 
 
 def joined(pieces: Sequence[_Columns]) -> _Columns:
-    """Columns one behind the other; of one piece at least."""
+    """Return columns joined one behind the other; there must be at least one piece."""
     kind = type(pieces[0])
     columns = ([getattr(piece, each.name) for piece in pieces] for each in fields(kind))
     return pieces[0] if len(pieces) == 1 else kind(*map(np.concatenate, columns))
 
 
 class ColumnWriter:
-    """Takes the feedback of an arm into its series.
+    """Adds the feedback of an arm to its series.
 
     Args:
-        series: By name.
-        codec: How frames are decoded.
-        proven: The arm is known to speak the codec's generation.
+        series: The series by name.
+        codec: The codec that decodes the frames.
+        proven: True if the arm is known to speak the codec's generation.
 
     Attributes:
-        is_feedback: By identifier, whether it is taken in here.
+        is_feedback: For each identifier, true if it is processed here.
     """
 
     def __init__(self, series: Mapping[str, Series], codec: Codec, *, proven: bool) -> None:
@@ -177,7 +178,7 @@ class ColumnWriter:
             self.is_feedback[wire_id] = True
 
     def add_frames(self, frames: FrameColumns) -> None:
-        """Take in the feedback among frames that are ordinary data frames."""
+        """Add the feedback among frames that are ordinary data frames."""
         order = np.argsort(frames.ids, kind="stable")
         ids = frames.ids[order]
         edges = np.flatnonzero(np.diff(ids)) + 1

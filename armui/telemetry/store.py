@@ -1,4 +1,4 @@
-"""Everything that was heard and commanded in the last half hour."""
+"""All feedback and commands of the last half hour."""
 
 from __future__ import annotations
 
@@ -39,9 +39,9 @@ if TYPE_CHECKING:
 _BUS_EVERY_S: Final = 0.1
 _ROUNDING_S: Final = 1e-4
 _PAUSE_S: Final = 1.0
-"""Nobody counted for so long: the next count begins anew."""
+"""After a longer pause in counting the next count starts from zero."""
 _FRAME_BITS: Final = 47
-"""Of a classic frame without its payload, the gap behind it included; stuff bits not counted."""
+"""The bits of a classic frame without its payload and stuff bits, with the gap behind it."""
 DEFAULT_BITRATE: Final = 1_000_000
 _SHAPES: Final = {record.name: record.shape for record in RECORDS}
 
@@ -55,7 +55,7 @@ ENDS: Final = {
         }
     ),
 }
-"""What of 0x150 ends every target that stands."""
+"""The values of 0x150 that end every target in force."""
 
 _Writer = Callable[[Mapping[str, float], float], None]
 _POSE_MESSAGES: Final = ("EndPose1", "EndPose2", "EndPose3")
@@ -77,7 +77,7 @@ class _ToolPoseWriter:
         self._flange: dict[str, float] = {}
 
     def following(self, write: _Writer) -> _Writer:
-        """Return what writes one of the three messages, and then the tool's pose."""
+        """Return a function that writes one of the three messages, and then the tool's pose."""
 
         def write_both(signals: Mapping[str, float], at_s: float) -> None:
             write(signals, at_s)
@@ -92,20 +92,20 @@ class _ToolPoseWriter:
 
 
 class Telemetry(Listener):
-    """Fed by the thread that owns the bus; read by any thread.
+    """Feedback and commands over time; fed by the bus thread, read by any thread.
 
-    It takes about a microsecond a frame. Nothing that a reader does holds up the bus thread.
+    It takes about a microsecond for each frame. No reader holds up the bus thread.
 
-    A command stands until another one of its kind, its own or another host's, a stop or an abort:
+    A command holds until another one of its kind, from this or another host, a stop or an abort:
     its series then gets a row of NaN.
 
     Args:
         clock: Monotonic time in seconds, the same as of the frames.
-        keep_s: How long every sample is kept.
+        keep_s: The time for which every sample is kept.
 
     Attributes:
-        wall_time: What the clock on the wall showed at a time of this clock; a log has its own.
-        series: By name; see `armui.telemetry.quantities`.
+        wall_time: Returns the time of day at a time of this clock; a log has its own.
+        series: The series by name; see `armui.telemetry.quantities`.
     """
 
     def __init__(self, clock: Callable[[], float] = steady_s, keep_s: float = KEPT_S) -> None:
@@ -130,21 +130,21 @@ class Telemetry(Listener):
         self._counted_s = -math.inf
 
     def now_s(self) -> float:
-        """Return the present, by the clock of the samples."""
+        """Return the present time by the samples' clock."""
         return self._clock()
 
     @property
     def bytes_kept(self) -> int:
-        """How much memory the samples take now."""
+        """The memory that the samples use now, in bytes."""
         return sum(each.bytes_kept for each in self.series.values())
 
     @property
     def most_bytes(self) -> int:
-        """How much they take at most, whatever is heard."""
+        """The most memory they use, in bytes, whatever is heard."""
         return sum(each.most_bytes for each in self.series.values())
 
     def release(self) -> None:
-        """Give the memory of all samples back, once nothing is heard or sent any more."""
+        """Free the memory of all samples, when nothing is heard or sent any more."""
         for each in self.series.values():
             each.release()
         self._counted_s = -math.inf
@@ -153,11 +153,11 @@ class Telemetry(Listener):
     def alike(
         self, clock: Callable[[], float] | None = None, keep_s: float | None = None
     ) -> Telemetry:
-        """Return one without samples, that takes in frames as this one does.
+        """Return a store without samples that processes frames as this one does.
 
         Args:
             clock: Its clock, in seconds; by default this one's.
-            keep_s: How long it keeps every sample; by default as long as this one.
+            keep_s: The time for which it keeps samples; by default this one's.
         """
         other = Telemetry(clock or self._clock, self._keep_s if keep_s is None else keep_s)
         other.wall_time = self.wall_time
@@ -169,28 +169,28 @@ class Telemetry(Listener):
         return other
 
     def adopt(self, other: Telemetry) -> None:
-        """Take over the samples of one that was made `alike`; the writing thread only."""
+        """Take over the samples of a store made by `alike`; for the writing thread only."""
         for name, series in self.series.items():
             series.adopt(other.series[name])
 
     def find(self, key: str) -> tuple[Quantity, Series]:
-        """Return a quantity and where it is kept.
+        """Return a quantity and its series.
 
         Raises:
-            KeyError: There is none of this name.
+            KeyError: No quantity has this key.
         """
         quantity = QUANTITIES[key]
         return quantity, self.series[quantity.series]
 
     def latest(self, key: str) -> tuple[float, float] | None:
-        """Return when a quantity was last told, and its value; ``None`` if it never was."""
+        """Return the time and the value of a quantity's last sample; ``None`` if there is none."""
         quantity, series = self.find(key)
         return series.latest(quantity.field)
 
     # What is known of the arm; any thread -----------------------------------------------------
 
     def know_generation(self, generation: Generation | None) -> None:
-        """Which protocol the arm was found to speak; ``None``: what they share is kept alone."""
+        """Set the arm's protocol; with ``None`` only values common to both generations are kept."""
         if generation is not self._generation:
             with self._choosing:
                 self._generation = generation
@@ -200,7 +200,8 @@ class Telemetry(Listener):
         """Keep the pose of a tool centre point beside the flange's from now on.
 
         Args:
-            tool: Its pose in the flange, mm and degrees; zeros: it is the flange, and is not kept.
+            tool: Its pose in the flange, mm and degrees; with zeros it equals the flange, and is
+                not kept.
         """
         wanted = tuple(tool) if any(tool) else ()
         if wanted != self._tool:
@@ -211,18 +212,18 @@ class Telemetry(Listener):
     # The bus thread ---------------------------------------------------------------------------
 
     def on_open(self, bitrate: int | None) -> None:
-        """A device was opened: commands of before stand no more."""
+        """Note that a device was opened: earlier commands no longer hold."""
         self._bitrate = bitrate or DEFAULT_BITRATE
         self._end_standing(self._clock())
 
     def on_codec(self, codec: Codec) -> None:
-        """How frames are decoded from now on."""
+        """Set the codec that decodes the frames from now on."""
         with self._choosing:
             self._codec = codec
             self._choose()
 
     def on_heard(self, batch: Sequence[ReceivedFrame]) -> None:
-        """Frames that somebody else sent, in order."""
+        """Add frames that others sent, in order."""
         self._frames += len(batch)
         find, data_bytes = self._from_others.get, 0
         for heard, at_s, (_id, data), _flags in batch:
@@ -235,11 +236,11 @@ class Telemetry(Listener):
         self._bits += _FRAME_BITS * len(batch) + 8 * data_bytes
 
     def on_columns(self, frames: FrameColumns, *, own: NDArray[np.bool_]) -> None:
-        """Many frames of a log, in order: the same as `on_heard`, `on_sent` and `on_look`.
+        """Add many frames of a log in order: the same as `on_heard`, `on_sent` and `on_look`.
 
         Args:
-            frames: What is in the log.
-            own: Which of them the program that recorded them has sent itself.
+            frames: The frames of the log.
+            own: True for commands that the recording program sent itself.
         """
         with self._choosing:
             codec = self._codec
@@ -278,11 +279,11 @@ class Telemetry(Listener):
                 self.on_look(float(tenths[row] + 1) * _BUS_EVERY_S)
 
     def on_error_frame(self) -> None:
-        """The adapter has reported an error on the bus."""
+        """Count an error on the bus that the adapter has reported."""
         self._errors += 1
 
     def on_sent(self, batch: Sequence[ReceivedFrame]) -> None:
-        """Frames that this program has sent, in order."""
+        """Add frames that this program has sent, in order."""
         self._frames += len(batch)
         for said, at_s, frame, _flags in batch:
             self._bits += _FRAME_BITS + 8 * len(frame.data)
@@ -291,7 +292,7 @@ class Telemetry(Listener):
                 writer(said.signals, at_s)
 
     def on_look(self, now_s: float) -> None:
-        """Called every few milliseconds while a device is open."""
+        """Update the rates; called every few milliseconds while a device is open."""
         passed_s = now_s - self._counted_s
         if passed_s < _BUS_EVERY_S - _ROUNDING_S:
             return

@@ -1,1 +1,1 @@
-"""Programs of motion: points, recordings, files, library, planning, checks; no Qt, no bus."""
+"""Trajectories and recordings: files, library, planning and checks; no Qt, no bus."""

@@ -1,4 +1,4 @@
-"""Work that takes long, out of the window's way; what comes of it arrives in the same thread."""
+"""Runs long work in the background; its result arrives in the window's thread."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ Result = TypeVar("Result")
 
 @dataclass(slots=True, eq=False)
 class Job(Generic[Result]):
-    """Work that somebody waits for.
+    """Work with a recipient for its result.
 
     Attributes:
-        then: Gets what came of it, or the :class:`Refusal` that says why nothing did.
-        wanted: Whether anybody waits for it still; else nothing is told of it.
+        then: Receives the result, or a :class:`Refusal` with the reason for the failure.
+        wanted: False if the result is no longer wanted; it is then dropped.
     """
 
     then: Callable[[Result | Refusal], object]
@@ -33,11 +33,11 @@ class Job(Generic[Result]):
 
 
 class Background(QObject):
-    """Has work done, one piece after another.
+    """Runs pieces of work one after another.
 
     Args:
-        workers: Who does what computes; it may be another process.
-        files: Who does what waits for a disk, in a thread of this process; the workers by default.
+        workers: Runs computations, possibly in another process.
+        files: Runs work that waits for a disk, in a thread of this process; by default the workers.
     """
 
     _arrived = Signal(object, object)
@@ -51,18 +51,18 @@ class Background(QObject):
         self._arrived.connect(self._on_arrived)
 
     def call(self, function: Callable[..., Result], *args: object) -> Result:
-        """From within `begin_here`: call a function of a module that computes for long."""
+        """Call a long computation from within work of `begin_here`, and return its result."""
         if isinstance(self._files, FileThread):
             result: Result = self._files.call(function, *args)
             return result
         return function(*args)
 
     def begin(self, job: Job[Result], work: Callable[..., Result], *args: object) -> None:
-        """Have a function of a module called; :attr:`Job.then` is called in this thread."""
+        """Run a function of a module; :attr:`Job.then` is called in this thread."""
         self._begin(self._workers, job, work, *args)
 
     def begin_here(self, job: Job[Result], work: Callable[..., Result], *args: object) -> None:
-        """Have something called in another thread of this process; then as `begin`."""
+        """Run a function in another thread of this process, otherwise like `begin`."""
         self._begin(self._files, job, work, *args)
 
     def _begin(
@@ -72,7 +72,7 @@ class Background(QObject):
         executor.submit(work, *args).add_done_callback(lambda done: self._arrived.emit(job, done))
 
     def warm_up(self, work: Callable[[], object]) -> None:
-        """Have something done that nobody waits for."""
+        """Run work whose result nobody waits for."""
         self._workers.submit(work)
 
     def _on_arrived(self, job: Job[Result], done: Future[Result]) -> None:

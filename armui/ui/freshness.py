@@ -1,4 +1,4 @@
-"""Whether what the arm said last still stands for the present."""
+"""Decides whether a value of the arm still counts as present."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from armui.control.operating_state import LinkState, OperatingState
 
 
 def is_stale(heard: Reading[Any] | None, state: ArmState, operating_state: OperatingState) -> bool:
-    """Whether a value was heard and is too old by now.
+    """Return whether a value was heard, but is too old now.
 
-    While the arm is online its last frame is the clock: a value that stays away for half a second
-    while others arrive is stale. Without a link everything heard is.
+    While the arm is online its last frame is the clock: a value that has not come for half a second
+    while others arrive is stale. Offline, everything heard is stale.
     """
     if heard is None:
         return False

@@ -1,8 +1,8 @@
-"""Python's search for garbage, kept to the thread of the windows.
+"""Python's garbage collection, restricted to the GUI thread.
 
-Left to itself it is made by whichever thread happens to make objects, and what it finds may be what
-is left of a window. As such an object ends, Qt holds a lock and waits for Python, while the thread
-of the windows has Python and waits for that lock: then nothing goes on any more, the stop neither.
+By default it runs in whichever thread happens to create objects, and may destroy the remains of a
+window there. Then Qt holds a lock and waits for Python, while the GUI thread holds Python's lock
+and waits for Qt's: a deadlock, in which even the stop does not work.
 """
 
 from __future__ import annotations
@@ -14,14 +14,14 @@ from PySide6.QtCore import QObject, QTimer
 
 _LOOK_MS: Final = 500
 _LOOKS: Final = 120
-"""Everything that has come since the start is searched once in so many looks: once a minute."""
+"""The number of searches after which everything since the start is searched: once a minute."""
 
 
 class GarbageSearch(QObject):
-    """Searches now and then, instead of Python by itself; lives in the thread of the windows.
+    """Collects garbage periodically in place of Python's own collection; lives in the GUI thread.
 
     Args:
-        parent: It ends with this.
+        parent: The object with which it ends.
     """
 
     def __init__(self, parent: QObject) -> None:
@@ -33,7 +33,7 @@ class GarbageSearch(QObject):
         gc.disable()
 
     def look(self) -> None:
-        """Search what is new, which takes some tenths of a millisecond, or once a minute all."""
+        """Search new objects, which takes some tenths of a millisecond, or every minute all."""
         self._looks += 1
         if self._looks < _LOOKS:
             gc.collect(1)

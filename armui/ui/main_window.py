@@ -1,4 +1,4 @@
-"""The main window: the regions of the manual's figure 1-1, and what is wired between them."""
+"""The main window: the regions of the manual's figure 1-1, and the connections between them."""
 
 from __future__ import annotations
 
@@ -76,19 +76,20 @@ _FIRST_SIZE: Final = QSize(1440, 900)
 
 
 class MainWindow(Translated, KeepsFocus, QWidget):
-    """Shows the arm and takes the operator's wishes; knows nothing of the bus.
+    """Shows the arm and receives the operator's commands; it has no access to the bus.
 
     Args:
-        controller: Whom the regions tell, and who tells them.
+        controller: The controller of the arm.
         view: The 3D picture.
-        preferences: What the operator chose; changes reach the window at once.
-        workers: Who does what takes long.
-        files: Who does what waits for a disk, in a thread of this process; the workers by default.
+        preferences: The operator's settings; changes take effect at once.
+        workers: Runs long work.
+        files: Runs work that waits for a disk, in a thread of this process; by default the workers.
         trajectories: The folder of the library; the user's own by default.
-        hand: Finds the hand that leads the simulated arm of this process; by default none.
+        hand: Gives access to the hand that leads the simulated arm of this process; by default
+            none.
 
     Attributes:
-        window_actions: Opens the command palette, and knows what it offers.
+        window_actions: Opens the command palette, and collects its commands.
         page_actions: Opens pages by their keys.
     """
 
@@ -113,7 +114,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._entries = menu_entries(controller, preferences, self.open_backup_dialog)
         self._robot = RobotInView(view, controller, self._settings.urdf_path, self)
         self._joint_monitor = JointMonitor(controller, parent=self)
-        self._diagnosis = DiagnosisDialogs(controller, files or workers, self)
+        self._diagnosis = DiagnosisDialogs(controller, files or workers, self, preferences.path)
         background = self._background = Background(workers, files, self)
         self._keeper = LayoutKeeper(preferences.path, background, self)
         self._workspace = Workspace(controller, self._keeper, self)
@@ -231,7 +232,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         return panel.first_jog if isinstance(panel, MotionPanel) else None
 
     def dialog(self, key: str) -> ArmDialog | None:
-        """Return a dialog by its key; ``None``: it has not been opened yet."""
+        """Return a dialog by its key, or ``None`` if it has not been opened yet."""
         return self._dialogs.get(key)
 
     def _connect(self) -> None:
@@ -328,7 +329,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._open("backup", lambda: BackupDialog(self._controller, self._background, self))
 
     def open_library_window(self) -> None:
-        """Show 轨迹库 (manual 1.0.9): the page one was at, or, if that is seen, the library."""
+        """Show 轨迹库 (manual 1.0.9): the last page, or the library if that page is visible."""
         if self._work_area.shows_pages or self._pages.current is None:
             self._trajectory_pages.open_library()
         else:
@@ -339,7 +340,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._watch.show_as_curves(keys)
 
     def open_trajectory_file(self, path: Path) -> None:
-        """Show a trajectory of a file in an editor; nothing moves."""
+        """Open the trajectory of a file in an editor; nothing moves."""
         self._trajectory_pages.open_file(path)
 
     def open_replay(self, path: Path | None = None) -> None:
@@ -347,7 +348,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._watch.open_replay(path)
 
     def open_help_dialog(self) -> None:
-        """Show how the 3D view is used."""
+        """Show the help on the 3D view."""
         self._open("help", lambda: HelpDialog(self._controller, self))
 
     def open_settings_dialog(self) -> None:
@@ -358,16 +359,17 @@ class MainWindow(Translated, KeepsFocus, QWidget):
             self._view.load_failed.connect(dialog.show_robot_problem)
             dialog.diagnosis_wanted.connect(self._diagnosis.open_doctor)
             dialog.about_arm_wanted.connect(self._diagnosis.open_about_arm)
+            dialog.about_wanted.connect(self._diagnosis.open_about)
             return dialog
 
         self._open("settings", make)
 
     def show_failure(self, failure: Failure, *, motion_ended: bool) -> None:
-        """Say that something nobody expected went wrong in the program."""
+        """Show that an unexpected error has happened in the program."""
         self._failure_line.show_failure(failure, motion_ended=motion_ended)
 
     def show_problem(self, reason: Refusal) -> None:
-        """Say what stood in the program's way, in the status bar."""
+        """Show a problem of the program in the status bar."""
         self._status_bar.show_problem(reason)
 
     def _open(self, name: str, make: Callable[[], ArmDialog]) -> ArmDialog:
@@ -378,31 +380,31 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         return self._dialogs[name]
 
     def room_for_questions(self) -> QRect:
-        """Where small windows lie: over the panel or page, with the picture and the stops free."""
+        """Return the area for small windows: over the panel or page, beside picture and stops."""
         return self._work_area.left_of_picture()
 
     # -- window -------------------------------------------------------------------------------
 
     def retranslate_ui(self) -> None:
-        """Put the title into the operator's language."""
+        """Set the title in the operator's language."""
         self.setWindowTitle(self.tr("armui – PiPER arm"))
         self._view.setAccessibleName(self.tr("3D view of the arm"))
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        """A figure can be shown as a curve."""
+        """Offer to show the figure as a curve."""
         offer_curves(self, event)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Catch up with what went by while the window was hidden."""
+        """Update the picture, which was not updated while the window was hidden."""
         super().showEvent(event)
         self._show_in_view(self._controller.state)
 
     def keep_drafts(self) -> None:
-        """Write down what is not saved of trajectories; the program may go on."""
+        """Save unsaved trajectories as drafts; the program may go on."""
         self._trajectory_pages.keep_drafts()
 
     def keep_work(self) -> None:
-        """Write down what is not saved, to be offered at the next start, without asking."""
+        """Save all unsaved work without asking, to be offered at the next start."""
         for dialog in self._dialogs.values():
             if isinstance(dialog, KeepsWork):
                 dialog.keep_work()
@@ -410,7 +412,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._keeper.keep()
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Ask first while something is not saved, is under way, or the arm moves by itself."""
+        """Ask first if there is unsaved or running work, or the arm moves by itself."""
         operating_state = self._controller.operating_state
         stopping = operating_state.stop is StopState.REQUESTED
         under_way = operating_state.moving or stopping or operating_state.occupied is not None

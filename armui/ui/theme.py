@@ -1,7 +1,7 @@
-"""Colours, fonts and the style sheet: the one place that says what the program looks like.
+"""Colours, fonts and the style sheet: everything about the program's appearance.
 
-Red stands for stop and fault and for nothing else. Widgets that paint themselves ask
-:func:`colors_of` at every paint, so a theme switched while running reaches them by itself.
+Red means stop and fault and nothing else. Widgets that paint themselves call :func:`colors_of` at
+every paint, so that a change of theme takes effect at once.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ _HERE: Final = Path(__file__).parent
 
 
 class Theme(enum.StrEnum):
-    """What the operator can choose."""
+    """The themes from which the operator can choose."""
 
     LIGHT = "light"
     DARK = "dark"
@@ -35,17 +35,18 @@ class Colors:
     """The colours of one theme, as ``#rrggbb``.
 
     Attributes:
-        window: Behind everything.
+        window: The background.
         surface: Bars, panels, fields.
         sunken: Grooves and disabled fields.
         border: Lines of one pixel.
-        text, muted, faint: What is read, what accompanies it, what can't be used now.
-        accent, accent_strong, accent_pale: The clear blue; pressed; the chosen menu entry.
+        text, muted, faint: Main text, secondary text, disabled text.
+        accent, accent_strong, accent_pale: The blue accent; its pressed state; the chosen menu
+            entry.
         on_accent: Text on the accent.
-        ok, warn, stop: Good; attention; stop and fault. ``…_pale`` is a ground for text.
-        stop_ink: Text and signs that tell of a fault.
+        ok, warn, stop: Good; attention; stop and fault. ``…_pale`` is a background for text.
+        stop_ink: Text and signs of a fault.
         on_stop: Text on the stop colour.
-        replay, replay_pale, on_replay: What is no present but a recording.
+        replay, replay_pale, on_replay: Marks a recording as opposed to the present.
     """
 
     window: str
@@ -130,7 +131,7 @@ _DARK_CURVES: Final = (
     *("#5a9cff", "#f0a050", "#45c47b", "#b98cff", "#35c8d6", "#f078c0"),
     *("#cfcf50", "#98a5b6", "#9cc4ff", "#d8a878", "#a0d878", "#d0b0ff"),
 )
-"""Red is none of them: it means stop or fault."""
+"""The curves' colours on a dark background, without red, which means stop or fault."""
 
 _CJK_FAMILIES: Final = (
     "Microsoft YaHei UI",
@@ -143,24 +144,24 @@ _CJK_FAMILIES: Final = (
 _SMALLEST_FONT_PT: Final = 10.0
 _STYLE: Final = "Fusion"
 _IN_STYLE: Final = "in_style"
-"""The application's property that says it was made in the style."""
+"""The application's property that marks it as created in the style."""
 
 _FOLLOWER: Final = "scheme_follower"
-"""The application's property that holds who follows the system's colours."""
+"""The application's property with the object that follows the system's colours."""
 
 
 def colors_of(widget: QWidget) -> Colors:
-    """The colours of the theme a widget is shown in."""
+    """Return the colours of a widget's theme."""
     return DARK if widget.palette().color(QPalette.ColorRole.Window).lightness() < 128 else LIGHT
 
 
 def curve_colors(widget: QWidget) -> tuple[str, ...]:
-    """Return the colours of curves in a widget's theme, one after the other."""
+    """Return the colours of curves in a widget's theme, in their order."""
     return _DARK_CURVES if colors_of(widget) is DARK else LIGHT_CURVES
 
 
 def ui_font() -> QFont:
-    """The system's font, followed by fonts with Chinese glyphs; figures all of one width."""
+    """Return the system's font, followed by fonts with Chinese glyphs; digits of equal width."""
     font = QFontDatabase.systemFont(QFontDatabase.SystemFont.GeneralFont)
     font.setFamilies([*font.families(), *_CJK_FAMILIES])
     font.setPointSizeF(max(font.pointSizeF(), _SMALLEST_FONT_PT))
@@ -169,7 +170,7 @@ def ui_font() -> QFont:
 
 
 def scaled_font(widget: QWidget, scale: float, *, bold: bool = False) -> QFont:
-    """The widget's font, larger or smaller, for text of another rank."""
+    """Return the widget's font, larger or smaller."""
     font = QFont(widget.font())
     font.setPointSizeF(font.pointSizeF() * scale)
     font.setWeight(QFont.Weight.DemiBold if bold else QFont.Weight.Normal)
@@ -177,9 +178,10 @@ def scaled_font(widget: QWidget, scale: float, *, bold: bool = False) -> QFont:
 
 
 def make_application(arguments: Sequence[str]) -> QApplication:
-    """Qt's application in the program's style.
+    """Return Qt's application in the program's style.
 
-    To set the style later has PySide make the class of styles, with its 566 names, at the start.
+    Setting the style later would make PySide build the class of styles, with its 566 names, at the
+    start.
     """
     app = QApplication([*arguments, "-style", _STYLE])
     app.setProperty(_IN_STYLE, True)
@@ -187,13 +189,13 @@ def make_application(arguments: Sequence[str]) -> QApplication:
 
 
 def apply_theme(app: QApplication, theme: Theme, *, before_windows: bool = False) -> None:
-    """Show the whole program in a theme, now.
+    """Show the whole program in a theme.
 
     Args:
         app: The application; open windows change at once.
-        theme: ``SYSTEM`` goes with the system's colour scheme, and goes on following it.
-        before_windows: Leave the style sheet for the next call, once the windows are built: Qt asks
-            it anew for all that a widget holds each time the widget gets a parent.
+        theme: ``SYSTEM`` follows the system's colour scheme from now on.
+        before_windows: Leave the style sheet for the next call, when the windows are built: Qt
+            evaluates it again for a widget and its children whenever the widget gets a parent.
     """
     follower = app.property(_FOLLOWER)  # to look for a child has PySide load every class there is
     if follower is None:
@@ -218,7 +220,7 @@ class _SchemeFollower(QObject):
         app.styleHints().colorSchemeChanged.connect(self._on_scheme_changed)
 
     def show(self, theme: Theme, *, with_sheet: bool) -> None:
-        """Choose the theme; the system is told, so that window frames and its dialogs match."""
+        """Set the theme, also for the system's window frames and dialogs."""
         self._theme = theme
         self._with_sheet = self._with_sheet or with_sheet
         scheme = {
@@ -248,7 +250,7 @@ class _SchemeFollower(QObject):
 
 
 def palette(colors: Colors) -> QPalette:
-    """The colours as Qt's roles, for all that the style sheet leaves to the style."""
+    """Return the colours as Qt's roles, for everything that the style sheet leaves to the style."""
     role = QPalette.ColorRole
     roles = {
         role.Window: colors.window,
@@ -281,6 +283,6 @@ def palette(colors: Colors) -> QPalette:
 
 
 def style_sheet(colors: Colors) -> str:
-    """The style sheet ``theme.qss`` with the colours of a theme in it."""
+    """Return the style sheet ``theme.qss`` with the colours of a theme."""
     template = string.Template(read_file(_HERE / "theme.qss").decode())
     return template.substitute(asdict(colors), icons=(_HERE / "icons").as_posix())

@@ -1,4 +1,4 @@
-"""The language of the program, changed while it runs."""
+"""The language of the program, which can change while it runs."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ LANGUAGES: Final[tuple[Language, ...]] = get_args(Language)
 
 
 def shown_language() -> Language:
-    """Return the language in which texts are looked up now."""
+    """Return the present language of the texts."""
     # Translators: the code of the language that is shown, "zh" for Chinese
     return "zh" if QCoreApplication.translate("GuideWindow", "en") == "zh" else "en"
 
@@ -31,15 +31,14 @@ class TranslationMissingError(RuntimeError):
 
 
 class Translator:
-    """Installs the words of one language and takes out those of the last.
+    """Installs the texts of one language and removes those of the last.
 
-    The source strings are English, so English needs no file. Qt's own words (file chooser,
-    context menus of edit fields) come with Qt. Widgets hear of a change by
-    ``QEvent.LanguageChange``.
+    The source strings are English, so English needs no file. Qt's own texts (file chooser, context
+    menus of edit fields) come with Qt. Widgets learn of a change by ``QEvent.LanguageChange``.
 
     Args:
-        app: The application whose widgets read.
-        folder: Where ``armui_zh.qm`` is.
+        app: The application.
+        folder: The folder of ``armui_zh.qm``.
 
     Attributes:
         language: The language chosen last.
@@ -52,10 +51,10 @@ class Translator:
         self.language: Language = "en"
 
     def set_language(self, language: Language) -> None:
-        """Show the program in a language, at once.
+        """Show the program in a language at once.
 
         Raises:
-            TranslationMissingError: The file is not there; the language stays as it was.
+            TranslationMissingError: The file is missing; the language is unchanged.
         """
         wanted = self._load(language)
         # first the new words, then the old away: nothing flashes up in English in between

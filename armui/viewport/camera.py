@@ -10,7 +10,7 @@ from typing import Final
 from armui.viewport.vectors import Vector, plus
 
 VIEW_ANGLE_DEG: Final = 30.0
-"""Opening angle of the shorter side of the picture."""
+"""The opening angle for the shorter side of the picture."""
 
 _DEG_PER_PIXEL = 0.4
 _ZOOM_PER_STEP = 0.88
@@ -19,7 +19,7 @@ _STEEPEST_DEG = 89.0
 
 
 class ViewDirection(enum.Enum):
-    """From where the arm is looked at; the values are kept in the settings."""
+    """A direction from which to look at the arm; the values are kept in the settings."""
 
     FRONT = "front"
     SIDE = "side"
@@ -30,18 +30,18 @@ class ViewDirection(enum.Enum):
 
 @dataclass(frozen=True, slots=True)
 class OrbitCamera:
-    """Looks at a point from a direction; Z stays up, so the arm never tips over on the screen.
+    """Looks at a point from a direction; Z stays up, so the arm never appears tilted.
 
-    The operator's hand does not bring the eye below the floor: only `turned_to` does, and from
-    there on the hand turns it about below, too, until it has come up again.
+    Dragging does not move the eye below the floor: only `turned_to` does; from there dragging turns
+    it below the floor, too, until it is above again.
 
     Attributes:
         focus_m: the point looked at, in the base frame.
-        distance_m: from there to the eye; without perspective, what is as far away as the focus
-            looks as large as it would with it.
-        azimuth_deg: of the eye about Z, 0 at +X.
-        elevation_deg: of the eye above the floor.
-        orthographic: whether lines that are parallel look so.
+        distance_m: the distance from there to the eye; without perspective, objects at the focus
+            keep the size they have with it.
+        azimuth_deg: the eye's azimuth about Z, 0 at +X.
+        elevation_deg: the eye's elevation above the floor.
+        orthographic: true for a picture without perspective.
     """
 
     focus_m: tuple[float, float, float]
@@ -51,7 +51,7 @@ class OrbitCamera:
     orthographic: bool = False
 
     def orbit(self, dx_px: float, dy_px: float) -> OrbitCamera:
-        """Return the camera after a drag that turns: the scene follows the pointer."""
+        """Return the camera after a turning drag: the scene follows the pointer."""
         lowest_deg = 0.0 if self.elevation_deg >= 0.0 else -_STEEPEST_DEG
         elevation_deg = self.elevation_deg + dy_px * _DEG_PER_PIXEL
         turned = replace(
@@ -62,7 +62,7 @@ class OrbitCamera:
         return self._kept_above_floor(turned)
 
     def pan(self, dx_px: float, dy_px: float, shorter_side_px: float) -> OrbitCamera:
-        """Return the camera after a drag that moves: what is under the pointer stays under it."""
+        """Return the camera after a moving drag: the point under the pointer stays under it."""
         visible_m = 2.0 * self.distance_m * math.tan(math.radians(VIEW_ANGLE_DEG / 2.0))
         metres_per_px = visible_m / max(shorter_side_px, 1.0)
         _, right, up = self.axes()
@@ -90,12 +90,12 @@ class OrbitCamera:
 
     @property
     def eye_m(self) -> Vector:
-        """Position of the eye in the base frame."""
+        """The position of the eye in the base frame."""
         outward, _, _ = self.axes()
         return plus(self.focus_m, outward, self.distance_m)
 
     def axes(self) -> tuple[Vector, Vector, Vector]:
-        """Unit vectors: from the focus to the eye, to the right and up on the screen."""
+        """Return unit vectors: from the focus to the eye, to the right and up on the screen."""
         azimuth, elevation = math.radians(self.azimuth_deg), math.radians(self.elevation_deg)
         ca, sa = math.cos(azimuth), math.sin(azimuth)
         ce, se = math.cos(elevation), math.sin(elevation)
@@ -103,7 +103,7 @@ class OrbitCamera:
 
 
 HOME_CAMERA: Final = OrbitCamera(focus_m=(0.06, 0.0, 0.25), distance_m=1.7)
-"""Until the robot is known: about where one of the arm's size stands."""
+"""The camera until the robot is known, for one of the arm's size."""
 
 _DIRECTIONS_DEG: Final = {
     ViewDirection.FRONT: (0.0, 0.0),
@@ -112,16 +112,19 @@ _DIRECTIONS_DEG: Final = {
     ViewDirection.BELOW: (-90.0, -90.0),
     ViewDirection.ISO: (HOME_CAMERA.azimuth_deg, HOME_CAMERA.elevation_deg),
 }
-"""Azimuth and elevation: from +X onto the arm, from its right, from above and from below with X to
-the right."""
+"""Azimuth and elevation of each direction: from +X towards the arm, from its right, from above and
+from below with X to the right.
+"""
 
 
 _SAME_ANGLE_DEG: Final = 0.005
-"""Less moves nothing by a pixel: an arm at rest that reports the last digit is not drawn anew."""
+"""A smaller difference moves nothing by a pixel: an arm at rest whose last digit changes is not
+drawn again.
+"""
 
 
 def poses_equal(one: tuple[float, ...] | None, other: tuple[float, ...] | None) -> bool:
-    """Tell whether two poses, six angles in degrees each, look the same on a screen."""
+    """Return whether two poses, six angles in degrees each, look the same on a screen."""
     if one is None or other is None:
         return False
     return all(abs(a - b) < _SAME_ANGLE_DEG for a, b in zip(one, other, strict=True))

@@ -36,11 +36,11 @@ class Drag:
 
     @property
     def is_pressed(self) -> bool:
-        """Tell whether a button was pressed and not let go yet."""
+        """True while a button is pressed."""
         return self._last is not None
 
     def press(self, event: QMouseEvent) -> None:
-        """The left or the middle button goes down."""
+        """Begin a drag with the left or the middle button."""
         if event.button() in {Qt.MouseButton.LeftButton, Qt.MouseButton.MiddleButton}:
             self._pressed_at = self._last = event.position()
 
@@ -50,9 +50,9 @@ class Drag:
         """Turn the camera, or with the middle button or shift move it.
 
         Args:
-            event: Where the pointer is now.
-            camera: Before it.
-            shorter_side_px: Of the picture.
+            event: The event with the pointer's place.
+            camera: The camera before it.
+            shorter_side_px: The shorter side of the picture.
 
         Returns:
             The camera after it; ``None`` if nothing is dragged.
@@ -67,7 +67,7 @@ class Drag:
         return camera.orbit(delta.x(), delta.y())
 
     def release(self, event: QMouseEvent) -> QPointF | None:
-        """The button comes up: the place of a click, or ``None`` after a drag."""
+        """End the drag, and return the place of a click, or ``None`` after a drag."""
         pressed_at = self._pressed_at
         self.cancel()
         if pressed_at is None:
@@ -76,7 +76,7 @@ class Drag:
         return event.position() if way_px < QApplication.startDragDistance() else None
 
     def cancel(self) -> None:
-        """End the drag: the view is hidden, or the button came up unnoticed."""
+        """End the drag, because the view is hidden or the release went unnoticed."""
         self._pressed_at = self._last = None
 
 
@@ -86,6 +86,6 @@ def turn_wheel(event: QWheelEvent, camera: OrbitCamera) -> OrbitCamera:
 
 
 def press_key(key: int, camera: OrbitCamera) -> OrbitCamera | None:
-    """Arrow keys turn, + and − zoom; ``None``: another key."""
+    """Return the camera after an arrow key (turn), + or − (zoom); ``None`` for another key."""
     move = _MOVES.get(key)
     return None if move is None else move(camera)

@@ -1,4 +1,4 @@
-"""The Qt side of the render process: view states go out, finished images come back."""
+"""The Qt side of the render process: it sends view states and receives finished images."""
 
 from __future__ import annotations
 
@@ -34,9 +34,9 @@ class Picture:
     """A finished image in shared memory.
 
     Attributes:
-        frame: What the process said of it.
-        image: Its pixels, in the format that windows are painted in. It stands in memory that is
-            drawn into again: who keeps it beyond the next picture makes a copy.
+        frame: The process's data on it.
+        image: Its pixels, in the format in which windows are painted. The memory is drawn into
+            again: copy it to keep it beyond the next picture.
     """
 
     def __init__(self, frame: PictureFrame) -> None:
@@ -51,19 +51,20 @@ class Picture:
 
 
 class PictureClient(QObject):
-    """Makes pictures of the states it is shown, the latest one first.
+    """Has pictures drawn of the states it is given, the latest one first.
 
     Signals:
         frame_ready: a :class:`Picture`.
         joint_picked: the joint number (1–6) or None at a picked place.
         mark_picked: the row of a mark that was clicked.
         robot_shown: the `RobotShape` that is in the picture from now on.
-        load_failed: why a robot can't be shown, a `Refusal`; the one before stays.
+        load_failed: the `Refusal` of a robot that can't be shown; the one before stays.
         lost: the process is gone, a :class:`Lost`.
         aged: the picture has begun or ceased to look old.
 
     Args:
-        entry: What the process runs; by default :data:`armui.viewport.process_link.ENTRY`.
+        entry: The function that the process runs; by default
+            :data:`armui.viewport.process_link.ENTRY`.
 
     Attributes:
         shape: The robot in the picture, as far as it is known.
@@ -94,38 +95,38 @@ class PictureClient(QObject):
 
     @property
     def is_running(self) -> bool:
-        """Tell whether `start` was called and `stop` was not."""
+        """True after `start`, until `stop`."""
         return self._link is not None
 
     @property
     def pid(self) -> int | None:
-        """Number of the process, while there is one."""
+        """The number of the process, while there is one."""
         return None if self._link is None else self._link.pid
 
     @property
     def sequence(self) -> int:
-        """Number of the newest state that a picture was asked for."""
+        """The number of the newest state for which a picture was requested."""
         return self._sequence
 
     @property
     def looks_old(self) -> bool:
-        """Tell whether the picture is older than it may be without saying so (S24)."""
+        """True if the picture is older than it may be without a notice (S24)."""
         return self._looks_old
 
     @property
     def is_settled(self) -> bool:
-        """Tell whether the last picture shows the newest state, with smooth edges."""
+        """True if the last picture shows the newest state, with smooth edges."""
         return self._age.is_newest_shown and not self._is_rough
 
     def start(self) -> None:
-        """Begin to draw, or begin again after the process was given up."""
+        """Start drawing, also after the process was given up."""
         self.stop()
         self._link = ProcessLink(self._tell, self._entry)
         self._show_latest()
         self._link.start()
 
     def show(self, state: ViewState) -> None:
-        """Ask for a picture; replaces a state that was not drawn yet."""
+        """Request a picture; it replaces a state that was not drawn yet."""
         if state == self._state:
             return
         self._state = state
@@ -140,12 +141,12 @@ class PictureClient(QObject):
             self._link.show(RenderRequest(self._sequence, self._state))
 
     def frame_used(self, picture: Picture) -> None:
-        """This picture is on the screen: there is room for another."""
+        """Report that this picture is on the screen, so that another may be drawn."""
         if self._link is not None:
             self._link.frame_used(picture.frame.number)
 
     def stop(self) -> None:
-        """End the process and wait for it with a limit; may be called twice."""
+        """End the process, waiting up to a limit; may be called twice."""
         self._clock.stop()
         if self._link is not None:
             self._link.stop()

@@ -1,4 +1,4 @@
-"""Fits the camera, so that the arm fills the room it has and no more. Pure."""
+"""Fits the camera so that the arm just fills the room it has. Pure."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from armui.viewport.projection import Projection
 from armui.viewport.vectors import Vector, dot
 
 Groups = Sequence[Sequence[Vector]]
-"""Places that belong together, in metres: those of one link."""
+"""Points that belong together, in metres: those of one link."""
 
 MARGIN_PX: Final = 16.0
 _AIR_PX: Final = 10.0
@@ -31,7 +31,7 @@ class Box:
     bottom: float
 
     def overlaps(self, other: Box) -> bool:
-        """Tell whether the two share any place."""
+        """Return whether two boxes overlap."""
         beside = self.right <= other.left or other.right <= self.left
         return not (beside or self.bottom <= other.top or other.bottom <= self.top)
 
@@ -41,10 +41,10 @@ class Room:
     """The part of a picture that is free for the arm.
 
     Attributes:
-        width_px, height_px: Of the whole picture.
-        figures: What the figures at the top left cover.
-        corner: What the buttons at the bottom right cover.
-        strip_px: How wide the buttons along the right edge are.
+        width_px, height_px: The size of the whole picture.
+        figures: The box covered by the figures at the top left.
+        corner: The box covered by the buttons at the bottom right.
+        strip_px: The width of the buttons along the right edge.
     """
 
     width_px: float
@@ -54,7 +54,7 @@ class Room:
     strip_px: float = 0.0
 
     def with_air(self) -> Room:
-        """Return it with some pixels around figures and buttons: the arm may move a little."""
+        """Return the room with a margin around figures and buttons for small moves."""
         figures, corner = self.figures, self.corner
         if figures.right > 0.0:
             figures = Box(0.0, 0.0, figures.right + _AIR_PX, figures.bottom + _AIR_PX)
@@ -64,7 +64,7 @@ class Room:
 
     @property
     def inside(self) -> Box:
-        """The picture without its rim."""
+        """The picture without its margins."""
         return Box(
             MARGIN_PX,
             MARGIN_PX,
@@ -74,13 +74,13 @@ class Room:
 
 
 def is_clear(camera: OrbitCamera, groups: Groups, room: Room, slack_px: float = 0.0) -> bool:
-    """Tell whether everything is in the picture, and nothing behind figures or buttons.
+    """Return whether all points are in the picture, and none behind figures or buttons.
 
     Args:
-        camera: Takes the picture.
-        groups: What shall be seen.
-        room: Where.
-        slack_px: So far it may reach into the margin.
+        camera: The camera.
+        groups: The points to be seen.
+        room: The room in the picture.
+        slack_px: The pixels by which they may reach into the margin.
     """
     projection = Projection(camera, room.width_px, room.height_px)
     return all(_is_free(_box(projection, group), room, slack_px) for group in groups)
@@ -88,21 +88,21 @@ def is_clear(camera: OrbitCamera, groups: Groups, room: Room, slack_px: float = 
 
 @dataclass(frozen=True, slots=True)
 class Ball:
-    """A ball around places that belong together: one look at it spares looks at each of them."""
+    """A ball around points that belong together; one test of it replaces a test of each of them."""
 
     centre: Vector
     radius_m: float
 
 
 def ball_around(places: Sequence[Vector]) -> Ball:
-    """Return a ball that all places are in."""
+    """Return a ball that contains all points."""
     sides = [(min(axis) + max(axis)) / 2.0 for axis in zip(*places, strict=True)]
     centre = (sides[0], sides[1], sides[2])
     return Ball(centre, max(math.dist(centre, place) for place in places))
 
 
 def is_ball_clear(projection: Projection, ball: Ball, room: Room, slack_px: float) -> bool:
-    """Tell whether a ball is in the picture, not behind figures or buttons; in doubt it is not."""
+    """Return whether a ball is in the picture, not behind figures or buttons; if unsure, false."""
     across, up, towards = projection.relative(ball.centre)
     scale_px = projection.scale_px(towards)
     nearest_px = projection.scale_px(towards + ball.radius_m)
@@ -130,16 +130,16 @@ def _is_free(box: Box | None, room: Room, slack_px: float) -> bool:
 
 
 def fitted(camera: OrbitCamera, groups: Groups, room: Room, grown: float = 1.0) -> OrbitCamera:
-    """Return the camera as near as it can be, looking from where it does.
+    """Return the camera as near as possible, in its present direction.
 
     Args:
-        camera: From where to look.
-        groups: What shall be seen.
-        room: Where.
-        grown: So many times as much room as is needed is left around it.
+        camera: The camera with the direction.
+        groups: The points to be seen.
+        room: The room in the picture.
+        grown: The factor on the room that is needed.
 
     Returns:
-        The camera; the same where there is nothing to be seen.
+        The camera; the same one if there are no points.
     """
     if not any(groups):
         return camera
@@ -154,7 +154,7 @@ def fitted(camera: OrbitCamera, groups: Groups, room: Room, grown: float = 1.0) 
 
 
 def outermost(camera: OrbitCamera, groups: Groups) -> list[Sequence[Vector]]:
-    """Of many places those that decide where the camera must stand, each by itself."""
+    """Return those of many points that decide the place of the camera, each as a group."""
     _, right, up = camera.axes()
     places = [place for group in groups for place in group]
     seen = [(dot(place, right), dot(place, up), place) for place in places]

@@ -1,8 +1,8 @@
-"""Memory that two processes share: finished images are handed over in it without a copy.
+"""Memory that two processes share, so that finished images are passed without a copy.
 
-Three images fit: one on the screen, one that waits for it, one that is being drawn. The name is
-taken away as soon as both processes have the memory open; from then on it is freed with the last
-of them, however they end.
+It holds three images: one on the screen, one waiting, one being drawn. Its name is removed as soon
+as both processes have opened it; from then on the memory is freed with the last of them, however
+they end.
 """
 
 from __future__ import annotations
@@ -24,9 +24,9 @@ _PLACE: Final = Path("/dev/shm")  # noqa: S108 - where Linux keeps shared memory
 
 
 class FrameMemory:
-    """Three images' worth of shared memory; closed with the last reference to it.
+    """Shared memory for three images; closed with the last reference to it.
 
-    An image made of a slot keeps no reference: whoever shows one keeps the memory, too.
+    An image made of a slot keeps no reference: keep the memory as long as the image is shown.
 
     Args:
         memory: Open shared memory of at least three slots.
@@ -40,10 +40,10 @@ class FrameMemory:
 
     @classmethod
     def create(cls, image_bytes: int) -> FrameMemory:
-        """Memory for images of a size, rounded up.
+        """Return new memory for images of a size, rounded up.
 
         Raises:
-            OSError: there is not so much shared memory; using it would end the process.
+            OSError: there is not enough shared memory; using it would end the process.
         """
         slot_bytes = -(-max(image_bytes, 1) // _ROUND_UP_BYTES) * _ROUND_UP_BYTES
         _check_room(SLOTS * slot_bytes)
@@ -61,12 +61,12 @@ class FrameMemory:
         return MemoryName(self._memory.name, self.slot_bytes)
 
     def suits(self, image_bytes: int) -> bool:
-        """Tell whether images of a size fit, without most of the memory lying idle."""
+        """Return whether images of a size fit without wasting most of the memory."""
         enough = image_bytes <= self.slot_bytes
         return enough and self.slot_bytes <= max(_TOO_LARGE * image_bytes, _ROUND_UP_BYTES)
 
     def slot(self, number: int, image_bytes: int) -> memoryview:
-        """Return the bytes of one image; to be let go before the memory is."""
+        """Return the bytes of one image; release them before the memory."""
         start = number * self.slot_bytes
         whole = self._memory.buf
         if whole is None:
@@ -74,7 +74,7 @@ class FrameMemory:
         return whole[start : start + image_bytes]
 
     def unlink_name(self) -> None:
-        """Both processes have it open: nobody needs its name any more; may be called twice."""
+        """Remove the name once both processes have opened the memory; may be called twice."""
         if self._is_named:
             self._is_named = False
             with contextlib.suppress(FileNotFoundError):

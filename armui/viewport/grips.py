@@ -1,6 +1,6 @@
 """Handles in the picture: three axes and three rings at the tool, an arc at each joint. Pure.
 
-What is dragged is worked out from the camera alone: no picture and no other process is asked.
+A drag is computed from the camera alone, without the picture or another process.
 """
 
 from __future__ import annotations
@@ -28,17 +28,20 @@ from armui.viewport.vectors import (
 
 _LENGTH_PX: Final = 92.0
 _GAP_SHARE: Final = 0.22
-"""The axes begin beside the tool, so that all three can be taken."""
+"""The axes begin at a distance from the tool, so that all three can be grabbed."""
 _RING_SHARE: Final = 0.72
 _JOINT_PX: Final = 58.0
 _JOINT_HALF_DEG: Final = 70.0
 _ARC_STEP_DEG: Final = 6.0
 _NEAR_PX: Final = 8.0
 _ALONG_SIGHT: Final = 0.97
-"""An axis that points at the eye can't be dragged along: a pixel would be a metre."""
+"""The cosine from which an axis points at the eye and can't be dragged along: a pixel would be a
+metre.
+"""
 EDGE_ON: Final = 0.13
 """Cosine of the angle between sight and axis below which a ring is seen from its edge: it can't be
-turned then, for the same reason. A joint's arc can, see `armui.viewport.grips`."""
+turned then, for the same reason. A joint's arc can, see :class:`GripDrag`.
+"""
 _ARROW_SHARE: Final = 0.09
 
 
@@ -58,11 +61,11 @@ class Grip:
     """One handle.
 
     Attributes:
-        kind: What it does.
-        number: 0–2 for X, Y, Z; of a joint 1–6.
-        origin: Where it stands, in the base frame, metres.
-        axis: A unit vector along or about which it goes.
-        places: The line that is drawn and taken hold of.
+        kind: The motion it stands for.
+        number: 0–2 for X, Y, Z; 1–6 for a joint.
+        origin: Its place in the base frame, metres.
+        axis: The unit vector along or about which it moves.
+        places: The points of the line that is drawn and grabbed.
         color: "#rrggbb".
     """
 
@@ -77,12 +80,12 @@ class Grip:
 def tool_grips(
     tool: Rows, frame: Rows | None, projection: Projection, palette: ScenePalette
 ) -> list[Grip]:
-    """Return the handles at a tool, always as large on the screen.
+    """Return the handles at a tool, of constant size on the screen.
 
     Args:
-        tool: Of the tool centre point, in the base frame.
-        frame: Whose axes they have; None: the base's.
-        projection: Of the picture.
+        tool: The tool centre point in the base frame.
+        frame: The frame whose axes they have; None for the base's.
+        projection: The projection of the picture.
         palette: The theme's colours.
     """
     origin = (tool[3], tool[7], tool[11])
@@ -108,7 +111,7 @@ def tool_grips(
 def joint_grips(
     shape: RobotShape, angles_deg: Sequence[float], projection: Projection, palette: ScenePalette
 ) -> list[Grip]:
-    """Return an arc at each joint, about its axis, beside what it moves."""
+    """Return an arc at each joint, about its axis, beside the links it moves."""
     links = shape.links(angles_deg)
     grips = []
     for number in range(1, len(angles_deg) + 1):
@@ -124,7 +127,7 @@ def joint_grips(
 
 
 def grip_at(grips: Iterable[Grip], projection: Projection, x_px: float, y_px: float) -> Grip | None:
-    """Return the handle under the pointer; of several the nearest."""
+    """Return the handle under the pointer, the nearest if there are several."""
     nearest: tuple[float, Grip] | None = None
     for grip in grips:
         away_px = _away_px(grip, projection, x_px, y_px)
@@ -151,7 +154,7 @@ def _away_px(grip: Grip, projection: Projection, x_px: float, y_px: float) -> fl
 def from_segment_px(
     at: tuple[float, float], one: tuple[float, float], other: tuple[float, float]
 ) -> float:
-    """Return how far a pixel is from a line between two others."""
+    """Return the distance of a pixel from the segment between two others."""
     across, down = other[0] - one[0], other[1] - one[1]
     length_2 = across * across + down * down
     share = 0.0
@@ -196,25 +199,26 @@ def _arc(
 
 
 _SAME_PX: Final = 3.0
-"""Seen from its edge, the near and the far side of an arc lie so close together."""
+"""The distance at which the near and the far side of an arc, seen from its edge, coincide."""
 _ROUND_DEG: Final = 60.0
-"""So far from the side that faces the eye the pointer stays on the place it has taken; beyond, a
-pixel of it would be more and more degrees, and the rest of a turn is as far as at that place."""
+"""Up to this angle from the side that faces the eye the pointer stays on the grabbed point; beyond,
+a pixel would mean more and more degrees, so the rest of a turn keeps the ratio of that place.
+"""
 _ROUND: Final = math.sin(math.radians(_ROUND_DEG))
 _BEYOND: Final = 1.0 / math.cos(math.radians(_ROUND_DEG))
 
 
 class GripDrag:
-    """A handle that is held, from the press on.
+    """The drag of a handle, from the press on.
 
-    What turns is followed in the plane that it turns in. A joint's arc that is seen from its edge
-    is followed on the cylinder about the joint's axis instead, on the side that was taken hold of:
-    the pointer goes along the line that is seen, and turns the joint as it would turn a wheel.
+    A turn is computed in its plane. For a joint's arc seen from its edge the cylinder about the
+    joint's axis is used instead, on the grabbed side: the pointer moves along the visible line, and
+    turns the joint like a wheel.
 
     Args:
-        grip: Which.
-        projection: Of the picture at the press; the camera rests while a handle is held.
-        x_px: Where it was taken hold of.
+        grip: The handle.
+        projection: The projection at the press; the camera does not move while a handle is held.
+        x_px: The place of the press.
         y_px: Likewise.
     """
 
@@ -234,10 +238,10 @@ class GripDrag:
         self._turns = 0.0
 
     def amount(self, x_px: float, y_px: float) -> float | None:
-        """Return how far the pointer has carried it: mm along an axis, degrees about one.
+        """Return the distance or angle of the drag so far: mm along an axis, degrees about one.
 
         Returns:
-            None where the pointer leads nowhere, beyond the horizon of the plane it turns in.
+            The amount, or None if the pointer is beyond the horizon of the turn's plane.
         """
         now = self._at(self._projection.ray(x_px, y_px))
         if now is None:
@@ -294,7 +298,7 @@ def _wheel_deg(aside: float) -> float:
 
 
 def _is_near(grip: Grip, projection: Projection, ahead: Vector, at_px: tuple[float, float]) -> bool:
-    """Tell whether the side that faces the eye is taken; where both are there, it is that."""
+    """Return whether the side that faces the eye is taken; where both are there, it is that."""
     pixels = [projection.pixel(place) for place in grip.places]
     away: list[tuple[float, float]] = []
     for place, (one, other) in zip(grip.places, itertools.pairwise(pixels), strict=False):

@@ -1,4 +1,4 @@
-"""The handles of a view: which there are, which one is held, and what the pointer does to it."""
+"""The handles of a view: which exist, which one is held, and the effect of the pointer on it."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ class HandleKind(enum.Enum):
     """The kinds of handles."""
 
     TOOL = "tool"
-    """The tool, along and about the axes of the base."""
+    """Handles of the tool, along and about the axes of the base."""
     TOOL_FRAME = "tool_frame"
-    """The tool, along and about its own axes."""
+    """Handles of the tool, along and about its own axes."""
     JOINTS = "joints"
-    """Each joint."""
+    """Handles of each joint."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,8 +34,8 @@ class HandlePlace:
     """The pose and kind of the handles.
 
     Attributes:
-        angles_deg: Of the arm, or of its ghost, that is to be dragged.
-        kind: Which handles.
+        angles_deg: The joint angles of the arm or ghost that is to be dragged.
+        kind: The kind of handles.
     """
 
     angles_deg: tuple[float, ...]
@@ -44,11 +44,11 @@ class HandlePlace:
 
 @dataclass(frozen=True, slots=True)
 class Dragged:
-    """A handle that is carried.
+    """A handle being dragged.
 
     Attributes:
-        grip: Which.
-        amount: How far since it was taken hold of: mm along an axis, degrees about one.
+        grip: The handle.
+        amount: The distance or angle since the press: mm along an axis, degrees about one.
     """
 
     grip: Grip
@@ -56,7 +56,7 @@ class Dragged:
 
 
 class Handles:
-    """Keeps the handles of one view."""
+    """The handles of one view."""
 
     def __init__(self) -> None:
         self._place: HandlePlace | None = None
@@ -70,11 +70,11 @@ class Handles:
 
     @property
     def is_held(self) -> bool:
-        """Tell whether one of them is held."""
+        """True if one of them is held."""
         return self._drag is not None
 
     def set_place(self, place: HandlePlace | None) -> bool:
-        """Stand elsewhere, or nowhere; whether that is anything new."""
+        """Set or remove the handles, and return whether that is a change."""
         is_new = place != self._place
         self._place = place
         if place is None:
@@ -84,7 +84,7 @@ class Handles:
     def grips(
         self, shape: RobotShape, tool: Rows, projection: Projection, palette: ScenePalette
     ) -> list[Grip]:
-        """Return all that can be taken hold of now."""
+        """Return all handles that can be grabbed now."""
         place = self._place
         if place is None:
             return []
@@ -96,7 +96,7 @@ class Handles:
 
     @property
     def key(self) -> object:
-        """A key of all that their lines depend on, beside picture, robot and tool."""
+        """A key of everything that the lines depend on, beside picture, robot and tool."""
         return self._place, self._outstanding
 
     @property
@@ -104,7 +104,7 @@ class Handles:
         return self._hovered if self._drag is None else _name(self._drag.grip)
 
     def strokes(self, grips: list[Grip]) -> list[Stroke]:
-        """Return the lines to be drawn; the one that is held, or under the pointer, stands out."""
+        """Return the lines to draw; the held or hovered handle stands out."""
         held = self._outstanding
         return [
             Stroke(grip.places, grip.color, _HELD_PX if _name(grip) == held else _PLAIN_PX)
@@ -114,7 +114,7 @@ class Handles:
     def hover(
         self, grips: list[Grip], projection: Projection, x_px: float, y_px: float
     ) -> tuple[bool, bool]:
-        """The pointer moves freely: whether it is over a handle, and whether that is new."""
+        """Return whether the pointer is over a handle, and whether that has changed."""
         grip = grip_at(grips, projection, x_px, y_px)
         before, self._hovered = self._hovered, None if grip is None else _name(grip)
         return grip is not None, self._hovered != before
@@ -122,20 +122,20 @@ class Handles:
     def take(
         self, grips: list[Grip], projection: Projection, x_px: float, y_px: float
     ) -> Grip | None:
-        """The button goes down: the handle that is held from now on."""
+        """Grab the handle under the pointer, if there is one, and return it."""
         grip = grip_at(grips, projection, x_px, y_px)
         self._drag = None if grip is None else GripDrag(grip, projection, x_px, y_px)
         return grip
 
     def carry(self, x_px: float, y_px: float) -> Dragged | None:
-        """The pointer moves with the handle that is held."""
+        """Return the drag after a move of the pointer, or ``None``."""
         if self._drag is None:
             return None
         amount = self._drag.amount(x_px, y_px)
         return None if amount is None else Dragged(self._drag.grip, amount)
 
     def let_go(self) -> bool:
-        """The button comes up; whether a handle was held."""
+        """Release the held handle, and return whether there was one."""
         was_held, self._drag = self._drag is not None, None
         return was_held
 

@@ -42,7 +42,8 @@ class HudValues:
         angles_deg: six joint angles.
         pose_stale: the pose is no longer fresh.
         angles_stale: the angles are no longer fresh.
-        too_low: flange or fingertip is below the plane the arm stands on: the height is amber.
+        too_low: flange or fingertip is below the plane on which the arm stands; the height turns
+            amber.
         of_tool: the pose is that of the tool centre point, not of the flange.
     """
 
@@ -55,14 +56,14 @@ class HudValues:
 
     @property
     def point(self) -> str:
-        """The name of the point whose pose it is."""
+        """The name of the point that the pose describes."""
         if self.of_tool:
             return QCoreApplication.translate("ArmView", "Tool centre point")
         return QCoreApplication.translate("ArmView", "Flange")
 
 
 def hud_font(base: QFont) -> QFont:
-    """Return the figures' font: all digits equally wide, so that nothing dances at 60 Hz."""
+    """Return the figures' font: all digits equally wide, so that they do not jitter at 60 Hz."""
     font = QFont(base)
     font.setFeature(QFont.Tag("tnum"), 1)
     return font
@@ -77,7 +78,7 @@ def figures(values: Sequence[float] | None) -> list[str]:
 
 
 class Hud:
-    """Paints the figures; what does not change from one picture to the next is kept.
+    """Paints the figures, caching the parts that do not change from picture to picture.
 
     Measuring a font and laying out text take most of the time: the frame with names and units is
     one image, and each character is measured once.
@@ -94,7 +95,7 @@ class Hud:
         self._figures_end_px = self._column_px = 0.0
 
     def frame(self, base_font: QFont) -> QRectF:
-        """Return the rectangle the figures take, at the top left."""
+        """Return the rectangle of the figures, at the top left."""
         if self._base_font != base_font:
             self._measure(base_font)
         metrics = self._metrics
@@ -138,11 +139,11 @@ class Hud:
         painter.restore()
 
     def quantity_at(self, place: QPointF, base_font: QFont, *, of_tool: bool) -> str | None:
-        """Return the key of the figure at a place; ``None`` where there is none.
+        """Return the key of the figure at a place, or ``None`` if there is none.
 
         Args:
-            place: In the widget.
-            base_font: Of the widget.
+            place: The place in the widget.
+            base_font: The font of the widget.
             of_tool: The pose shown is that of the tool centre point, not of the flange.
         """
         frame = self.frame(base_font)
@@ -214,7 +215,7 @@ class Hud:
 
 
 FADED_OPACITY: Final = 0.35
-"""Of a picture that is not what it should be."""
+"""The opacity of a picture that is not current."""
 
 _PLATE_MARGIN_PX: Final = 24
 _PLATE_PADDING_PX: Final = 10
@@ -222,7 +223,7 @@ _PLATE_OPACITY: Final = 0.85
 
 
 def lost_text(lost: Lost) -> str:
-    """Say why there is no picture, and what comes next."""
+    """Return the reason why there is no picture, and the next step."""
     reason = lost.refusal.reason
     text = QCoreApplication.translate("Refusal", reason.source).format_map(lost.refusal.params)
     if reason == NO_OPENGL:
@@ -237,7 +238,7 @@ def lost_text(lost: Lost) -> str:
 
 
 def add_again_button(view: QWidget, start_again: Callable[[], object]) -> QPushButton:
-    """Add a hidden button in the picture's place, for when it does not come back."""
+    """Add a hidden button in place of the picture, shown when it does not come back by itself."""
     button = QPushButton(view)
     button.setObjectName("picture_again_button")
     button.setAutoDefault(False)
@@ -251,7 +252,7 @@ def add_again_button(view: QWidget, start_again: Callable[[], object]) -> QPushB
 
 
 def paint_plate(painter: QPainter, place: QRect, text: str, palette: ScenePalette) -> None:
-    """Write a text into the middle, on a plate that sets it off from the picture."""
+    """Paint a text in the middle, on a plate that sets it off from the picture."""
     flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
     room = place.adjusted(_PLATE_MARGIN_PX, _PLATE_MARGIN_PX, -_PLATE_MARGIN_PX, -_PLATE_MARGIN_PX)
     box = QFontMetrics(painter.font()).boundingRect(room, flags, text)
@@ -270,14 +271,14 @@ def paint_plate(painter: QPainter, place: QRect, text: str, palette: ScenePalett
 def paint_image(
     painter: QPainter, size: QSize, image: QImage | None, palette: ScenePalette, *, faded: bool
 ) -> None:
-    """Paint the last picture; until one of a new size is there, the old one stays in the middle.
+    """Paint the last picture, centred and in its old size until one of the new size has come.
 
     Args:
-        painter: Of the widget.
-        size: Of the widget.
+        painter: The painter of the widget.
+        size: The size of the widget.
         image: The picture, or ``None`` while there is none.
-        palette: The ground, where the picture does not cover it or is faded.
-        faded: The picture is not what it should be.
+        palette: The colours; the background shows where the picture is missing or faded.
+        faded: True if the picture is not current.
     """
     covered = None if image is None else image.deviceIndependentSize().boundedTo(size)
     if faded or covered != size:

@@ -1,7 +1,7 @@
 """Messages between the program and the render process: small, plain data.
 
-The process begins with `Ready`. One request is under way at a time; it is answered with `Drawn`,
-and what else there is to say comes before.
+The process begins with `Ready`. There is one request at a time; it is answered with `Drawn`, after
+any other messages.
 """
 
 from __future__ import annotations
@@ -41,8 +41,8 @@ class SceneError(Exception):
     """The 3D picture can't be made.
 
     Args:
-        code: what it is.
-        params: what the sentence names.
+        code: the reason.
+        params: the figures in its sentence.
 
     Attributes:
         refusal: the reason, to be put into words by the user interface.
@@ -60,13 +60,13 @@ class PicturePhase(enum.Enum):
     """The phases of the render process."""
 
     STARTING = enum.auto()
-    """Importing its libraries."""
+    """The process imports its libraries."""
     OPENING = enum.auto()
-    """Opening the graphics driver."""
+    """It opens the graphics driver."""
     LOADING = enum.auto()
-    """Reading a robot description."""
+    """It reads a robot description."""
     FIRST_DRAWING = enum.auto()
-    """Drawing a robot for the first time."""
+    """It draws a robot for the first time."""
     DRAWING = enum.auto()
 
 
@@ -80,16 +80,16 @@ class MemoryName:
 
 @dataclass(frozen=True, slots=True)
 class Draw:
-    """A request: draw a state.
+    """A request to draw a state.
 
     Attributes:
-        sequence: Number of the state.
-        state: What to show, its path left out; None: the last one again with smooth edges.
-        slot: Where in the memory the image goes.
-        memory: Memory to use from now on; None: the one before.
-        path: The path of the preview, when it is another one than before.
-        keeps_path: Whether the path sent last is shown.
-        robot: The state's robot, as `RobotRead` gave it: its file is not read again.
+        sequence: The number of the state.
+        state: The state without its path; None to draw the last one again with smooth edges.
+        slot: The place of the image in the memory.
+        memory: The memory to use from now on; None for the one before.
+        path: The path of the preview, if it has changed.
+        keeps_path: True if the path sent last is shown.
+        robot: The state's robot from `RobotRead`, so that its file is not read again.
     """
 
     sequence: int
@@ -103,10 +103,10 @@ class Draw:
 
 @dataclass(frozen=True, slots=True)
 class Ready:
-    """The process has imported its libraries and takes requests.
+    """The process has imported its libraries and accepts requests.
 
     Attributes:
-        heartbeat_thread: The thread that only gives signs of life, as the system numbers it.
+        heartbeat_thread: The system's number of the thread that only sends signs of life.
     """
 
     heartbeat_thread: int | None = None
@@ -117,11 +117,12 @@ class Drawn:
     """A request is done.
 
     Attributes:
-        sequence: Number of the state that the image shows.
-        size_px: Width and height of the image; None: nothing has changed, there is no image.
-        pixel_ratio: Device pixels a logical pixel.
-        is_rough: Whether the image would look better with smooth edges.
-        began_s, ended_s: When it was drawn, by the system's monotonic clock.
+        sequence: The number of the state in the image.
+        size_px: Width and height of the image; None if nothing has changed, so that there is no
+            image.
+        pixel_ratio: Device pixels for each logical pixel.
+        is_rough: True if the image would look better with smooth edges.
+        began_s, ended_s: Beginning and end of the drawing, by the system's monotonic clock.
     """
 
     sequence: int
@@ -137,9 +138,9 @@ class PictureBusy:
     """A sign of life while a request takes long, and whenever the phase changes.
 
     Attributes:
-        phase: What is being done.
-        cpu_s: Processor time that it has taken so far.
-        late_s: How much later than asked for the process was woken last: others had the processor.
+        phase: The present phase.
+        cpu_s: The processor time it has taken so far.
+        late_s: The delay of the process's last wake-up, caused by other programs.
     """
 
     phase: PicturePhase
@@ -149,7 +150,7 @@ class PictureBusy:
 
 @dataclass(frozen=True, slots=True)
 class RobotRead:
-    """A robot description and its meshes as they were read: a later process starts faster with it.
+    """A robot description and its meshes as they were read; a later process starts faster with it.
 
     Attributes:
         content: Pickled; the program keeps it unopened.
@@ -167,28 +168,28 @@ class RobotShown:
 
 @dataclass(frozen=True, slots=True)
 class JointPicked:
-    """The joint (1–6) whose link is seen at a place asked for, or None."""
+    """The joint (1–6) whose link is at the requested place, or None."""
 
     number: int | None
 
 
 @dataclass(frozen=True, slots=True)
 class MarkPicked:
-    """The row of the mark at a place asked for."""
+    """The row of the mark at the requested place."""
 
     row: int
 
 
 @dataclass(frozen=True, slots=True)
 class LoadFailed:
-    """A robot description can't be shown, and why; the one before stays."""
+    """The reason why a robot description can't be shown; the one before stays."""
 
     refusal: Refusal
 
 
 @dataclass(frozen=True, slots=True)
 class Failed:
-    """The process ends, and why: this computer can't draw, or an unexpected error.
+    """The reason why the process ends: this computer can't draw, or an unexpected error.
 
     Attributes:
         refusal: For the operator.

@@ -1,4 +1,4 @@
-"""Colours of the 3D picture, one small set a theme."""
+"""The colours of the 3D picture, one small set for each theme."""
 
 from __future__ import annotations
 
@@ -10,19 +10,19 @@ class ScenePalette:
     """Colours as "#rrggbb".
 
     Attributes:
-        background: behind everything; floor lines fade into it, an arm not measured is mixed with
-            it.
+        background: the background; floor lines fade into it, and an arm without measured angles is
+            mixed with it.
         grid: floor lines.
         text: figures over the picture.
         muted: figures that are stale or not heard.
         accent: the highlighted link, the focus frame.
         axes: X, Y and Z.
-        speeds: a path where it is slow, and where it is fast.
+        speeds: the slow and the fast parts of a path.
         fault: marks of points that cannot be reached.
-        warning: marks of what a check warns of.
-        current: the point under way.
-        driven: where the tool has been.
-        commanded: where it was asked to be.
+        warning: marks of a check's warnings.
+        current: the point being approached.
+        driven: the measured way of the tool.
+        commanded: the commanded way of the tool.
         plate: behind a figure at a point.
     """
 
@@ -75,7 +75,7 @@ DARK = ScenePalette(
 
 
 def rgb(color: str) -> tuple[float, float, float]:
-    """Red, green, blue in 0–1 of "#rrggbb"."""
+    """Return red, green and blue in 0–1 of "#rrggbb"."""
     red, green, blue = (int(color[at : at + 2], 16) / 255.0 for at in (1, 3, 5))
     return red, green, blue
 
@@ -83,6 +83,6 @@ def rgb(color: str) -> tuple[float, float, float]:
 def mix(
     first: tuple[float, float, float], second: tuple[float, float, float], share: float
 ) -> tuple[float, float, float]:
-    """Colour between two; `share` 0 is the first, 1 the second."""
+    """Return the colour between two; `share` 0 is the first, 1 the second."""
     red, green, blue = (a + (b - a) * share for a, b in zip(first, second, strict=True))
     return red, green, blue

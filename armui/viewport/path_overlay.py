@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 _CELL_PX: Final = (34.0, 20.0)
-"""One number at most stands in a cell of this size: what lies closer is not readable."""
+"""The size of a cell that holds one number at most: closer ones are not readable."""
 _MOST: Final = 120
 _NEAR_PX: Final = 13.0
 
@@ -38,7 +38,7 @@ class _Rim:
 
 
 _RIM_PX: Final = _Rim(18.0, 18.0, 66.0, 18.0)
-"""At the right edge are buttons."""
+"""The margins for signs; the buttons are at the right edge."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,7 +46,7 @@ class Tag:
     """A number beside a point.
 
     Attributes:
-        x_px, y_px: Of the point, from the top left.
+        x_px, y_px: The place of the point, from the top left.
         row: Its row, from 0.
     """
 
@@ -57,12 +57,12 @@ class Tag:
 
 @dataclass(frozen=True, slots=True)
 class Sign:
-    """A finding where it happens.
+    """The sign of a finding.
 
     Attributes:
-        x_px, y_px: Of its sign, from the top left.
-        finding: What was found.
-        beyond: Where it happens from there, a direction on the screen, when it is not in sight.
+        x_px, y_px: The place of the sign, from the top left.
+        finding: The finding.
+        beyond: The direction on the screen to the finding's place, if that is out of sight.
     """
 
     x_px: float
@@ -74,12 +74,12 @@ class Sign:
 def tags(
     path: PathPicture, projection: Projection, first: frozenset[int] = frozenset()
 ) -> list[Tag]:
-    """Return the numbers that can be read.
+    """Return the row numbers that can be read without overlapping.
 
     Args:
-        path: Its points.
-        projection: Of the picture.
-        first: Rows whose numbers stand there whatever is near.
+        path: The path with its points.
+        projection: The projection of the picture.
+        first: Rows whose numbers are always shown.
     """
     import numpy as np  # noqa: PLC0415 - see above
 
@@ -101,9 +101,9 @@ def tags(
 
 
 def signs(path: PathPicture, projection: Projection) -> list[Sign]:
-    """Return the findings, errors last, so that they lie on top.
+    """Return the signs of findings, errors last, so that they lie on top.
 
-    One that happens outside of the picture stands at its rim, where one would have to look for it.
+    A finding outside of the picture has its sign at the rim, in its direction.
     """
     found = []
     for finding in sorted(path.findings, key=lambda each: each.is_error)[-_MOST:]:
@@ -121,7 +121,7 @@ def signs(path: PathPicture, projection: Projection) -> list[Sign]:
 def finding_at(
     path: PathPicture, projection: Projection, x_px: float, y_px: float
 ) -> FindingMark | None:
-    """Return the finding whose sign is at a pixel; of several the one that matters most."""
+    """Return the finding whose sign is at a pixel, the gravest if there are several."""
     near = [
         sign
         for sign in signs(path, projection)
@@ -171,7 +171,7 @@ _SMALLER: Final = 0.85
 
 
 class PathOverlay:
-    """Works out where numbers and signs stand once for each path and camera."""
+    """Computes the places of numbers and signs once for each path and camera."""
 
     def __init__(self) -> None:
         self._layer = KeptLayer()
@@ -181,7 +181,7 @@ class PathOverlay:
     def paint(
         self, painter: QPainter, preview: Preview, projection: Projection, palette: ScenePalette
     ) -> None:
-        """Draw what belongs to a path; nothing where there is none."""
+        """Draw numbers and signs of a path; nothing without one."""
         path = preview.path
         if path is None:
             return

@@ -1,6 +1,6 @@
-"""The preview in the picture: the tool's path and speed in a motion that has not happened.
+"""The preview in the picture: the tool's path and speed in a planned motion.
 
-No numpy at run time: the view knows these, and the view is made before the libraries are loaded.
+It does not load numpy: the view uses it, and the view is created before the libraries are loaded.
 """
 
 from __future__ import annotations
@@ -17,11 +17,11 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class FindingMark:
-    """Something that a check has found, where it would happen.
+    """A finding of a check, at its place.
 
     Attributes:
-        place_mm: in the base frame.
-        is_error: whether it forbids a run; else it is a warning.
+        place_mm: its place in the base frame.
+        is_error: true if it forbids a run; else it is a warning.
         row: the row it concerns, from 0; None: the whole.
         text: for the operator.
     """
@@ -34,16 +34,16 @@ class FindingMark:
 
 @dataclass(frozen=True, eq=False)
 class PathPicture:
-    """A path of the tool with its points; compared by identity, for it is never changed.
+    """A path of the tool with its points; compared by identity, because it never changes.
 
     Attributes:
-        places_mm: (n, 3) where the tool goes, in the base frame.
-        speeds_mm_s: (n,) how fast.
+        places_mm: (n, 3) the places of the tool, in the base frame.
+        speeds_mm_s: (n,) the speeds of the tool.
         marks_mm: (k, 3) the points of the trajectory.
         rows: the row of each mark, from 0.
         bad_rows: rows in which a check found an error.
-        findings: what the check has found, where it would happen.
-        is_numbered: whether the numbers of the rows stand at the marks.
+        findings: the findings of the check, at their places.
+        is_numbered: true to show the numbers of the rows at the marks.
     """
 
     places_mm: Array
@@ -55,10 +55,10 @@ class PathPicture:
     is_numbered: bool = True
 
     def outermost_m(self) -> tuple[tuple[float, float, float], ...]:
-        """Return the places that reach furthest in each direction, for a view that shows all of it.
+        """Return the outermost places in each direction, for a view that shows all of the path.
 
-        Points that a check found to be wrong are left out: one that can't be reached may be
-        anywhere, and the arm would be small beside it. Its sign stands at the picture's rim then.
+        Points with errors are left out: an unreachable one may be anywhere, and the arm would look
+        small beside it. Its sign is then at the picture's rim.
         """
         outermost: list[tuple[float, float, float]] = []
         right = [row not in self.bad_rows for row in self.rows]
@@ -71,13 +71,13 @@ class PathPicture:
 
 @dataclass(frozen=True, slots=True)
 class Preview:
-    """Everything shown beside the arm itself.
+    """Everything that is shown beside the arm itself.
 
     Attributes:
         path: the tool's path, or None.
         selected_row: the row whose mark stands out, or None.
-        ghost_deg: where a second, transparent arm stands; six joint angles as on the bus.
-        current_row: the row the arm is on its way to while the trajectory runs, or None.
+        ghost_deg: the six joint angles, as on the bus, of a second, transparent arm.
+        current_row: the row to which the arm moves while the trajectory runs, or None.
     """
 
     path: PathPicture | None = None
@@ -88,7 +88,7 @@ class Preview:
 
 @dataclass(frozen=True, slots=True)
 class Trail:
-    """The measured and the commanded way of the tool; the newest place last.
+    """The measured and the commanded way of the tool, the newest place last.
 
     Attributes:
         driven: places in the base frame, three 32-bit floats each, mm.
@@ -101,7 +101,7 @@ class Trail:
 
 @dataclass(frozen=True, slots=True)
 class Reach:
-    """The figures that the tool's reach is worked out from.
+    """The figures from which the tool's reach is computed.
 
     Attributes:
         limits_deg: of each joint, the lowest and the highest angle.

@@ -1,8 +1,8 @@
 """The link to the render process, which is started again when it is lost.
 
-A thread of the program sends one request after another and waits for each answer. It shares
-nothing with the one that draws: a process that crashes, hangs or is killed costs pictures, and
-nothing else. No Qt here. What starts processes is imported by that thread, so that no window waits.
+A thread of the program sends one request after another and waits for each answer. It shares nothing
+with the drawing process: if that crashes, hangs or is killed, only pictures are lost. No Qt here.
+The thread itself imports the modules that start processes, so that no window waits.
 """
 
 from __future__ import annotations
@@ -82,12 +82,12 @@ class PictureFrame:
     """A finished image.
 
     Attributes:
-        number: Of the frame, for `ProcessLink.frame_used`.
-        sequence: Number of the state that it shows.
-        memory, slot, size_px: Where it is, and how large.
-        pixel_ratio: Device pixels a logical pixel.
-        is_rough: Whether one with smooth edges follows.
-        began_s, ended_s: When it was drawn, by the system's monotonic clock.
+        number: The frame's number, for `ProcessLink.frame_used`.
+        sequence: The number of the state in it.
+        memory, slot, size_px: Its place in the memory, and its size.
+        pixel_ratio: Device pixels for each logical pixel.
+        is_rough: True if one with smooth edges follows.
+        began_s, ended_s: Beginning and end of the drawing, by the system's monotonic clock.
     """
 
     number: int
@@ -103,7 +103,7 @@ class PictureFrame:
 
 @dataclass(frozen=True, slots=True)
 class UpToDate:
-    """The last image shows this state, too; see `armui.viewport.messages.Drawn`."""
+    """The last image shows this state as well; see `armui.viewport.messages.Drawn`."""
 
     sequence: int
     is_rough: bool
@@ -119,27 +119,28 @@ class Lost:
 
 _END_LIMIT_S: Final = 1.0
 _SMALL_BYTES: Final = 8_000
-"""A shorter message fits into the pipe, which holds 8,192 bytes on Windows and far more elsewhere:
-sending it waits for nobody."""
+"""A shorter message fits into the pipe, which holds 8,192 bytes on Windows and far more elsewhere,
+so that sending it never blocks.
+"""
 
 _TAKEN_LIMIT_S: Final = 5.0
 
 
 def run_entry(entry: str, connection: Connection) -> None:
-    """In the new process: find the function and give it the pipe."""
+    """Import the function in the new process and call it with the pipe."""
     module, _, function = entry.partition(":")
     getattr(importlib.import_module(module), function)(connection)
 
 
 class ChildProcess:
-    """One process, from its start to its end; used by one thread, but for `kill`.
+    """One process, from start to end; used by one thread, except for `kill`.
 
     Args:
         entry: See `ENTRY`.
         on_end: Called in another thread when the process has ended by itself or was killed.
 
     Raises:
-        OSError: the system starts no more processes.
+        OSError: the process cannot be started.
     """
 
     def __init__(self, entry: str, on_end: Callable[[], None]) -> None:
@@ -167,10 +168,10 @@ class ChildProcess:
         return self._process.pid
 
     def send(self, message: Draw) -> None:
-        """Hand over a request.
+        """Send a request.
 
         Raises:
-            OSError: the process has ended, or takes nothing any more and was killed for it.
+            OSError: the process has ended, or does not read any more and was killed therefore.
         """
         content = pickle.dumps(message)
         if len(content) < _SMALL_BYTES:
@@ -186,7 +187,7 @@ class ChildProcess:
             limit.cancel()
 
     def receive(self, limit_s: float) -> Answer | None:
-        """Return the next message; None: there was none within the limit.
+        """Return the next message, or None if none came within the limit.
 
         Raises:
             EOFError, OSError: the process has ended.
@@ -197,7 +198,7 @@ class ChildProcess:
         return message
 
     def turns(self) -> dict[int, ThreadTurns]:
-        """Return the processor time of its threads so far; nothing where that can't be read.
+        """Return the processor time of its threads so far; empty if it can't be read.
 
         Source: schedstat and stat of /proc/pid/task/tid of Linux.
         """
@@ -212,15 +213,15 @@ class ChildProcess:
         return turns
 
     def kill(self) -> None:
-        """End the process at once; may be called from any thread, and twice."""
+        """Kill the process; may be called from any thread, and twice."""
         with contextlib.suppress(OSError, ValueError):
             self._process.kill()
 
     def end(self) -> str:
-        """End the process, wait for it with a limit, give everything back.
+        """End the process, wait for it up to a limit, and free everything.
 
         Returns:
-            How it ended: the name of a signal, or an exit code.
+            The name of the signal that ended it, or its exit code.
         """
         self._process.join(_END_LIMIT_S / 2.0)
         self.kill()
@@ -250,7 +251,7 @@ A = TypeVar("A", Ready, Drawn)
 
 
 class ProcessLostError(Exception):
-    """The process is of no use any more."""
+    """The process cannot be used any more."""
 
     def __init__(self, refusal: Refusal) -> None:
         self.refusal = refusal
@@ -260,15 +261,15 @@ class ProcessLostError(Exception):
 T = TypeVar("T")
 
 MOST_UNUSED: Final = 1
-"""So many results may lie unused when the next item is taken."""
+"""The most results that may be unused when the next item is taken."""
 
 
 class Mailbox(Generic[T]):
-    """Holds the newest item only.
+    """Holds only the newest item.
 
-    Items may lead to results, which the receiver uses. While more than `MOST_UNUSED` of them are
-    unused nothing is taken; items put in meanwhile replace each other. So a slow receiver slows
-    the reader down instead of filling a queue.
+    Items may lead to results that the receiver uses. While more than `MOST_UNUSED` of them are
+    unused no item is taken; items put in meanwhile replace each other. So a slow receiver slows the
+    reader down instead of filling a queue.
     """
 
     def __init__(self) -> None:
@@ -280,31 +281,31 @@ class Mailbox(Generic[T]):
         self._is_closed = False
 
     def put(self, item: T) -> None:
-        """Replace whatever is waiting."""
+        """Put in an item, replacing a waiting one."""
         with self._changed:
             self._item = item
             self._changed.notify_all()
 
     @property
     def is_closed(self) -> bool:
-        """Tell whether `close` was called."""
+        """True if `close` was called."""
         with self._changed:
             return self._is_closed
 
     @property
     def has_item(self) -> bool:
-        """Tell whether an item waits."""
+        """True if an item waits."""
         with self._changed:
             return self._item is not None
 
     def take(self, timeout_s: float | None = None) -> T | None:
-        """Sleep until results were used, then until there is an item.
+        """Wait until results were used, then until there is an item.
 
         Args:
-            timeout_s: how long to wait for an item; by default for ever.
+            timeout_s: the longest wait for an item; by default without limit.
 
         Returns:
-            The item; None once the box is closed or the reader interrupted, or when time is up.
+            The item; None if the box is closed, the reader interrupted, or the time over.
         """
         with self._changed:
             self._changed.wait_for(lambda: self._is_woken or self._has_room)
@@ -312,35 +313,35 @@ class Mailbox(Generic[T]):
             return None if self._is_woken else self._pop()
 
     def take_at_once(self) -> T | None:
-        """The item if there is one, else None; never waits."""
+        """Return the item if there is one, else None; never wait."""
         with self._changed:
             return self._pop()
 
     def result_sent(self) -> int:
-        """The reader has sent a result; its number, from 1."""
+        """Count a result that the reader has sent, and return its number, from 1."""
         with self._changed:
             self._results += 1
             return self._results
 
     def acknowledge(self, number: int) -> None:
-        """The receiver has used this result, and needs none of those before it."""
+        """Note that the receiver has used this result, and needs none before it."""
         with self._changed:
             self._used = max(self._used, number)
             self._changed.notify_all()
 
     def reset_results(self) -> None:
-        """No result is unused: what was sent so far does not count any more."""
+        """Count all results so far as used."""
         with self._changed:
             self._used = self._results
 
     def interrupt(self) -> None:
-        """Wake the reader, and let it not sleep before `resume`."""
+        """Wake the reader, and keep it from waiting until `resume`."""
         with self._changed:
             self._is_interrupted = True
             self._changed.notify_all()
 
     def resume(self) -> None:
-        """The reader may sleep again."""
+        """Let the reader wait again."""
         with self._changed:
             self._is_interrupted = False
 
@@ -364,16 +365,16 @@ class Mailbox(Generic[T]):
 
 
 class RenderSession:
-    """Requests to one render process, and its answers.
+    """The requests to one render process, and its answers.
 
     Attributes:
-        is_new: Whether nothing was drawn in it yet.
-        is_rough: Whether the last image wants smooth edges.
-        phase: What the process was last known to do.
-        robot: The one it was last asked to show.
-        proven_robot: The one in the last picture.
-        failed_robot: The last one that could not be shown; the one before stays in the picture.
-        asked_serial: The newest question about a place that was sent; none is sent twice.
+        is_new: True if nothing was drawn in it yet.
+        is_rough: True if the last image needs smooth edges.
+        phase: The last known phase of the process.
+        robot: The robot it was last asked to show.
+        proven_robot: The robot in the last picture.
+        failed_robot: The last robot that could not be shown; the one before stays in the picture.
+        asked_serial: The newest pick request that was sent; none is sent twice.
     """
 
     def __init__(
@@ -404,11 +405,11 @@ class RenderSession:
         self.failed_robot: RobotChoice | None = None
 
     def begin(self) -> None:
-        """Wait until the process takes requests; raises what `render` raises."""
+        """Wait until the process accepts requests; raises the same errors as `render`."""
         self._await(Ready)
 
     def render(self, request: RenderRequest | None) -> None:
-        """Have a state drawn, or without one the last again with smooth edges.
+        """Have a state drawn, or without one the last state again with smooth edges.
 
         Raises:
             ProcessLostError: the process hangs, or says that it can't go on.
@@ -445,15 +446,15 @@ class RenderSession:
         self._slot = (self._slot + 1) % SLOTS
 
     def check(self) -> None:
-        """Make sure that a process that was asked nothing is still there.
+        """Check that an idle process still runs.
 
         Raises:
-            EOFError, OSError: it is not.
+            EOFError, OSError: it has ended.
         """
         self._child.receive(0.0)
 
     def close(self) -> None:
-        """Nothing with a name is left."""
+        """Remove the name of the shared memory."""
         if self._memory is not None:
             self._memory.unlink_name()
 
@@ -560,10 +561,10 @@ class RenderSession:
 
 
 ENTRY: Final = "armui.viewport.process.main:run"
-"""Module and function that the process runs; by name, so that the program does not load it."""
+"""The module and function that the process runs, by name, so that the program does not load it."""
 
 _REST_S: Final = 0.15
-"""The picture has come to rest when nothing has changed for so long."""
+"""The picture is at rest when nothing has changed for this long."""
 
 _JOIN_LIMIT_S: Final = 3.0
 _WITH_A_NEW_ROBOT: Final = frozenset({PicturePhase.LOADING, PicturePhase.FIRST_DRAWING})
@@ -573,8 +574,8 @@ class ProcessLink:
     """Draws states in a process of its own, the latest one first.
 
     Args:
-        tell: Takes the news, in the link's thread.
-        entry: What the process runs.
+        tell: Called with messages, in the link's thread.
+        entry: The function that the process runs.
     """
 
     def __init__(self, tell: Callable[[object], None], entry: str = ENTRY) -> None:
@@ -593,20 +594,20 @@ class ProcessLink:
 
     @property
     def pid(self) -> int | None:
-        """Number of the process, while there is one."""
+        """The number of the process, while there is one."""
         with self._lock:
             return None if self._child is None else self._child.pid
 
     def start(self) -> None:
-        """Begin; call once."""
+        """Start the thread; to be called once."""
         self._thread.start()
 
     def show(self, request: RenderRequest) -> None:
-        """Ask for a picture; replaces a state that was not drawn yet."""
+        """Request a picture; it replaces a state that was not drawn yet."""
         self._mailbox.put(request)
 
     def frame_used(self, number: int) -> None:
-        """This frame is on the screen: there is room for another."""
+        """Report that this frame is on the screen, so that another may be drawn."""
         self._mailbox.acknowledge(number)
 
     def stop(self) -> None:

@@ -1,4 +1,4 @@
-"""From a place of the arm to a pixel, and from a pixel back to a line in space. Pure."""
+"""Projects places of the arm to pixels, and pixels back to lines in space. Pure."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from armui.viewport.camera import VIEW_ANGLE_DEG, OrbitCamera
 from armui.viewport.vectors import Vector, minus, plus, unit
 
 _PER_DISTANCE: Final = 0.5 / math.tan(math.radians(VIEW_ANGLE_DEG / 2.0))
-"""How large a metre looks a metre away, in shorter sides of the picture."""
+"""The apparent size of a metre a metre away, in shorter sides of the picture."""
 _NEAREST_SHARE: Final = 0.05
-"""As in the picture: what is nearer to the eye than this share of the distance is not seen."""
+"""As in the picture, places nearer to the eye than this share of the distance are not seen."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,7 +23,7 @@ class Ray:
     direction: Vector
 
     def at(self, distance_m: float) -> Vector:
-        """Return the place so far along it."""
+        """Return the place at a distance along it."""
         return plus(self.start_m, self.direction, distance_m)
 
 
@@ -31,8 +31,8 @@ class Projection:
     """The projection of places to pixels, counted from the top left corner.
 
     Args:
-        camera: Takes the picture.
-        width_px: Of the picture, in the pixels that are asked for.
+        camera: The camera.
+        width_px: The width of the picture, in the pixels of the results.
         height_px: Likewise.
     """
 
@@ -44,11 +44,11 @@ class Projection:
 
     @property
     def key(self) -> tuple[OrbitCamera, float, float]:
-        """Equal for two projections that show everything at the same places."""
+        """A key that is equal for two projections with equal results."""
         return self.camera, self.width_px, self.height_px
 
     def pixel(self, place_m: Vector) -> tuple[float, float] | None:
-        """Return the pixel of a place, inside the picture or not; ``None`` behind the eye."""
+        """Return the pixel of a place, even outside the picture; ``None`` behind the eye."""
         across, up, towards = self.relative(place_m)
         scale_px = self.scale_px(towards)
         if scale_px is None:
@@ -56,11 +56,11 @@ class Projection:
         return self.width_px / 2.0 + across * scale_px, self.height_px / 2.0 - up * scale_px
 
     def pixels_a_metre(self, place_m: Vector) -> float:
-        """Return the pixels a metre, across the line of sight at a place; 0 behind the eye."""
+        """Return the pixels for a metre across the line of sight at a place; 0 behind the eye."""
         return self.scale_px(self.relative(place_m)[2]) or 0.0
 
     def ray(self, x_px: float, y_px: float) -> Ray:
-        """Return the line of everything that is seen at a pixel."""
+        """Return the line of sight through a pixel."""
         across = (x_px - self.width_px / 2.0) / self._size_px
         up = (self.height_px / 2.0 - y_px) / self._size_px
         camera = self.camera
@@ -72,7 +72,7 @@ class Projection:
         return Ray(camera.eye_m, unit(minus(aside, self._outward)))
 
     def relative(self, place_m: Vector) -> Vector:
-        """Return how far a place is to the right of the focus, above it, and nearer to the eye."""
+        """Return a place relative to the focus: to the right, upwards, and towards the eye."""
         focus = self.camera.focus_m
         x, y, z = place_m[0] - focus[0], place_m[1] - focus[1], place_m[2] - focus[2]
         return (
@@ -82,7 +82,7 @@ class Projection:
         )
 
     def scale_px(self, towards_m: float) -> float | None:
-        """Return the pixels a metre, so much nearer to the eye than the focus."""
+        """Return the pixels for a metre, this much nearer to the eye than the focus, or None."""
         distance_m = self.camera.distance_m
         if self.camera.orthographic:
             return self._size_px / distance_m

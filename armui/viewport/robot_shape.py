@@ -1,7 +1,7 @@
-"""The robot as the window knows it: its joints and the outermost points of its links. Pure.
+"""The robot's shape for the window: its joints and the outermost points of its links. Pure.
 
-The picture's process reads the file and its meshes and tells this of it. It is plain data and
-plain arithmetic: the window computes with it before numpy is loaded.
+The picture's process reads the file and its meshes and sends this shape. It is plain data and
+arithmetic: the window computes with it before numpy is loaded.
 """
 
 from __future__ import annotations
@@ -24,12 +24,14 @@ class JointShape:
     """One joint of a robot.
 
     Attributes:
-        parent, child: The links it joins, as places in `RobotShape.points`.
-        origin: Of the joint in its parent.
-        axis: Of a joint that moves, a unit vector in the joint's frame; ``None``: it is fixed.
+        parent, child: The links it connects, as indices in `RobotShape.points`.
+        origin: The joint's transform in its parent.
+        axis: The axis of a moving joint, a unit vector in the joint's frame; ``None`` if it is
+            fixed.
         number: 1–6 for a joint of the arm, 0 for any other.
-        opening_m: How far a slider is moved by the opened gripper, and its sign; 0: no slider.
-        leader: The joint it follows, as a place in `RobotShape.joints`, a factor and an offset.
+        opening_m: The travel of a slider when the gripper opens, with its sign; 0 for other joints.
+        leader: The joint it follows, as an index in `RobotShape.joints`, with a factor and an
+            offset.
     """
 
     parent: int
@@ -47,7 +49,7 @@ class RobotShape:
 
     Attributes:
         joints: Parents before children.
-        points: Of each link, the root first: its outermost points in its own frame, metres.
+        points: For each link, the root first, its outermost points in its own frame, metres.
     """
 
     joints: tuple[JointShape, ...]
@@ -91,7 +93,7 @@ class RobotShape:
         return (rows[3], rows[7], rows[11]), turned(rows, axis)
 
     def joint_pointer(self, number: int, links: Sequence[Rows]) -> Vector:
-        """Return a unit vector square to a joint's axis, along what the joint moves."""
+        """Return a unit vector square to a joint's axis, along the links that the joint moves."""
         place, axis = self.joint_frame(number, links)
         following = next((each for each in self.joints if each.number == number + 1), None)
         if following is not None:
@@ -135,7 +137,7 @@ def _motion(joint: JointShape, value: float) -> Rows:
 
 
 def rotation(axis: Vector, angle_rad: float) -> Rows:
-    """Return a rotation about a unit axis through the origin."""
+    """Return the rotation about a unit axis through the origin."""
     x, y, z = axis
     c, s = math.cos(angle_rad), math.sin(angle_rad)
     t = 1.0 - c
@@ -147,7 +149,7 @@ def rotation(axis: Vector, angle_rad: float) -> Rows:
 
 
 def composed(one: Rows, other: Rows) -> Rows:
-    """Return the transform that does the other, then the one."""
+    """Return the product of two transforms: the other first, then the one."""
     a, b, c, x, d, e, f, y, g, h, i, z = one
     A, B, C, X, D, E, F, Y, G, H, I, Z = other  # noqa: N806, E741 - the same places
     return (
@@ -161,7 +163,7 @@ def composed(one: Rows, other: Rows) -> Rows:
 
 
 def moved(rows: Rows, point: Vector) -> Vector:
-    """Return a point of a frame in the frame above."""
+    """Return a point of a frame in the parent frame."""
     x, y, z = point
     return (
         rows[0] * x + rows[1] * y + rows[2] * z + rows[3],
@@ -171,7 +173,7 @@ def moved(rows: Rows, point: Vector) -> Vector:
 
 
 def turned(rows: Rows, vector: Vector) -> Vector:
-    """Return a direction of a frame in the frame above."""
+    """Return a direction of a frame in the parent frame."""
     x, y, z = vector
     return (
         rows[0] * x + rows[1] * y + rows[2] * z,

@@ -1,4 +1,4 @@
-"""Draws lines over the picture, where its camera shows them."""
+"""Draws lines over the picture, projected by its camera."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 
 class KeptLayer:
-    """Keeps an image of what was drawn last."""
+    """Caches an image of the last drawing."""
 
     def __init__(self) -> None:
         self._key: object = None
@@ -40,13 +40,13 @@ class KeptLayer:
         room: Callable[[], QRectF],
         draw: Callable[[QPainter], object],
     ) -> None:
-        """Lay it over.
+        """Paint the layer, drawing it again if its key has changed.
 
         Args:
-            painter: Of the widget.
+            painter: The painter of the widget.
             key: All that the drawing depends on, beside font and pixels of the painter.
-            room: What it covers; asked where something has changed.
-            draw: Draws it; likewise.
+            room: Returns the rectangle it covers; called only after a change.
+            draw: Draws it; called only after a change.
         """
         wanted = (key, painter.device().devicePixelRatio(), painter.font())
         if wanted != self._key:
@@ -74,13 +74,13 @@ _HALO_OPACITY: Final = 0.7
 _HALO_PX: Final = 2.0
 _LABEL_GAP_PX: Final = 4.0
 _RIM_PX: Final = 80.0
-"""So far from its line a label reaches at most."""
+"""The largest distance of a label from its line."""
 
 
 class StrokePainter:
     """Draws lines and surfaces, each line with a halo that sets it off from the arm.
 
-    It paints with every picture while the arm moves: pens, and how large a label is, are kept.
+    It paints with every picture while the arm moves, so pens and label sizes are cached.
     """
 
     def __init__(self) -> None:
@@ -96,7 +96,7 @@ class StrokePainter:
         projection: Projection,
         palette: ScenePalette,
     ) -> None:
-        """Draw them where the camera shows them; one that is partly behind the eye is left out."""
+        """Draw strokes through the camera; one that is partly behind the eye is left out."""
         painter.save()
         for stroke in strokes:
             pixels = [projection.pixel(place) for place in stroke.places]
@@ -167,7 +167,7 @@ class StrokePainter:
 
 
 class StrokeLayer:
-    """Lines that are the same in most pictures."""
+    """Lines that stay the same in most pictures."""
 
     def __init__(self, painter: StrokePainter) -> None:
         self._painter = painter
@@ -181,13 +181,13 @@ class StrokeLayer:
         projection: Projection,
         palette: ScenePalette,
     ) -> None:
-        """Lay them over.
+        """Paint the lines over the picture.
 
         Args:
-            painter: Of the widget.
+            painter: The painter of the widget.
             key: All that the lines depend on but the picture's camera, size and colours.
-            strokes: Says which they are; asked where something has changed.
-            projection: Of the picture.
+            strokes: Returns the lines; called only after a change.
+            projection: The projection of the picture.
             palette: The theme's colours.
         """
         known: list[Stroke] = []
@@ -205,7 +205,7 @@ class StrokeLayer:
 
 
 def room_around(pixels: Iterable[tuple[float, float] | None], projection: Projection) -> QRectF:
-    """Return the part of a picture that pixels and what is written beside them take."""
+    """Return the rectangle of pixels and of the labels beside them."""
     points = QPolygonF([QPointF(*pixel) for pixel in pixels if pixel is not None])
     if points.isEmpty():
         return QRectF()
@@ -216,7 +216,7 @@ def room_around(pixels: Iterable[tuple[float, float] | None], projection: Projec
 def paint_tag(
     painter: QPainter, at: QPointF, text: str, color: str, palette: ScenePalette
 ) -> QRectF:
-    """Write a short text on a plate beside a place; returns the plate."""
+    """Paint a short text on a plate beside a place, and return the plate."""
     metrics = QFontMetricsF(painter.font())
     width = max(metrics.height(), metrics.horizontalAdvance(text) + 8.0)
     plate = QRectF(at.x(), at.y(), width, metrics.height())

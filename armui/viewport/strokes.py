@@ -1,7 +1,7 @@
-"""Lines that are drawn over the picture: the tool's frame, the range of a joint. Pure.
+"""Lines over the picture: the tool's frame, the range of a joint. Pure.
 
-They are places in the base frame, in metres; `armui.viewport.stroke_painter` brings them to the
-screen by the camera of the picture that they are drawn over.
+Their places are in the base frame, in metres; `armui.viewport.stroke_painter` projects them with
+the camera of the picture.
 """
 
 from __future__ import annotations
@@ -26,11 +26,11 @@ class Stroke:
     """A line through places, or a surface.
 
     Attributes:
-        places: In the base frame, metres.
+        places: The places in the base frame, metres.
         color: "#rrggbb".
-        width_px: Of the line.
-        filled: Whether the places are the rim of a surface that shines through.
-        label: What stands at its last place.
+        width_px: The width of the line.
+        filled: True if the places are the rim of a translucent surface.
+        label: The label at its last place.
     """
 
     places: tuple[Vector, ...]
@@ -64,11 +64,11 @@ def joint_range(
     Args:
         shape: The robot.
         angles_deg: Six joint angles as on the bus: those measured, or those of a target.
-        number: Of the joint, 1–6.
+        number: The joint's number, 1–6.
         limits_deg: The lowest and the highest angle.
         palette: The theme's colours.
-        measured_deg: The measured angle of the joint, where the six are those of a target: it has
-            a needle, too.
+        measured_deg: The joint's measured angle, if the six are those of a target: it gets a
+            needle, too.
     """
     links = shape.links(angles_deg)
     place, axis = shape.joint_frame(number, links)

@@ -11,21 +11,22 @@ from armui.viewport.path_picture import Trail
 from armui.viewport.vectors import Vector
 
 _STEP_MM: Final = 0.5
-"""A place this near to the last one is the same: an arm at rest trembles by some hundredths."""
+"""A place this near to the last one is the same: an arm at rest wavers by some hundredths."""
 _LONGEST_STEP_S: Final = 0.25
-"""A pause between two places counts for no more: the trail is of motion, not of rest."""
+"""The most that a pause between two places counts: the trail shows motion, not rest."""
 _LOST_S: Final = 1.0
 _LEAP_MM: Final = 25.0
-"""A setpoint further away than this from the one before is a target, not a way."""
+"""A setpoint further than this from the one before is a target, not a part of the way."""
 _MOST: Final = 1200
-"""Places of each line: more than a screen can tell apart, and small enough to be sent each time."""
+"""The most places of each line: more than a screen can show, and few enough to be sent each time.
+"""
 
 
 class ToolTrail:
-    """Collects places; the oldest go first.
+    """Collects places; the oldest are dropped first.
 
     Args:
-        length_s: How many seconds of motion are kept; 0: nothing.
+        length_s: The seconds of motion that are kept; 0 for none.
     """
 
     def __init__(self, length_s: float) -> None:
@@ -43,26 +44,26 @@ class ToolTrail:
         return Trail(_packed(self._driven), _packed(self._commanded))
 
     def clear(self) -> None:
-        """Begin anew: another arm, or one that was out of sight."""
+        """Start again, for another arm, or one that was out of sight."""
         self._driven.clear()
         self._commanded.clear()
         self._last_s = None
 
     def set_length(self, length_s: float) -> bool:
-        """Keep so many seconds of motion; whether the trail is another one now."""
+        """Set the seconds of motion to keep, and return whether the trail has changed."""
         self.length_s = length_s
         return self._trim()
 
     def add(self, now_s: float, driven_mm: Vector, commanded_mm: Vector | None) -> bool:
-        """Note where the tool is, and where it was last asked to be.
+        """Add the tool's measured place, and its last setpoint.
 
         Args:
-            now_s: By a clock that never goes back.
-            driven_mm: Where it is measured, in the base frame.
-            commanded_mm: The setpoint that was sent last; None: there is none of ours.
+            now_s: The time by a clock that never goes back.
+            driven_mm: The measured place in the base frame.
+            commanded_mm: The setpoint sent last; None if this program sends none.
 
         Returns:
-            Whether the trail is another one now.
+            True if the trail has changed.
         """
         if self.length_s <= 0.0:
             return False

@@ -22,12 +22,12 @@ def cross(one: Vector, other: Vector) -> Vector:
 
 
 def minus(one: Vector, other: Vector) -> Vector:
-    """From the other to the one."""
+    """Return the vector from the other place to the one."""
     return (one[0] - other[0], one[1] - other[1], one[2] - other[2])
 
 
 def plus(start: Vector, direction: Vector, distance: float) -> Vector:
-    """Return the place so far from a start in a direction."""
+    """Return the place at a distance from a start in a direction."""
     return (
         start[0] + direction[0] * distance,
         start[1] + direction[1] * distance,
@@ -36,7 +36,7 @@ def plus(start: Vector, direction: Vector, distance: float) -> Vector:
 
 
 def square_to(axis: Vector) -> Vector:
-    """Return a unit vector square to another."""
+    """Return a unit vector square to a given one."""
     plain = (1.0, 0.0, 0.0) if abs(axis[0]) < 0.7 else (0.0, 1.0, 0.0)
     return unit(without_part_along(plain, axis))
 

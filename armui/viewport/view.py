@@ -1,4 +1,4 @@
-"""The widget that shows the arm, says where the picture lags or is gone, and moves the camera."""
+"""The widget that shows the arm, reports a late or lost picture, and moves the camera."""
 
 from __future__ import annotations
 
@@ -65,46 +65,47 @@ if TYPE_CHECKING:
 _VIEWERS = itertools.count()
 _START_MS = 20
 _FIGURES_WAIT_MS = 50
-"""So long new figures wait for the picture of the same moment, to be painted with it."""
+"""The longest that new figures wait for the picture of the same moment."""
 
 
 _MOST_ASKED = 128
 _REST_MS: Final = 700
-"""An arm that has not moved for so long is at rest: the camera may come nearer."""
+"""An arm that has not moved for this long is at rest: the camera may move closer."""
 _GLANCE_MS: Final = 80
-"""So often it is looked whether a moving arm is still in the picture."""
+"""The period of checking whether a moving arm is still in the picture."""
 
 
 class ArmView(QWidget):
     """The arm in 3D with the measured figures over it.
 
-    Nothing is drawn while the widget can't be seen. Where the picture lags behind what it should
-    show, or is gone, the widget says so (safety promise S24).
+    Nothing is drawn while the widget is hidden. If the picture is late or lost, the widget says so
+    (safety promise S24).
 
-    To begin with, the arm fills the room it has, and the camera steps back when the arm would
-    leave it, or come behind the figures. Once the operator has turned or moved the picture, it
-    stays as it was put, until a view is chosen or `fit` or `reset_view` is called.
+    At first the arm fills its room, and the camera moves back when the arm would leave it, or come
+    behind the figures. Once the operator has turned or moved the picture, it stays so, until a view
+    is chosen or `fit` or `reset_view` is called.
 
     Left drag turns, middle drag or shift with left drag moves, the wheel zooms, a double click on
     a link picks its joint. With the focus: arrow keys turn, + and − zoom, Home resets.
 
     Signals:
-        load_failed: why a robot description can't be shown, a `Refusal`; the old one stays.
+        load_failed: the `Refusal` of a robot description that can't be shown; the old one stays.
         first_frame_shown: the arm is on the screen for the first time.
         settled: the picture on the screen shows the newest state, see `is_settled`.
-        view_changed: how the arm is looked at has changed, by whomever.
+        view_changed: the camera has changed, for any reason.
         joint_picked: a link was double-clicked; its joint number, 1–6.
         mark_picked: a point of the previewed path was clicked; its row, from 0.
         finding_picked: the sign of a finding was clicked, a `FindingMark`.
         handle_taken: a handle is held from now on.
-        handle_moved: what the pointer has done to it since, a `Dragged`; whether in coarse steps
-            (Ctrl), whether in fine ones (Shift).
-        handle_left: it is let go; whether it was given up (Escape, or another window in front).
+        handle_moved: a `Dragged`; true for coarse steps (Ctrl); true for fine ones (Shift).
+        handle_left: the handle was released; true if the drag was cancelled (Escape, or another
+            window in front).
 
     Args:
-        robot: URDF file to begin with; None: the project's own arm.
-        palette: colours to begin with.
-        client: has the pictures drawn; whoever gives one ends it. One of its own by default.
+        robot: the first URDF file; None for the project's own arm.
+        palette: the first colours.
+        client: the client that has the pictures drawn, to be ended by its owner. One of its own by
+            default.
     """
 
     load_failed = Signal(object)
@@ -183,12 +184,12 @@ class ArmView(QWidget):
         self._client.mark_picked.connect(self.mark_picked)
 
     def sizeHint(self) -> QSize:
-        """Room for the arm and the figures."""
+        """Return the room for the arm and the figures."""
         return QSize(720, 640)
 
     @property
     def is_settled(self) -> bool:
-        """Tell whether the picture on the screen shows the newest state, with smooth edges."""
+        """True if the picture on the screen shows the newest state, with smooth edges."""
         return (
             self._picture is not None
             and not self._is_frame_new
@@ -198,17 +199,17 @@ class ArmView(QWidget):
 
     @property
     def has_given_up(self) -> bool:
-        """Tell whether there is no picture, and none will come by itself."""
+        """True if there is no picture, and none will come by itself."""
         return self._lost is not None and not self._lost.comes_back
 
     @property
     def is_current(self) -> bool:
-        """Tell whether what is on the screen may be taken for what is there now."""
+        """True if the picture may be taken as the present state."""
         return self._picture is not None and not self._notice()
 
     @property
     def is_late(self) -> bool:
-        """Tell whether the picture lags, or is gone: nothing is aimed at in it."""
+        """True if the picture is late or lost, so that nothing may be aimed at in it."""
         return self._client.looks_old or self._lost is not None
 
     def grab_picture(self) -> QImage | None:
@@ -233,7 +234,7 @@ class ArmView(QWidget):
 
     @property
     def projection(self) -> Projection:
-        """From places to the widget's pixels and back, by the camera of now."""
+        """The projection from places to the widget's pixels and back, by the present camera."""
         return Projection(self._state.camera, self.width(), self.height())
 
     @property
@@ -243,7 +244,7 @@ class ArmView(QWidget):
 
     @property
     def highlighted_joint(self) -> int | None:
-        """Number of the joint whose links carry the accent colour."""
+        """The number of the joint whose links have the accent colour."""
         return self._state.highlighted_joint
 
     # what is shown ----------------------------------------------------------------------------
@@ -270,7 +271,7 @@ class ArmView(QWidget):
         self._set_hud(replace(self._hud, angles_deg=angles, angles_stale=stale))
 
     def set_joints_unknown(self) -> None:
-        """Fade the arm where it was seen last: its angles are not known any more."""
+        """Fade the arm at its last pose, because its angles are no longer known."""
         self._look_at(replace(self._state, stale=True))
         self._set_hud(replace(self._hud, angles_deg=None, angles_stale=True))
 
@@ -287,8 +288,8 @@ class ArmView(QWidget):
         Args:
             pose: X, Y, Z in mm, RX, RY, RZ in degrees; None: never heard.
             stale: it is no longer fresh.
-            too_low: flange or fingertip is below the plane the arm stands on.
-            of_tool: It is that of the tool centre point, not of the flange.
+            too_low: flange or fingertip is below the plane on which the arm stands.
+            of_tool: the pose is that of the tool centre point, not of the flange.
         """
         self._set_hud(
             replace(
@@ -301,12 +302,12 @@ class ArmView(QWidget):
         )
 
     def set_theme(self, palette: ScenePalette) -> None:
-        """Take the colours of another theme."""
+        """Apply the colours of another theme."""
         self._show(replace(self._state, palette=palette))
         self.update()
 
     def set_robot(self, path: Path | None) -> None:
-        """Show another robot description; `load_failed` tells if that can't be done.
+        """Show another robot description; `load_failed` is emitted if that fails.
 
         Args:
             path: the URDF file; None: the project's own arm.
@@ -315,22 +316,22 @@ class ArmView(QWidget):
         self._show(replace(self._state, robot=choice))
 
     def highlight_joint(self, number: int | None) -> None:
-        """Give the links moved by joint 1–6 the accent colour; None takes it away."""
+        """Give the links moved by joint 1–6 the accent colour; None removes it."""
         self._show(replace(self._state, highlighted_joint=number))
 
     def set_preview(self, preview: Preview) -> None:
-        """Show a path, its marks and a ghost beside the arm; `NOTHING` takes them away."""
+        """Show a path, its marks and a ghost beside the arm; `NOTHING` removes them."""
         path = preview.path
         if path is not self._state.preview.path:
             self._viewpoint.set_places(() if path is None else path.outermost_m())
         self._look_at(replace(self._state, preview=preview))
 
     def set_trail(self, trail: Trail | None) -> None:
-        """Show where the tool has been."""
+        """Show the trail of the tool."""
         self._show(replace(self._state, trail=trail))
 
     def set_reach(self, reach: Reach | None) -> None:
-        """Show how far the tool could reach, or no longer."""
+        """Show or hide the reach of the tool."""
         self._viewpoint.set_reach(reach)
         self._show(replace(self._state, reach=reach, camera=self._viewpoint.camera))
 
@@ -342,21 +343,21 @@ class ArmView(QWidget):
         self.update()
 
     def show_tool_frame(self, *, wanted: bool) -> None:
-        """Draw the axes of the tool centre point, or no longer."""
+        """Show or hide the axes of the tool centre point."""
         self._shows_tool = wanted
         self.update()
 
     def show_joint_range(
         self, number: int | None, limits_deg: tuple[float, float] = (0, 0)
     ) -> None:
-        """Draw the range of joint 1–6 as an arc about its axis; None takes it away."""
+        """Draw the range of joint 1–6 as an arc about its axis; None removes it."""
         wanted = None if number is None else (number, limits_deg)
         if wanted != self._range:
             self._range = wanted
             self.update()
 
     def set_handles(self, place: HandlePlace | None) -> None:
-        """Have handles at a pose of the arm, which the operator can drag; None: none."""
+        """Show handles at a pose of the arm for the operator to drag; None removes them."""
         if place is None and self._handles.is_held:
             self._leave_handle(given_up=True)
         if self._handles.set_place(place):
@@ -365,17 +366,17 @@ class ArmView(QWidget):
     # how it is looked at ----------------------------------------------------------------------
 
     def reset_view(self) -> None:
-        """Return to the first view."""
+        """Go back to the first view."""
         self._viewpoint.reset()
         self._take_camera()
 
     def fit(self) -> None:
-        """Show all of the arm as large as the room allows."""
+        """Show all of the arm, as large as the room allows."""
         self._viewpoint.fit()
         self._take_camera()
 
     def look_from(self, direction: ViewDirection) -> None:
-        """Look from a direction at all of the arm."""
+        """Look at all of the arm from a direction."""
         self._viewpoint.look_from(direction)
         self._take_camera()
 
@@ -385,17 +386,17 @@ class ArmView(QWidget):
         self._take_camera()
 
     def set_orthographic(self, *, wanted: bool) -> None:
-        """Show parallel lines as such, or with perspective."""
+        """Switch perspective off or on."""
         if wanted != self._viewpoint.camera.orthographic:
             self._viewpoint.set_orthographic(wanted=wanted)
             self._take_camera()
 
     def set_covered(self, corner_px: tuple[float, float], strip_px: float) -> None:
-        """Say what lies over the picture, so that the arm stands beside it.
+        """Set the areas covered by buttons, so that the arm is shown beside them.
 
         Args:
             corner_px: Width and height of the buttons at the bottom right.
-            strip_px: How wide the buttons along the right edge are.
+            strip_px: Width of the buttons along the right edge.
         """
         if (corner_px, strip_px) == (self._corner_px, self._strip_px):
             return
@@ -537,7 +538,7 @@ class ArmView(QWidget):
         return late if self._client.looks_old else ""
 
     def retranslate_ui(self) -> None:
-        """Put the words into the operator's language."""
+        """Set the texts in the operator's language."""
         self._again_button.setText(QCoreApplication.translate("ArmView", "Restart the 3D view"))
 
     def quantities_at(self, place: QPoint) -> list[str]:
@@ -598,27 +599,27 @@ class ArmView(QWidget):
     # events -----------------------------------------------------------------------------------
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Ask for a picture of the size shown."""
+        """Request a picture of the widget's size."""
         super().showEvent(event)
         self._fit_size()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Forget a drag that was under way."""
+        """Cancel a drag."""
         super().hideEvent(event)
         self.give_up_drag()
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """End drawing: as a window of its own the view is closed for good."""
+        """Stop drawing: as a window of its own the view is closed for good."""
         self.shutdown()
         super().closeEvent(event)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Ask for a picture of the new size."""
+        """Request a picture of the new size."""
         super().resizeEvent(event)
         self._fit_size()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Show the last picture, the figures and, if need be, why there is no picture."""
+        """Show the last picture, the figures and, if there is no picture, the reason."""
         palette = self._state.palette
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
@@ -649,32 +650,32 @@ class ArmView(QWidget):
             self._fit_size()
 
     def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
+        """Update the texts after a change of language."""
         super().changeEvent(event)
         if event.type() == QEvent.Type.LanguageChange:
             self.retranslate_ui()
             self.update()
 
     def focusInEvent(self, event: QFocusEvent) -> None:
-        """Show the focus."""
+        """Paint the focus frame."""
         super().focusInEvent(event)
         self.update()
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
-        """Show that the focus is gone."""
+        """Remove the focus frame."""
         super().focusOutEvent(event)
         self.update()
 
     # the operator's hand ----------------------------------------------------------------------
 
     def give_up_drag(self) -> None:
-        """End a drag that is under way; what a handle has changed goes back to what it was."""
+        """Cancel a drag; changes made by a handle are reverted."""
         self._drag.cancel()
         self._leave_handle(given_up=True)
         self._viewpoint.hold(held=False)
 
     def event(self, event: QEvent) -> bool:
-        """The tooltip of a sign says what was found."""
+        """Show the finding of a sign as its tooltip."""
         if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
             at = QPointF(event.pos())
             preview = self._state.preview
@@ -684,7 +685,7 @@ class ArmView(QWidget):
         return super().event(event)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """A drag begins: of a handle, or of the camera."""
+        """Begin a drag of a handle or of the camera."""
         if self._handles.is_held:
             if event.button() != Qt.MouseButton.LeftButton:
                 return  # another button beside the one that holds
@@ -703,7 +704,7 @@ class ArmView(QWidget):
         self._viewpoint.hold(held=self._drag.is_pressed)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Carry a handle; else turn the camera, or with the middle button or shift move it."""
+        """Drag a handle; else turn the camera, or with the middle button or shift move it."""
         at = event.position()
         if not event.buttons() and (self._handles.is_held or self._drag.is_pressed):
             self.give_up_drag()  # the button came up where nobody told of it
@@ -721,7 +722,7 @@ class ArmView(QWidget):
         self._look_through(self._drag.move(event, self._state.camera, shorter_side_px))
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        """The drag is over; a click without one asks for the mark that is there."""
+        """End the drag; a click without one requests the mark at its place."""
         if self._handles.is_held:
             if event.button() == Qt.MouseButton.LeftButton:
                 self._leave_handle(given_up=False)
@@ -746,7 +747,7 @@ class ArmView(QWidget):
             self.update()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        """Ask which link is there."""
+        """Request the link at the place."""
         if event.button() == Qt.MouseButton.LeftButton:
             self._show(replace(self._state, pick=self._question(event.position())))
 
@@ -762,7 +763,7 @@ class ArmView(QWidget):
         event.accept()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Arrow keys turn, + and − zoom, Home resets; Escape gives a drag up."""
+        """Turn with arrow keys, zoom with + and −, reset with Home, cancel a drag with Escape."""
         if event.key() == Qt.Key.Key_Escape and self._handles.is_held:
             self._leave_handle(given_up=True)
             return

@@ -1,4 +1,4 @@
-"""The state of the 3D view: plain data, handed from the widget to the render process."""
+"""The state of the 3D view: plain data, passed from the widget to the render process."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from armui.viewport.path_picture import NOTHING, Preview, Reach, Trail
 
 @dataclass(frozen=True, slots=True)
 class PickRequest:
-    """A question which link is seen at a pixel; `serial` tells two questions at one place apart."""
+    """A request for the link at a pixel; `serial` distinguishes two requests at one place."""
 
     serial: int
     x_px: float
@@ -24,7 +24,7 @@ class PickRequest:
 
 @dataclass(frozen=True, slots=True)
 class RobotChoice:
-    """The URDF file to show; `serial` makes the same file, repaired, load again."""
+    """The URDF file to show; a new `serial` makes the same file load again after a repair."""
 
     path: Path
     serial: int = 0
@@ -40,21 +40,21 @@ class ViewState:
 
     Attributes:
         robot: the description to show.
-        width_px: of the picture, in device pixels.
-        height_px: likewise.
-        pixel_ratio: device pixels a logical pixel.
-        camera: where it is seen from.
+        width_px: the picture's width in device pixels.
+        height_px: the picture's height in device pixels.
+        pixel_ratio: device pixels for each logical pixel.
+        camera: the camera.
         palette: colours.
         angles_deg: six joint angles as on the bus; None: never heard.
         gripper_mm: opening; None: never heard.
         stale: the angles are no longer fresh.
         highlighted_joint: 1–6 or None.
         preview: what is shown beside the arm.
-        trail: where the tool has been.
-        reach: how far the tool could reach.
-        pick: a question to answer along the way.
-        mark_pick: likewise, about a mark of the preview.
-        viewer: tells views apart that have their pictures drawn by one process, one after another.
+        trail: the way of the tool.
+        reach: the reach of the tool.
+        pick: a request for the link at a place.
+        mark_pick: a request for the mark of the preview at a place.
+        viewer: the number of the view: one process may draw for several views in turn.
     """
 
     robot: RobotChoice

@@ -25,21 +25,21 @@ from armui.viewport.robot_shape import RobotShape, moved
 from armui.viewport.vectors import Vector
 
 _GROWN: Final = 1.12
-"""An arm that leaves the picture gets more room than it needs: it is on its way."""
+"""An arm that leaves the picture gets this factor of the room it needs, because it is moving."""
 _SHRUNK: Final = 0.86
-"""An arm that has come to rest in less of the picture than this is brought nearer."""
+"""An arm at rest that fills less of the picture than this is shown larger."""
 _FOLLOWED_AT_M: Final = 0.75
 
 
 _TRIED: Final = 8
-"""Steps in the range of a joint, where its reach is looked for."""
+"""The steps in the range of a joint in which its reach is computed."""
 
 
 class ViewMode(enum.Enum):
-    """The camera modes: who moves the camera."""
+    """The camera modes."""
 
     FIT = enum.auto()
-    """The arm fills the room it has; when it leaves it, the camera steps back."""
+    """The arm fills the room it has; when it leaves it, the camera moves back."""
     FREE = enum.auto()
     """The operator has turned or moved the picture, or changed its scale."""
     FOLLOW = enum.auto()
@@ -47,12 +47,12 @@ class ViewMode(enum.Enum):
 
 
 class Viewpoint:
-    """Keeps the camera.
+    """The camera and its mode.
 
     Attributes:
-        camera: Where the picture is taken from.
-        mode: Who moves it.
-        is_carried: Whether a handle is held: the camera rests, whatever the wheel says.
+        camera: The camera.
+        mode: The camera mode.
+        is_carried: True while a handle is held: the camera does not move, even by the wheel.
     """
 
     def __init__(self) -> None:
@@ -81,7 +81,7 @@ class Viewpoint:
             self._refit(exactly=True)
 
     def set_room(self, room: Room) -> None:
-        """Set the size of the picture, and what lies over it."""
+        """Set the size of the picture, and the areas covered in it."""
         if room != self._room:
             self._room = room
             self._refit(exactly=True)
@@ -92,7 +92,7 @@ class Viewpoint:
         gripper_mm: float,
         ghost_deg: Sequence[float] | None,
     ) -> None:
-        """Set where the arm stands, and its ghost."""
+        """Set the pose of the arm and of its ghost."""
         poses = [(tuple(angles_deg or (0.0,) * 6), gripper_mm)]
         if ghost_deg is not None:
             poses.append((tuple(ghost_deg), 0.0))
@@ -105,13 +105,13 @@ class Viewpoint:
         self._refit(exactly=False)
 
     def set_places(self, places: tuple[Vector, ...]) -> None:
-        """Set the outermost places of a path, which shall be in the picture, too."""
+        """Set the outermost places of a path, which shall be in the picture as well."""
         if places != self._places:
             self._places = places
             self._refit(exactly=False)
 
     def set_reach(self, reach: Reach | None) -> None:
-        """Set the reach that shall be in the picture, too; None: none."""
+        """Set the reach that shall be in the picture as well; None for none."""
         if reach != self._reach:
             self._reach = reach
             self._reached = self._reached_places()
@@ -126,19 +126,19 @@ class Viewpoint:
     # what the operator wants ------------------------------------------------------------------
 
     def look_from(self, direction: ViewDirection) -> None:
-        """Look from a direction, at all of the arm."""
+        """Show all of the arm from a direction."""
         self.camera = self.camera.turned_to(direction)
         if self.mode is ViewMode.FREE:
             self.mode = ViewMode.FIT
         self._refit(exactly=True)
 
     def fit(self) -> None:
-        """Look at all of the arm from where the camera stands."""
+        """Show all of the arm from the present direction."""
         self.mode = ViewMode.FIT
         self._refit(exactly=True)
 
     def reset(self) -> None:
-        """Return to the first view."""
+        """Go back to the first view."""
         self.camera = replace(HOME_CAMERA, orthographic=self.camera.orthographic)
         self.fit()
 
@@ -154,12 +154,12 @@ class Viewpoint:
         self._refit(exactly=False)
 
     def set_orthographic(self, *, wanted: bool) -> None:
-        """Show parallel lines as such, or with perspective."""
+        """Switch perspective off or on."""
         self.camera = replace(self.camera, orthographic=wanted)
         self._refit(exactly=True)
 
     def move_by_hand(self, camera: OrbitCamera) -> None:
-        """Take the operator's camera, which stays; one that follows is turned, and follows on."""
+        """Use the operator's camera from now on; a following one is turned and keeps following."""
         if camera == self.camera:
             return
         if self.mode is not ViewMode.FOLLOW or camera.focus_m != self.camera.focus_m:
@@ -167,13 +167,13 @@ class Viewpoint:
         self.camera = camera
 
     def hold(self, *, held: bool) -> None:
-        """Hold the camera still, but for the operator, while he drags."""
+        """Keep the camera still during a drag, except for the operator's own moves."""
         self._is_held = held
         if not held:
             self._refit(exactly=False)
 
     def come_to_rest(self) -> None:
-        """Come nearer to an arm that has stood still for a moment and has become small."""
+        """Move closer to an arm that has stood still for a moment and appears small."""
         if self.mode is not ViewMode.FIT or self._is_held:
             return
         best = fitted(self.camera, self._groups(), self._room)
@@ -199,7 +199,7 @@ class Viewpoint:
             self._been = outermost(self.camera, [*self._groups(), *self._been])
 
     def _is_all_clear(self, shape: RobotShape) -> bool:
-        """Tell whether everything is in the picture; asked 12 times a second in a motion."""
+        """Return whether everything is in the picture; asked 12 times a second in a motion."""
         projection = Projection(self.camera, self._room.width_px, self._room.height_px)
         doubtful: list[Sequence[Vector]] = []
         for pose in self._poses:
@@ -255,4 +255,4 @@ def _reached(shape: RobotShape, reach: Reach) -> Iterator[Vector]:
 
 
 _SLACK_PX: Final = 10.0
-"""So far the arm may come into the margin before the camera steps back."""
+"""The arm may come this far into the margin before the camera moves back."""

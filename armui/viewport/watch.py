@@ -15,8 +15,8 @@ class Limits:
     """Time limits of a phase.
 
     Attributes:
-        silent_s: Without any sign of life.
-        stuck_s: With signs of life, but without progress.
+        silent_s: The limit without any sign of life.
+        stuck_s: The limit with signs of life, but without progress.
     """
 
     silent_s: float
@@ -31,38 +31,41 @@ LIMITS: Final = {
     PicturePhase.DRAWING: Limits(1.0, 1.0),
 }
 LOOK_S: Final = 0.2
-"""So long a silent process is watched, to tell one that hangs from one that gets no turn."""
+"""The time for which a silent process is watched, to tell a hanging one from a starved one."""
 
 _WAITS_SHARE: Final = 0.05
-"""A process that takes less of a free processor waits for something that does not come."""
+"""A process that uses less of a free processor waits for something that does not come."""
 
 _LATE_S: Final = 0.03
-"""A process that is woken so late shares the processor with others: it is slow, not stuck."""
+"""A process that wakes up this late shares the processor with others: it is slow, not stuck."""
 
 _STARVED_SHARE: Final = 0.005
 _STARVED_FACTOR: Final = 3.0
-"""Even a starved process takes more than that, in so much more time."""
+"""After this factor of its limit even a starved process has used more than that share of the time.
+"""
 
 _QUEUED_SHARE: Final = 0.1
-"""A process of which a thread stood in line for a processor so long is starved; one that waits for
-what does not come stands in no line."""
+"""A process with a thread that queued for a processor this share of the time is starved; one that
+waits for something else does not queue.
+"""
 _STOOD_SHARE: Final = 0.7
-"""A thread that wants to run twice and ran for less of the time between stood in line, too."""
+"""A thread that wants to run at both looks and ran for less of the time between was queueing, too.
+"""
 
 _SPINS_FACTOR: Final = 2.0
 _LONGEST_FACTOR: Final = 20.0
 
 
 def is_stuck(busy: PictureBusy, busy_for_s: float, *, starved: bool = False) -> bool:
-    """Tell whether a process that gives signs of life gets nowhere.
+    """Return whether a process that sends signs of life makes no progress.
 
-    One that is starved by others takes long, too; it wants the processor and does not get it. One
-    that hangs sleeps beside a free processor, or spins for far longer than the work takes.
+    A process starved by others takes long, too, but it wants the processor and does not get it. A
+    hanging one sleeps although a processor is free, or spins for far longer than the work takes.
 
     Args:
         busy: Its last sign of life.
-        busy_for_s: How long it has been at it.
-        starved: Whether it was seen standing in line for a processor just now.
+        busy_for_s: The time it has worked on this so far.
+        starved: Whether it was seen queueing for a processor just now.
     """
     limit_s = LIMITS[busy.phase].stuck_s
     if busy.cpu_s >= _SPINS_FACTOR * limit_s or busy_for_s >= _LONGEST_FACTOR * limit_s:
@@ -77,12 +80,12 @@ def is_stuck(busy: PictureBusy, busy_for_s: float, *, starved: bool = False) -> 
 
 @dataclass(frozen=True, slots=True)
 class ThreadTurns:
-    """The processor time of a thread so far; seconds.
+    """The processor time of a thread so far, in seconds.
 
     Attributes:
-        ran_s: It ran.
-        queued_s: It could have run, and stood in line; counted when its turn comes.
-        wants_to_run: It runs, or stands in line now.
+        ran_s: The time it ran.
+        queued_s: The time it queued for a processor; counted when its turn comes.
+        wants_to_run: True if it runs or queues now.
     """
 
     ran_s: float
@@ -93,12 +96,12 @@ class ThreadTurns:
 def is_starved(
     before: Mapping[int, ThreadTurns], after: Mapping[int, ThreadTurns], over_s: float
 ) -> bool:
-    """Tell whether a process that is silent stood in line for a processor, rather than hung.
+    """Return whether a silent process was queueing for a processor, rather than hanging.
 
     Args:
-        before: By thread; nothing where the system does not tell.
+        before: The times by thread; empty if the system does not report them.
         after: The same, later.
-        over_s: How much later.
+        over_s: The time between the two.
     """
     return any(
         _stood_in_line(before[each], now, over_s) for each, now in after.items() if each in before
@@ -112,19 +115,19 @@ def _stood_in_line(before: ThreadTurns, now: ThreadTurns, over_s: float) -> bool
 
 
 def silent_too_long(phase: PicturePhase, silent_s: float, ran_s: float) -> bool:
-    """Tell whether even a starved process would have said something.
+    """Return whether even a starved process would have sent something by now.
 
     Args:
-        phase: What it is at.
-        silent_s: For how long it has said nothing.
-        ran_s: How much processor time all its threads took meanwhile.
+        phase: Its phase.
+        silent_s: The time since its last message.
+        ran_s: The processor time of all its threads meanwhile.
     """
     limit_s = LIMITS[phase].silent_s
     return silent_s >= _LONGEST_FACTOR * limit_s or ran_s >= _SPINS_FACTOR * limit_s
 
 
 class Restarts:
-    """Counts how often the process was lost: three times in a minute are too many."""
+    """Counts the losses of the process: three in a minute are too many."""
 
     MOST: Final = 3
     WITHIN_S: Final = 60.0
@@ -133,22 +136,22 @@ class Restarts:
         self._lost_s: deque[float] = deque(maxlen=self.MOST)
 
     def lost(self, now_s: float) -> bool:
-        """Note a loss; whether to start again without being asked."""
+        """Count a loss, and return whether to restart automatically."""
         self._lost_s.append(now_s)
         return len(self._lost_s) < self.MOST or now_s - self._lost_s[0] > self.WITHIN_S
 
 
 LONGEST_S: Final = 0.25
-"""An older picture looks old."""
+"""An older picture gets a notice."""
 
 _CLEAR_S: Final = 0.15
-"""A picture that looked old looks new again when it comes no later than this: no flicker."""
+"""A picture with the notice loses it when it is no older than this, which avoids flicker."""
 
 _REMEMBERED: Final = 256
 
 
 class PictureAge:
-    """Follows the states that were wanted and shown, each by its sequence number.
+    """Follows the requested and the shown states by their sequence numbers.
 
     A picture is as old as the first state that is newer than the one it shows.
     """
@@ -160,15 +163,15 @@ class PictureAge:
 
     @property
     def is_newest_shown(self) -> bool:
-        """Tell whether the picture shows the newest state."""
+        """True if the picture shows the newest state."""
         return not self._newer
 
     def wanted(self, sequence: int, now_s: float) -> None:
-        """There is a newer state."""
+        """Note a newer state."""
         self._newer.append((sequence, now_s))
 
     def shown(self, sequence: int, now_s: float) -> None:
-        """A picture of this state has come."""
+        """Note that a picture of this state has come."""
         self._shown = max(self._shown, sequence)
         while self._newer and self._newer[0][0] <= self._shown:
             self._newer.popleft()
@@ -176,11 +179,11 @@ class PictureAge:
             self._looks_old = False
 
     def age_s(self, now_s: float) -> float:
-        """For how long there has been a newer state than the one shown; 0: there is none."""
+        """Return the time since the first state newer than the one shown; 0 if there is none."""
         return max(0.0, now_s - self._newer[0][1]) if self._newer else 0.0
 
     def looks_old(self, now_s: float) -> bool:
-        """Tell whether the picture must say that it is old."""
+        """Return whether the picture must show the notice that it is old."""
         if self.age_s(now_s) > LONGEST_S:
             self._looks_old = True
         return self._looks_old

@@ -1,1 +1,1 @@
-"""A log in the place of the bus: there is nothing here that could send."""
+"""Plays a log in place of the bus; nothing here can send."""

@@ -1,4 +1,4 @@
-"""Half an hour of a log for its curves, read by a thread of its own while the replay goes on."""
+"""Reads half an hour of a log for its curves in a thread of its own while the replay goes on."""
 
 from __future__ import annotations
 
@@ -29,25 +29,27 @@ if TYPE_CHECKING:
 # Between a replay and the series of its curves: frame by frame, or many frames at once.
 
 COMMAND_IDS = frozenset(MOTION_IDS | OTHER_COMMAND_IDS)
-"""What an arm is told. Such a frame that the recording program has sent was its own command."""
+"""The identifiers of commands to the arm. If the recording program has sent such a frame, it was
+its own command.
+"""
 
 _COMMAND_IDS = np.array(sorted(COMMAND_IDS), np.uint32)
 
 
 def is_own_command(arbitration_id: int, flags: int) -> bool:
-    """Tell whether the program that recorded a frame has sent it to the arm."""
+    """Return whether a frame is a command that the recording program sent to the arm."""
     return arbitration_id in COMMAND_IDS and bool(flags & FrameFlag.TRANSMITTED)
 
 
 class SeriesListener(Listener):
-    """Stands for the telemetry among the listeners of a replay.
+    """Feeds the telemetry of a replay, as one of its listeners.
 
     Args:
-        telemetry: The series of the replay, its alone.
+        telemetry: The series of the replay; nothing else writes to them.
 
     Attributes:
-        by_columns: The frames of now come by :meth:`take`; those told one by one are no more than
-            some of them.
+        by_columns: Frames come through :meth:`add_frames`; those passed one by one are only some of
+            them, and ignored.
     """
 
     def __init__(self, telemetry: Telemetry) -> None:
@@ -55,7 +57,7 @@ class SeriesListener(Listener):
         self.by_columns = False
 
     def add_frames(self, frames: FrameColumns) -> None:
-        """Take in many frames at once."""
+        """Add many frames at once, as columns."""
         own = ((frames.flags & FrameFlag.TRANSMITTED) != 0) & np.isin(frames.ids, _COMMAND_IDS)
         self.telemetry.on_columns(frames, own=own)
 
@@ -95,10 +97,12 @@ class SeriesListener(Listener):
 _LOG: Final = logging.getLogger(__name__)
 
 FILL_ROWS: Final = 32_768
-"""So many frames are taken in at once: a millisecond for each message."""
+"""The number of frames added at once: a millisecond for each message."""
 _TURN_S: Final = 0.004
 _LONGEST_REST_S: Final = 0.02
-"""It rests as long as it has worked. Whoever waits for Python goes first."""
+"""The longest pause. The thread rests as long as it has worked, so other threads get Python's lock
+first.
+"""
 
 
 def fill(
@@ -108,15 +112,15 @@ def fill(
     end_s: float,
     is_wanted: Callable[[float], bool],
 ) -> bool:
-    """Take a stretch of a log into series; whether it was wanted to its end.
+    """Add a stretch of a log to series, and return whether all of it was still wanted.
 
     Args:
-        series: Where to; nothing later than `begin_s` may be in it.
-        frames: The log.
-        begin_s: Log time.
-        end_s: As above, included.
-        is_wanted: Asked for each piece, with the log time that is reached; when it is not, the
-            rest stays away.
+        series: The series to fill; they may hold nothing later than `begin_s`.
+        frames: A cursor in the log.
+        begin_s: Log time of the beginning, in seconds.
+        end_s: Log time of the end, included.
+        is_wanted: Called for each piece with the log time reached; if it returns false, the rest is
+            left out.
     """
     pieces: list[FrameColumns] = []
     for each in frames.columns_between(begin_s, end_s):
@@ -132,21 +136,21 @@ def fill(
 
 
 class CurveHistory:
-    """Reads at once.
+    """Reads a stretch of a log into series of its own, in a thread that starts at once.
 
     Args:
         session: The log.
-        channel: What is seen of it.
-        telemetry: Empty series of its own.
-        times_s: Log times from and to, the latter included.
-        then: Called in the thread when it has ended by itself.
+        channel: The channel to read.
+        telemetry: Empty series, used for this alone.
+        times_s: Log times of beginning and end, the end included.
+        then: Called in the thread when the reading has ended by itself.
 
     Attributes:
-        telemetry: Filled when `is_whole`.
+        telemetry: The series; complete when `is_whole`.
         begin_s, end_s: The times as given.
-        reached_s: Log time it has come to.
-        is_whole: Whether it has come to the end.
-        is_over: Whether it has ended, also if it could not go on.
+        reached_s: The log time reached so far.
+        is_whole: True if it was read to the end.
+        is_over: True if the reading has ended, also by an error.
     """
 
     def __init__(
@@ -169,7 +173,7 @@ class CurveHistory:
         self._thread.start()
 
     def end(self, *, wait: bool = False) -> None:
-        """Nobody wants it any more; with `wait` it reads no more when this returns."""
+        """Stop reading; with `wait`, return only when nothing is read any more."""
         self._wanted = False
         if wait:
             self._thread.join()

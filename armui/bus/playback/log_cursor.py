@@ -1,4 +1,4 @@
-"""Goes through a log forwards, frame by frame or slice by slice: one channel of it."""
+"""Reads one channel of a log forwards, frame by frame or slice by slice."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class LogClock:
-    """What a controller that watches a log takes for its clock.
+    """The clock of a controller that watches a log: it shows log time.
 
     Args:
         at_s: Log time to begin with, in seconds.
@@ -28,11 +28,11 @@ class LogClock:
         self._at_s = at_s
 
     def __call__(self) -> float:
-        """Log time, in seconds; any thread."""
+        """Return the log time in seconds; may be called from any thread."""
         return self._at_s
 
     def set(self, at_s: float) -> None:
-        """Note the place that the replay has come to."""
+        """Set the clock to the place that the replay has reached."""
         self._at_s = at_s
 
 
@@ -59,11 +59,11 @@ class ReplayedFrame(NamedTuple):
 
 
 class LogCursor:
-    """Where a replay stands in its log; used by one thread.
+    """The place of a replay in its log; used by one thread.
 
     Args:
         session: The log.
-        channel: The frames of this one are seen, and of no other.
+        channel: Only the frames of this channel are read.
     """
 
     def __init__(self, session: Session, channel: Channel) -> None:
@@ -81,12 +81,12 @@ class LogCursor:
         self._rows, self._place = np.empty(0, np.int64), 0
 
     def snapshot(self, at_s: float) -> list[ReplayedFrame]:
-        """Return what was last said of everything at or before a time, in order."""
+        """Return the latest frame of each kind at or before a time, in order."""
         batch = self._session.snapshot_at(at_s)
         return [_timed(batch, row)._replace(number=-1) for row in self._own_rows(batch).tolist()]
 
     def next_frame(self) -> ReplayedFrame | None:
-        """Return the next frame, ``None`` at the end."""
+        """Return the next frame, or ``None`` at the end."""
         if not self._fill() or self._batch is None:
             return None
         row = int(self._rows[self._place])
@@ -94,7 +94,7 @@ class LogCursor:
         return _timed(self._batch, row)
 
     def frames_until(self, end_s: float, most: int) -> list[ReplayedFrame]:
-        """Return the next frames up to a time, included, and no more than so many."""
+        """Return the next frames up to and including a time, and no more than `most`."""
         found: list[ReplayedFrame] = []
         while len(found) < most and self._fill() and self._batch is not None:
             rows = self._rows_until(end_s, most - len(found))
@@ -104,7 +104,7 @@ class LogCursor:
         return found
 
     def columns_until(self, end_s: float) -> FrameColumns:
-        """Return the next frames up to a time, included, as columns."""
+        """Return the next frames up to and including a time, as columns."""
         pieces = []
         while self._fill() and self._batch is not None:
             batch, rows = self._batch, self._rows_until(end_s, self._rows.size)
@@ -114,7 +114,7 @@ class LogCursor:
         return joined(pieces) if pieces else _NONE
 
     def columns_between(self, begin_s: float, end_s: float) -> Iterator[FrameColumns]:
-        """Return the frames from one time to another, the latter included; no place changes."""
+        """Return the frames between two times, the end included; the cursor does not move."""
         until_s = math.nextafter(end_s, math.inf)
         for batch in self._session.frames_between(begin_s, until_s):
             rows = self._own_rows(batch)
@@ -122,7 +122,7 @@ class LogCursor:
                 yield _columns(batch, rows)
 
     def _fill(self) -> bool:
-        """Tell whether there is a next frame."""
+        """Return whether there is a next frame."""
         while self._place >= self._rows.size:
             self._batch = next(self._batches, None)
             if self._batch is None:

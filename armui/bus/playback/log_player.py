@@ -38,7 +38,7 @@ _MEASURED: Final = frozenset(
     | {f"EndPose{part}" for part in (1, 2, 3)}
     | {f"{kind}{joint}" for kind in ("DriverFast", "EndMotion") for joint in range(1, 7)}
 )
-"""Messages that say where the arm is: the last one counts."""
+"""Messages with measured positions: only the last one of a slice counts."""
 _TOLD: Final = frozenset(
     {"ArmStatus", "GripperFeedback", *(f"DriverSlow{joint}" for joint in range(1, 7))}
 )
@@ -46,7 +46,7 @@ _TOLD: Final = frozenset(
 
 
 class Folding:
-    """Picks the frames that tell something new; what it leaves out was said again in the slice.
+    """Picks the frames of a slice that tell something new; those left out are repeated later in it.
 
     Args:
         codec: How frames are decoded.
@@ -65,9 +65,10 @@ class Folding:
                 self._masks[wire_id] = np.uint64(bit_mask(codes))
 
     def rows(self, frames: FrameColumns) -> NDArray[np.int64]:
-        """Return the rows to be taken in, in order.
+        """Return the rows to be processed, in order.
 
-        The first row is one of them: the time between it and what came before is a silence or none.
+        The first row is always one of them: its distance from the frame before decides whether
+        there was a silence.
         """
         ordinary = (frames.flags & NOT_OF_THE_ARM) == 0
         folded = ordinary & self._is_folded[np.minimum(frames.ids, _IDS - 1)]
@@ -91,34 +92,36 @@ class Folding:
 
 
 ONE_BY_ONE_UP_TO: Final = 4.0
-"""Up to this speed every frame is taken in by itself; above it those that tell something new."""
+"""The highest speed at which every frame is processed; above it, only those that tell something
+new.
+"""
 _SLICE_S: Final = 0.2
-"""Log time of a slice at most: shorter than what counts as silence."""
+"""The longest slice in log time: shorter than what counts as silence."""
 _AT_ONCE: Final = 256
-"""So many frames are taken in before others may look."""
+"""The number of frames processed before other threads may take the lock."""
 FILLED_S: Final = 120.0
-"""So much of the log before a place is shown in its curves at once."""
+"""The stretch of the log before a place that its curves show at once."""
 _SETTLE_S: Final = 0.08
-"""Curves are drawn a dozen times a second: what is played fast reaches them as often."""
+"""Curves are drawn a dozen times a second; frames played fast are added to them as often."""
 
 
 class LogPlayer:
-    """One thread plays; any other may hold it up with `lock` for a moment.
+    """Plays a log in one thread; others may hold it up with `lock` for a moment.
 
     Args:
         session: The log.
-        channel: What is seen of it.
-        clock: Is moved along.
-        codec: Protocol to begin with.
-        listeners: Who else is told of every frame; curves are filled at once around a place.
+        channel: The channel to play.
+        clock: The clock, set to the log time that is reached.
+        codec: The protocol to begin with.
+        listeners: Objects that are told of every frame; curves are filled at once around a place.
         answered: As for `FrameProcessor`.
 
     Attributes:
-        lock: Held while frames are taken in.
-        processor: Where they go.
-        last: The frame that was taken in last.
-        played: How many frames were passed since the last :meth:`enter`.
-        curves_from_s: Log time from which on everything is in the curves.
+        lock: Held while frames are processed.
+        processor: Processes the frames.
+        last: The frame that was processed last.
+        played: The number of frames passed since the last :meth:`enter`.
+        curves_from_s: The curves are complete from this log time on.
     """
 
     def __init__(
@@ -158,14 +161,14 @@ class LogPlayer:
         return found
 
     def set_listeners(self, listeners: Sequence[Listener]) -> None:
-        """Who else is told of every frame from now on."""
+        """Replace the listeners that are told of every frame."""
         self.processor.notifier.set_listeners(self._for_log(listeners))
 
     def use_codec(self, codec: Codec, *, forget: bool = True) -> None:
-        """Forget what was heard, if that is wanted, as a bus thread does; any thread.
+        """Change the codec, and forget what was heard if that is wanted; for any thread.
 
-        Where nothing was played since :meth:`enter`, what was said before this place is known all
-        the same: it is no silence of the arm that makes it unknown.
+        If nothing was played since :meth:`enter`, the state from before this place is read again
+        with the new codec.
         """
         with self.lock:
             self.processor.use_codec(codec, forget=forget)
@@ -182,15 +185,15 @@ class LogPlayer:
     # Another place ----------------------------------------------------------------------------
 
     def look_up(self, at_s: float) -> list[ReplayedFrame]:
-        """Return what was last said of everything before a place; it may be read from a disk."""
+        """Return the latest frame of each kind before a place; this may read from the disk."""
         return self._look_up.snapshot(at_s)
 
     def enter(self, at_s: float, recalled: Sequence[ReplayedFrame]) -> None:
-        """Be at another place; takes no time.
+        """Go to another place with the frames that :meth:`look_up` found; this takes no time.
 
         Args:
-            at_s: Log time; the frames of this time are already there.
-            recalled: What :meth:`look_up` has found.
+            at_s: Log time; the frames of this time count as played.
+            recalled: The frames that :meth:`look_up` returned.
         """
         with self.lock:
             self._cursor.go_behind(at_s)
@@ -206,10 +209,10 @@ class LogPlayer:
                 listener.telemetry.release()
 
     def fill(self, is_wanted: Callable[[], bool]) -> None:
-        """Show in the curves what led to this place.
+        """Fill the curves with the two minutes before this place.
 
         Args:
-            is_wanted: Asked now and then; when it is not, the rest stays away.
+            is_wanted: Called now and then; if it returns false, the rest is left out.
         """
         end_s = self._clock()
         begin_s = max(self._session.start_s, end_s - FILLED_S)
@@ -219,13 +222,13 @@ class LogPlayer:
         self.curves_from_s = begin_s
 
     def read_history(self, then: Callable[[], object]) -> CurveHistory | None:
-        """Have more of what led to this place read, as far back as curves are kept.
+        """Start reading more of the log before this place, as far back as curves are kept.
 
         Args:
-            then: Called, in another thread, when it is read: see :meth:`take_history`.
+            then: Called in another thread when everything is read: see :meth:`take_history`.
 
         Returns:
-            What reads it; ``None``: everything is shown already.
+            The reader, or ``None`` if the curves show everything already.
         """
         end_s = self._clock()
         begin_s = max(self._session.start_s, end_s - KEPT_S)
@@ -236,11 +239,11 @@ class LogPlayer:
         return CurveHistory(self._session, self._channel, empty, (begin_s, end_s), then)
 
     def take_history(self, history: CurveHistory, is_wanted: Callable[[], bool]) -> None:
-        """Show in the curves what was read, and what was played meanwhile.
+        """Show in the curves the history that was read, and the frames played meanwhile.
 
         Args:
-            history: Has come to its end.
-            is_wanted: Whether this is still the place it was read for.
+            history: A reader that has come to its end.
+            is_wanted: Returns false once the replay is at another place.
         """
         self.settle()
         listener, end_s = SeriesListener(history.telemetry), self._clock()
@@ -259,7 +262,7 @@ class LogPlayer:
                 listener.add_frames(frames)
 
     def settle(self) -> None:
-        """Show in the curves what was played fast, up to here."""
+        """Add the frames that were played fast to the curves."""
         pieces, self._waiting = self._waiting, []
         self._fill_series(pieces)
         self._settled_s = time.monotonic()
@@ -267,12 +270,12 @@ class LogPlayer:
     # Playing ----------------------------------------------------------------------------------
 
     def play(self, until_s: float, speed: float, is_wanted: Callable[[], bool]) -> None:
-        """Take in what comes up to a time, and move the clock there.
+        """Process the frames up to a time, and move the clock there.
 
         Args:
-            until_s: Log time.
+            until_s: Log time of the end.
             speed: Above `ONE_BY_ONE_UP_TO` not every frame is looked at.
-            is_wanted: Asked after each slice; when it is not, the rest is left.
+            is_wanted: Called after each slice; if it returns false, the rest is left.
         """
         if speed <= ONE_BY_ONE_UP_TO:
             self.settle()
@@ -327,7 +330,7 @@ class LogPlayer:
         self.played = before + len(frames)
 
     def step(self) -> ReplayedFrame | None:
-        """Take in the next frame alone; ``None`` at the end."""
+        """Process the next frame alone and return it; ``None`` at the end."""
         self.settle()
         self._go_by_columns(wanted=False)
         frame = self._cursor.next_frame()
@@ -338,7 +341,7 @@ class LogPlayer:
         return frame
 
     def before(self) -> float | None:
-        """Log time of the moment before this one, ``None`` at the beginning."""
+        """Return the log time just before this place, or ``None`` at the beginning."""
         at_s = self.last.at_s if self.last is not None else self._clock()
         width_s = 0.01
         while True:

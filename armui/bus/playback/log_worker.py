@@ -1,4 +1,4 @@
-"""The thread that plays a log, in the place of the one that owns a bus. It cannot send."""
+"""The thread that plays a log in place of the one that owns a bus. It cannot send."""
 
 from __future__ import annotations
 
@@ -29,35 +29,37 @@ if TYPE_CHECKING:
 
 SLOWEST, FASTEST = 0.1, 20.0
 _TURN_S: Final = 0.01
-"""How long the thread rests between two looks at the clock on the wall."""
+"""The pause between two looks at the clock."""
 _END_MS: Final = 10_000
 _LONGEST_TURN_S: Final = 0.25
-"""A computer that slept or was busy does not make the log jump: it goes on where it was."""
+"""The most that a turn may count: after the computer slept or was busy the log goes on where it
+was.
+"""
 
 
 class LogWorker(QThread):
-    """The same to a :class:`Connection` as a `BusWorker`; whatever is to be sent is refused.
+    """Plays a log behind the interface of `BusWorker`; everything to be sent is refused.
 
     Args:
-        device: What stands for the log.
-        codec: Protocol to begin with.
+        device: The device that stands for the log.
+        codec: The protocol to begin with.
         session: The log; the thread is the only one that reads it.
-        channel: What is seen of it.
-        clock: Is moved along.
-        number: Goes into its reports.
-        listeners: Who else is told of every frame.
+        channel: The channel to play.
+        clock: The clock, set to the log time that is reached.
+        number: The number of this thread in its reports.
+        listeners: Objects that are told of every frame.
 
     Attributes:
-        samples: Every joint feedback, while somebody wants them.
-        speed: How much log time passes in a second.
+        samples: Every joint feedback, while they are wanted.
+        speed: Seconds of log time for each second.
         released: Set once the log is read no more.
 
     Signals:
         reported: A :class:`BusReport`, whenever the log begins or goes on elsewhere.
         answered: A :class:`Message` that answers something.
-        found: A place that was asked for is at hand; its number. :meth:`enter` goes there.
+        found: A place that was asked for has been looked up; its number. :meth:`enter` goes there.
         moved: The replay has stepped, or stopped by itself at the end.
-        failed: The log cannot be read any more; what is wrong.
+        failed: The log cannot be read any more, with the reason.
     """
 
     reported = Signal(object)
@@ -102,7 +104,7 @@ class LogWorker(QThread):
 
     @property
     def idle(self) -> bool:
-        """Nothing ever waits to be sent."""
+        """Always true: nothing ever waits to be sent."""
         return True
 
     @property
@@ -112,12 +114,12 @@ class LogWorker(QThread):
 
     @property
     def traffic(self) -> OtherTraffic:
-        """What hosts were heard to send."""
+        """Frames heard from hosts."""
         return self._player.processor.traffic
 
     @property
     def frames_dropped(self) -> int:
-        """A log drops nothing."""
+        """Always 0: a log drops nothing."""
         return 0
 
     def send(
@@ -137,54 +139,54 @@ class LogWorker(QThread):
         return False
 
     def set_listeners(self, listeners: Sequence[Listener]) -> None:
-        """Who else is told of every frame from now on."""
+        """Replace the listeners that are told of every frame."""
         self._player.set_listeners(listeners)
 
     def use_codec(self, codec: Codec, *, forget: bool = True) -> None:
-        """Forget what was heard; see `LogPlayer.use_codec`."""
+        """Change the codec; see `LogPlayer.use_codec`."""
         self._player.use_codec(codec, forget=forget)
 
     def close(self, within_ms: int) -> bool:
-        """End the thread; whether it has ended within a time."""
+        """End the thread, and return whether it has ended within the time in milliseconds."""
         with self._wake:
             self._closing = True
             self._wake.notify()
         return self.wait(within_ms)
 
     def end_in_time(self) -> None:
-        """End the thread before it is destroyed, which would end the program."""
+        """End the thread before Qt destroys it, which would abort the program."""
         self.close(_END_MS)
 
     # The operator's wishes; any thread --------------------------------------------------------
 
     @property
     def is_playing(self) -> bool:
-        """Whether the log runs."""
+        """True while the log plays."""
         return self._playing
 
     @property
     def last(self) -> ReplayedFrame | None:
-        """The frame that was taken in last."""
+        """The frame that was processed last."""
         return self._player.last
 
     def play(self, *, on: bool) -> None:
-        """Let the log run, or stand still."""
+        """Play the log, or pause it."""
         with self._wake:
             self._playing = on
             self._wake.notify()
 
     def step(self) -> None:
-        """Take in one frame more."""
+        """Pause, and process one more frame."""
         with self._wake:
             self._playing = False
             self._steps += 1
             self._wake.notify()
 
     def ask_for(self, at_s: float | None) -> int:
-        """Have a place looked up; ``None``: the moment before this one.
+        """Have a place looked up; ``None`` means the moment before the present one.
 
         Returns:
-            Its number, which :attr:`found` tells.
+            The number with which :attr:`found` will be emitted.
         """
         with self._wake:
             self._asked += 1
@@ -196,10 +198,10 @@ class LogWorker(QThread):
             return self._asked
 
     def enter(self, number: int) -> bool:
-        """Go to the place that was looked up last, unless another one is wanted by now.
+        """Go to the place that was looked up last, and return whether it is still the one wanted.
 
-        The reports are made by whoever calls: what is connected to them in the same thread has
-        followed when this returns.
+        The reports are emitted by the calling thread: slots connected in it have run when this
+        returns.
         """
         at_hand = self._at_hand
         if at_hand is None or at_hand[0] != number or number != self._asked:
@@ -213,13 +215,13 @@ class LogWorker(QThread):
         return True
 
     def fill_curves(self) -> None:
-        """Have the curves show what led to this place."""
+        """Fill the curves with the stretch before this place."""
         with self._wake:
             self._filling = True
             self._wake.notify()
 
     def want_history(self, *, on: bool) -> None:
-        """Have the curves show all that they can hold, wherever the log is; it takes seconds."""
+        """Set whether the curves shall show all that they can hold; reading it takes seconds."""
         if on != self._wants_history:
             with self._wake:
                 self._wants_history = self._history_due = on
@@ -227,17 +229,17 @@ class LogWorker(QThread):
 
     @property
     def history(self) -> CurveHistory | None:
-        """What is being read for the curves."""
+        """The reader of the curves' history, if one is at work."""
         return self._history
 
     @property
     def lacks_curves(self) -> bool:
-        """Whether nothing of what led to this place is in the curves, nor will be by itself."""
+        """True if the curves lack what led to this place, and will not get it by themselves."""
         return not self._filling and math.isinf(self.curves_from_s)
 
     @property
     def curves_from_s(self) -> float:
-        """Log time from which on everything is in the curves."""
+        """The curves are complete from this log time on."""
         return self._player.curves_from_s
 
     def _drop_history(self) -> None:
@@ -296,7 +298,7 @@ class LogWorker(QThread):
         return self._wanted is not None or here
 
     def _go_on(self, steps: int, passed_s: float) -> bool:
-        """Do what is to be done here; whether it was playing."""
+        """Do what is to be done here and return whether it was playing."""
         if self._is_history_to_do():
             self._see_to_history()
         if self._filling:

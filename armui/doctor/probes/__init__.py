@@ -1,1 +1,1 @@
-"""Looks at this computer and at the bus; each probe returns facts and never raises."""
+"""Examines this computer and the bus; each probe returns facts and never raises."""

@@ -1,4 +1,4 @@
-"""CAN interfaces, adapters on the USB, serial ports, and what python-can finds."""
+"""Finds CAN interfaces, adapters on the USB, serial ports, and python-can's devices."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from armui.system.files import read_file
 
 _PATIENCE_S: Final = 5.0
 _CAN_HARDWARE: Final = "280"
-"""ARPHRD_CAN in /sys/class/net/*/type."""
+"""The value ARPHRD_CAN in /sys/class/net/*/type."""
 _ADAPTER_IDS: Final = {
     "1d50:606f": "candleLight (gs_usb)",
     "1209:2323": "candleLight (gs_usb)",
@@ -26,7 +26,7 @@ _ADAPTER_IDS: Final = {
     "16d0:10b8": "ABE CANdebugger FD (gs_usb)",
     "16d0:0f30": "Xylanta SAINT3 (gs_usb)",
 }
-"""Adapters that Linux' gs_usb driver serves."""
+"""The adapters supported by Linux' gs_usb driver."""
 _NET: Final = Path("/sys/class/net")
 _USB: Final = Path("/sys/bus/usb/devices")
 _DEV: Final = Path("/dev")
@@ -37,11 +37,13 @@ _KEPT: Final = (
     ("systemd/system", r"armui-can-([a-z][a-z0-9_]*)\.service"),
     ("udev/rules.d", r"70-armui-(port-[A-Za-z0-9_-]+)\.rules"),
 )
-"""Folder and name of what the helper writes (`resources/packaging/linux/adapter_helper.py`)."""
+"""Folder and name of the files written by the helper
+(`resources/packaging/linux/adapter_helper.py`).
+"""
 
 
 def look_at_can() -> CanFacts:
-    """The facts; takes up to some seconds."""
+    """Return the facts on CAN devices; takes up to some seconds."""
     error = ""
     devices: tuple[DeviceFacts, ...] = ()
     try:
@@ -70,7 +72,7 @@ def _is_linux() -> bool:
 
 
 def look_at_adapters() -> CanFacts:
-    """What the operating system alone tells of adapters: no driver of python-can's is asked."""
+    """Return the operating system's facts on adapters, without any driver of python-can."""
     if not _is_linux():
         return CanFacts()
     return CanFacts(
@@ -82,12 +84,12 @@ def look_at_adapters() -> CanFacts:
 
 
 def is_wsl(kernel: Path) -> bool:
-    """Whether Linux runs as a guest of Windows, by the name of its kernel."""
+    """Return whether Linux runs as a guest of Windows, by the name of its kernel."""
     return "microsoft" in _text(kernel).lower()
 
 
 def kept_names(etc: Path) -> list[str]:
-    """What the adapter's helper keeps at every start, by the names of its files."""
+    """Return the names that the adapter's helper applies at every start, by its files."""
     found = set()
     for folder, pattern in _KEPT:
         for each in _folders(etc / folder):
@@ -97,17 +99,17 @@ def kept_names(etc: Path) -> list[str]:
 
 
 def look_at_links() -> tuple[LinkFacts, ...]:
-    """The CAN interfaces of Linux; none elsewhere."""
+    """Return the CAN interfaces of Linux; none on other systems."""
     if not _is_linux():
         return ()
     return tuple(links_of(_ip_json(), _serials(_NET)))
 
 
 def links_of(text: str, serials: Mapping[str, str]) -> list[LinkFacts]:
-    """The CAN interfaces in what ``ip -details -statistics -json link show`` prints.
+    """Return the CAN interfaces in the output of ``ip -details -statistics -json link show``.
 
     Args:
-        text: Its output; anything else gives none.
+        text: The output; any other text gives none.
         serials: Serial number of the adapter, by interface.
     """
     try:
@@ -176,7 +178,7 @@ def _usb_serial(device: Path) -> str | None:
 
 
 def usb_adapters(usb: Path) -> list[UsbAdapterFacts]:
-    """CAN adapters that Linux has a driver for, in the folder of USB devices."""
+    """Return the CAN adapters with a driver in Linux, from the folder of USB devices."""
     found = []
     for folder in _folders(usb):
         usb_id = f"{_text(folder / 'idVendor')}:{_text(folder / 'idProduct')}"

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
 from armui.doctor.facts import HeardFacts
+from armui.system.command_process import is_packaged
 from armui.telemetry.bus_errors import BusError, errors_of
 
 if TYPE_CHECKING:
@@ -16,10 +17,10 @@ if TYPE_CHECKING:
     from armui.protocol.frame import Frame
 
 _MOST_FRAMES: Final = 60_000
-"""Some seven seconds of a bus that is full."""
+"""The most frames: some seven seconds of a full bus."""
 _WAIT_S: Final = 0.05
 _PAUSE_S: Final = 0.02
-"""Between questions: an answer of eleven frames must not be cut by the next."""
+"""The pause between questions: an answer of eleven frames must not be cut by the next."""
 
 
 def listen(
@@ -29,13 +30,13 @@ def listen(
     ask: bool = False,
     clock_s: Callable[[], float] = time.monotonic,
 ) -> HeardFacts:
-    """What is heard on a device; never raises.
+    """Return the facts heard on a device; never raises.
 
     Args:
-        device: Where. Its bit rate is set where that is the program's business.
-        seconds: How long.
-        ask: Send questions, too: for the version, limits, accelerations, teaching handle.
-        clock_s: Tells the time.
+        device: The device. Its bit rate is set if the program is in charge of it.
+        seconds: The time to listen.
+        ask: True to send questions, too: for the version, limits, accelerations, teaching handle.
+        clock_s: Returns the time in seconds.
     """
     channel = str(device.channel)
     try:
@@ -44,7 +45,7 @@ def listen(
         return HeardFacts(
             device.interface,
             channel,
-            problem="bus_backend_missing",
+            problem="bus_backend_not_packed" if is_packaged() else "bus_backend_missing",
             problem_text=str(error),
             package=error.name or "python-can",
         )

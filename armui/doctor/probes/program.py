@@ -1,4 +1,4 @@
-"""Python and the packages the program wants."""
+"""Examines Python and the packages that the program uses."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from typing import Final
 
 from armui import __version__
 from armui.doctor.facts import PackageFacts, ProgramFacts
+from armui.system.command_process import is_packaged
 from armui.system.files import read_file
 from armui.system.thread_priority import RaisedBy, Rise, raise_threads
 
@@ -27,7 +28,7 @@ _NUMBERS: Final = re.compile(r"\d+")
 
 
 def look_at_program() -> ProgramFacts:
-    """The facts."""
+    """Return the facts on the program."""
     rise = try_priority()
     return ProgramFacts(
         armui=__version__,
@@ -39,11 +40,12 @@ def look_at_program() -> ProgramFacts:
         packages=tuple(map(_package, filter(_is_of_this_system, _requirements()))),
         goes_first=rise.by is not RaisedBy.NOBODY,
         priority_reason=rise.reason,
+        packaged=is_packaged(),
     )
 
 
 def try_priority() -> Rise:
-    """Ask for a thread that does nothing and ends: whether it is granted, only trying tells."""
+    """Request priority for a thread that ends at once: only trying shows whether it is granted."""
     rises: list[Rise] = []
     thread = threading.Thread(
         target=lambda: rises.append(raise_threads([threading.get_native_id()]))
@@ -94,9 +96,9 @@ def _package(requirement: str) -> PackageFacts:
 
 
 def satisfies(installed: str, wanted: str) -> bool:
-    """Whether a version is within the bounds that pip's notation gives; letters count for nothing.
+    """Return whether a version satisfies pip's bounds; letters in it are ignored.
 
-    ``packaging`` would know the finer points, but may be what is missing.
+    ``packaging`` would be more exact, but may be missing itself.
     """
     version = _key(installed)
     for operator, text in _CLAUSE.findall(wanted):

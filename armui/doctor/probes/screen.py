@@ -1,6 +1,6 @@
-"""Qt, the libraries it wants of the system, and OpenGL: looked at in processes of their own.
+"""Examines Qt, its system libraries and OpenGL, in processes of their own.
 
-What lacks a library does not raise an exception, it ends the process.
+A missing library may end the process instead of raising an exception.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ _QT_WAYLAND: Final = ("Qt/plugins/platforms/libqwayland.so",)
 
 
 def tell_of_qt() -> None:
-    """In a process of its own: load Qt, and print what it says of itself."""
+    """Load Qt and print its facts; runs in a process of its own."""
     import PySide6  # noqa: PLC0415 - what is missing here is to end nothing but this process
 
     _print("qt", PySide6.__version__)
@@ -40,7 +40,7 @@ def tell_of_qt() -> None:
 
 
 def tell_of_opengl() -> None:
-    """In a process of its own: draw a picture, and print what the graphics driver says."""
+    """Draw a picture and print the graphics driver's facts; runs in a process of its own."""
     import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, PLC0415 - as above; what windows draw with
     from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow  # noqa: PLC0415 - as above
 
@@ -53,7 +53,7 @@ def tell_of_opengl() -> None:
 
 
 TRIALS: Final = {"qt": tell_of_qt, "opengl": tell_of_opengl}
-"""What `armui doctor --try` does in a process of its own, by its name."""
+"""The functions that `armui doctor --try` runs in a process of its own, by name."""
 
 
 def _print(*words: str) -> None:
@@ -62,7 +62,7 @@ def _print(*words: str) -> None:
 
 
 def look_at_screen() -> ScreenFacts:
-    """The facts; takes some seconds."""
+    """Return the facts on the screen; takes some seconds."""
     answers, error = _try("qt")
     words = dict(line.split(" ", 1) for line in answers.splitlines() if " " in line)
     missing = dict.fromkeys([*missing_libraries(), *_IN_MESSAGE.findall(error)])
@@ -113,7 +113,7 @@ def _try(name: str) -> tuple[str, str]:
 
 
 def missing_libraries() -> list[str]:
-    """System libraries that Qt's files name and that are not there; Linux only."""
+    """Return the system libraries that Qt's files need and that are missing; Linux only."""
     ldd = shutil.which("ldd")
     spec = find_spec("PySide6")
     if ldd is None or spec is None or not spec.submodule_search_locations:

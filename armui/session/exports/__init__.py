@@ -1,1 +1,1 @@
-"""What a log says, in formats that other programs open: MCAP with ROS 2 messages, CSV, Parquet."""
+"""Exports a log to formats of other programs: MCAP with ROS 2 messages, CSV, Parquet."""

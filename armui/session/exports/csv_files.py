@@ -1,4 +1,4 @@
-"""CSV: one table of everything, or a file for each message: every frame, as decoded signals."""
+"""CSV: one table of everything, or a file for each message with every frame decoded."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ if TYPE_CHECKING:
     from armui.session.exports.history import ExportFacts, History, Samples, TimeSpan
 
 BOM: Final = b"\xef\xbb\xbf"
-"""The mark of the encoding: spreadsheets take it for something else otherwise."""
+"""The byte order mark, without which spreadsheets take the encoding for another one."""
 TIME_TITLES: Final = ("time [s]", "since_start [s]")
 
 
 class CsvTable:
-    """Writes the rows as they come.
+    """Writes the table's rows as they come.
 
     Args:
-        stream: Where to.
-        facts: Of the recorded arm.
+        stream: The output.
+        facts: The facts on the recorded arm.
 
     Attributes:
         items: Rows written so far.
@@ -45,7 +45,7 @@ class CsvTable:
         self._stream.write(BOM + ",".join((*TIME_TITLES, *titles)).encode() + b"\r\n")
 
     def write_span(self, history: History, span: TimeSpan) -> None:
-        """Write what a piece of the log adds, see `Sink`."""
+        """Write the rows of a piece of the log; see `Sink`."""
         table = table_rows(history, span)
         if table is None:
             return
@@ -67,10 +67,10 @@ class CsvTable:
         self.items += len(table.rows)
 
     def finish(self) -> None:
-        """Nothing more is to come."""
+        """Do nothing: a CSV file has no end part."""
 
     def abandon(self) -> None:
-        """Nothing is held."""
+        """Do nothing: no file is held."""
 
     def _texts(self, record: RecordColumns, samples: Samples) -> list[str]:
         """Return what stands in the columns of a message, for each of its samples."""
@@ -88,11 +88,11 @@ def _table_template(record: RecordColumns) -> str:
 
 
 class CsvMessages:
-    """Writes the frames as they come.
+    """Writes the frames of each message to a file of its own.
 
     Args:
-        folder: Where the files go; it exists, and is empty.
-        facts: Of the recorded arm.
+        folder: The folder for the files; it exists and is empty.
+        facts: The facts on the recorded arm.
 
     Attributes:
         items: Rows written so far, of all files together.
@@ -105,7 +105,7 @@ class CsvMessages:
         self.items = 0
 
     def write_span(self, history: History, span: TimeSpan) -> None:
-        """Write what a piece of the log adds, see `Sink`."""
+        """Write the frames of a piece of the log; see `Sink`."""
         for samples in history.heard():
             self._write(samples, span)
 
@@ -133,10 +133,10 @@ class CsvMessages:
         return file
 
     def finish(self) -> None:
-        """Bring them to the disk.
+        """Write the files to the disk and close them.
 
         Raises:
-            OSError: It does not take them.
+            OSError: The disk does not take them.
         """
         for file in self._files.values():
             file.flush()
@@ -144,7 +144,7 @@ class CsvMessages:
             file.close()
 
     def abandon(self) -> None:
-        """Close them; their folder is removed by whoever made it."""
+        """Close the files; their folder is removed by its creator."""
         for file in self._files.values():
             with contextlib.suppress(OSError):
                 file.close()

@@ -40,26 +40,26 @@ class FileSource:
     """A log file, read once from its beginning to its end.
 
     Args:
-        path: Of any format that `LogFile` reads.
+        path: The file, in any format that `LogFile` reads.
 
     Raises:
         NotALogError: It cannot be opened, or is no log.
     """
 
     lines: Sequence[Mapping[str, Any]] = ()
-    """What a recording of this program says of itself; nothing of other logs."""
+    """The sidecar's lines; always empty, because only recordings of this program have one."""
 
     def __init__(self, path: Path) -> None:
         self._log = LogFile(path, pipes=True)
 
     @property
     def frames(self) -> int:
-        """Frames read so far."""
+        """The number of frames read so far."""
         return self._log.frames
 
     @property
     def done(self) -> float | None:
-        """How much of its bytes, 0 to 1; `None` where nobody knows."""
+        """The share of the bytes read, 0 to 1; `None` if not known."""
         return min(self._log.position / self._log.size, 1.0) if self._log.size else None
 
     @property
@@ -69,11 +69,11 @@ class FileSource:
 
     @property
     def damage_count(self) -> int:
-        """All of them."""
+        """The number of all damaged places."""
         return self._log.damages.count
 
     def batches(self) -> Iterator[FrameBatch]:
-        """Return the frames; only once."""
+        """Return the frames; this can be called only once."""
         return self._log.batches()
 
     def close(self) -> None:
@@ -82,10 +82,10 @@ class FileSource:
 
 
 class SessionSource:
-    """A session with all its files, read as a `FileSource` is.
+    """A session with all its files, with the interface of `FileSource`.
 
     Args:
-        session: Closed with this.
+        session: The session; closed with this object.
     """
 
     def __init__(self, session: Session) -> None:
@@ -96,7 +96,7 @@ class SessionSource:
 
     @property
     def done(self) -> float | None:
-        """How much of its time, 0 to 1; `None` where nobody knows."""
+        """The share of the session's time read, 0 to 1; `None` if not known."""
         length_s = self._session.end_s - self._session.start_s
         return min((self._at_s - self._session.start_s) / length_s, 1.0) if length_s > 0 else None
 
@@ -107,11 +107,11 @@ class SessionSource:
 
     @property
     def damage_count(self) -> int:
-        """All of them."""
+        """The number of all damaged places."""
         return self._session.damage_count
 
     def batches(self) -> Iterator[FrameBatch]:
-        """Return the frames; only once."""
+        """Yield the frames; this can be called only once."""
         for batch in self._session.frames_between(-math.inf, math.inf):
             self.frames += len(batch)
             self._at_s = float(batch.times_s[-1])
@@ -126,7 +126,7 @@ ExportSource = FileSource | SessionSource
 
 
 def open_source(path: Path) -> ExportSource:
-    """Opens a recording: all files of one of this program's, or any log.
+    """Open a recording: all files of one of this program's, or any log.
 
     Raises:
         NotALogError: It cannot be opened, or is no log.
@@ -139,7 +139,7 @@ def open_source(path: Path) -> ExportSource:
 
 _MOST_DAMAGES_TOLD: Final = 20
 _LATER_S: Final = 1.0
-"""Reading ends where a whole piece of the log is so much later than the end asked for."""
+"""Reading ends when a whole piece of the log is this much later than the wanted end."""
 
 
 def export_log(
@@ -149,18 +149,19 @@ def export_log(
     begun: Callable[[Path], object] = lambda _unfinished: None,
     open_recording: Callable[[Path], ExportSource] = open_source,
 ) -> ExportReport:
-    """Export a log; its memory stays bounded whatever the log holds.
+    """Export a log with bounded memory, whatever the log holds.
 
     Args:
-        request: What, where to, how.
-        tell: Told of the progress, after each piece of the log.
-        is_wanted: Asked as often.
-        begun: Told the name of the unfinished file: who kills this process removes it.
+        request: The log, the target and the options.
+        tell: Called with the progress after each piece of the log.
+        is_wanted: Called as often; if it returns false, the export is cancelled.
+        begun: Called with the name of the unfinished file, which must be removed by whoever kills
+            this process.
         open_recording: Opens the log; raises `NotALogError` if it cannot.
 
     Raises:
         ExportError: Nothing was written.
-        ExportCancelledError: It was no longer wanted.
+        ExportCancelledError: `is_wanted` returned false.
     """
     if request.log.resolve() == request.target.resolve():
         raise ExportError(ExportProblem.SAME_FILE, str(request.target))

@@ -1,4 +1,4 @@
-"""The columns of a table of what was heard and commanded, and their values at frames of a log."""
+"""The columns of a table of feedback and commands, and their values at frames of a log."""
 
 from __future__ import annotations
 
@@ -22,21 +22,21 @@ if TYPE_CHECKING:
     from armui.session.exports.history import History, Samples, TimeSpan
 
 TIME_BASE: Final = "JointFeedback56"
-"""The message whose frames end a set of joint angles: each makes a row."""
+"""The message that ends a set of joint angles; each of its frames makes a row."""
 COMMANDED: Final = "command"
-"""How the names of columns begin that tell commands, whoever gave them."""
+"""The prefix of columns with commands, from whichever host."""
 
 
 @dataclass(frozen=True)
 class ExportColumn:
-    """One quantity.
+    """One quantity as a column.
 
     Attributes:
-        name: As in the plots: ``arm.joint_angle.1``; commands begin with ``command.``.
-        unit: As the operator reads it, "" for codes.
-        whole: Every value is a whole number.
-        signals: Its name in the DBC files; several: bits, the first one worth 1.
-        factor: From the unit of the DBC file to this one.
+        name: The name as in the plots: ``arm.joint_angle.1``; commands begin with ``command.``.
+        unit: The operator's unit, "" for codes.
+        whole: True if every value is a whole number.
+        signals: Its signals in the DBC files; if several, they are bits, the first one worth 1.
+        factor: The factor from the unit of the DBC file to this one.
     """
 
     name: str
@@ -47,11 +47,11 @@ class ExportColumn:
 
     @property
     def title(self) -> str:
-        """Its name and unit, for a header."""
+        """The name and unit, for a header."""
         return f"{self.name} [{self.unit}]" if self.unit else self.name
 
     def values(self, samples: Samples) -> NDArray[Any]:
-        """Of every sample: int64 where they are whole, else float64."""
+        """Return the values of all samples: int64 if they are whole, else float64."""
         if len(self.signals) > 1:
             return samples.bits(self.signals)
         column = samples.column(self.signals[0])
@@ -66,9 +66,9 @@ class RecordColumns:
 
     Attributes:
         message: Its name in the DBC files.
-        columns: What is kept of it.
-        space: Of a command: what it is that another command replaces.
-        ended_by: Of a command: the messages that replace it.
+        columns: Its columns.
+        space: For a command: the kind of command, of which only the newest holds.
+        ended_by: For a command: the messages that replace it.
     """
 
     message: str
@@ -79,14 +79,14 @@ class RecordColumns:
     def told_at(
         self, history: History, rows: NDArray[np.int64], times_s: NDArray[np.float64]
     ) -> tuple[Samples, NDArray[np.intp]] | None:
-        """Which sample held at frames of a log.
+        """Return the samples, and the one that held at each of some frames.
 
-        Feedback holds for half a second; a command until another one, a stop, an abort or
-        disabled motors end it.
+        Feedback holds for half a second; a command until it is ended by another one, a stop, an
+        abort or disabled motors.
 
         Returns:
-            The samples, and which one held at each frame, -1 where none did; ``None`` if the
-            message has never been heard.
+            The samples, and the index of the one that held at each frame, -1 if none did; ``None``
+            if the message has never been heard.
         """
         samples = history.samples(self.message)
         if samples is None:
@@ -101,10 +101,10 @@ class RecordColumns:
 
 
 class TableColumns:
-    """Every column that a generation can tell, in the order of the plots' list.
+    """All columns of a generation, in the order of the plots' list.
 
     Args:
-        codec: Speaks that generation.
+        codec: A codec of that generation.
 
     Attributes:
         records: The messages in order.
@@ -115,7 +115,7 @@ class TableColumns:
 
     @cached_property
     def columns(self) -> tuple[ExportColumn, ...]:
-        """All of them in order."""
+        """All columns in order."""
         return tuple(column for record in self.records for column in record.columns)
 
 
@@ -167,11 +167,11 @@ def _column(record: Record, field: Field, codec: Codec) -> ExportColumn:
 
 
 class RowTimes(NamedTuple):
-    """Where the rows of a piece of a log are.
+    """The frames of a piece of a log that make rows.
 
     Attributes:
-        rows: Numbers of their frames within the log.
-        times_s: As recorded.
+        rows: The numbers of the frames within the log.
+        times_s: Their times as recorded.
     """
 
     rows: NDArray[np.int64]
@@ -179,12 +179,12 @@ class RowTimes(NamedTuple):
 
 
 def table_rows(history: History, span: TimeSpan, message: str = TIME_BASE) -> RowTimes | None:
-    """Return the rows that the newest piece of a log adds; ``None`` if it adds none.
+    """Return the rows that the newest piece of a log adds, or ``None`` if it adds none.
 
     Args:
-        history: Has taken the piece.
-        span: What lies outside is left out.
-        message: Whose frames make rows.
+        history: The history, which has processed the piece.
+        span: Frames outside of it are left out.
+        message: The message whose frames make rows.
     """
     samples = history.samples(message)
     if samples is None:

@@ -1,4 +1,4 @@
-"""Which arm a log holds: found out from its beginning, unless it is said."""
+"""Finds out from the beginning of a log which arm it holds, unless that is given."""
 
 from __future__ import annotations
 
@@ -36,26 +36,27 @@ _FEEDBACK: Final = range(0x2A1, 0x2A9)
 _DRIVERS: Final = (*range(0x251, 0x257), *range(0x261, 0x267))
 _FRAMES_LOOKED_AT: Final = 6_000
 _LEVER_MM: Final = 200.0
-"""What a turn of the flange counts, set against a way of it."""
+"""The weight in mm of a difference of two rotations (Frobenius norm) against a shift of the flange.
+"""
 
 
 class NoSuchChannelError(Exception):
-    """The log's beginning has no frame of the channel that was asked for; names those it has."""
+    """The log's beginning lacks the requested channel; the text names the channels it has."""
 
 
 class ExportedArm(NamedTuple):
-    """What was found out.
+    """The arm in a log, as found out or given.
 
     Attributes:
-        codec: Speaks its generation, with its identifier offset.
-        why_generation: In words.
-        channel: Whose frames are its.
-        firmware: What the log tells or was said; "" where neither.
-        model: Which arm of the family it is.
-        why_model: In words.
-        pose_fits: Another model that the end pose in the log fits better; "" where there is none.
-        geometry: With the zeros of its firmware.
-        start_s: When the log's first frame was recorded.
+        codec: A codec of its generation, with its identifier offset.
+        why_generation: The reason for the generation, in words.
+        channel: The channel with its frames.
+        firmware: The version in the log or the one given; "" if neither.
+        model: The model of the family.
+        why_model: The reason for the model, in words.
+        pose_fits: Another model that the end pose in the log fits better; "" if there is none.
+        geometry: The geometry with the zeros of its firmware.
+        start_s: The time of the log's first frame.
     """
 
     codec: Codec
@@ -72,18 +73,18 @@ class ExportedArm(NamedTuple):
 def look_at(
     batches: Iterator[FrameBatch], wishes: ArmOptions, lines: Sequence[Mapping[str, Any]] = ()
 ) -> tuple[ExportedArm | None, Iterator[FrameBatch]]:
-    """Reads a log's beginning.
+    """Find out which arm a log holds, from its beginning.
 
     Args:
-        batches: The log; read further than it was.
-        wishes: What is known.
-        lines: What the recording says of itself (its sidecar).
+        batches: The log, of which the beginning is read.
+        wishes: The given facts.
+        lines: The lines of the recording's sidecar.
 
     Returns:
-        What was found out, `None` of a log without frames; and the whole log again.
+        The arm, or `None` for a log without frames; and the whole log again.
 
     Raises:
-        NoSuchChannelError: See there.
+        NoSuchChannelError: The requested channel has no frame there.
     """
     if wishes.generation is None:
         looked_at, verdict = detect_generation(batches)

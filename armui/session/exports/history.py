@@ -1,7 +1,7 @@
-"""What was last heard of each message at any frame of a log, many frames at once.
+"""The last frame of each message at any frame of a log, for many frames at once.
 
-The same that a tracker keeps frame by frame, as columns: of each message the frames of the piece
-under way, and in front of them the last one of before.
+It holds the same as a tracker keeps frame by frame, but as columns: for each message the frames of
+the present piece, preceded by the last one from before.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 # The frames of one arm, in pieces of a size that is worth working on at once.
 
 _ENOUGH: Final = 32_768
-"""Frames of a piece at least: then the cost of a piece no longer counts."""
+"""The least frames of a piece, at which the cost of a piece no longer matters."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,7 +41,7 @@ class ArmFrames:
 
     Attributes:
         rows: The number of each within the log, int64.
-        times_s: As recorded, float64.
+        times_s: The times as recorded, float64.
         ids: Identifiers on the wire, uint32.
         lengths: Bytes of data, uint8.
         words: The data as a big-endian number, uint64.
@@ -58,7 +58,7 @@ class ArmFrames:
 
 
 def no_frames() -> ArmFrames:
-    """Return a piece without any."""
+    """Return a piece without frames."""
     return ArmFrames(
         np.empty(0, np.int64),
         np.empty(0, np.float64),
@@ -69,16 +69,17 @@ def no_frames() -> ArmFrames:
 
 
 class ArmFrameReader:
-    """Makes the pieces of a log's batches.
+    """Makes pieces of a log's batches.
 
     Args:
-        channel: Whose frames are taken; `None` where the log has no channels.
+        channel: The channel that is read; `None` if the log has no channels.
 
     Attributes:
         channel: As above.
-        taken: Frames of this channel so far.
-        of_other_channels: Frames left out so far because of their channel.
-        of_other_kinds: Frames left out because no arm sends such: error frames, extended ones.
+        taken: The number of frames of this channel so far.
+        of_other_channels: The number of frames of other channels, left out.
+        of_other_kinds: The number of frames that no arm sends (error frames, extended ones), left
+            out.
         other_channels: The channels left out, in the order of their first frames.
     """
 
@@ -88,7 +89,7 @@ class ArmFrameReader:
         self.other_channels: dict[Channel, None] = {}
 
     def pieces(self, batches: Iterable[FrameBatch]) -> Iterator[ArmFrames]:
-        """Return the frames, in the order of the log."""
+        """Yield the frames, in the order of the log."""
         waiting: list[ArmFrames] = []
         for batch in batches:
             waiting.append(self._of_the_arm(batch))
@@ -126,11 +127,11 @@ class Samples:
     """Frames of one message, in the order of the log.
 
     Attributes:
-        layout: What they hold.
+        layout: The message's layout.
         rows: The number of each within the log.
-        times_s: As recorded.
+        times_s: Their times as recorded.
         words: Their data, see `payload_words`.
-        old: How many of them, 0 or 1, are of an earlier piece.
+        old: The number of them, 0 or 1, from an earlier piece.
     """
 
     layout: MessageLayout
@@ -140,11 +141,11 @@ class Samples:
     old: int
 
     def column(self, signal: str) -> NDArray[Any]:
-        """Physical values of a signal."""
+        """Return the physical values of a signal."""
         return signal_column(self.words, self.layout.signals[signal])
 
     def bits(self, names: tuple[str, ...]) -> NDArray[np.int64]:
-        """Signals of one bit as one number, the first worth 1; what there is not counts as 0."""
+        """Return signals of one bit as one number, the first worth 1; missing ones count as 0."""
         sums = np.zeros(len(self.words), np.int64)
         for place, name in enumerate(names):
             if name in self.layout.signals:
@@ -153,17 +154,17 @@ class Samples:
 
     @property
     def new_rows(self) -> NDArray[np.int64]:
-        """The frames of this piece."""
+        """The numbers of the frames of this piece."""
         return self.rows[self.old :]
 
     def last_at(self, rows: NDArray[np.int64]) -> NDArray[np.intp]:
-        """Which of the samples was the last one at frames of the log; -1 where there was none."""
+        """Return the index of the last sample at each frame of the log; -1 if there was none."""
         return np.searchsorted(self.rows, rows, side="right") - 1
 
     def fresh_at(
         self, rows: NDArray[np.int64], times_s: NDArray[np.float64]
     ) -> tuple[NDArray[np.intp], NDArray[np.bool_]]:
-        """As `last_at`, and whether that sample was young enough to stand for the present.
+        """Return the result of `last_at`, and whether each sample was recent enough to count.
 
         Args:
             rows: Frames of the log.
@@ -175,17 +176,17 @@ class Samples:
 
 
 class History:
-    """Takes the pieces of a log in turn.
+    """Processes the pieces of a log in turn.
 
     Args:
-        codec: Speaks the generation of the recorded arm, with its identifier offsets.
+        codec: A codec of the recorded arm's generation, with its identifier offsets.
 
     Attributes:
         codec: As above.
         frames: The newest piece.
-        not_understood: Frames so far that are in no table, or of another length.
-        questions: Those so far by which a host asked an arm of generation 1 for its firmware; it
-            has no such message.
+        not_understood: The number of frames that are in no table, or of another length.
+        questions: The number of frames by which a host asked an arm of generation 1 for its
+            firmware, a message it lacks.
     """
 
     def __init__(self, codec: Codec) -> None:
@@ -197,7 +198,7 @@ class History:
         self._stops = np.empty(0, np.int64)
 
     def add_frames(self, frames: ArmFrames) -> None:
-        """Go on to the next piece."""
+        """Process the next piece."""
         self.frames = frames
         for name, samples in self._samples.items():
             self._samples[name] = _last_of(samples)
@@ -243,22 +244,22 @@ class History:
         return np.sort(np.concatenate(stops)) if stops else np.empty(0, np.int64)
 
     def samples(self, message: str) -> Samples | None:
-        """Return the frames of a message; ``None`` while none was heard."""
+        """Return the frames of a message, or ``None`` if none was heard yet."""
         return self._samples.get(message)
 
     def heard(self) -> Collection[Samples]:
-        """Return the frames of every message that was heard so far."""
+        """Return the samples of every message heard so far."""
         return self._samples.values()
 
     def ended_at(
         self, rows: NDArray[np.int64], by: tuple[str, ...], *, by_stops: bool
     ) -> NDArray[np.int64]:
-        """Return the last frame, as of some, that ended a command; -1 where none did.
+        """Return for each frame the last one that ended a command before it; -1 if none did.
 
         Args:
             rows: Frames of the log.
             by: The messages that end it.
-            by_stops: Whether a stop, an abort and disabled motors end it, too.
+            by_stops: True if a stop, an abort and disabled motors end it as well.
         """
         others = [self._samples[name].rows for name in by if name in self._samples]
         ends = np.concatenate([[_NEVER], *others, *([self._stops] if by_stops else [])])
@@ -273,14 +274,14 @@ def _last_of(samples: Samples) -> Samples:
 
 @dataclass(frozen=True, slots=True)
 class ExportFacts:
-    """What a format may have to know of the recorded arm, and what it tells of it.
+    """The facts on the recorded arm that a format may need.
 
     Attributes:
-        codec: Speaks its generation.
-        geometry: Of the arm.
-        gripper_turned_deg: How its gripper is mounted, about the flange's Z axis.
-        start_s: When the log's first frame was recorded.
-        notes: In words: source, generation, firmware; for the file's metadata.
+        codec: A codec of its generation.
+        geometry: The arm's geometry.
+        gripper_turned_deg: The gripper's turn about the flange's Z axis.
+        start_s: The time of the log's first frame.
+        notes: Texts on source, generation and firmware for the file's metadata.
     """
 
     codec: Codec
@@ -294,8 +295,8 @@ class TimeSpan:
     """A stretch of a log.
 
     Args:
-        begin_s: From there on, as recorded; minus infinity for everything.
-        end_s: Up to there, itself included; infinity for everything.
+        begin_s: The beginning, as recorded; minus infinity for everything.
+        end_s: The end, included; infinity for everything.
     """
 
     def __init__(self, begin_s: float, end_s: float) -> None:
@@ -303,7 +304,7 @@ class TimeSpan:
         self.end_s = end_s
 
     def holds(self, times_s: NDArray[np.float64]) -> NDArray[np.bool_]:
-        """Which times lie in it."""
+        """Return which of some times lie in it."""
         inside: NDArray[np.bool_] = (times_s >= self.begin_s) & (times_s <= self.end_s)
         return inside
 
@@ -321,19 +322,19 @@ class Sink(Protocol):
         """Write what a piece of the log adds.
 
         Args:
-            history: Has just taken the piece.
-            span: Only what lies in it is written.
+            history: The history, which has just processed the piece.
+            span: Only frames within it are written.
 
         Raises:
             OSError: The disk does not take it.
         """
 
     def finish(self) -> None:
-        """Write what comes at the end of the file.
+        """Write the end part of the file.
 
         Raises:
             OSError: The disk does not take it.
         """
 
     def abandon(self) -> None:
-        """Let go of the file, which nobody wants any more; never fails."""
+        """Release the file, which is no longer wanted; never fails."""

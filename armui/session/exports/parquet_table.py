@@ -1,4 +1,4 @@
-"""The table as Parquet, where the package pyarrow is installed."""
+"""The table as a Parquet file, if the package pyarrow is installed."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ if TYPE_CHECKING:
     from armui.session.exports.history import ExportFacts, History, TimeSpan
 
 _GROUP_ROWS: Final = 20_000
-"""Rows that are kept until they are written together: some 20 MB."""
+"""The rows that are collected and written together: some 20 MB."""
 _TIMES: Final = (("time", "as recorded"), ("since_start", "since the log's first frame"))
 
 
 class ParquetTable:
-    """Writes the rows in groups; units stand in the metadata of the columns.
+    """Writes the rows in groups; units are in the metadata of the columns.
 
     Args:
-        stream: Where to.
-        facts: Of the recorded arm.
+        stream: The output.
+        facts: The facts on the recorded arm.
 
     Attributes:
-        items: Rows taken so far.
+        items: The number of rows so far.
 
     Raises:
         ImportError: pyarrow is not installed.
@@ -53,7 +53,7 @@ class ParquetTable:
         self.items = 0
 
     def write_span(self, history: History, span: TimeSpan) -> None:
-        """Write what a piece of the log adds, see `Sink`."""
+        """Write the rows of a piece of the log; see `Sink`."""
         rows = table_rows(history, span)
         if rows is None:
             return
@@ -64,13 +64,13 @@ class ParquetTable:
             self._write_group()
 
     def finish(self) -> None:
-        """Write the rest and the end of the file."""
+        """Write the remaining rows and the end of the file."""
         if self._waiting:
             self._write_group()
         self._writer.close()
 
     def abandon(self) -> None:
-        """Else the writer would end the file once it is garbage, long after the file is gone."""
+        """Close the writer, which would else write to the file when it is garbage-collected."""
         with contextlib.suppress(Exception):
             self._writer.close()
         self._writer.is_open = False

@@ -1,4 +1,4 @@
-"""What is asked of an export, and what is told of it."""
+"""The request, the progress and the result of an export."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from armui.session.frames import Damage
 
 
 class ArmOptions(NamedTuple):
-    """What whoever exports says of the arm; `None` where it is to be found out.
+    """The given facts on the arm; `None` for what is to be found out.
 
     Attributes:
-        generation: Of the protocol.
-        firmware: As ``S-V1.8-5``; it tells where the joints have their zeros.
+        generation: The generation of the protocol.
+        firmware: The version as ``S-V1.8-5``; it decides the zeros of the joints.
         channel: The name of the log's channel, as text.
-        model: Which arm of the family it is.
+        model: The model of the family.
     """
 
     generation: Generation | None = None
@@ -29,7 +29,7 @@ class ArmOptions(NamedTuple):
 
 
 class ExportFormat(enum.StrEnum):
-    """What can be written; of a file the value is also the ending of its name."""
+    """The export formats; for a single file the value is also its suffix."""
 
     MCAP = "mcap"
     CSV = "csv"
@@ -39,11 +39,11 @@ class ExportFormat(enum.StrEnum):
 
     @property
     def is_folder(self) -> bool:
-        """Whether several files are written."""
+        """True if several files are written."""
         return self is ExportFormat.CSV_MESSAGES
 
     def named(self, path: Path) -> Path:
-        """Return a file's or folder's name as this format has it."""
+        """Return the name of a file or folder with this format's ending."""
         if self.is_folder:
             return path.with_name(f"{path.stem}{_MESSAGES}")
         stem = path.name.removesuffix(_MESSAGES) if path.name.endswith(_MESSAGES) else path.stem
@@ -51,11 +51,11 @@ class ExportFormat(enum.StrEnum):
 
 
 _MESSAGES: Final = "-messages"
-"""What the name of such a folder ends with."""
+"""The ending of such a folder's name."""
 
 
 class ExportProblem(enum.StrEnum):
-    """Why nothing was written."""
+    """The reason why nothing was written."""
 
     NO_LOG = "no_log"
     NO_CHANNEL = "no_channel"
@@ -73,8 +73,8 @@ class ExportError(Exception):
     """Nothing was written, and nothing was changed.
 
     Attributes:
-        problem: Why.
-        detail: What the operating system, the reader of logs or the log itself says, in one line.
+        problem: The reason.
+        detail: A message of the operating system, the log's reader or the log itself, in one line.
     """
 
     def __init__(self, problem: ExportProblem, detail: str = "") -> None:
@@ -84,7 +84,7 @@ class ExportError(Exception):
 
 
 class ExportCancelledError(Exception):
-    """Whoever asked for it no longer wants it; nothing was written."""
+    """The export was cancelled by its caller; nothing was written."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,13 +92,13 @@ class ExportRequest:
     """What to export.
 
     Attributes:
-        log: The file, of any format that `LogFile` reads.
+        log: The log's file, in any format that `LogFile` reads.
         target: The file to write, or the folder.
-        format: In which format.
-        begin_s: From there on, in seconds from the log's first frame.
-        end_s: Up to there.
-        wishes: What is known of the arm.
-        replace: Whether a file that is there may be replaced.
+        format: The format.
+        begin_s: The beginning, in seconds from the log's first frame.
+        end_s: The end, likewise.
+        wishes: The given facts on the arm.
+        replace: Whether an existing file may be replaced.
     """
 
     log: Path
@@ -112,27 +112,28 @@ class ExportRequest:
 
 @dataclass(frozen=True, slots=True)
 class ExportReport:
-    """What became of it.
+    """The result of an export.
 
     Attributes:
-        items: Rows of a table, or messages.
-        frames: Frames read.
-        generation: Of the protocol, and why it was taken for that.
-        why_generation: In words.
-        firmware: Told by the log or said, "" if neither.
-        model: Which arm of the family it was taken for.
-        why_model: In words.
-        pose_fits: Another model that the end pose in the log fits better; "" where there is none.
+        items: The number of rows of a table, or of messages.
+        frames: The number of frames read.
+        generation: The generation of the protocol.
+        why_generation: The reason for it, in words.
+        firmware: The version in the log or the one given, "" if neither.
+        model: The model of the family.
+        why_model: The reason for it, in words.
+        pose_fits: Another model that the end pose in the log fits better; "" if there is none.
         offset: The identifier offset of the arm's feedback (0x470).
-        channel: Whose frames were exported, as text; "" where the log has none.
-        other_channels: Those left out.
-        of_other_channels: How many frames they had.
-        not_understood: Frames of the channel that are none of the arm's: in no table, of another
-            length or kind.
-        questions: Frames by which a host asked for the firmware, and generation 1 knows none.
-        without_stamp: Frames whose time no ROS time stamp can tell.
+        channel: The channel that was exported, as text; "" if the log has none.
+        other_channels: The channels left out.
+        of_other_channels: The number of their frames.
+        not_understood: The number of frames of the channel that are none of the arm's: in no table,
+            of another length or kind.
+        questions: The number of questions for the firmware to an arm of generation 1, which has
+            none.
+        without_stamp: The number of frames whose time no ROS time stamp can hold.
         damages: The first damaged places of the log.
-        damage_count: All of them.
+        damage_count: The number of all damaged places.
     """
 
     items: int
@@ -156,11 +157,11 @@ class ExportReport:
 
 @dataclass(frozen=True, slots=True)
 class ExportProgress:
-    """How far it has come.
+    """The progress of an export.
 
     Attributes:
-        done: 0 to 1, of the log's bytes; ``None`` where its size is not known.
-        frames: Frames read.
+        done: The share of the log's bytes, 0 to 1; ``None`` if its size is not known.
+        frames: The number of frames read.
     """
 
     done: float | None
@@ -168,7 +169,7 @@ class ExportProgress:
 
 
 def default_target(log: Path, export_format: ExportFormat) -> Path:
-    """Beside the log, with its name and the format's ending."""
+    """Return a path beside the log, with its name and the format's ending."""
     name = log.with_suffix("") if log.suffix.lower() == ".gz" else log
     target = export_format.named(name)
     return target if target != log else log.with_name(f"{name.stem}-export.{export_format}")

@@ -1,1 +1,1 @@
-"""Logs of other programs: read once into columns on the disk, so that any place is at hand."""
+"""Logs of other programs: read once into columns on the disk, for access to any place."""

@@ -1,4 +1,4 @@
-"""A log of another program, once it is indexed: any place of it is at hand."""
+"""A log of another program after indexing, with access to any place."""
 
 from __future__ import annotations
 
@@ -36,18 +36,18 @@ COLUMNS: Final[Mapping[str, np.dtype[Any]]] = {
     "payloads": np.dtype((np.uint8, (8,))),
     "channels": np.dtype(np.uint8),
 }
-"""One file each, one element a frame, in the order of time."""
+"""The columns: one file each, one element for each frame, in the order of time."""
 ORDER: Final = "order"
-"""Frame numbers, sorted by what they tell of and then by time; uint32."""
+"""The column of frame numbers, sorted by channel, kind and identifier and then by time; uint32."""
 LONG_ROWS: Final = "long_rows"
 LONG_DATA: Final = "long_data"
 LONG_BYTES: Final = 64
-"""Frames with more than 8 bytes: their numbers, uint32, and their data, 64 bytes each."""
+"""The data bytes kept for each frame with more than 8; their numbers are kept as uint32."""
 
 MOST_FRAMES: Final = 40_000_000
-"""Further ones are not read: 3.7 hours of an arm at 3,000 frames a second, 1.1 GB of the disk."""
+"""The most frames read: 3.7 hours of an arm at 3,000 frames a second, 1.1 GB of the disk."""
 SPARE_BYTES: Final = 256 << 20
-"""So much of the disk is left to others."""
+"""The space on the disk that is left free for others."""
 
 PROGRESS: Final = "progress"
 _PROGRESS: Final = struct.Struct("<qqq")
@@ -55,7 +55,7 @@ PROGRESS_BYTES: Final = _PROGRESS.size
 
 
 def map_progress(folder: Path) -> mmap.mmap:
-    """Return the memory, shared by the processes that map it, where the progress stands.
+    """Return the memory with the progress, shared by the processes that map it.
 
     Raises:
         OSError: The disk does not allow it.
@@ -70,11 +70,11 @@ def map_progress(folder: Path) -> mmap.mmap:
 
 @dataclass(frozen=True, slots=True)
 class ReadingProgress:
-    """How far the reading of a log has come.
+    """The progress of reading a log.
 
     Attributes:
-        position, size: Bytes of the file that are read, and all of them; 0: not known.
-        frames: How many frames were found.
+        position, size: The bytes read, and the bytes of the file; 0 if not known.
+        frames: The number of frames found.
     """
 
     position: int = 0
@@ -83,34 +83,34 @@ class ReadingProgress:
 
     @property
     def share(self) -> float | None:
-        """From 0 to 1; ``None`` where nothing tells."""
+        """The share read, 0 to 1; ``None`` if not known."""
         return min(1.0, self.position / self.size) if self.size > 0 else None
 
     def write_to(self, memory: bytearray | memoryview) -> None:
-        """Leave it where another process reads it."""
+        """Write it to shared memory for another process."""
         _PROGRESS.pack_into(memory, 0, self.position, self.size, self.frames)
 
     @classmethod
     def read_from(cls, memory: bytes | memoryview) -> ReadingProgress:
-        """Return what another process has left."""
+        """Return the progress that another process has written."""
         return cls(*_PROGRESS.unpack_from(memory, 0))
 
 
 @dataclass(frozen=True, slots=True)
 class LogIndex:
-    """What was found in a log; the columns lie in files beside it.
+    """The index of a log; the columns are in files beside it.
 
     Attributes:
-        frames: How many.
-        channels: In the order of their first frames.
-        groups: Where the frames of each identifier begin in `ORDER`, and at the end their number.
-        long_frames: How many have more than 8 bytes.
-        marks: What the frames tell, in the order of time.
+        frames: The number of frames.
+        channels: The channels in the order of their first frames.
+        groups: The beginning of each identifier's frames in `ORDER`, and at the end their number.
+        long_frames: The number of frames with more than 8 bytes.
+        marks: The marks found in the frames, in the order of time.
         damages: Damaged places, bounded.
-        damage_count: All of them.
-        reversed_times: Frames whose time was before that of the frame in front of them.
-        cut: Why the rest of the log was not read: ``"frames"``, too many, or ``"disk"``, it is
-            full; "" if it was.
+        damage_count: The number of all damaged places.
+        reversed_times: The number of frames whose time was before that of the preceding one.
+        cut: The reason why the rest of the log was not read: ``"frames"``, too many, or ``"disk"``,
+            it is full; "" if all was read.
     """
 
     frames: int
@@ -127,7 +127,7 @@ class LogIndex:
 def group_codes(
     ids: NDArray[np.uint32], flags: NDArray[np.uint8], channels: NDArray[np.uint8]
 ) -> NDArray[np.uint64]:
-    """Return one number for each channel, sort of frame and identifier."""
+    """Return one number for each combination of channel, kind of frame and identifier."""
     kinds = (flags & 0b111).astype(np.uint64)  # extended, remote, error
     high = (channels.astype(np.uint64) << np.uint64(3)) | kinds
     codes: NDArray[np.uint64] = (high << np.uint64(32)) | ids.astype(np.uint64)
@@ -135,7 +135,7 @@ def group_codes(
 
 
 def column_path(folder: Path, name: str) -> Path:
-    """Return where a column lies."""
+    """Return the path of a column's file."""
     return folder / f"{name}.column"
 
 
@@ -144,12 +144,12 @@ _NOT_DATA: Final = FrameFlag.EXTENDED | FrameFlag.REMOTE | FrameFlag.ERROR
 
 
 class IndexedLog:
-    """The columns of a log, seen as a `Session`; they stay on the disk and are read as needed.
+    """The columns of a log as a `Session`; they stay on the disk and are read as needed.
 
     Args:
-        index: What is known of the log.
-        folder: Where its columns lie; removed at `close`, at once where the system lets open files
-            go on without a name.
+        index: The index of the log.
+        folder: The folder of its columns; removed at `close`, or at once on systems where open
+            files may lose their names.
     """
 
     def __init__(self, index: LogIndex, folder: Path) -> None:
@@ -191,7 +191,7 @@ class IndexedLog:
 
     @property
     def frames(self) -> int:
-        """How many there are."""
+        """The number of frames."""
         return self._index.frames
 
     @property
@@ -201,31 +201,31 @@ class IndexedLog:
 
     @property
     def marks(self) -> Sequence[SessionMark]:
-        """What the frames tell, in the order of time."""
+        """The marks found in the frames, in the order of time."""
         return self._index.marks
 
     @property
     def damages(self) -> Sequence[Damage]:
-        """Damaged places."""
+        """The damaged places, bounded."""
         return self._index.damages
 
     @property
     def damage_count(self) -> int:
-        """All of them."""
+        """The number of all damaged places."""
         return self._index.damage_count
 
     @property
     def reversed_times(self) -> int:
-        """Frames whose time was before that of the frame in front of them."""
+        """The number of frames whose time was before that of the preceding one."""
         return self._index.reversed_times
 
     @property
     def cut(self) -> str:
-        """Why the rest of the log was not read; see `LogIndex`."""
+        """The reason why the rest of the log was not read; see `LogIndex`."""
         return self._index.cut
 
     def frames_between(self, t0_s: float, t1_s: float) -> Iterator[FrameBatch]:
-        """Return the frames with t0_s <= time < t1_s, in the order of time."""
+        """Yield the frames with t0_s <= time < t1_s, in the order of time."""
         first, behind = (int(each) for each in np.searchsorted(self._times_s, (t0_s, t1_s)))
         for begin in range(first, behind, _ROWS):
             yield self._batch(begin, min(begin + _ROWS, behind))
@@ -244,7 +244,7 @@ class IndexedLog:
         return self._chosen(np.array(sorted(rows), np.int64))
 
     def data_rows(self, channel: Channel, arbitration_id: int) -> DataRows | None:
-        """Return the data frames of an identifier on a channel; ``None``: there are none."""
+        """Return the data frames of an identifier on a channel, or ``None`` if there are none."""
         columns, order = self._columns, self._order
         if channel not in self.channels or not order.size:
             return None
@@ -293,7 +293,7 @@ class IndexedLog:
         return found
 
     def close(self) -> None:
-        """Let go of the columns; their place on the disk becomes free."""
+        """Release the columns and remove their files."""
         empty = np.empty(0)
         self._columns = {}
         self._times_s, self._order, self._long_rows = empty, empty, empty  # type: ignore[assignment]

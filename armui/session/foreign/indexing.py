@@ -1,4 +1,4 @@
-"""Reads a log once, from its beginning to its end, into columns; done by the helper process."""
+"""Reads a log once from beginning to end into columns, in the helper process."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from armui.session.foreign.indexed import (
 from armui.session.frames import LATEST_S, NOT_OF_THE_ARM, NotALogError
 from armui.session.log_marks import LogFrames, marks_of
 from armui.session.reader import SUFFIXES, LogFile, is_known_kind
-from armui.session.recording.kinds import MF4_SUFFIX, SESSION_NO_MF4
+from armui.session.recording.kinds import MF4_SUFFIX, no_mf4
 from armui.system.files import error_text, open_file
 
 if TYPE_CHECKING:
@@ -80,26 +80,26 @@ REPLAY_NO_LOG = Reason(
 # Times of a log that run backwards are put right.
 
 _CLOCK_SET_S: Final = 1.0
-"""A step back by more shows that the recorder's clock was set back; a smaller one, that frames were
-not written in the order in which they came."""
+"""A larger step back shows that the recorder's clock was set back; a smaller one, that frames were
+written out of order.
+"""
 
 
 def straightened(
     times_s: NDArray[np.float64], channels: NDArray[np.uint8]
 ) -> tuple[NDArray[np.float64], int]:
-    """Times that may be sorted: no clock was set back, and no single one lies in the future.
+    """Return times fit for sorting, without clock resets and without a single time in the future.
 
-    Where a clock was set back, time goes on as if it had stood still at that moment, to the end of
-    the calendar at most. Each channel is looked at by itself: they may have been written one after
-    another.
+    After a clock reset time goes on as if the clock had stood still, to the end of the calendar at
+    most. Each channel is treated separately: they may have been written one after another.
 
     Args:
-        times_s: As recorded, finite.
+        times_s: The times as recorded, finite.
         channels: The channel of each frame.
 
     Returns:
-        The times, in seconds, and how many frames had a time before that of the frame in front of
-        them on their channel.
+        The times in seconds, and the number of frames with a time before that of the preceding
+        frame on their channel.
     """
     backwards = 0
     result = times_s
@@ -138,14 +138,14 @@ def _continued(own: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 _MOST_GROUPS: Final = 4_096
-"""Identifiers told apart; those of a log that has more share the last place."""
+"""The most identifiers told apart; further ones share the last place."""
 _DISK_EVERY: Final = 256
-"""Batches between two looks at the space that is left."""
+"""The batches between two checks of the free space."""
 _GENERATION_FRAMES: Final = 6_000
 _MOST_LOOKED_AT: Final = 200_000
 
 _ARCHIVES: Final = (b"PK\x03\x04", b"7z\xbc\xaf\x27\x1c", b"Rar!", b"\x1f\x8b", b"BZh", b"\xfd7zXZ")
-"""How zip, 7z, rar, gzip, bzip2 and xz begin."""
+"""The first bytes of zip, 7z, rar, gzip, bzip2 and xz files."""
 
 _NOT_DATA: Final = FrameFlag.EXTENDED | FrameFlag.REMOTE | FrameFlag.ERROR
 
@@ -155,8 +155,8 @@ def index_log(path: Path, folder: Path, most_frames: int = MOST_FRAMES) -> LogIn
 
     Args:
         path: The log.
-        folder: Where the columns go; `PROGRESS` in it tells meanwhile how far the reading is.
-        most_frames: Further ones are not read.
+        folder: The folder for the columns; `PROGRESS` in it holds the progress meanwhile.
+        most_frames: The most frames to read.
 
     Raises:
         NotALogError: The file cannot be opened, or nothing in it is a frame.
@@ -190,7 +190,7 @@ def index_log(path: Path, folder: Path, most_frames: int = MOST_FRAMES) -> LogIn
 
 
 def index_or_reason(path: Path, folder: Path) -> LogIndex | Refusal:
-    """The same, or why there is nothing to replay."""
+    """Read a log into columns, or return the reason why there is nothing to replay."""
     name = path.name
     try:
         index = index_log(path, folder)
@@ -219,7 +219,7 @@ def _why_not(path: Path, error: NotALogError) -> Refusal:
     if path.suffix.lower() != ".gz" and beginning.startswith(_ARCHIVES):
         return REPLAY_ARCHIVE(**name)
     if path.suffix.lower() == MF4_SUFFIX and find_spec("asammdf") is None:
-        return SESSION_NO_MF4()
+        return no_mf4()
     text = str(error).removeprefix("no CAN log: ")
     if text.startswith("nothing in it reads") and text.endswith(" file"):  # and no more is known
         return REPLAY_NOTHING_READ(**name)
@@ -279,7 +279,7 @@ class _told_progress:  # noqa: N801 - used as a function is
 
 
 def _is_disk_full(folder: Path, frames: int) -> bool:
-    """Tell whether what is still to be written would leave too little to others."""
+    """Return whether what is still to be written would leave too little to others."""
     return shutil.disk_usage(folder).free < SPARE_BYTES + frames * (4 + 8)
 
 

@@ -1,1 +1,1 @@
-"""Sessions of our own, written while they happen: the ring in memory, the files, their index."""
+"""Recordings of our own, written during a session: the ring in memory, the files, their index."""

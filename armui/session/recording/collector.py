@@ -1,4 +1,4 @@
-"""The thread that turns what the bus thread hands over into rows, for ring and files: pure."""
+"""The thread that turns the bus thread's frames into rows for ring and files: pure."""
 
 from __future__ import annotations
 
@@ -22,15 +22,15 @@ if TYPE_CHECKING:
 # The last minutes of everything on the bus, in memory; bounded.
 
 KEPT_S: Final = 300.0
-"""How long frames are kept."""
+"""The time for which frames are kept in the ring."""
 MOST_BYTES: Final = 22_000_000
-"""Five minutes at 3,000 frames/s; with more traffic the ring reaches back less far."""
+"""The ring's size: five minutes at 3,000 frames/s; with more traffic it reaches back less far."""
 _SLAB_ROWS: Final = 16_384
 _SLAB_BYTES: Final = _SLAB_ROWS * ROW.itemsize
 _LONG_BYTES: Final = 256
-"""What the data of a CAN FD frame takes at most, with what Python keeps around it."""
+"""The most memory for the data of a CAN FD frame, Python's overhead included."""
 _MOST_LONG: Final = 2_048
-"""Such frames of a slab; those of a whole slab would be more than can be dropped at once."""
+"""The most such frames of a slab; those of a whole slab would be too many to drop at once."""
 _LONG_AT_ONCE: Final = 512
 
 
@@ -55,11 +55,11 @@ class _Slab:
 
 
 class FrameRing:
-    """Written by one thread, read by any.
+    """The last frames in memory; written by one thread, read by any.
 
     Args:
-        keep_s: How long frames are kept, by their own times.
-        most_bytes: The memory it takes at most, whatever is on the bus.
+        keep_s: The time for which frames are kept, by their own times.
+        most_bytes: The most memory it takes, whatever the traffic.
     """
 
     def __init__(self, keep_s: float = KEPT_S, most_bytes: int = MOST_BYTES) -> None:
@@ -71,7 +71,7 @@ class FrameRing:
         self._lock = threading.Lock()
 
     def append(self, rows: FrameRows) -> None:
-        """Keep some more; the oldest make room."""
+        """Add frames; the oldest are dropped."""
         begin = 0
         while begin < len(rows):
             slab = self._open_slab()
@@ -111,18 +111,18 @@ class FrameRing:
                 slabs.popleft()
 
     def clear(self) -> None:
-        """Let go of everything."""
+        """Drop all frames."""
         with self._lock:
             self._slabs.clear()
             self._bytes = 0
 
     @property
     def bytes_kept(self) -> int:
-        """The memory it takes now."""
+        """The memory in use, in bytes."""
         return self._bytes
 
     def snapshot(self) -> list[FrameRows]:
-        """Everything kept, the oldest first, not copied; what comes later is not in it."""
+        """Return all kept frames, the oldest first, not copied; later frames are not in it."""
         with self._lock:
             parts = [slab.rows() for slab in self._slabs if slab.count]
         if not parts:
@@ -133,7 +133,7 @@ class FrameRing:
         return [first.part(begin, len(first)), *parts[1:]]
 
     def span(self) -> tuple[int, float]:
-        """Return how many frames are kept, and from the first to the last so many seconds."""
+        """Return the number of kept frames, and the seconds from the first to the last."""
         parts = self.snapshot()
         if not parts:
             return 0, 0.0
@@ -144,19 +144,20 @@ class FrameRing:
 _LOG: Final = logging.getLogger(__name__)
 
 LOOK_S: Final = 0.1
-"""How often it takes out what waits."""
+"""The period at which the collector takes out waiting frames."""
 _YOUNG_S: Final = 0.05
-"""Frames sent and frames heard come by two ways: a younger one may still find its place in time."""
+"""Sent and received frames come in two ways: a younger frame may still have to be sorted in."""
 
 Sink = Callable[[FrameRows], None]
-"""Takes frames in the order of time; it must not wait."""
+"""Receives frames in the order of time; it must not block."""
 
 
 class Sorter:
-    """Puts frames that come by two ways into the order of time.
+    """Merges frames that come in two ways into the order of time.
 
     Attributes:
-        late: Frames that came when younger ones had been passed on; they got the time of those.
+        late: The number of frames that came after younger ones had been passed on; they got the
+            time of those.
     """
 
     def __init__(self) -> None:
@@ -165,11 +166,11 @@ class Sorter:
         self.late = 0
 
     def sort(self, rows: FrameRows, *, everything: bool = False) -> FrameRows:
-        """Return what can be passed on by now.
+        """Return the frames that can be passed on by now.
 
         Args:
-            rows: What has come since the last call.
-            everything: Whether nothing is held back.
+            rows: The frames since the last call.
+            everything: True to hold nothing back.
         """
         before = self._young
         rows = in_order(joined([before, rows]))
@@ -197,10 +198,10 @@ class Sorter:
 
 
 class Collector:
-    """Feeds the ring, and the recordings that are under way.
+    """Feeds the ring, and the recordings in progress.
 
     Args:
-        lane: Where frames come from.
+        lane: The source of frames.
         ring: Keeps the last minutes.
     """
 
@@ -217,18 +218,18 @@ class Collector:
 
     @property
     def late(self) -> int:
-        """Frames whose time was put right; see `Sorter`."""
+        """The number of frames whose time was corrected; see `Sorter`."""
         return self._sorter.late
 
     def start(self) -> None:
-        """Begin, if it has not."""
+        """Start the thread, unless it runs."""
         if self._thread is None:
             self._ending = False
             self._thread = threading.Thread(target=self._run, name="armui-ring", daemon=True)
             self._thread.start()
 
     def end(self) -> None:
-        """End the thread; what waits is passed on."""
+        """End the thread after passing on the waiting frames."""
         thread, self._thread = self._thread, None
         if thread is not None:
             self._ending = True
@@ -236,16 +237,16 @@ class Collector:
             thread.join()
 
     def add(self, sink: Sink) -> None:
-        """Have frames passed on from now on."""
+        """Pass frames to a sink from now on."""
         with self._turn:
             self._sinks = (*self._sinks, sink)
 
     def remove(self, sink: Sink, then: Callable[[], None] = lambda: None) -> None:
-        """Pass on what has come by now, and no more.
+        """Pass on the frames up to now, and then no more.
 
         Args:
-            sink: As it was added.
-            then: Called afterwards, by the collector's thread where it has one.
+            sink: The sink that was added.
+            then: Called afterwards, in the collector's thread if it runs.
         """
         self._leaving.append((sink, then))
         if self._thread is None:
@@ -255,7 +256,7 @@ class Collector:
             self._wake.set()
 
     def collect(self, *, everything: bool = False) -> None:
-        """Pass on what has come; its thread does so ten times a second, any other may, too."""
+        """Pass on waiting frames; the thread does so ten times a second, others may, too."""
         with self._turn:
             rows = self._sorter.sort(rows_of(self._lane.take_frames()), everything=everything)
             if not len(rows):

@@ -1,8 +1,8 @@
-"""How many faults and stops the frames of a recording tell of, kept beside it.
+"""The numbers of faults and stops in a recording, kept in its sidecar.
 
 A recording of the window has its events in its sidecar. One that was recorded without a window has
-none: its frames are looked at once, when it has ended or when it is opened, and what they tell is
-added to the sidecar as a line of the kind ``counted``.
+none: its frames are examined once, when it has ended or when it is opened, and the result is added
+to the sidecar as a line of the kind ``counted``.
 """
 
 from __future__ import annotations
@@ -27,15 +27,16 @@ if TYPE_CHECKING:
 KIND: Final = "counted"
 _SENT: Final = "stop_sent"
 _OVER_S: Final = 60.0
-"""A recording that has not grown for so long was left behind by a killed program."""
+"""A recording that has not grown for this long was left by a killed program."""
 
 
 class Counts(NamedTuple):
-    """What happened in a recording, in numbers.
+    """The numbers of faults and stops in a recording.
 
     Attributes:
-        faults: Each with a beginning; of the arm, of a joint, or silence; no emergency stop.
-        stops: Emergency stops, sent or told by the arm; the same one is told by both.
+        faults: The faults that began: of the arm, of a joint, or silence; emergency stops do not
+            count.
+        stops: The emergency stops, sent or reported by the arm; the same one is usually both.
     """
 
     faults: int
@@ -43,7 +44,7 @@ class Counts(NamedTuple):
 
 
 def counts_of(marks: Sequence[SessionMark]) -> Counts:
-    """Count what the frames, or the program's events, tell."""
+    """Return the counts in marks made of frames or of the program's events."""
     told = [_is_stopped(each.entry) for each in marks]
     sent = sum(each.entry.get("code") == _SENT for each in marks)
     faults = sum(
@@ -54,7 +55,7 @@ def counts_of(marks: Sequence[SessionMark]) -> Counts:
 
 
 def _is_stopped(entry: Mapping[str, object]) -> bool:
-    """Tell whether the arm says that it is stopped: found in its frames, or as an event."""
+    """Return whether the arm says that it is stopped: found in its frames, or as an event."""
     params = entry.get("params")
     status = params.get("status") if isinstance(params, Mapping) else None
     as_event = entry.get("code") == "arm_status" and status == ArmStatusCode.EMERGENCY_STOP
@@ -62,7 +63,7 @@ def _is_stopped(entry: Mapping[str, object]) -> bool:
 
 
 def counted(session: Session) -> Counts:
-    """Look at every frame of a recording: some seconds for half an hour of an arm."""
+    """Return the counts of all frames of a recording; half an hour of an arm takes some seconds."""
     own = survey(session)[0]
     rows = IdRows(session, own.channel, *marked_ids(own.generation))
     frames = LogFrames((own.channel,), rows.times_and_payloads)
@@ -70,7 +71,7 @@ def counted(session: Session) -> Counts:
 
 
 def counts_in(lines: Sequence[Mapping[str, Any]]) -> Counts | None:
-    """Return what a sidecar tells; ``None``: nobody has counted."""
+    """Return the counts in a sidecar, or ``None`` if it has none."""
     told = next((line for line in reversed(lines) if line["kind"] == KIND), None)
     if told is not None:
         figures = told.get("faults"), told.get("stops")
@@ -83,7 +84,7 @@ def counts_in(lines: Sequence[Mapping[str, Any]]) -> Counts | None:
 
 
 def is_over(folder: Path, name: str, lines: Sequence[Mapping[str, Any]]) -> bool:
-    """Tell whether nobody writes a recording any more; another program may."""
+    """Return whether a recording is no longer being written, by this or another program."""
     if any(line["kind"] == "end" for line in lines):
         return True
     try:
@@ -94,7 +95,7 @@ def is_over(folder: Path, name: str, lines: Sequence[Mapping[str, Any]]) -> bool
 
 
 def keep(folder: Path, name: str, counts: Counts) -> None:
-    """Add what was counted to a sidecar; one that cannot be written stays as it is."""
+    """Add the counts to a sidecar; one that cannot be written is left as it is."""
     line = sidecar.as_bytes([{"kind": KIND, **counts._asdict()}])
     with contextlib.suppress(OSError), open_file(sidecar.path_of(folder, name), "r+b") as file:
         # a killed program may have left half a line

@@ -1,4 +1,4 @@
-"""The recordings in a folder: found, renamed, thrown away."""
+"""The recordings in a folder: listing, renaming, deleting."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from armui.session.recording.kinds import MF4_SUFFIX, RecordingFormat, file_name
 from armui.system.files import error_text, open_file
 
 BIN: Final = "deleted"
-"""The folder inside that of the recordings where deleted ones wait to be brought back by hand."""
+"""The subfolder for deleted recordings, from which they can be restored by hand."""
 _HEAD_BYTES: Final = 65_536
 _MOST_PARTS: Final = 10_000
 
@@ -27,17 +27,18 @@ class RecordingEntry:
     """One recording of a folder.
 
     Attributes:
-        name: As it is called.
-        path: Its first file; None while there is no frame in it.
-        begun_unix_s: When it was begun, in seconds since 1970; 0 where its sidecar does not tell.
-        length_s: From its first frame to its last; None if its index does not tell.
-        total_bytes: Of all its files.
-        files: How many hold frames.
-        faults, stops: How many of each are marked in it; ``None``: nobody has counted.
-        ended: Whether it was ended in good order; one under way is not.
-        failure: What ended it before its time, "" if nothing did.
-        reason: Who or what asked for it: ``operator``, ``ring``, ``fault``, ``stop``, ``command``.
-        damage: Why its sidecar cannot be read, "" if it can.
+        name: Its name.
+        path: Its first file; None while it has no frame.
+        begun_unix_s: The time at which it began, in seconds since 1970; 0 if its sidecar does not
+            hold it.
+        length_s: The time from its first frame to its last; None if its index does not hold it.
+        total_bytes: The size of all its files.
+        files: The number of files with frames.
+        faults, stops: The numbers of faults and stops; ``None`` if not counted yet.
+        ended: True if it was ended properly; false while it is in progress.
+        failure: The error that ended it early, "" if none.
+        reason: The source of the request: ``operator``, ``ring``, ``fault``, ``stop``, ``command``.
+        damage: The reason why its sidecar cannot be read, "" if it can.
     """
 
     name: str
@@ -55,9 +56,9 @@ class RecordingEntry:
 
 
 def list_recordings(folder: Path) -> list[RecordingEntry]:
-    """Return the recordings of a folder, the newest first; a folder that does not exist has none.
+    """Return the recordings of a folder, the newest first; none if the folder does not exist.
 
-    One whose sidecar cannot be read costs itself alone, and is among them with its damage.
+    One whose sidecar cannot be read is listed with its damage.
 
     Raises:
         OSError: It cannot be read.
@@ -153,12 +154,12 @@ def files_of(folder: Path, name: str) -> list[Path]:
 
 
 def rename(folder: Path, name: str, new_name: str) -> None:
-    """Call a recording otherwise.
+    """Rename a recording.
 
     Raises:
-        ValueError: No recording can be called so.
-        FileExistsError: Another one, or another file, is called so.
-        OSError: The files cannot be moved; those that were are back in their places.
+        ValueError: The name is invalid.
+        FileExistsError: Another recording or file has this name.
+        OSError: The files cannot be moved; those that were have been moved back.
     """
     if not is_name(new_name):
         raise ValueError(new_name)
@@ -174,10 +175,10 @@ def throw_away(folder: Path, name: str) -> Path:
     """Move a recording into the bin inside its folder.
 
     Returns:
-        Where it is now.
+        Its new folder.
 
     Raises:
-        OSError: It cannot be moved; it is where it was.
+        OSError: It cannot be moved, and is unchanged.
     """
     paths = files_of(folder, name)
     room = folder / BIN / f"{time.strftime('%Y%m%d-%H%M%S')}-{secrets.token_hex(3)}"

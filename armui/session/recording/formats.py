@@ -1,4 +1,4 @@
-"""Text logs written block by block: candump's lines, and Vector's by python-can's writer."""
+"""Log formats written block by block: candump's lines, and Vector's by python-can's writer."""
 
 from __future__ import annotations
 
@@ -31,12 +31,12 @@ if TYPE_CHECKING:
 # reads what is in it.
 
 _APPLICATION: Final = 5
-"""As python-can calls itself."""
+"""The application number that python-can writes."""
 _PAGE: Final = 4_096
 _HEAD: Final = blf.OBJ_HEADER_BASE_STRUCT.size + blf.LOG_CONTAINER_STRUCT.size
 _ALIGNED: Final = 4
 _FAST: Final = 1
-"""zlib's level: a third of the work of its usual one, for a file a tenth larger."""
+"""zlib's level: a third of the usual work, for a file a tenth larger."""
 _OBJECT_HEAD: Final = blf.OBJ_HEADER_BASE_STRUCT.size + blf.OBJ_HEADER_V1_STRUCT.size
 _CLASSIC_SIZE: Final = _OBJECT_HEAD + blf.CAN_MSG_STRUCT.size
 MESSAGE: Final = np.dtype(
@@ -57,18 +57,18 @@ MESSAGE: Final = np.dtype(
         ("data", "u1", (8,)),
     ]
 )
-"""An object CAN_MESSAGE with its heads, as python-can's structs have it."""
+"""An object CAN_MESSAGE with its heads, as in python-can's structs."""
 
 _PECULIAR: Final = FrameFlag.ERROR | FrameFlag.FD
-"""Frames that are no object CAN_MESSAGE."""
+"""The flags of frames that are no object CAN_MESSAGE."""
 
 
 _CHANNEL: Final = 1
-"""As Vector's tools count them, from 1."""
+"""The channel's number; Vector's tools count from 1."""
 
 
 class BlfFormat:
-    """The blocks of one file.
+    """The blocks of one BLF file.
 
     Args:
         start_s: Time of its first frame, since 1970.
@@ -83,11 +83,11 @@ class BlfFormat:
         self._unpacked = blf.FILE_HEADER_SIZE
 
     def opening(self) -> bytes:
-        """Return what the file begins with."""
+        """Return the beginning of the file."""
         return self.header(blf.FILE_HEADER_SIZE)
 
     def header(self, size: int) -> bytes:
-        """Return the file's header as it is with so many bytes in it."""
+        """Return the file's header for a size in bytes."""
         fields: list[Any] = [b"LOGG", blf.FILE_HEADER_SIZE, _APPLICATION, 0, 0, 0, 2, 6, 8, 1]
         fields += [size, self._unpacked, self._objects, 0]
         fields += blf.timestamp_to_systemtime(self.start_s)
@@ -95,11 +95,11 @@ class BlfFormat:
         return blf.FILE_HEADER_STRUCT.pack(*fields).ljust(blf.FILE_HEADER_SIZE, b"\0")
 
     def closing(self) -> bytes:
-        """A file is whole after every block."""
+        """Return nothing: the file is complete after every block."""
         return b""
 
     def rounded(self, times_s: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Times as they will be read back."""
+        """Return times as they will be read back."""
         return self._ticks(times_s).astype(np.float64) * 1e-9 + self.start_s
 
     def _ticks(self, times_s: NDArray[np.float64]) -> NDArray[np.uint64]:
@@ -107,11 +107,11 @@ class BlfFormat:
         return np.maximum(ticks, 0.0).astype(np.uint64)
 
     def block(self, rows: FrameRows, at_byte: int) -> bytes:
-        """Return frames as a container that stands by itself.
+        """Return frames as a self-contained container.
 
         Args:
-            rows: With times since 1970.
-            at_byte: Where in the file it will be.
+            rows: The frames, with times since 1970.
+            at_byte: The place in the file.
         """
         objects = self._all_objects(rows)
         packed = zlib.compress(objects, _FAST)
@@ -209,13 +209,13 @@ _NOT_A_NAME: Final = re.compile(r"[^\w.:-]+", re.ASCII)
 
 
 class CandumpFormat:
-    """Lines as ``candump -L -x`` writes them, error frames with their class and details.
+    """Lines as ``candump -L -x`` writes them; error frames have their class and details.
 
-    python-can's writer of this format leaves out what an error frame says.
+    python-can's writer of this format omits the content of error frames.
 
     Args:
-        start_s: Not needed: every line has the time of day.
-        channel: Stands in every line.
+        start_s: Unused: every line has the time of day.
+        channel: The channel's name in every line.
     """
 
     suffix: Final = ".log"
@@ -225,19 +225,19 @@ class CandumpFormat:
         self._channel = candump_channel(channel)
 
     def opening(self) -> bytes:
-        """Nothing: a log begins with its first frame."""
+        """Return nothing: a log begins with its first frame."""
         return b""
 
     def header(self, size: int) -> bytes:  # noqa: ARG002 - as others have it
-        """Nothing."""
+        """Return nothing: the format has no header."""
         return b""
 
     def closing(self) -> bytes:
-        """Nothing."""
+        """Return nothing: the format has no end part."""
         return b""
 
     def rounded(self, times_s: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Times as they will be read back."""
+        """Return times as they will be read back."""
         return np.round(times_s, 6)
 
     def block(self, rows: FrameRows, at_byte: int) -> bytes:  # noqa: ARG002 - as others have it
@@ -267,11 +267,11 @@ class CandumpFormat:
 class AscFormat:
     """Vector's text format, each line by python-can's writer.
 
-    The format tells of an error frame only that there was one.
+    The format records only the presence of an error frame.
 
     Args:
         start_s: Time of the first frame, since 1970; the lines count from it.
-        channel: Not needed: the format numbers its channels.
+        channel: Unused: the format numbers its channels.
     """
 
     suffix: Final = ".asc"
@@ -282,11 +282,11 @@ class AscFormat:
         self._writer = can.ASCWriter(self._text)
 
     def opening(self) -> bytes:
-        """Return the lines that tell what file it is."""
+        """Return the first lines of the file."""
         return self._taken()
 
     def header(self, size: int) -> bytes:  # noqa: ARG002 - as others have it
-        """Nothing is written anew."""
+        """Return nothing: no header is rewritten."""
         return b""
 
     def closing(self) -> bytes:
@@ -294,7 +294,7 @@ class AscFormat:
         return b"End TriggerBlock\n"
 
     def rounded(self, times_s: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Times as they will be read back."""
+        """Return times as they will be read back."""
         return self.start_s + np.round(times_s - self.start_s, 6)
 
     def block(self, rows: FrameRows, at_byte: int) -> bytes:  # noqa: ARG002 - as others have it
@@ -329,7 +329,7 @@ def _message(rows: FrameRows, row: int) -> can.Message:
 
 
 def candump_channel(channel: str) -> str:
-    """Return a channel's name as a word of a candump line: without blanks, a number as ``can0``."""
+    """Return a channel's name as one word of a candump line; a number becomes ``can0``."""
     name = _NOT_A_NAME.sub("_", channel) or "can"
     return f"can{name}" if name.isdigit() else name
 
@@ -338,9 +338,9 @@ def block_format(kind: RecordingFormat, start_s: float, channel: str) -> BlockFo
     """Return the format of a new file.
 
     Args:
-        kind: Which.
+        kind: The format.
         start_s: Time of its first frame, since 1970.
-        channel: The bus's name, where the format has room for it.
+        channel: The bus's name, if the format has room for it.
     """
     if kind is RecordingFormat.BLF:
         return BlfFormat(start_s)

@@ -1,10 +1,9 @@
-"""The index beside a recording: where each block of frames is, and how the bus stood before it.
+"""The index beside a recording: the place of each block of frames, and the last frames up to it.
 
 The file begins with eight bytes, `MAGIC`. Behind them stands one record a block: `_HEAD`, then the
 last frame of each identifier up to the end of the block, one `ROW` each, at most once a second (of
-a CAN FD frame the first 8 bytes); of `REMEMBERED_IDS` the last few.
-A record that was cut off, or whose sum is wrong, ends the index: what is behind it is looked for in
-the recording itself.
+a CAN FD frame the first 8 bytes); of `REMEMBERED_IDS` the last few. A truncated record, or one with
+a wrong checksum, ends the index: later blocks are searched in the recording itself.
 """
 
 from __future__ import annotations
@@ -29,8 +28,9 @@ if TYPE_CHECKING:
 SUFFIX: Final = ".armui.idx"
 MAGIC: Final = b"ARMUIIX1"
 _HEAD: Final = struct.Struct("<4sLLLQQLdddL")
-"""Sign, sum of what follows, number of the file from 1, rows; byte and first frame of the block,
-its frames; times of the first and last; time from which the file counts; bytes of the block."""
+"""Signature, checksum of the rest, number of the file from 1, rows; byte and first frame of the
+block, its frames; times of the first and last; time from which the file counts; bytes of the block.
+"""
 _SIGN: Final = b"BLCK"
 _SUMMED_FROM: Final = 8
 _EVERY_S: Final = 1.0
@@ -40,15 +40,16 @@ _KEY_FLAGS: Final = int(FrameFlag.EXTENDED | FrameFlag.TRANSMITTED)
 
 @dataclass(frozen=True, slots=True)
 class Block:
-    """Where some frames of a recording are.
+    """The place of some frames in a recording.
 
     Attributes:
         file: Number of the file, from 1.
         byte, size: Its place in the file.
-        first, frames: Number of its first frame in the recording, from 0, and how many it has.
+        first, frames: The number of its first frame in the recording, from 0, and the number of its
+            frames.
         first_s, last_s: Log times of its first and its last frame.
         file_start_s: Log time from which the file counts.
-        standing: The last frame of each identifier up to its end, where the index has them.
+        standing: The last frame of each identifier up to its end, if the index has them.
     """
 
     file: int
@@ -62,7 +63,7 @@ class Block:
     standing: NDArray[Any] | None = None
 
     def record(self) -> bytes:
-        """As it stands in the index."""
+        """Return the block's record in the index."""
         rows = np.zeros(0, ROW) if self.standing is None else self.standing
         fields = (
             self.file, len(rows), self.byte, self.first, self.frames,
@@ -76,9 +77,9 @@ _REMEMBERED: Final = np.array(sorted(REMEMBERED_IDS), np.uint32)
 
 
 class StandingFrames:
-    """The last frame of each identifier, what was heard and what this program sent apart.
+    """The last frame of each identifier, separately for received and sent ones.
 
-    Of `REMEMBERED_IDS` the last `REMEMBERED`.
+    Of `REMEMBERED_IDS` it keeps the last `REMEMBERED`.
     """
 
     def __init__(self) -> None:
@@ -87,10 +88,10 @@ class StandingFrames:
         self._told_s = -np.inf
 
     def add_rows(self, rows: FrameRows) -> NDArray[np.void] | None:
-        """Follow some frames.
+        """Process some frames.
 
         Returns:
-            The last of each in the order of time, about once a second.
+            The last frames in the order of time about once a second, else ``None``.
         """
         table = rows.table
         if (table["flags"] & _NOT_KEPT).any():
@@ -116,7 +117,7 @@ class StandingFrames:
 
 
 def read_blocks(data: bytes) -> Iterator[Block]:
-    """Return the blocks of an index, as far as it is whole."""
+    """Yield the blocks of an index, as far as it is intact."""
     if not data.startswith(MAGIC):
         return
     at = len(MAGIC)
@@ -135,7 +136,7 @@ def read_blocks(data: bytes) -> Iterator[Block]:
 
 
 def last_block(end: bytes) -> Block | None:
-    """Return the last whole block in the last bytes of an index; None if there is none."""
+    """Return the last whole block in the last bytes of an index, or None."""
     at = len(end)
     while (at := end.rfind(_SIGN, 0, at)) >= 0:
         block = next(read_blocks(MAGIC + end[at:]), None)

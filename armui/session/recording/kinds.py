@@ -1,4 +1,4 @@
-"""The formats in which a session can be recorded, its files' names, and why it cannot be: pure."""
+"""The formats of recordings, their files' names, and the reasons why writing fails: pure."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final, Protocol
 
 from armui.arm.refusal import Reason, Refusal
+from armui.system.command_process import is_packaged
 from armui.system.files import error_text
 
 if TYPE_CHECKING:
@@ -39,10 +40,20 @@ SESSION_FAILED = Reason(
     "read. Choose another folder, or try again.",
 )
 SESSION_NO_MF4 = Reason("session_no_mf4", "MF4 needs the package asammdf (pip install asammdf).")
+SESSION_MF4_NOT_PACKED = Reason(
+    "session_mf4_not_packed",
+    "MF4 needs the Python package asammdf, which is no part of this installed program, and cannot "
+    "be added to it. Use BLF.",
+)
+
+
+def no_mf4() -> Refusal:
+    """Return why there is no MF4 here, as fits the way this program was installed."""
+    return SESSION_MF4_NOT_PACKED() if is_packaged() else SESSION_NO_MF4()
 
 
 class RecordingFormat(enum.Enum):
-    """A format, by the suffix of its files."""
+    """A format of recordings, by the suffix of its files."""
 
     BLF = ".blf"
     ASC = ".asc"
@@ -50,32 +61,32 @@ class RecordingFormat(enum.Enum):
 
 
 MF4_SUFFIX: Final = ".mf4"
-"""Of what is made of a recording afterwards; see `armui.session.recording.mf4`."""
+"""The suffix of files made of a recording afterwards; see `armui.session.recording.mf4`."""
 
 
 class BlockFormat(Protocol):
-    """Turns frames into the bytes of one file.
+    """Converts frames into the bytes of one file.
 
     Attributes:
-        start_s: Time since 1970 from which the file counts, where it does.
+        start_s: The time since 1970 from which the file counts, if it does.
     """
 
     start_s: float
 
     def opening(self) -> bytes:
-        """Return what the file begins with."""
+        """Return the beginning of the file."""
 
     def header(self, size: int) -> bytes:
-        """Return the beginning of the file now that it has so many bytes, if that moves."""
+        """Return the file's new beginning for a size in bytes, if it changes with it."""
 
     def closing(self) -> bytes:
-        """Return what the file ends with."""
+        """Return the end of the file."""
 
     def rounded(self, times_s: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Times as they will be read back."""
+        """Return times as they will be read back."""
 
     def block(self, rows: FrameRows, at_byte: int) -> bytes:
-        """Frames, to be written at a place of the file."""
+        """Return the bytes of frames for a place in the file."""
 
 
 # What the files of a recording are called.
@@ -89,24 +100,24 @@ LONGEST_NAME: Final = 120
 
 
 def file_name(name: str, number: int, suffix: str) -> str:
-    """Return what the file with a number, from 1, is called."""
+    """Return the name of a recording's file with a number, from 1."""
     return f"{name}{suffix}" if number == 1 else f"{name}.{number:03}{suffix}"
 
 
 def names_of(path: Path) -> tuple[str, ...]:
-    """Return what the recording may be called that a file belongs to, the likeliest first."""
+    """Return the possible names of the recording that a file belongs to, the likeliest first."""
     stem = path.stem
     found = _PART.fullmatch(stem)
     return (stem,) if found is None else (found["name"], stem)
 
 
 def name_for(at: datetime) -> str:
-    """Return a name for what is recorded from a moment on."""
+    """Return the name of a recording that begins at a time."""
     return f"session-{at:%Y%m%d-%H%M%S}"
 
 
 def is_name(text: str) -> bool:
-    """Tell whether a recording can be called so, on every system."""
+    """Return whether a text can be the name of a recording on every system."""
     return (
         0 < len(text) <= LONGEST_NAME
         and text == text.strip()
@@ -133,7 +144,7 @@ _CODES: Final = {
 
 
 def why_not_written(error: BaseException, folder: Path) -> Refusal:
-    """Return what is wrong with a folder, from what writing into it raised."""
+    """Return the reason why a folder cannot be written, from the error of writing into it."""
     code = error.errno if isinstance(error, OSError) else None
     known = _CODES.get(code or 0)
     if known is not None:

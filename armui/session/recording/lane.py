@@ -1,7 +1,7 @@
-"""The way of frames from the thread that owns the bus to the one that keeps them: pure.
+"""The queue of frames from the thread that owns the bus to the one that keeps them: pure.
 
-The bus thread hands over a whole batch by putting a list into a queue; it never waits, and whoever
-takes the batches out never holds it up.
+The bus thread puts a whole batch into the queue as a list; it never waits, and the thread that
+takes the batches never holds it up.
 """
 
 from __future__ import annotations
@@ -16,17 +16,17 @@ if TYPE_CHECKING:
     from armui.session.recording.rows import RecordedFrame
 
 MOST_WAITING: Final = 65_536
-"""Frames that may wait; a bus that is full has some 8,000 a second."""
+"""The most waiting frames; a full bus has some 8,000 a second."""
 
 
 class FrameLane(Listener):
-    """Takes frames as they are, whoever sent them and however they are decoded.
+    """Receives all frames, from whichever sender and however decoded.
 
     Args:
-        most: Frames that may wait; a batch beyond them is dropped whole, and counted.
+        most: The most waiting frames; a batch beyond them is dropped whole, and counted.
 
     Attributes:
-        dropped: Frames that nobody took out in time, since the beginning.
+        dropped: The number of frames dropped since the beginning.
     """
 
     def __init__(self, most: int = MOST_WAITING) -> None:
@@ -37,11 +37,11 @@ class FrameLane(Listener):
 
     @property
     def waiting(self) -> int:
-        """Frames that wait to be taken out."""
+        """The number of frames that wait to be taken."""
         return self._put - self._taken
 
     def take_frames(self) -> list[RecordedFrame]:
-        """Return all frames that wait, in the order they came; they wait no longer."""
+        """Return all waiting frames in the order they came, and remove them."""
         frames: list[RecordedFrame] = []
         batches = self._batches
         while batches:
@@ -52,7 +52,7 @@ class FrameLane(Listener):
     # The bus thread ---------------------------------------------------------------------------
 
     def on_heard(self, batch: Sequence[RecordedFrame]) -> None:
-        """Frames that others sent."""
+        """Add frames that others sent."""
         if self._put - self._taken + len(batch) > self._most:
             self.dropped += len(batch)
             return
@@ -60,5 +60,5 @@ class FrameLane(Listener):
         self._batches.append(batch)
 
     def on_sent(self, batch: Sequence[RecordedFrame]) -> None:
-        """Frames that this program sent; their flags say so."""
+        """Add frames that this program sent; their flags tell so."""
         self.on_heard(batch)

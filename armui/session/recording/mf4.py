@@ -1,4 +1,4 @@
-"""A recording once more as .mf4, where asammdf is installed.
+"""Converts a recording to .mf4, if asammdf is installed.
 
 python-can's writer of that format keeps everything in memory and writes at its end: a program that
 is killed would lose all of it. So a session is recorded as .blf, and this is made of it afterwards.
@@ -22,17 +22,17 @@ from armui.system.files import open_file
 PACKAGE: Final = "asammdf"
 _TOLD_EVERY: Final = 2_000
 _TAKEN_IN: Final = 0.9
-"""This share of the work is done when every frame was taken in; the rest is its writing."""
+"""The share of the work done when every frame is read; the rest is its writing."""
 
 
 def can_write() -> bool:
-    """Tell whether the package for it is installed; may wait for a disk."""
+    """Return whether asammdf is installed; may wait for a disk."""
     return importlib.util.find_spec(PACKAGE) is not None
 
 
 @contextlib.contextmanager
 def told_in(path: Path) -> Iterator[Callable[[float], None]]:
-    """Tells how much is done by a figure in a file, for another process."""
+    """Write the progress to a file as a number, for another process."""
     with open_file(path, "wb") as file:
 
         def tell(share: float) -> None:
@@ -53,10 +53,10 @@ def make_mf4(
     """Make an .mf4 file of a recording, beside it.
 
     Args:
-        folder: Where the recording is.
-        name: What it is called.
-        tell: Told now and then how much is done, 0 to 1; what it raises calls it off.
-        unfinished: What the file is called until it is whole.
+        folder: The recording's folder.
+        name: The recording's name.
+        tell: Called now and then with the share done, 0 to 1; an exception cancels the work.
+        unfinished: The file's name until it is complete.
 
     Returns:
         The new file.
@@ -86,13 +86,13 @@ def write_mf4(
 
     Args:
         paths: The logs.
-        target: The file; it must not exist, and does so only when it is whole.
+        target: The file; it must not exist, and appears only when it is complete.
         tell: As for `make_mf4`.
         unfinished: Likewise.
 
     Raises:
         FileExistsError: There is one of this name.
-        OSError: It could not be written; what there was of it is removed.
+        OSError: It could not be written; the incomplete file is removed.
     """
     remove_abandoned(target.parent)
     sizes = [path.stat().st_size for path in paths]

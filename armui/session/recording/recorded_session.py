@@ -1,4 +1,4 @@
-"""A recording of ours, opened at once by the index that lies beside it."""
+"""A recording of ours, opened at once by the index beside it."""
 
 from __future__ import annotations
 
@@ -52,9 +52,9 @@ def read_block(
     Args:
         data: The bytes of the block.
         kind: Their format.
-        start_s: Time since 1970 from which the file counts, where it does.
-        damages: Where damaged places are noted.
-        channel: What every frame's channel is called.
+        start_s: The time since 1970 from which the file counts, if it does.
+        damages: The list for damaged places.
+        channel: The channel's name for every frame.
 
     Returns:
         Batches with log times; the first one's first frame has the number 0.
@@ -148,21 +148,21 @@ def _quick_batch(data: bytes, start_s: float, names: tuple[Channel, ...]) -> Fra
 
 
 _LONGEST_TAIL: Final = 4_000_000
-"""More bytes than a killed program leaves without index: the index is not this recording's."""
+"""More bytes than a killed program leaves without index: the index belongs to another recording."""
 _REMEMBERED: Final = np.array(sorted(REMEMBERED_IDS), np.uint32)
 _SLACK_S: Final = 2e-6
 """Formats round their times; blocks are chosen a little more widely."""
 
 
 class RecordedSession:
-    """A `Session` of our own files.
+    """A `Session` made of our own files.
 
     Args:
         path: Any file of the recording.
 
     Attributes:
-        name: As it is called.
-        lines: Of its sidecar: what was recorded from what, and how it ended.
+        name: Its name.
+        lines: The sidecar's lines: the content, its source, and how it ended.
         damages, damage_count: As of a `Session`.
 
     Raises:
@@ -201,22 +201,22 @@ class RecordedSession:
 
     @property
     def frames(self) -> int:
-        """How many there are."""
+        """The number of frames."""
         return self._blocks[-1].first + self._blocks[-1].frames if self._blocks else 0
 
     @property
     def channels(self) -> tuple[Channel, ...]:
-        """The one channel it was recorded from."""
+        """The single channel that was recorded."""
         return (self._channel,) if self._blocks else ()
 
     @property
     def damages(self) -> Sequence[Damage]:
-        """Damaged places met so far."""
+        """The damaged places met so far."""
         return self._damages.since(0)
 
     @property
     def damage_count(self) -> int:
-        """All of them."""
+        """The number of all damaged places."""
         return self._damages.count
 
     @property
@@ -226,18 +226,18 @@ class RecordedSession:
 
     @property
     def lacks_counts(self) -> bool:
-        """Whether nobody has counted its faults and stops yet."""
+        """True if its faults and stops have not been counted yet."""
         return counts_in(self.lines) is None
 
     def keep_counts(self, marks: Sequence[SessionMark]) -> None:
-        """Keep beside it how many faults and stops its frames tell of."""
+        """Store the numbers of faults and stops in the sidecar."""
         counts = counts_of(marks)
         self.lines.append({"kind": "counted", **counts._asdict()})
         if is_over(self._folder, self.name, self.lines):
             keep(self._folder, self.name, counts)
 
     def frames_between(self, t0_s: float, t1_s: float) -> Iterator[FrameBatch]:
-        """Return the frames with t0_s <= time < t1_s, in the order of time."""
+        """Yield the frames with t0_s <= time < t1_s, in the order of time."""
         place = max(bisect.bisect_right(self._starts_s, t0_s) - 1, 0)
         while place > 0 and self._blocks[place - 1].last_s >= t0_s - _SLACK_S:
             place -= 1
@@ -266,7 +266,7 @@ class RecordedSession:
         return _last_of_each(parts[::-1], t_s, (self._channel,))
 
     def close(self) -> None:
-        """Let go of what is in memory."""
+        """Release the memory."""
         self._blocks, self._starts_s, self._cut_off = [], [], {}
 
     def _path(self, number: int) -> Path:

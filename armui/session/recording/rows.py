@@ -23,18 +23,19 @@ ROW: Final = np.dtype(
         ("data", "u1", (CLASSIC_BYTES,)),
     ]
 )
-"""A frame: time in seconds, identifier, `FrameFlag` bits, bytes of data, the first 8 of them."""
+"""A frame: time in seconds, identifier, `FrameFlag` bits, length of data, the first 8 bytes of it.
+"""
 
 RecordedFrame = tuple[object, float, "Frame", int]
-"""A frame as the bus thread tells it: decoded, time in seconds, the frame, `FrameFlag` bits."""
+"""A frame from the bus thread: decoded, time in seconds, the frame, `FrameFlag` bits."""
 
 
 @dataclass(frozen=True, slots=True)
 class FrameRows:
-    """Some frames.
+    """Frames as rows of a table.
 
     Attributes:
-        table: One `ROW` each.
+        table: The frames, one `ROW` each.
         long_data: The data of frames with more than 8 bytes, by row.
     """
 
@@ -46,7 +47,7 @@ class FrameRows:
 
     @property
     def times_s(self) -> NDArray[np.float64]:
-        """When each was on the bus, in seconds."""
+        """The time of each frame in seconds."""
         times: NDArray[np.float64] = self.table["time_s"]
         return times
 
@@ -60,12 +61,12 @@ class FrameRows:
         return piece
 
     def part(self, begin: int, end: int) -> FrameRows:
-        """Some of them, without copying."""
+        """Return some of the rows, without copying."""
         kept = {row - begin: data for row, data in self.long_data.items() if begin <= row < end}
         return FrameRows(self.table[begin:end], kept)
 
     def shifted(self, by_s: float) -> FrameRows:
-        """Return a copy with other times."""
+        """Return a copy with shifted times."""
         table = self.table.copy()
         table["time_s"] += by_s
         return FrameRows(table, self.long_data)
@@ -75,7 +76,7 @@ EMPTY: Final = FrameRows(np.zeros(0, ROW))
 
 
 def rows_of(taken: Sequence[RecordedFrame]) -> FrameRows:
-    """Return frames as they were told, in their order."""
+    """Return frames of the bus thread as rows, in their order."""
     count = len(taken)
     if not count:
         return EMPTY
@@ -101,7 +102,7 @@ def rows_of(taken: Sequence[RecordedFrame]) -> FrameRows:
 
 
 def joined(parts: Sequence[FrameRows]) -> FrameRows:
-    """Several one behind the other."""
+    """Return several tables joined into one."""
     parts = [part for part in parts if len(part)]
     if len(parts) < 2:
         return parts[0] if parts else EMPTY
@@ -114,7 +115,7 @@ def joined(parts: Sequence[FrameRows]) -> FrameRows:
 
 
 def in_order(rows: FrameRows) -> FrameRows:
-    """The same in the order of time; frames of one moment stay in their order."""
+    """Return the rows in the order of time; rows of equal time keep their order."""
     times_s = rows.times_s
     if len(rows) < 2 or bool((times_s[1:] >= times_s[:-1]).all()):
         return rows

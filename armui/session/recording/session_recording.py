@@ -1,4 +1,4 @@
-"""A recording that is under way: what comes goes into a queue, a thread writes it to the disk."""
+"""A recording in progress: frames go into a queue, and a thread writes them to the disk."""
 
 from __future__ import annotations
 
@@ -19,26 +19,26 @@ _LOG: Final = logging.getLogger(__name__)
 
 _ROWS_OF_A_BLOCK: Final = 3_000
 BLOCK_S: Final = 0.25
-"""How often frames are written: a program that is killed loses no more, and what was on its way."""
+"""The period of writing: a killed program loses no more than this, and the frames in the queue."""
 MOST_WAITING: Final = 400_000
-"""Frames that may wait for a disk that is busy: over two minutes of a full bus, 9 MB."""
+"""The most frames that may wait for a busy disk: over two minutes of a full bus, 9 MB."""
 
 
 class SessionRecording:
-    """Takes frames from any thread, and never holds one up.
+    """Records frames from any thread, without ever blocking it.
 
     It begins at once; a folder that cannot be written shows as `failure`.
 
     Args:
-        plan: What is to be written.
+        plan: The plan of the recording.
         clock: The program's, in seconds.
-        most_waiting: Frames that may wait; further ones are dropped and counted.
+        most_waiting: The most waiting frames; further ones are dropped and counted.
 
     Attributes:
         plan: As given.
-        begun_s: By the program's clock.
-        lost: Frames that the disk was too slow for.
-        failure: What ended it before its time, if anything did.
+        begun_s: The time of its beginning, by the program's clock.
+        lost: The number of frames lost because the disk was too slow.
+        failure: The error that ended it early, or ``None``.
     """
 
     def __init__(
@@ -67,31 +67,31 @@ class SessionRecording:
 
     @property
     def running(self) -> bool:
-        """Whether it is still being written."""
+        """True if it is still being written."""
         return self._thread.is_alive()
 
     @property
     def name(self) -> str | None:
-        """As it is called, once the folder was found writable."""
+        """The name, once the folder was found writable."""
         return None if self._writer is None else self._writer.name
 
     @property
     def path(self) -> Path | None:
-        """Its first file, likewise."""
+        """The first file, likewise."""
         return None if self._writer is None else self._writer.path
 
     @property
     def frames(self) -> int:
-        """On the disk by now."""
+        """The number of frames written so far."""
         return 0 if self._writer is None else self._writer.frames
 
     @property
     def total_bytes(self) -> int:
-        """On the disk by now."""
+        """The bytes written so far."""
         return 0 if self._writer is None else self._writer.total_bytes
 
     def put(self, rows: FrameRows) -> None:
-        """Record frames, in the order of time; those from before it was begun are left out."""
+        """Record frames in the order of time; those from before the beginning are left out."""
         if self.failure is not None:
             return
         rows = rows.part(int(rows.times_s.searchsorted(self.begun_s)), len(rows))
@@ -107,7 +107,7 @@ class SessionRecording:
         self._lines.append(line)
 
     def end(self, facts: Mapping[str, object]) -> None:
-        """End it in good order, in its own time; see `wait`.
+        """End the recording properly in the background; see `wait`.
 
         Args:
             facts: For the last line of the sidecar.
@@ -117,7 +117,7 @@ class SessionRecording:
         self._urgent.set()
 
     def wait(self, within_s: float) -> bool:
-        """Tell whether it has ended, within a time."""
+        """Wait up to a time, and return whether the recording has ended."""
         self._thread.join(within_s)
         return not self._thread.is_alive()
 
@@ -168,12 +168,12 @@ def write_at_once(
     facts: Mapping[str, object],
     clock: Callable[[], float] = steady_s,
 ) -> Path:
-    """Write what is in memory as a recording of its own, block by block.
+    """Write frames in memory as a recording of its own, block by block.
 
     Args:
-        plan: What is to be written.
+        plan: The plan of the recording.
         parts: Frames in the order of time.
-        lines: What happened meanwhile.
+        lines: The sidecar's lines on this time.
         facts: For the last line of the sidecar.
         clock: The program's, in seconds.
 
@@ -181,7 +181,7 @@ def write_at_once(
         The first file.
 
     Raises:
-        OSError: It could not be written; what there is of it is whole.
+        OSError: It could not be written; the part written is intact.
     """
     writer = RecordingWriter(plan, clock)
     failure: dict[str, object] = {}

@@ -1,14 +1,13 @@
-"""The lines beside a recording: what it is of, what happened, and how it ended.
+"""The lines beside a recording: its source, its events, and how it ended.
 
 Each line is a JSON object with its ``kind``; the first one is the ``session``. Lines are only ever
-added, so that a killed program leaves all but the last one whole.
+added, so that a killed program damages at most the last one.
 
 Kinds: ``session`` (format, program, device, time base), ``arm`` and ``settings`` (as read while it
-was recorded), ``event`` (an entry of the program's events, its log time and the sort of mark it
-is), ``file`` (a file was begun; the log time from which it
-counts), ``lost`` (frames that are missing from here on), ``clock``
-(the time of day was set meanwhile), ``end``, ``counted`` (what its frames tell, where no events
-stand beside them).
+was recorded), ``event`` (an entry of the program's events, its log time and its kind of mark),
+``file`` (a file was begun; the log time from which it counts), ``lost`` (frames that are missing
+from here on), ``clock`` (the time of day was set meanwhile), ``end``, ``counted`` (the counts of
+its frames, if it has no events).
 """
 
 from __future__ import annotations
@@ -26,17 +25,17 @@ SUFFIX: Final = ".armui.jsonl"
 VERSION: Final = 1
 Line = Mapping[str, object]
 MOST_BYTES: Final = 64_000_000
-"""A larger file is something else, or holds events that nobody can look through."""
+"""A larger file is something else, or holds more events than anybody can look through."""
 _LONGEST_TEXT: Final = 1_000
 
 
 def path_of(folder: Path, name: str) -> Path:
-    """Return where the sidecar of a recording is."""
+    """Return the path of a recording's sidecar."""
     return folder / f"{name}{SUFFIX}"
 
 
 def as_bytes(lines: Sequence[Line]) -> bytes:
-    """Return lines as they stand in the file; what is no JSON value is told as text."""
+    """Return lines as in the file; values that are no JSON become text."""
     return "".join(
         f"{json.dumps(line, ensure_ascii=False, default=str, allow_nan=False)}\n"
         for line in map(_finite, lines)
@@ -56,14 +55,14 @@ def event_line(at_s: float, mark: MarkKind, entry: Mapping[str, object]) -> Line
 
     Args:
         at_s: Log time.
-        mark: What sort of moment it is on a time line.
-        entry: The event as it is written, JSON values only.
+        mark: The kind of mark on a time line.
+        entry: The event's JSON values.
     """
     return {"kind": "event", "time_s": at_s, "mark": mark.name.lower(), "entry": dict(entry)}
 
 
 def read_lines(data: bytes) -> list[dict[str, Any]]:
-    """Return the lines of a sidecar that are whole; the others are passed over."""
+    """Return the intact lines of a sidecar; the others are skipped."""
     lines = []
     for text in data[:MOST_BYTES].split(b"\n"):
         try:
@@ -76,7 +75,7 @@ def read_lines(data: bytes) -> list[dict[str, Any]]:
 
 
 def number_in(line: Mapping[str, Any], name: str) -> float | None:
-    """Return a number of a line; ``None`` where there is none, or one that no time can be."""
+    """Return a number in a line, or ``None`` if there is none, or none that can be a time."""
     value = line.get(name)
     if isinstance(value, bool) or not isinstance(value, int | float):
         return None
@@ -84,19 +83,19 @@ def number_in(line: Mapping[str, Any], name: str) -> float | None:
 
 
 def text_in(line: Mapping[str, Any], name: str, default: str = "") -> str:
-    """Return a text of a line, the default where there is none."""
+    """Return a text in a line, or the default if there is none."""
     value = line.get(name)
     return value[:_LONGEST_TEXT] if isinstance(value, str) else default
 
 
 def format_in(line: Mapping[str, Any]) -> RecordingFormat | None:
-    """Return the format that a first line names; ``None`` where it names none that is known."""
+    """Return the format named in a first line, or ``None`` if it names no known one."""
     named = text_in(line, "format")
     return RecordingFormat(named) if named in {each.value for each in RecordingFormat} else None
 
 
 def events_of(lines: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
-    """Return the lines with events; of one that was written again, as it ended, the last."""
+    """Return the lines with events; of one that was written again when it ended, the last."""
     found: dict[object, Mapping[str, Any]] = {}
     for place, line in enumerate(lines):
         entry = line.get("entry")
@@ -107,7 +106,7 @@ def events_of(lines: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
 
 
 def marks_of(lines: Sequence[Mapping[str, Any]]) -> list[SessionMark]:
-    """Return the moments worth going to, in the order of time, in log times."""
+    """Return the marks in the lines, in the order of time, in log times."""
     marks = []
     shift_s = _shift_s(lines[0]) if lines else 0.0
     for line in events_of(lines):
@@ -124,9 +123,9 @@ def marks_of(lines: Sequence[Mapping[str, Any]]) -> list[SessionMark]:
 
 
 _TIMES: Final = ("at_s", "ended_s", "last_s")
-"""Of an event, by the program's clock."""
+"""The fields of an event with times by the program's clock."""
 _OUTCOMES: Final = ("answer", "result")
-"""What became of it: each has its own time."""
+"""The fields with the outcomes of an event, each of which has its own time."""
 
 
 def _shift_s(first: Mapping[str, Any]) -> float:

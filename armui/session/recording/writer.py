@@ -1,4 +1,4 @@
-"""Writes one recording: its files, its index, its sidecar; whole after every block."""
+"""Writes one recording: its files, its index, its sidecar; intact after every block."""
 
 from __future__ import annotations
 
@@ -26,18 +26,18 @@ from armui.system.files import open_file
 # A file that only grows, by whole pieces: one that does not fit leaves no trace.
 
 _TO_DISK_S: Final = 5.0
-"""How often the system is asked to bring it to the disk: a power cut loses no more."""
+"""The period of syncing to the disk: a power cut loses no more."""
 
 
 class DiskFile:
-    """Open for writing; nobody else's file is ever touched.
+    """A new file open for writing; no existing file is ever changed.
 
     Args:
-        path: It must not exist.
+        path: The file; it must not exist.
 
     Attributes:
         path: As given.
-        size: Bytes in it.
+        size: Its size in bytes.
 
     Raises:
         FileExistsError: There is one of this name.
@@ -54,10 +54,10 @@ class DiskFile:
         self._sync_error: OSError | None = None
 
     def append(self, data: bytes) -> None:
-        """Write a piece behind the others.
+        """Append bytes.
 
         Raises:
-            OSError: It was not written, or not wholly: then what there is of it is removed.
+            OSError: It was not written, or only partly: then the part is removed.
         """
         try:
             self._check_there()
@@ -70,7 +70,7 @@ class DiskFile:
         self.size += len(data)
 
     def rewrite(self, data: bytes) -> None:
-        """Write anew what stands at the beginning.
+        """Overwrite the beginning of the file.
 
         Raises:
             OSError: It was not written.
@@ -82,7 +82,7 @@ class DiskFile:
             os.lseek(self._handle, self.size, os.SEEK_SET)
 
     def to_disk(self, *, now: bool = False) -> None:
-        """Have the system bring it to the disk now and then, or wait for that now.
+        """Have the system sync the file to the disk now and then, or wait for that now.
 
         Raises:
             OSError: The disk has failed.
@@ -96,9 +96,10 @@ class DiskFile:
             raise error
 
     def begin_to_disk(self) -> None:
-        """Have the system bring it to the disk; what is written meanwhile does not wait.
+        """Have the system sync the file to the disk; later writes do not wait for it.
 
-        A busy disk takes seconds for that: a program killed then would lose them.
+        On a busy disk that takes seconds; frames that waited for it would be lost if the program
+        were killed.
 
         Raises:
             OSError: There are no more handles.
@@ -121,12 +122,12 @@ class DiskFile:
             os.close(handle)
 
     def close(self) -> None:
-        """Close it; a disk that is gone changes nothing."""
+        """Close the file; a disk that is gone is ignored."""
         with contextlib.suppress(OSError):
             self._file.close()
 
     def discard(self) -> None:
-        """Close it and remove it: it was begun in vain."""
+        """Close and delete the file, which is not needed after all."""
         self.close()
         with contextlib.suppress(OSError):
             self.path.unlink()
@@ -152,10 +153,12 @@ _CLOCK_JUMP_S: Final = 1.0
 
 @dataclass(frozen=True, slots=True)
 class TimeBase:
-    """One moment by two clocks; log time is the time of day by it, whatever becomes of that later.
+    """One moment by two clocks.
+
+    Log time is the time of day counted from it, whatever happens to the time of day later.
 
     Attributes:
-        steady_s: The program's clock, as of the frames.
+        steady_s: The time by the program's clock, that of the frames.
         unix_s: Seconds since 1970.
     """
 
@@ -164,22 +167,22 @@ class TimeBase:
 
     @property
     def shift_s(self) -> float:
-        """From the program's clock to log time."""
+        """The difference from the program's clock to log time."""
         return self.unix_s - self.steady_s
 
 
 @dataclass(frozen=True, slots=True)
 class RecordingPlan:
-    """What is to be recorded, and how.
+    """The plan of a recording.
 
     Attributes:
-        folder: Where; it is made if it does not exist.
-        name: What it is called, if that is free.
+        folder: The folder; it is created if it does not exist.
+        name: The wanted name, if it is free.
         kind: The format.
         base: Its time base.
-        rotate_bytes: A file that is as large is followed by another.
+        rotate_bytes: A file that has reached this size is followed by another.
         channel: The bus's name.
-        facts: Further facts for the first line: device, who asked.
+        facts: Further facts for the first line: the device, the source of the request.
     """
 
     folder: Path
@@ -192,18 +195,18 @@ class RecordingPlan:
 
 
 class RecordingWriter:
-    """Used by one thread.
+    """Writes a recording; used by one thread.
 
     Args:
-        plan: What is to be written. A name that is taken gets a number behind it.
+        plan: The plan. A name that is taken gets a number appended.
         clock: The program's, in seconds, as of the frames.
         time_of_day: The system's, in seconds since 1970.
 
     Attributes:
-        name: As it is called.
+        name: Its name.
         path: Its first file, once there is one.
-        frames: Written so far.
-        total_bytes: Of all its files.
+        frames: The number of frames written so far.
+        total_bytes: The size of all its files.
 
     Raises:
         OSError: The folder cannot be written.
@@ -240,18 +243,18 @@ class RecordingWriter:
 
     @property
     def total_bytes(self) -> int:
-        """Of its files with frames."""
+        """The size of its files with frames."""
         return self._closed_bytes + (0 if self._file is None else self._file.size)
 
     def write(self, rows: FrameRows, lines: Sequence[Line] = ()) -> None:
-        """Write frames as one block, and what happened meanwhile.
+        """Write frames as one block, and the sidecar's lines on this time.
 
         Args:
             rows: In the order of time, by the program's clock.
             lines: For the sidecar.
 
         Raises:
-            OSError: They were not written; everything before is whole, and can be read.
+            OSError: They were not written; everything before is intact.
         """
         if len(rows):
             self._write_rows(rows.shifted(self._plan.base.shift_s))
@@ -261,10 +264,10 @@ class RecordingWriter:
             self._sidecar.to_disk()
 
     def finish(self, facts: Mapping[str, object]) -> None:
-        """End it in good order; harmless when the disk is full or gone.
+        """End the recording properly; harmless if the disk is full or gone.
 
         Args:
-            facts: For the last line: why, and what is missing.
+            facts: Facts for the last line: the reason, and what is missing.
         """
         end: Line = {"kind": "end", "frames": self.frames, "bytes": self.total_bytes, **facts}
         with contextlib.suppress(OSError):

@@ -1,6 +1,6 @@
-"""Known bugs of firmware versions, as users reported them, so that a host's answers can be tried.
+"""Known bugs of firmware versions, as users reported them, for testing how a host copes.
 
-The reports say what was seen, seldom what brings it about; when each bug shows here is assumed.
+The reports tell the effect, seldom the cause; the moment at which each bug shows here is assumed.
 """
 
 from __future__ import annotations
@@ -42,10 +42,10 @@ PURPOSES: Final = {
         "leaving drag teaching drops the arm; the simulated arm does so with every version"
     ),
 }
-"""What each does here, in words."""
+"""A description of each bug's effect here."""
 
 NAMES: Final = {bug.value.replace("_", "-"): bug for bug in FirmwareBug}
-"""By the names of the command line."""
+"""The bugs by their names on the command line."""
 
 _SLIPPING: Final = 2
 _SLIPS_AFTER_S: Final = 10.0
@@ -61,8 +61,8 @@ class FirmwareBugs:
     """The bugs that one arm has.
 
     Attributes:
-        present: Which.
-        silent: Whether the arm says nothing because of one.
+        present: The bugs.
+        silent: True if the arm sends nothing because of a bug.
     """
 
     def __init__(
@@ -71,7 +71,7 @@ class FirmwareBugs:
         arm: Firmware,
         lead: Callable[[LinkageSettings], None],
     ) -> None:
-        """Lets the bugs of an arm be; `lead` gives it another role."""
+        """Gives an arm its bugs; `lead` gives it another role."""
         self.present = present
         self.silent = False
         self._arm = arm
@@ -83,22 +83,22 @@ class FirmwareBugs:
             self._corrupt()
 
     def switched_on(self) -> None:
-        """Begins anew after a power cycle."""
+        """Starts again after a power cycle."""
         self.silent = self._handle_set = False
         self._on_s = 0.0
         self.reset()
 
     def reset(self) -> None:
-        """Mends what 0x150 resume mends: the joint that had lost its place tells it again."""
+        """Clears what 0x150 resume repairs: a joint that had lost its position reports it again."""
         self._powered_s = 0.0
         self._arm.settings_applier.find_place()
 
     def setting_taken(self, name: str) -> None:
-        """Notices a setting: 0x47D mends what the teaching handle's level had spoiled."""
+        """Handles a setting: 0x47D repairs what the teaching handle's level had broken."""
         self._handle_set = self._handle_set or name == "TeachingSetting"
 
     def time_passed(self, dt_s: float) -> None:
-        """Lets time pass."""
+        """Advances by `dt_s` seconds."""
         if not self.present:
             return
         arm = self._arm
@@ -116,19 +116,19 @@ class FirmwareBugs:
             self._lead(arm.settings.linkage._replace(role=LinkageRole.TEACHING_INPUT))
 
     def mode_word(self, *, was_direct: bool) -> None:
-        """Notices a mode word the arm has taken."""
+        """Handles a mode word that the arm has accepted."""
         condition = self._arm.condition
         if FirmwareBug.MIT_MOVES_ZERO in self.present and was_direct and not condition.direct:
             condition.needs_reset = True
             self._arm.settings_applier.move_zero(0, _ZERO_MOVES_DEG)
 
     def role_set(self, role: LinkageRole) -> None:
-        """Notices a 0x470."""
+        """Handles a 0x470."""
         if FirmwareBug.SILENT_LEADER in self.present and role is LinkageRole.TEACHING_INPUT:
             self.silent = True
 
     def told(self, names: list[str], frames: list[Frame]) -> list[Frame]:
-        """Return what the arm tells instead of these frames of feedback."""
+        """Return the feedback that the arm sends instead of these frames."""
         if FirmwareBug.ZERO_FEEDBACK not in self.present or self._handle_set:
             return frames
         return [

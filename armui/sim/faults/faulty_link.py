@@ -16,12 +16,12 @@ class FaultyLink:
     """Passes the frames to and from one arm, with the faults that are set.
 
     Attributes:
-        off: The controller is bus-off: it hears nothing and nothing of it gets out.
-        loss: Share of the frames that get lost, each way, 0–1.
-        latency_s: How much later frames arrive, each way.
-        garbage_per_s: Frames a second that nobody sent, with any identifier and content.
-        deaf_to: Arbitration IDs of which no frame reaches the arm.
-        mute_on: Arbitration IDs of which no frame of the arm's reaches the bus.
+        off: The controller is bus-off: it neither receives nor sends.
+        loss: Share of the frames lost in each direction, 0–1.
+        latency_s: The delay of frames in each direction.
+        garbage_per_s: Frames a second that nobody sent, with random identifiers and content.
+        deaf_to: Arbitration IDs whose frames do not reach the arm.
+        mute_on: Arbitration IDs whose frames from the arm do not reach the bus.
     """
 
     def __init__(self, seed: int = 0) -> None:
@@ -47,7 +47,7 @@ class FaultyLink:
         self._lost_to_bus[arbitration_id] += count
 
     def to_arm(self, frames: list[Frame], now_s: float) -> list[Frame]:
-        """The frames that reach the arm now, of those that come in and those under way."""
+        """Return the frames that reach the arm now, from the new ones and the delayed ones."""
         if self.off:
             self._coming.clear()
             return []
@@ -55,12 +55,12 @@ class FaultyLink:
         return self._delayed(self._coming, kept, now_s)
 
     def to_bus(self, frames: list[Frame], now_s: float, dt_s: float) -> tuple[list[Frame], int]:
-        """Return the frames that reach the bus now, and how many never will.
+        """Return the frames that reach the bus now, and the number of lost ones.
 
         Args:
-            frames: What the arm says.
+            frames: The frames sent by the arm.
             now_s: The arm's time.
-            dt_s: How much of it has passed, for the garbage.
+            dt_s: The time that has passed, for the garbage.
         """
         if self.off:
             lost = len(frames) + len(self._going)

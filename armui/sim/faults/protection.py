@@ -1,7 +1,7 @@
-"""How the arm protects itself: from heat, low voltage, stalled joints and collisions.
+"""The arm's protection against heat, low voltage, stalled joints and collisions.
 
-The protocol names the alarms and no thresholds; those here are assumptions. So is the meaning of
-the collision levels: the higher the level, the more torque is put down to other causes.
+The protocol names the alarms but no thresholds; those here are assumptions. So is the meaning of
+the collision levels: the higher the level, the more torque is attributed to other causes.
 """
 
 from __future__ import annotations
@@ -21,10 +21,10 @@ _NS_PER_S: Final = 1_000_000_000
 LOWEST_V: Final = 20.0
 HOT_C: Final = 80.0
 COOL_C: Final = 75.0
-"""A driver that was too hot is content again below this."""
+"""The temperature below which an overheated driver is no longer too hot."""
 
 COLLISION_STEP_NM: Final = (2.0, 2.0, 2.0, 0.6, 0.6, 0.6)
-"""Unexplained torque that counts as a collision, for each level and joint."""
+"""The unexplained torque that counts as a collision, for each level and joint."""
 
 
 class Protection:
@@ -38,7 +38,7 @@ class Protection:
         settings: ArmSettingsRecord,
         brake: Callable[[], None],
     ) -> None:
-        """Watches one arm; `brake` is called when an alarm asks for it."""
+        """Watches one arm; `brake` is called when an alarm requires it."""
         self._brake = brake
         self._mechanics = mechanics
         self._drivers = drivers
@@ -47,7 +47,7 @@ class Protection:
         self._blocked = [False] * JOINT_COUNT
 
     def set_alarm(self, index: int, alarm: Alarm, *, present: bool) -> None:
-        """Says whether the cause of an alarm of a joint (0–5) is there."""
+        """Sets whether the cause of an alarm of a joint (0–5) is present."""
         is_new = self._condition.alarms.set(index, alarm, present=present)
         if present and alarm in CUTS_POWER and self._mechanics.powered[index]:
             self._mechanics.power_off((index,), UnpoweredJoints.FREE)
@@ -55,25 +55,25 @@ class Protection:
             self._brake()
 
     def block(self, index: int, *, blocked: bool) -> None:
-        """Keeps a joint (0–5) from turning under power, or lets it."""
+        """Blocks a joint (0–5) so that its motor cannot turn it, or frees it."""
         self._blocked[index] = blocked
 
     def push(self, index: int, torque_nm: float) -> None:
-        """Pushes at a joint (0–5) from outside, until told otherwise with 0."""
+        """Pushes a joint (0–5) from outside with a torque, until it is set to 0."""
         pushes_nm = list(self._mechanics.weight.pushes_nm)
         pushes_nm[index] = torque_nm
         self._mechanics.weight.pushes_nm = tuple(pushes_nm)
 
     def may_power(self, index: int) -> bool:
-        """Tell whether a motor may be switched on: nothing keeps its driver off."""
+        """Return whether a motor may be switched on: no alarm keeps its driver off."""
         return not self._condition.alarms.of(index) & CUTS_POWER
 
     def watch(self, names: Collection[str], periods_ns: Mapping[str, int]) -> None:
-        """Lets the drivers measure before frames are made, and looks at what they measure.
+        """Makes the drivers measure before frames are built, and checks the measurements.
 
         Args:
-            names: Of the frames.
-            periods_ns: How often the frames of each name are made.
+            names: The names of the frames.
+            periods_ns: The period of the frames of each name, in ns.
         """
         self.watch_torques()
         self._drivers.measure(self._mechanics)
@@ -84,7 +84,7 @@ class Protection:
                 self.watch_driver(joint - 1)
 
     def watch_torques(self) -> None:
-        """Looks for stalled joints and collisions."""
+        """Checks for stalled joints and collisions."""
         if any(self._blocked):
             self._find_stall()
         weight = self._mechanics.weight
@@ -98,7 +98,7 @@ class Protection:
         self._compare(a - b for a, b in zip(real, expected, strict=True))
 
     def watch_driver(self, index: int) -> None:
-        """Looks at the temperatures and the supply of one driver (0–5)."""
+        """Checks the temperatures and the supply of one driver (0–5)."""
         drivers = self._drivers
         self.set_alarm(index, Alarm.UNDERVOLTAGE, present=drivers.supply_v < LOWEST_V)
         for alarm, celsius in (

@@ -18,13 +18,13 @@ from armui.sim.firmware import Firmware
 from armui.sim.mechanics.drivers import SUPPLY_V
 
 _ANY_PUSH_NM: Final = 40.0
-"""More than any collision level explains."""
+"""More torque than any collision level explains."""
 
 _LOW_SUPPLY_V: Final = 18.0
 
 
 class FaultParameter(enum.Enum):
-    """What the number of a fault means: its name, its least and its greatest value."""
+    """The meaning of a fault's number: its name, and its smallest and largest value."""
 
     NONE = "nothing", 0.0, 0.0
     JOINT = "joint", 1.0, 6.0
@@ -51,10 +51,10 @@ class FaultKind:
     """One kind of fault.
 
     Attributes:
-        purpose: What happens, in words.
-        parameter: What its number means.
+        purpose: A description of the effect.
+        parameter: The meaning of its number.
         default: The number when none is given.
-        switch: Starts it with its number, or ends it.
+        switch: Starts the fault with its number, or ends it.
     """
 
     purpose: str
@@ -151,7 +151,7 @@ FAULTS: Final[dict[str, FaultKind]] = {
 
 
 class FaultError(ValueError):
-    """A fault that cannot be injected; says why and what can."""
+    """A fault that cannot be injected; the text names the reason and the alternatives."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -178,7 +178,7 @@ _SYNTAX: Final = re.compile(
 def fault(
     name: str, value: float | None = None, *, start_s: float = 0.0, end_s: float | None = None
 ) -> Fault:
-    """Makes a fault; its name, number and times are checked.
+    """Return a fault after checking its name, number and times.
 
     Args:
         name: A key of `FAULTS`.
@@ -213,7 +213,7 @@ def read_fault(text: str) -> Fault:
     """Return a fault from `NAME[:VALUE]@START[-END]`, seconds after the arm was switched on.
 
     Raises:
-        FaultError: It is not written so, or as for `fault`.
+        FaultError: The text has another form, or as for `fault`.
     """
     match = _SYNTAX.fullmatch(text)
     if match is None:
@@ -232,7 +232,7 @@ class Faults:
     """Starts and ends faults of one arm.
 
     Attributes:
-        active: What is broken now, in the order of its beginning.
+        active: The active faults, in the order of their beginning.
     """
 
     def __init__(self, arm: Firmware, link: FaultyLink, planned: Iterable[Fault] = ()) -> None:
@@ -253,7 +253,7 @@ class Faults:
             FAULTS[each.name].switch(self._on, each.value, False)
 
     def at(self, now_s: float) -> None:
-        """Starts and ends what was planned up to now."""
+        """Starts and ends the faults planned up to now."""
         while self._planned and self._planned[0].start_s <= now_s:
             self.start(self._planned.pop(0))
         for each in [each for each in self.active if each.end_s is not None]:

@@ -1,1 +1,1 @@
-"""How the simulated arm moves: powered, unpowered or led by hand, under gravity."""
+"""The motion of the simulated arm: powered, unpowered or led by hand, under gravity."""

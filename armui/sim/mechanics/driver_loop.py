@@ -1,7 +1,7 @@
 """The loop in the joint drivers, without a planner: MIT control and high-follow.
 
 Each driver follows its last setpoint by the law kp·(position − q) + kd·(speed − q̇) + torque at the
-output; there is no watchdog. How the joints move with it is `joint_dynamics`.
+output; there is no watchdog. `joint_dynamics` computes the motion of the joints.
 """
 
 from __future__ import annotations
@@ -23,15 +23,15 @@ from armui.sim.mechanics.rigid_body import Values
 
 @dataclass(frozen=True, slots=True)
 class DriverSetpoint:
-    """What one driver is told.
+    """The setpoint of one driver.
 
     Attributes:
-        position_deg: Counted from the joint's own zero.
+        position_deg: The position, counted from the joint's own zero.
         speed_rad_s: Speed.
-        kp: N·m for each rad that the joint is off its position.
-        kd: N·m for each rad/s that it is off its speed.
+        kp: N·m for each rad of position error.
+        kd: N·m for each rad/s of speed error.
         torque_nm: Torque at the output.
-        carries_weight: Whether the controller adds the torque that its model of gravity asks for.
+        carries_weight: True if the controller adds the torque of its gravity model.
     """
 
     position_deg: float = 0.0
@@ -43,14 +43,14 @@ class DriverSetpoint:
 
 
 LIMP: Final = DriverSetpoint()
-"""Powered, and told nothing: the joint falls."""
+"""The setpoint of a powered joint that was given none: the joint falls."""
 
 
 class DriverLoop:
-    """The setpoints of the drivers that follow them, and how their joints move.
+    """The setpoints of the drivers that follow them, and the motion of their joints.
 
     Attributes:
-        torques_nm: What the drivers in the loop gave last, by joint (0–5).
+        torques_nm: The last torques of the drivers in the loop, by joint (0–5).
     """
 
     def __init__(self, weight: Weight) -> None:
@@ -76,8 +76,8 @@ class DriverLoop:
 
         Args:
             index: The joint.
-            setpoint: What it is to follow from now on.
-            speed_deg_s: How fast the joint turns, if something else has moved it until now.
+            setpoint: The setpoint to follow from now on.
+            speed_deg_s: The joint's speed, if something else has moved it until now.
         """
         before = self._setpoints.get(index)
         if before == setpoint:
@@ -89,7 +89,7 @@ class DriverLoop:
         self._told = None
 
     def void(self, indices: Iterable[int] = range(JOINT_COUNT)) -> None:
-        """Takes joints (0–5) from the loop: something else holds or moves them now."""
+        """Removes joints (0–5) from the loop: something else holds or moves them now."""
         for index in indices:
             if self._setpoints.pop(index, None) is not None:
                 self._told = None
@@ -99,12 +99,12 @@ class DriverLoop:
     def step(
         self, positions_deg: SixValues, stops: Sequence[JointLimits], dt_s: float
     ) -> tuple[SixValues, SixValues]:
-        """Return where the joints are some time later, and how fast they turn then.
+        """Return the joints' positions and speeds after a time.
 
         Args:
-            positions_deg: Where they are; those outside the loop stay there.
-            stops: Where the metal ends; joint limits do not bound a driver's setpoint.
-            dt_s: How much time passes, above 0.
+            positions_deg: The present positions; joints outside the loop keep theirs.
+            stops: The mechanical stops; joint limits do not bound a driver's setpoint.
+            dt_s: The time to advance, above 0.
         """
         weight = self._weight
         self._look_at_frame(stops)
@@ -176,5 +176,5 @@ class DriverLoop:
 
 
 def _same(one: SixValues, other: SixValues) -> bool:
-    """Tell whether angles differ by less than the rounding of degrees to radians and back."""
+    """Return whether angles differ by less than the rounding of degrees to radians and back."""
     return all(abs(a - b) < 1e-9 for a, b in zip(one, other, strict=True))

@@ -1,7 +1,7 @@
-"""What the six motor drivers measure: current, voltage, temperatures.
+"""The measurements of the six motor drivers: current, voltage, temperatures.
 
-Plain models with estimated constants: they make the feedback plausible and consistent with the
-motion, no more.
+They are simple models with estimated constants: the feedback becomes plausible and consistent with
+the motion, no more.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ _SPREAD_C: Final = 2.0
 _HOTTEST_C: Final = 40.0
 _WARMTH_C_PER_A2: Final = 2.0
 _DRIVER_SHARE: Final = 0.6
-"""A driver warms by this part of what its motor warms by."""
+"""The warming of a driver as a part of its motor's."""
 _WARMING_TIME_S: Final = 90.0
 _OVERHEATED_C: Final = 95.0
 
@@ -44,14 +44,14 @@ class Drivers:
         currents_a: Motor currents, positive when driving towards larger angles.
         motor_temperatures_c: Temperatures of the motors, 30–40 °C unless overheated.
         driver_temperatures_c: Temperatures of the drivers, likewise.
-        supply_v: What the supply gives.
+        supply_v: The voltage of the supply.
     """
 
     def __init__(self, seed: int, nm_per_ampere: SixValues) -> None:
-        """Cold drivers.
+        """Starts with cold drivers.
 
         Args:
-            seed: Of the noise.
+            seed: The seed of the noise.
             nm_per_ampere: Torque at the output for a motor's current, joint 1 first.
         """
         self._nm_per_ampere = nm_per_ampere
@@ -70,7 +70,7 @@ class Drivers:
         self._hot_drivers: set[int] = set()
 
     def measure(self, mechanics: Mechanics) -> None:
-        """Takes the currents from the present motion and load."""
+        """Computes the currents from the present motion and load."""
         powered, speeds_deg_s = mechanics.powered, mechanics.speeds_deg_s
         accelerations_deg_s2 = mechanics.accelerations_deg_s2
         driven = mechanics.driver_torques_nm
@@ -112,7 +112,7 @@ class Drivers:
         )
 
     def warm(self, index: int, dt_s: float) -> None:
-        """Lets one motor and its driver warm or cool with the present current."""
+        """Warms or cools one motor and its driver by the present current."""
         share = min(dt_s / _WARMING_TIME_S, 1.0)
         heat_c = _WARMTH_C_PER_A2 * self.currents_a[index] ** 2
         ambient_c = self._ambient_c[index]
@@ -127,20 +127,20 @@ class Drivers:
             temperatures[index] += (goal_c - temperatures[index]) * share
 
     def overheat_motor(self, index: int, *, on: bool) -> None:
-        """Heats a motor (0–5) far beyond what it stands, or lets it cool."""
+        """Heats a motor (0–5) far beyond its limit, or lets it cool."""
         (self._hot_motors.add if on else self._hot_motors.discard)(index)
 
     def overheat_driver(self, index: int, *, on: bool) -> None:
-        """Heats a driver (0–5) far beyond what it stands, or lets it cool."""
+        """Heats a driver (0–5) far beyond its limit, or lets it cool."""
         (self._hot_drivers.add if on else self._hot_drivers.discard)(index)
 
     def voltage_v(self) -> float:
-        """One reading of the supply: noise, and a drop that grows with the load."""
+        """Return one reading of the supply, with noise and a drop that grows with the load."""
         drop_v = _LINE_RESISTANCE_OHM * sum(map(abs, self.currents_a))
         noise_v = _SUPPLY_NOISE_V * float(self._noise.uniform(-1.0, 1.0))
         return round(self.supply_v - drop_v + noise_v, _VOLTAGE_DIGITS)
 
     def bus_current_a(self, index: int) -> float:
-        """Return what one driver draws from the supply."""
+        """Return the current that one driver draws from the supply."""
         power_w = abs(self._torques_nm[index] * self._speeds_rad_s[index])
         return _IDLE_A + power_w / self.supply_v

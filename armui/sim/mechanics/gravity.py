@@ -1,4 +1,4 @@
-"""What loads the joints: the arm's masses, its payload, how it is mounted, pushes from outside."""
+"""The loads on the joints: the arm's masses, its payload, its mounting, pushes from outside."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from armui.protocol.codes import EndLoad, Mounting
 from armui.sim.mechanics.rigid_body import DOWN, RigidBody, RigidLink, piper_links
 
 PAYLOADS_KG: Final = {EndLoad.EMPTY: 0.0, EndLoad.HALF: 0.75, EndLoad.FULL: 1.5}
-"""What the words of 0x477 byte 4 mean; 1.5 kg is the arm's payload, half of it is half."""
+"""The masses for the words of 0x477 byte 4; 1.5 kg is the arm's payload, half of it is half."""
 
 DOWN_BY_MOUNTING: Final = {
     Mounting.LEVEL: DOWN,
@@ -21,7 +21,7 @@ DOWN_BY_MOUNTING: Final = {
     Mounting.ON_THE_RIGHT_SIDE: (0.0, -1.0, 0.0),
     Mounting.UPSIDE_DOWN: (0.0, 0.0, 1.0),
 }
-"""Where things fall, in the base frame; an arm on its left side has its Y axis below."""
+"""The direction of gravity in the base frame; for an arm on its left side it is the Y axis."""
 
 
 @dataclass(slots=True)
@@ -30,11 +30,11 @@ class Weight:
 
     Attributes:
         links: The arm's links and their masses.
-        zeros_deg: Where each joint has its zero, counted from the factory's.
+        zeros_deg: Each joint's zero, counted from the factory's.
         payload_kg: Mass at the flange.
-        told_kg: Mass at the flange as the host says; the arm's own model of gravity has this one.
-        down: Where things fall, in the base frame.
-        pushes_nm: What something outside adds to each joint's torque.
+        told_kg: Mass at the flange as set by the host; the arm's own gravity model uses it.
+        down: The direction of gravity in the base frame.
+        pushes_nm: The torque added to each joint from outside.
     """
 
     links: tuple[RigidLink, ...] = field(default_factory=piper_links)
@@ -46,11 +46,11 @@ class Weight:
 
     @property
     def body(self) -> RigidBody:
-        """The arm with what hangs at its flange."""
+        """The arm with the load at its flange."""
         return _body(self.links, self.payload_kg)
 
     def true_deg(self, joints_deg: Sequence[float]) -> list[float]:
-        """Angles counted from the factory's zeros."""
+        """Return joint angles counted from the factory's zeros."""
         return [angle + zero for angle, zero in zip(joints_deg, self.zeros_deg, strict=True)]
 
     def torques_nm(self, joints_deg: Sequence[float]) -> tuple[float, ...]:
@@ -61,7 +61,7 @@ class Weight:
         return tuple(a + b for a, b in zip(torques_nm, self.pushes_nm, strict=True))
 
     def expected_nm(self, joints_deg: Sequence[float]) -> tuple[float, ...]:
-        """The same as the arm's own model has it: with the payload the host has told, no pushes."""
+        """Return the torques by the arm's own model: the payload set by the host, no pushes."""
         return self._gravity_nm(self.told_kg, joints_deg)
 
     def _gravity_nm(self, payload_kg: float, joints_deg: Sequence[float]) -> tuple[float, ...]:

@@ -1,4 +1,4 @@
-"""The gripper: jaws that move to where they are told, and grip what is between them."""
+"""The gripper: its jaws move to a commanded place, and grip an object between them."""
 
 from __future__ import annotations
 
@@ -14,24 +14,24 @@ _OPENING_SPEED_MM_S: Final = 80.0
 _WIDEST_MM: Final = 100.0
 _WIDEST_DEG: Final = 100.0
 _MM_PER_DEG: Final = 1.0
-"""How an angle of the gripper becomes an opening isn't published: 1 mm for 1° is assumed."""
+"""The opening for each degree. The relation isn't published; 1 mm for 1° is assumed."""
 
 
 class SimulatedGripper:
-    """Where the gripper is, where it goes and what it holds.
+    """The gripper's position, its target and the object it holds.
 
-    Its travel is an opening in mm in generation 2 and an angle in degrees in generation 1. It
-    grows as the jaws open. From S-V1.8-8 generation 2 takes angles, too, and tells the gripper as
-    it was last told to move.
+    Its travel is an opening in mm in generation 2 and an angle in degrees in generation 1. It grows
+    as the jaws open. From S-V1.8-8 generation 2 accepts angles as well, and reports the quantity
+    that was last commanded.
 
     Attributes:
         travel: Present opening or angle.
         speed: Present speed of the travel, per second.
         torque_nm: Torque it grips with; 0 while nothing is between the jaws. Generation 2.
         enabled: Whether its motor has power.
-        errors: What is wrong; it has no power until they are cleared.
-        measure: Whether generation 2 tells it as an opening or as an angle.
-        object_width: Size of the thing between the jaws, in the unit of the travel, or None.
+        errors: The faults; it has no power until they are cleared.
+        measure: Whether generation 2 reports an opening or an angle.
+        object_width: The size of the object between the jaws, in the unit of the travel, or None.
     """
 
     def __init__(self, generation: Generation, settings: ArmSettingsRecord) -> None:
@@ -49,11 +49,12 @@ class SimulatedGripper:
         self._wanted_nm = 0.0
 
     def command(self, signals: dict[str, float], *, knows_angles: bool = True) -> None:
-        """Obeys a 0x159 of either generation; a disabled gripper stays where it is.
+        """Obeys a 0x159 of either generation; a disabled gripper does not move.
 
         Args:
-            signals: Of the message.
-            knows_angles: Whether its firmware does; an older one takes an angle for an opening.
+            signals: The signals of the message.
+            knows_angles: True if its firmware accepts angles; an older one takes an angle for an
+                opening.
         """
         if signals["ClearError"]:
             self.errors.clear()
@@ -75,7 +76,7 @@ class SimulatedGripper:
 
     @property
     def place(self) -> dict[str, float]:
-        """Where it is, as the signals of 0x2A8 in its generation."""
+        """The position, as the signals of 0x2A8 in its generation."""
         if self._generation is Generation.ONE:
             return {"Angle": self.travel}
         if self.measure is GripperMeasure.ANGLE:
@@ -84,28 +85,28 @@ class SimulatedGripper:
 
     @property
     def widest(self) -> float:
-        """How far it opens: generation 2 sets a stroke limit with 0x47D, 0 for none."""
+        """The largest opening: generation 2 sets a stroke limit with 0x47D, 0 for none."""
         if self._generation is Generation.ONE:
             return _WIDEST_DEG
         return self._settings.teaching.stroke_limit_mm or _WIDEST_MM
 
     def release(self) -> None:
-        """Takes its power; it stays where it is."""
+        """Switches its motor off; the jaws do not move."""
         self.enabled = False
         self.speed = self.torque_nm = 0.0
         self._target = self.travel
 
     def fail(self, error: GripperFault) -> None:
-        """Sets an error of its driver, which takes its power."""
+        """Sets an error of its driver, which switches its motor off."""
         self.errors.add(error)
         self.release()
 
     def lead_to(self, travel: float) -> None:
-        """Puts the jaws where a hand holds them."""
+        """Moves the jaws as a hand would."""
         self.travel = self._target = min(max(travel, 0.0), self.widest)
 
     def step(self, dt_s: float) -> None:
-        """Lets time pass."""
+        """Advances by `dt_s` seconds."""
         self.speed = self.torque_nm = 0.0
         if not self.enabled:
             return

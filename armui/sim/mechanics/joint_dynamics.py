@@ -1,10 +1,10 @@
-"""How driven joints move through time: motors, friction, stops, and the arm's own mass.
+"""The dynamics of driven joints: motors, friction, stops, and the arm's own mass.
 
 The equation of motion is solved for the speeds at the end of each step by the trapezoidal rule,
 with gains and viscous friction inside the rule: stiff gains stay stable, and no damping is added
-that the drivers did not ask for. Mass and gravity are worked out anew once in `LONGEST_STEP_S`;
-within it the steps are as short as the stiffest joint needs. Dry friction and stops are bounded
-impulses: a joint stands as long as what pushes it is less than they can hold.
+beyond the drivers' own. Mass and gravity are computed once in `LONGEST_STEP_S`; within it the steps
+are as short as the stiffest joint needs. Dry friction and stops are bounded impulses: a joint
+stands still as long as the torque on it is less than they can hold.
 """
 
 from __future__ import annotations
@@ -25,9 +25,9 @@ Flags = npt.NDArray[np.bool_]
 LONGEST_STEP_S: Final = 0.005
 _MOST_STEPS: Final = 8
 _ANGLE_A_STEP_RAD: Final = 0.3
-"""A step takes no more than this of an oscillation of the stiffest joint."""
+"""The largest part of an oscillation of the stiffest joint in one step, in rad."""
 _DECAY_A_STEP: Final = 2.0
-"""Nor more than this of the time in which the most strongly damped joint slows down."""
+"""The longest step, in time constants of the most strongly damped joint."""
 
 _ONES: Final = [np.eye(size) for size in range(7)]
 
@@ -38,9 +38,9 @@ _SATURATION_TRIES: Final = 2
 
 @dataclass(frozen=True, slots=True)
 class JointLosses:
-    """What resists and bounds the joints' motion; joint 1 first, at the output of the gear.
+    """The friction and limits of the joints' motion; joint 1 first, at the output of the gear.
 
-    None of it is published by the maker: the figures are assumptions, stated here.
+    The maker publishes none of it: the figures are assumptions.
 
     Attributes:
         dry_nm: Dry friction. The gears hold a wrist that carries nothing.
@@ -57,12 +57,12 @@ class JointLosses:
 
 @dataclass(slots=True)
 class DriverLaw:
-    """What six drivers are told: kp·(position − q) + kd·(speed − q̇) + torque at the output.
+    """The setpoints of six drivers: kp·(position − q) + kd·(speed − q̇) + torque at the output.
 
     Attributes:
         positions_rad, speeds_rad_s, torques_nm: Setpoints, joint 1 first.
         kp, kd: Gains in N·m/rad and N·m·s/rad; with both 0 and no torque a joint is limp.
-        driven: The joints that move by this law; the others stand where something else holds them.
+        driven: The joints that move by this law; something else holds the others.
     """
 
     positions_rad: Values = field(default_factory=lambda: np.zeros(6))
@@ -77,8 +77,8 @@ class JointDynamics:
     """Six joints under the law of their drivers.
 
     Attributes:
-        losses: What resists and bounds their motion.
-        torques_nm: What the drivers gave in the last step.
+        losses: The friction and limits of their motion.
+        torques_nm: The drivers' torques in the last step.
     """
 
     def __init__(self, losses: JointLosses | None = None) -> None:
@@ -101,17 +101,17 @@ class JointDynamics:
         down: Sequence[float] = DOWN,
         pushes_nm: Values | None = None,
     ) -> tuple[Values, Values]:
-        """Return where the joints are some time later, and how fast they turn then.
+        """Return the joints' positions and speeds after a time.
 
         Args:
             body: The masses.
-            law: What the drivers do meanwhile.
+            law: The drivers' law in this time.
             joints_rad: (6,) angles in the model's frame.
             speeds_rad_s: (6,) speeds; those of joints that are not driven count as 0.
-            stops_rad: Where the metal ends: lowest and highest angles, each (6,).
-            dt_s: How much time passes.
-            down: Where gravity pulls, in the base frame.
-            pushes_nm: What something outside adds to each joint's torque.
+            stops_rad: The mechanical stops: lowest and highest angles, each (6,).
+            dt_s: The time to advance.
+            down: The direction of gravity in the base frame.
+            pushes_nm: The torque added to each joint from outside.
         """
         joints = joints_rad
         speeds = np.where(law.driven, speeds_rad_s, 0.0)
@@ -216,11 +216,11 @@ class _Interval:
         return side
 
     def torques(self, joints: Values, mean_speeds: Values) -> Values:
-        """Return what the drivers give in a step, from its start and the mean speeds."""
+        """Return the drivers' torques in a step, from its start and the mean speeds."""
         return self._told - self._law.kp * joints - self._braking * mean_speeds
 
     def solve(self, moves: Flags, right: Values) -> Values:
-        """Return the speeds after a step of the joints that move; the others stand."""
+        """Return the speeds after a step of the moving joints; the others stand still."""
         pattern = moves.tobytes()
         inverse = self._inverses.get(pattern)
         if inverse is None:
@@ -229,7 +229,7 @@ class _Interval:
         return speeds
 
     def saturated(self, over: Flags, torques_nm: Values) -> _Interval:
-        """The same with fixed torques of some drivers instead of their law."""
+        """Return the interval with fixed torques of some drivers instead of their law."""
         law = self._law
         fixed = DriverLaw(
             law.positions_rad,
@@ -242,7 +242,7 @@ class _Interval:
         return _Interval(self._mass, self._load, fixed, self._viscous, self.dt_s)
 
     def hit(self, speeds: Values, hits: npt.NDArray[np.intp]) -> Values:
-        """The speeds after joints have hit their stops: these stand, the others feel the blow."""
+        """Return the speeds after joints have hit their stops: these stop, others are struck."""
         blows = _inverse_of(self._mass, self.driven)[:, hits]
         struck: Values = speeds - blows @ np.linalg.solve(blows[hits], speeds[hits])
         return struck

@@ -16,7 +16,8 @@ class HandGuiding:
     """Moves the joints that give way, as a person's hand would.
 
     Attributes:
-        gripper_to: Where it holds the jaws, in the gripper's unit; None when it leaves them alone.
+        gripper_to: The opening at which it holds the jaws, in the gripper's unit; None if it does
+            not touch them.
     """
 
     def __init__(self) -> None:
@@ -26,17 +27,17 @@ class HandGuiding:
         self.gripper_to: float | None = None
 
     def push(self, speeds_deg_s: Sequence[float]) -> None:
-        """Turns each joint at a speed, until something else is asked for."""
+        """Turns each joint at a speed, until another motion is requested."""
         self._goal_deg = None
         self._speeds_deg_s = tuple(speeds_deg_s)
 
     def lead_to(self, joints_deg: Sequence[float], speed_deg_s: float = 30.0) -> None:
-        """Leads all joints to six angles; the one with the longest way turns at this speed."""
+        """Moves all joints to six angles; the joint with the longest way turns at this speed."""
         self._goal_deg = tuple(joints_deg)
         self._speed_deg_s = speed_deg_s
 
     def let_go(self) -> None:
-        """Leaves the arm, and its jaws, where they are."""
+        """Releases the arm and its jaws, which stay where they are."""
         self._goal_deg = None
         self._speeds_deg_s = STANDSTILL
         self.gripper_to = None
@@ -44,12 +45,12 @@ class HandGuiding:
     def step(
         self, positions_deg: SixValues, stops: Sequence[JointLimits], dt_s: float
     ) -> tuple[SixValues, SixValues]:
-        """Return where the joints are some time later, and how fast they turned in it.
+        """Return the joints' positions and speeds after a time.
 
         Args:
-            positions_deg: Where they are.
-            stops: Where the metal ends.
-            dt_s: How much time passes.
+            positions_deg: The present positions.
+            stops: The mechanical stops.
+            dt_s: The time to advance.
         """
         if dt_s <= 0.0:
             return positions_deg, self._speeds_deg_s
@@ -72,13 +73,13 @@ class HandGuiding:
 
 
 class JointPath(Protocol):
-    """A motion of all joints that knows for itself how fast it goes.
+    """A motion of all joints that controls its own speed.
 
     Attributes:
-        positions_deg: Where the joints are.
-        speeds_deg_s: How fast they turn.
-        accelerations_deg_s2: How their speeds change.
-        moving: Whether the joints turn, or are about to.
+        positions_deg: The joints' positions.
+        speeds_deg_s: Their speeds.
+        accelerations_deg_s2: Their accelerations.
+        moving: True if the joints turn, or are about to.
     """
 
     @property
@@ -95,21 +96,21 @@ class JointPath(Protocol):
         ...
 
     def step(self, dt_s: float) -> None:
-        """Lets time pass."""
+        """Advances by `dt_s` seconds."""
         ...
 
 
 class Mechanics:
     """Six joints, their power and their motion through time.
 
-    At the start no motor has power and the arm rests, supported, where it is put.
+    At the start no motor has power, and the arm is supported.
 
     Attributes:
-        positions_deg: Where the joints are, joint 1 first.
-        speeds_deg_s: How fast they turn.
-        accelerations_deg_s2: How their speeds change under power.
-        powered: Which motors have power.
-        weight: What gravity pulls at.
+        positions_deg: The joints' positions, joint 1 first.
+        speeds_deg_s: Their speeds.
+        accelerations_deg_s2: Their accelerations under power.
+        powered: For each motor, true if it has power.
+        weight: The loads on the joints.
     """
 
     def __init__(self, positions_deg: Iterable[float], weight: Weight | None = None) -> None:
@@ -127,19 +128,19 @@ class Mechanics:
 
     @property
     def moving(self) -> bool:
-        """Whether the motors are moving joints along a plan."""
+        """True if the motors are moving joints along a plan."""
         return self._motion.moving if self._path is None else self._path.moving
 
     @property
     def setpoints_deg(self) -> SixValues:
-        """Where the controller holds or moves the joints; they are there but for their sag."""
+        """The joints' setpoints in the controller; joints differ from them only by their sag."""
         return self._motion.positions_deg
 
     @property
     def sag_deg(self) -> SixValues:
-        """By how much each powered joint stands off its setpoint, as under a load; 0 at first.
+        """The distance of each powered joint from its setpoint under its load; 0 at first.
 
-        Joints that are caught or halted are held where they stand: only a motion brings sag.
+        Joints that are caught or halted are held in place without sag; it begins with a motion.
         """
         return self._sag_deg
 
@@ -150,11 +151,11 @@ class Mechanics:
 
     @property
     def gives_way(self) -> bool:
-        """Whether a hand can move the joints."""
+        """True if a hand can move the joints."""
         return self._hand is not None
 
     def power_on(self, indices: Iterable[int]) -> None:
-        """Powers motors; each holds its joint where it is."""
+        """Powers motors; each holds its joint in place."""
         for index in indices:
             is_caught = index in self._limp or (not self.powered[index] and self._sag_deg[index])
             self._limp.catch(index)
@@ -164,10 +165,10 @@ class Mechanics:
         self._read_motion()
 
     def power_off(self, indices: Iterable[int], unpowered: UnpoweredJoints) -> None:
-        """Takes the power from motors; their joints give way to gravity.
+        """Switches motors off; their joints give way to gravity.
 
-        A joint that never had power lies supported, and stays; one that is limp already gives way
-        as asked now.
+        A joint that never had power is supported, and stays; one that is limp already changes to
+        this manner of giving way.
         """
         self._hand = None
         indices = [index for index in indices if self.powered[index] or index in self._limp]
@@ -181,19 +182,19 @@ class Mechanics:
 
     @property
     def driver_torques_nm(self) -> Mapping[int, float]:
-        """What the drivers of the joints (0–5) give that follow setpoints without a plan."""
+        """The torques of the drivers that follow setpoints without a plan, by joint (0–5)."""
         return self._loop.torques_nm
 
     def let_go(self, indices: Iterable[int]) -> None:
-        """Leaves motors their power and takes what they hold at: their joints fall."""
+        """Leaves motors powered without a setpoint: their joints fall."""
         self._hand = None
         for index in indices:
             self.steer(index, LIMP)
 
     def steer(self, index: int, setpoint: DriverSetpoint) -> None:
-        """Gives a joint a setpoint that its driver follows without a plan; nothing without power.
+        """Gives a powered joint a setpoint that its driver follows without a plan.
 
-        A plan under way is dropped.
+        A plan in progress is dropped. Without power nothing happens.
         """
         if not self.powered[index]:
             return
@@ -208,24 +209,24 @@ class Mechanics:
         speeds_deg_s: Sequence[float],
         accelerations_deg_s2: Sequence[float],
     ) -> None:
-        """Moves all joints; every motor must have power. A motion under way is replaced."""
+        """Moves all joints; every motor must have power. A motion in progress is replaced."""
         self._take_up()
         self._path = None
         self._motion.move_to(targets_deg, speeds_deg_s, accelerations_deg_s2)
 
     def follow_path(self, path: JointPath) -> None:
-        """Moves all joints along a path that begins at their setpoints; it says how fast."""
+        """Moves all joints along a path that begins at their setpoints and has its own speed."""
         self._take_up()
         self._path = path
 
     def follows(self, path: JointPath) -> bool:
-        """Tell whether the joints move along this very path."""
+        """Return whether the joints move along this path."""
         return self._path is path
 
     def brake(self, accelerations_deg_s2: Sequence[float]) -> None:
-        """Brings a motion to its end as fast as the joints allow, along a path where it has one.
+        """Ends a motion as fast as the joints allow; on a path, along the path.
 
-        Joints that follow setpoints without a plan go on to them.
+        Joints that follow setpoints without a plan go on.
         """
         if self._loop:
             return
@@ -235,28 +236,28 @@ class Mechanics:
             self._path.run(0.0)
 
     def give_way(self, hand_guiding: HandGuiding) -> None:
-        """Powers all motors to carry the arm's weight and no more; a hand leads it."""
+        """Powers all motors only to carry the arm's weight, so that a hand can lead it."""
         self.power_on(range(JOINT_COUNT))
         self.halt()
         self._hand = hand_guiding
 
     def hold(self) -> None:
-        """Holds the joints against any hand."""
+        """Holds the joints in place against a hand."""
         if self._hand is not None:
             self._hand = None
             self.halt()
 
     def halt(self) -> None:
-        """Stands at once, without regard for what the joints can do."""
+        """Stops the joints instantly, without regard for their limits."""
         self._loop.void()
         self._place()
         self._read_motion()
 
     def count_anew(self, positions_deg: Iterable[float]) -> None:
-        """Reads other angles where the joints stand, as after a zero was set; nothing moves.
+        """Sets the angles at which the joints stand, as after a zero was set; nothing moves.
 
-        A plan under way would lead elsewhere: let it end first. So would setpoints that joints
-        follow without a plan: these fall until the next.
+        Let a plan in progress end first, because it would lead elsewhere. So would setpoints
+        without a plan, which are dropped: those joints fall until the next setpoint.
         """
         self.positions_deg = tuple(positions_deg)
         self.let_go(list(self.driver_torques_nm))
@@ -264,7 +265,7 @@ class Mechanics:
         self._read_motion()
 
     def step(self, dt_s: float, limits: Sequence[JointLimits]) -> None:
-        """Lets time pass."""
+        """Advances by `dt_s` seconds."""
         if self._hand is not None:
             led_to, speeds_deg_s = self._hand.step(self.positions_deg, limits, dt_s)
             self._motion.carry(self._without_sag(led_to), speeds_deg_s, STANDSTILL)

@@ -1,8 +1,8 @@
-"""How six powered joints move: limited in speed and acceleration, planned by ruckig.
+"""The motion of six powered joints: limited in speed and acceleration, planned by ruckig.
 
-The joints start and arrive together. Only the speed follows the speed percentage; the
-acceleration stays the joints' own, so that an arm slowed down in the middle of a motion brakes
-as hard as before and never runs past a target that lay at a limit.
+The joints start and arrive together. The speed percentage changes only the speed; the acceleration
+stays the joints' own, so that an arm slowed down in the middle of a motion brakes as hard as before
+and never runs past a target at a limit.
 """
 
 from __future__ import annotations
@@ -28,24 +28,24 @@ SixValues = tuple[float, ...]
 STANDSTILL: Final[SixValues] = (0.0,) * JOINT_COUNT
 
 SLOWEST_DEG_S: Final = 0.05
-"""No plan is slower: ruckig refuses motions that take more than two hours."""
+"""The slowest speed planned: ruckig refuses motions that take more than two hours."""
 
 _SLACKS: Final = (1.0, 1.0 + 1e-7, 1.0 + 1e-5)
 """Factors on the acceleration, tried in this order."""
 
 
 class MotionError(RuntimeError):
-    """The planner found no motion, as with an acceleration of 0."""
+    """The planner found no motion, for example with an acceleration of 0."""
 
 
 class JointMotion:
-    """The motion of six joints through time, with no clock of its own.
+    """The motion of six joints in time, without a clock of its own.
 
     Attributes:
-        positions_deg: Where the joints are.
-        speeds_deg_s: How fast they turn.
-        accelerations_deg_s2: How their speeds change.
-        moving: Whether a plan is under way.
+        positions_deg: The joints' positions.
+        speeds_deg_s: Their speeds.
+        accelerations_deg_s2: Their accelerations.
+        moving: True while a plan is in progress.
     """
 
     def __init__(self, positions_deg: Iterable[float]) -> None:
@@ -61,7 +61,7 @@ class JointMotion:
         self.moving = False
 
     def place(self, positions_deg: Iterable[float]) -> None:
-        """Sets the joints' positions at once, standing still; a plan under way is forgotten."""
+        """Sets the joints' positions at standstill; a plan in progress is dropped."""
         self.positions_deg = tuple(positions_deg)
         self.speeds_deg_s = STANDSTILL
         self.accelerations_deg_s2 = STANDSTILL
@@ -70,7 +70,7 @@ class JointMotion:
     def carry(
         self, positions_deg: SixValues, speeds_deg_s: SixValues, accelerations_deg_s2: SixValues
     ) -> None:
-        """Takes over joints that something else moves; the next plan starts from there."""
+        """Sets the state of joints that something else moves; the next plan starts from there."""
         self.positions_deg = positions_deg
         self.speeds_deg_s = speeds_deg_s
         self.accelerations_deg_s2 = accelerations_deg_s2
@@ -84,11 +84,11 @@ class JointMotion:
         speeds_deg_s: Sequence[float],
         accelerations_deg_s2: Sequence[float],
     ) -> None:
-        """Plans from the present position and speed to a target; a plan under way is replaced.
+        """Plans from the present position and speed to a target; a plan in progress is replaced.
 
         Args:
-            targets_deg: Where to go.
-            speeds_deg_s: Highest speed of each joint, taken as `SLOWEST_DEG_S` where it is less.
+            targets_deg: The target angles.
+            speeds_deg_s: Highest speed of each joint, at least `SLOWEST_DEG_S`.
             accelerations_deg_s2: Highest acceleration of each joint, above 0.
 
         Raises:
@@ -117,7 +117,7 @@ class JointMotion:
         self._asked = None
 
     def step(self, dt_s: float) -> None:
-        """Lets time pass along the plan."""
+        """Advances by `dt_s` seconds along the plan."""
         if not self.moving:
             return
         self._elapsed_s += dt_s

@@ -1,14 +1,13 @@
 """The arm as six rigid links: inertia, gravity and the forces of its own motion.
 
-Everything is worked out in the base frame, for all six links at once: where the links are, how
-their centres of mass move with each joint, and from that the joint-space equation of motion
+Everything is computed in the base frame, for all six links at once: the places of the links, the
+motion of their centres of mass with each joint, and from these the joint-space equation of motion
 
     (mass matrix) · (accelerations) + (bias torques) = (torques of the drivers, friction, stops).
 
 Masses and centres of mass come from the model. Its inertia tensors cannot be used (they are not
-those of the stated masses), so each link is taken for a uniform solid cylinder that lies along the
-line from its joint to the next. The rotor of each motor adds its own inertia, multiplied by the
-gear.
+those of the stated masses), so each link is modelled as a uniform solid cylinder along the line
+from its joint to the next. The rotor of each motor adds its own inertia, multiplied by the gear.
 """
 
 from __future__ import annotations
@@ -30,16 +29,17 @@ Values = npt.NDArray[np.float64]
 
 G_M_S2: Final = 9.81
 DOWN: Final = (0.0, 0.0, -1.0)
-"""Where gravity pulls an arm that stands level, in its base frame."""
+"""The direction of gravity for an arm that stands level, in its base frame."""
 
 LINK_RADIUS_M: Final = 0.035
-"""Assumed: half the thickness of the arm's links."""
+"""Half the thickness of the arm's links; assumed."""
 
 SHORTEST_LINK_M: Final = 0.06
-"""Assumed: the length of the body of a joint whose axis meets the next one's."""
+"""The length of the body of a joint whose axis meets the next one's; assumed."""
 
 ROTOR_INERTIAS_KG_M2: Final = (0.02, 0.02, 0.02, 0.005, 0.005, 0.005)
-"""Assumed: what rotor and gear of each joint add to its own entry of the mass matrix."""
+"""The inertia that rotor and gear of each joint add to its own entry of the mass matrix; assumed.
+"""
 
 _CROSS: Final = np.array(
     [
@@ -49,7 +49,7 @@ _CROSS: Final = np.array(
     ],
     dtype=float,
 ).reshape(3, 9)
-"""Turns a vector v into the matrix [v] with [v]·w = v × w."""
+"""A tensor that turns a vector v into the matrix [v] with [v]·w = v × w."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,7 +76,7 @@ class RigidBody:
     """A chain of rigid links on a base that stands still. Angles in radians, lengths in metres."""
 
     def __init__(self, links: Sequence[RigidLink], payload_kg: float = 0.0) -> None:
-        """An arm with a point mass at its flange, the origin of the last link's frame."""
+        """Creates an arm with a point mass at its flange, the origin of the last link's frame."""
         alphas = np.radians([link.alpha_deg for link in links])
         cos, sin = np.cos(alphas), np.sin(alphas)
         lengths, offsets = (
@@ -106,7 +106,7 @@ class RigidBody:
 
         Args:
             joints_rad: (6,) joint angles.
-            down: Unit vector in the base frame, to where things fall.
+            down: The direction of gravity, a unit vector in the base frame.
         """
         axes, places, _, _, centres = self._place(joints_rad)
         weights = self._masses[:, None] * (G_M_S2 * np.asarray(down))
@@ -117,12 +117,12 @@ class RigidBody:
     def equation(
         self, joints_rad: Values, speeds_rad_s: Values, down: Sequence[float] = DOWN
     ) -> tuple[Values, Values]:
-        """Return the mass matrix, and the torques it takes to turn on at these speeds.
+        """Return the mass matrix, and the torques needed to keep these speeds.
 
         Args:
             joints_rad: (6,) joint angles.
             speeds_rad_s: (6,) joint speeds.
-            down: Unit vector in the base frame, to where things fall.
+            down: The direction of gravity, a unit vector in the base frame.
 
         Returns:
             (6, 6) kg·m² and (6,) N·m: gravity, centrifugal and Coriolis torques.
@@ -157,12 +157,12 @@ class RigidBody:
         return mass_matrix, bias
 
     def kinetic_energy_j(self, joints_rad: Values, speeds_rad_s: Values) -> float:
-        """Return the energy of the motion."""
+        """Return the kinetic energy in J."""
         mass_matrix, _ = self.equation(joints_rad, speeds_rad_s)
         return float(speeds_rad_s @ mass_matrix @ speeds_rad_s) / 2.0
 
     def potential_energy_j(self, joints_rad: Values, down: Sequence[float] = DOWN) -> float:
-        """Return the energy of the height, counted from the base."""
+        """Return the potential energy in J, counted from the base."""
         *_, centres = self._place(joints_rad)
         return -G_M_S2 * float(self._masses @ (centres @ np.asarray(down)))
 
@@ -226,11 +226,11 @@ def _cylinder(mass_kg: float, tip_m: Values) -> Values:
 
 
 def rigid_links(model: ModelData, geometry: Geometry) -> tuple[RigidLink, ...]:
-    """Return the six links that move; the base stands still.
+    """Return the six moving links; the base stands still.
 
     Args:
-        model: Has the masses and their centres.
-        geometry: Of that model, with the zeros that the arm's firmware counts from.
+        model: The model with the masses and their centres.
+        geometry: The model's geometry, with the zeros that the arm's firmware counts from.
     """
     return tuple(
         RigidLink(*row, link.mass_kg, link.centre_mm, rotor_kg_m2)
@@ -242,6 +242,6 @@ def rigid_links(model: ModelData, geometry: Geometry) -> tuple[RigidLink, ...]:
 
 @cache
 def piper_links() -> tuple[RigidLink, ...]:
-    """Return those of the PiPER with the zeros of today's firmware."""
+    """Return the links of the PiPER with the zeros of today's firmware."""
     model = model_data(PiperModel.PIPER)
     return rigid_links(model, model.geometry)

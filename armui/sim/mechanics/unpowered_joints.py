@@ -1,4 +1,4 @@
-"""Joints without power: the arm has no brakes, so gravity moves them."""
+"""The joints without power: the arm has no brakes, so gravity moves them."""
 
 from __future__ import annotations
 
@@ -13,21 +13,21 @@ from armui.sim.mechanics.powered_joints import JOINT_COUNT, SixValues
 
 _LONGEST_STEP_S: Final = 0.005
 _SETTLING_TIME_S: Final = 0.1
-"""Time constant with which a joint takes up the speed its torque gives it."""
+"""The time constant with which a joint approaches the speed of its torque."""
 
 _STICTION_NM: Final = 0.4
-"""Less torque than this turns no joint: the gears hold a wrist that carries nothing."""
+"""A smaller torque turns no joint: the gears hold a wrist that carries nothing."""
 
 _STANDING_DEG_S: Final = 0.05
 
 
 class UnpoweredJoints(enum.Enum):
-    """How a joint without power gives way."""
+    """The manner in which a joint without power gives way."""
 
     DAMPED = enum.auto()
-    """Emergency stop: the motor's windings brake it, it sinks slowly."""
+    """After an emergency stop: the motor's windings brake the joint, and it sinks slowly."""
     FREE = enum.auto()
-    """Power cut: it drops."""
+    """After a power cut: the joint drops."""
 
 
 _MOBILITY_DEG_S_NM: Final = {UnpoweredJoints.DAMPED: 1.0, UnpoweredJoints.FREE: 40.0}
@@ -35,12 +35,12 @@ _TOP_SPEED_DEG_S: Final = {UnpoweredJoints.DAMPED: 5.0, UnpoweredJoints.FREE: 12
 
 
 class LimpJoints:
-    """The joints that gravity moves.
+    """The joints moved by gravity.
 
-    A joint that was never powered lies supported where it is and is not among them.
+    A joint that was never powered is supported, and not among them.
 
     Attributes:
-        speeds_deg_s: How fast they turn, 0 for the joints that are held.
+        speeds_deg_s: The joints' speeds, 0 for those that are held.
     """
 
     def __init__(self, weight: Weight) -> None:
@@ -55,21 +55,21 @@ class LimpJoints:
         return any(self._limp)
 
     def release(self, indices: Iterable[int], unpowered: UnpoweredJoints) -> None:
-        """Lets joints go, from a standstill; a joint that is giving way already keeps its speed."""
+        """Releases joints from a standstill; one that is giving way already keeps its speed."""
         for index in indices:
             if self._limp[index] is None:
                 self.speeds_deg_s[index] = 0.0
             self._limp[index] = unpowered
 
     def catch(self, index: int) -> None:
-        """Holds a joint again: it stands at once."""
+        """Holds a joint again: it stops instantly."""
         self._limp[index] = None
         self.speeds_deg_s[index] = 0.0
 
     def step(
         self, positions_deg: Sequence[float], limits: Sequence[JointLimits], dt_s: float
     ) -> SixValues:
-        """Return where all joints are after some time; those not limp stay where they are."""
+        """Return the positions of all joints after a time; joints that are not limp keep theirs."""
         positions = list(positions_deg)
         while dt_s > 0.0:
             step_s = min(dt_s, _LONGEST_STEP_S)

@@ -1,9 +1,9 @@
-"""CPV control (MOVE CPV, from S-V1.8-1): each joint for itself, by position or speed.
+"""CPV control (MOVE CPV, from S-V1.8-1): each joint separately, by position or speed.
 
-Frames 0x181–0x186 write and read a joint's target and parameters; a read is answered under the
-same identifier. What the maker does not publish is assumed: the
-values from the factory, that joint limits bound what a joint is told, that the loop gains change
-nothing (the profile is followed exactly), and that zero learning leaves the zero where it is.
+Frames 0x181–0x186 write and read a joint's target and parameters; a read is answered under the same
+identifier. The maker does not publish everything; assumed are the factory values, that joint limits
+bound the targets, that the loop gains change nothing (the profile is followed exactly), and that
+zero learning leaves the zero where it is.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from armui.sim.mechanics.powered_joints import JOINT_COUNT, SixValues
 from armui.sim.parameters.settings import ArmSettingsRecord
 
 NAMES: Final = (*(f"CpvControl{joint}" for joint in JOINTS), "CpvGripper")
-"""The frames 0x181–0x187."""
+"""The names of the frames 0x181–0x187."""
 
 _SIGNALS: Final = {
     CpvKind.POSITION_TARGET: "PositionTarget",
@@ -47,18 +47,20 @@ _FACTORY: Final = {
     CpvKind.SPEED_KP: 1.0,
     CpvKind.SPEED_KI: 0.1,
 }
-"""Assumed; speed and acceleration are the joints' rated ones. In the units of the frames."""
+"""The factory values, assumed, in the units of the frames; speed and acceleration are the joints'
+rated ones.
+"""
 _POSITIVE: Final = (CpvKind.ACCELERATION, CpvKind.DECELERATION, CpvKind.PROFILE_SPEED)
 _LEAST: Final = 0.01
 
 
 class JointProfile:
-    """One joint's way to a position, or at a speed; angles in degrees.
+    """The motion of one joint to a position, or at a speed; angles in degrees.
 
     Attributes:
-        angle: Where it is.
-        speed: How fast it turns, per second.
-        acceleration: How its speed changes, per second.
+        angle: The joint's angle.
+        speed: Its speed in °/s.
+        acceleration: Its acceleration in °/s².
     """
 
     def __init__(self, angle: float) -> None:
@@ -70,30 +72,31 @@ class JointProfile:
 
     @property
     def moving(self) -> bool:
-        """Whether it turns or is about to."""
+        """True if the joint turns or is about to."""
         if self._goal is not None:
             return self.speed != 0.0 or self.angle != self._goal
         return self.speed != 0.0 or self._wanted_speed != 0.0
 
     def go_to(self, goal: float) -> None:
-        """Goes to a position."""
+        """Moves to a position."""
         self._goal = goal
 
     def turn(self, speed: float) -> None:
-        """Turns at a speed, 0 to halt."""
+        """Turns at a speed; 0 halts."""
         self._goal, self._wanted_speed = None, speed
 
     def step(
         self, dt_s: float, top: float, speeding_up: float, slowing: float, limits: JointLimits
     ) -> None:
-        """Lets time pass.
+        """Advances in time.
 
         Args:
-            dt_s: How much.
-            top: Highest speed on the way to a position.
+            dt_s: The time to advance.
+            top: The highest speed on the way to a position.
             speeding_up: Highest acceleration.
             slowing: Highest deceleration.
-            limits: A speed ends in time before them; a joint beyond one may come back.
+            limits: The joint's limits: it stops in time before them; a joint beyond one may come
+                back.
         """
         low, high = min(limits.min_deg, self.angle), max(limits.max_deg, self.angle)
         if self._goal is not None:
@@ -127,7 +130,7 @@ class JointProfile:
 
 
 class CpvMotion:
-    """All six joints as CPV moves them; `Mechanics` runs it like any other path."""
+    """The CPV motion of all six joints; `Mechanics` runs it like any other path."""
 
     def __init__(self, settings: ArmSettingsRecord) -> None:
         self._settings = settings
@@ -136,30 +139,30 @@ class CpvMotion:
 
     @property
     def positions_deg(self) -> SixValues:
-        """Where the joints are."""
+        """The joints' positions."""
         return tuple(each.angle for each in self._joints)
 
     @property
     def speeds_deg_s(self) -> SixValues:
-        """How fast they turn."""
+        """The joints' speeds."""
         return tuple(each.speed for each in self._joints)
 
     @property
     def accelerations_deg_s2(self) -> SixValues:
-        """How their speeds change."""
+        """The joints' accelerations."""
         return tuple(each.acceleration for each in self._joints)
 
     @property
     def moving(self) -> bool:
-        """Whether a joint turns or is about to."""
+        """True if a joint turns or is about to."""
         return any(each.moving for each in self._joints)
 
     def start_from(self, positions_deg: Sequence[float]) -> None:
-        """Stands where something else has brought the joints."""
+        """Sets the positions to which something else has brought the joints."""
         self._joints = [JointProfile(angle) for angle in positions_deg]
 
     def go_to(self, index: int, angle_deg: float) -> None:
-        """Sends one joint (0–5) to an angle."""
+        """Moves one joint (0–5) to an angle, clipped to its limits."""
         limits = self._settings.limits[index]
         self._joints[index].go_to(min(max(angle_deg, limits.min_deg), limits.max_deg))
 
@@ -168,13 +171,13 @@ class CpvMotion:
         self._joints[index].turn(math.degrees(speed_rad_s))
 
     def run(self, share: float) -> None:
-        """Brakes all joints with 0; anything else changes nothing."""
+        """Brakes all joints if the share is 0; other shares change nothing."""
         if share == 0.0:
             for each in self._joints:
                 each.turn(0.0)
 
     def step(self, dt_s: float) -> None:
-        """Lets time pass."""
+        """Advances by `dt_s` seconds."""
         for joint, values, limits in zip(
             self._joints, self.values, self._settings.limits, strict=True
         ):
@@ -193,11 +196,11 @@ class CpvMotion:
 
 
 class CpvControl:
-    """Takes the frames of CPV and has them carried out.
+    """Receives the frames of CPV and has them carried out.
 
-    The first position written to a joint after CPV was entered does nothing: it takes effect when
-    it comes a second time. The signs of the targets are those of the firmware and the model, also
-    where they are wrong.
+    The first position written to a joint after CPV was entered takes effect only when it is sent a
+    second time. The signs of the targets are those of the firmware and the model, even where they
+    are wrong.
     """
 
     def __init__(
@@ -213,9 +216,9 @@ class CpvControl:
         Args:
             mechanics: Its joints.
             condition: Its modes.
-            settings: What it keeps.
-            quirks: What its firmware does.
-            unsupported: Counts what the arm understands but does not do.
+            settings: The arm's settings.
+            quirks: The firmware's behaviour.
+            unsupported: Counts commands that the arm understands but does not carry out.
         """
         self._mechanics = mechanics
         self._condition = condition
@@ -227,7 +230,7 @@ class CpvControl:
         self._asked: list[tuple[int, CpvKind]] = []
 
     def mode_changed(self) -> None:
-        """Takes a mode word whose modes are in the condition already."""
+        """Handles a mode word whose modes are in the condition already."""
         condition = self._condition
         was_in_cpv, self._in_cpv = self._in_cpv, condition.obeys(MoveMode.MOVE_CPV)
         if self._in_cpv and not was_in_cpv:
@@ -236,7 +239,7 @@ class CpvControl:
             self._motion.run(0.0)
 
     def take_frame(self, name: str, signals: dict[str, float]) -> bool:
-        """Takes a frame of CPV; whether it was one that this firmware knows."""
+        """Handles a frame of CPV; returns whether this firmware knows it."""
         if name not in NAMES or not self._quirks.has_cpv:
             return False
         action, kind = signals["Action"], CpvKind(int(signals["Kind"]))
@@ -249,7 +252,7 @@ class CpvControl:
         return True
 
     def answers(self, codec: Codec) -> list[Frame]:
-        """Return the answers to what has been read."""
+        """Return the answers to the parameters read since the last call."""
         asked, self._asked = self._asked, []
         return [
             codec.encode(

@@ -1,4 +1,4 @@
-"""The motion under way: started, slowed, paused, continued, ended early or reached."""
+"""The motion in progress: started, slowed, paused, continued, ended early or completed."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ from armui.sim.motion.tool_plan import PathMotion, PlanningError
 from armui.sim.parameters.settings import ArmSettingsRecord
 
 Leg = SixValues | PathMotion | Callable[[SixValues], PathMotion | None]
-"""Part of a motion: six angles to go to, a path, or what plans one from where the joints stand.
+"""A part of a motion: six target angles, a path, or a function that plans one from the present
+joint angles. It returns None if there is no path left.
 
 A planner that returns None says that there is no way left to go.
 """
@@ -25,13 +26,13 @@ _NOTHING: Final = object()
 class MotionExecutor:
     """Carries out one order of the host at a time; the next replaces it.
 
-    An order is what the host asked for, in any form that can be compared: hosts repeat themselves
-    at 200 Hz, and what is under way, done or refused already is not begun again.
+    An order is any comparable form of the host's command: hosts repeat themselves at 200 Hz, and an
+    order that is in progress, done or refused is not begun again.
 
     Attributes:
-        targets_deg: Where the last order taken on leads.
-        paused: Whether a pause is in force. It holds back an order that replaces the paused one,
-            and ends when that is cut short.
+        targets_deg: The end of the last accepted order.
+        paused: True while a pause is in force. It holds back an order that replaces the paused one,
+            and ends when that is aborted.
     """
 
     def __init__(
@@ -50,29 +51,29 @@ class MotionExecutor:
 
     @property
     def may_move(self) -> bool:
-        """Whether the arm is in a state to take targets at all."""
+        """True if the arm is in a state to accept targets at all."""
         condition = self._condition
         able = not (condition.stopped or condition.hindered or condition.needs_reset)
         return able and all(self._mechanics.powered)
 
     def serves(self, order: Hashable) -> bool:
-        """Tell whether this very order is under way, or was done or refused just here."""
+        """Return whether this order is in progress, or was done or refused just here."""
         return self.pursues(order) or (order == self._order and self._settled == self._conditions())
 
     def pursues(self, order: Hashable) -> bool:
-        """Tell whether this very order is under way."""
+        """Return whether this order is in progress."""
         return bool(self._legs) and order == self._order
 
     def begin(
         self, order: Hashable, legs: Sequence[Leg], move_mode: MoveMode, end_deg: SixValues
     ) -> None:
-        """Takes on an order; the motion before it is replaced.
+        """Begins an order; the motion before it is replaced.
 
         Args:
-            order: What the host asked for.
+            order: The host's command.
             legs: The parts of the way, in order. A path begins where the leg before it ends.
-            move_mode: The kind of motion; leaving it cuts the order short.
-            end_deg: Where it leads.
+            move_mode: The kind of motion; another one aborts the order.
+            end_deg: The joint angles at its end.
         """
         self._condition.accept_target()
         self._order, self._legs, self._move_mode = order, list(legs), move_mode
@@ -81,7 +82,7 @@ class MotionExecutor:
         self.drive()
 
     def refuse(self, order: Hashable, planning_error: PlanningError) -> None:
-        """Says why an order cannot be carried out; the arm stays, or brakes."""
+        """Reports why an order cannot be carried out; the arm stays, or brakes."""
         condition = self._condition
         condition.accept_target()
         condition.no_solution = planning_error.status is ArmStatusCode.NO_SOLUTION
@@ -91,14 +92,14 @@ class MotionExecutor:
         self._order, self._settled = order, self._conditions()
 
     def mode_changed(self) -> None:
-        """Ends or changes the motion as the mode and speed in `condition` now ask."""
+        """Ends or adapts the motion after a change of mode or speed in `condition`."""
         if not self._condition.obeys(self._move_mode):
             self.abort_motion()
         else:
             self.drive()
 
     def pause(self) -> None:
-        """Brakes, along the path where there is one; the order stays. At rest it is nothing."""
+        """Brakes, along the path if there is one, and keeps the order; at rest it does nothing."""
         if self._legs:
             self.paused = True
             self._brake()
@@ -114,14 +115,14 @@ class MotionExecutor:
         self._brake()
 
     def drop_order(self) -> None:
-        """Drops the order and a pause; what moves is left to the caller."""
+        """Drops the order and a pause; the caller stops the joints."""
         self._legs.clear()
         self._running = None
         self._order = _NOTHING
         self.paused = False
 
     def drive(self) -> None:
-        """Moves on with the present leg, as fast as the speed percentage says."""
+        """Continues the present leg at the speed percentage."""
         if not self._legs:
             return
         if self.paused or not self._share:
@@ -134,7 +135,7 @@ class MotionExecutor:
             self._drive_path(leg)
 
     def time_passed(self) -> None:
-        """Notices the end of a leg, and begins the next."""
+        """Detects the end of a leg, and begins the next."""
         if not self._legs:
             return
         leg = self._legs[0]
@@ -211,11 +212,11 @@ _PARTS: Final = 3
 
 
 class JointMoves:
-    """Collects the three frames of a joint target and has it followed.
+    """Collects the three frames of a joint target and has it carried out.
 
-    A complete target waits until the arm is in CAN control and MOVE J; there it starts at once
-    and replaces the one before. Nothing is kept for an arm that cannot move, so neither enabling
-    its motors nor ending a stop ever sets it in motion.
+    A complete target waits until the arm is in CAN control and MOVE J; then it starts at once and
+    replaces the one before. Nothing is kept for an arm that cannot move, so neither enabling its
+    motors nor ending a stop ever sets it in motion.
     """
 
     def __init__(
@@ -235,7 +236,7 @@ class JointMoves:
         self._waiting: SixValues | None = None
 
     def take_angles(self, angles_deg: Mapping[int, float]) -> None:
-        """Takes one frame of a target: angles by joint number."""
+        """Receives one frame of a target: angles by joint number."""
         if not self._executor.may_move:
             return
         for joint, angle_deg in angles_deg.items():
@@ -253,12 +254,12 @@ class JointMoves:
             self._pursue(target_deg)
 
     def drop_targets(self) -> None:
-        """Drops every target, whole or in parts."""
+        """Drops every target, complete or incomplete."""
         self._waiting = None
         self.drop_parts()
 
     def drop_parts(self) -> None:
-        """Drops what has come of a target that is not complete."""
+        """Drops the frames of an incomplete target."""
         self._fresh.clear()
 
     def _pursue(self, target_deg: SixValues) -> None:
@@ -276,7 +277,7 @@ class JointMoves:
 
 
 def beyond_limits(joints_deg: SixValues, settings: ArmSettingsRecord) -> list[bool]:
-    """Which joints would leave their range at these angles."""
+    """Return for each joint whether it would leave its range at these angles."""
     return [
         check_joint(joint, angle_deg, limits) is not None
         for joint, angle_deg, limits in zip(JOINTS, joints_deg, settings.limits, strict=True)

@@ -38,15 +38,15 @@ _ALL_INDICES: Final = range(JOINT_COUNT)
 
 
 class MotionCommandHandler:
-    """Obeys 0x150."""
+    """Obeys the commands of 0x150."""
 
     def __init__(self, arm: Firmware, moves: Moves, enter: Callable[[ControlMode], None]) -> None:
-        """Commands one arm.
+        """Handles the commands to one arm.
 
         Args:
-            arm: Obeys.
+            arm: The arm.
             moves: Its motions.
-            enter: Puts it in a control mode.
+            enter: Enters a control mode.
         """
         self._generation = arm.generation
         self._mechanics = arm.mechanics
@@ -57,7 +57,7 @@ class MotionCommandHandler:
         self._enter = enter
 
     def obey(self, signals: dict[str, float]) -> bool:
-        """Obeys one command; whether it asks for an answer."""
+        """Obeys one command, and returns whether it requires an answer."""
         if signals["EmergencyStop"] == StopCommand.EMERGENCY_STOP:
             self.drop_work()
             self._mechanics.power_off(_ALL_INDICES, UnpoweredJoints.DAMPED)
@@ -74,7 +74,7 @@ class MotionCommandHandler:
         return False
 
     def drop_work(self) -> None:
-        """Forgets targets and replays; what moves is left to the caller."""
+        """Drops targets and replays; the caller stops the joints."""
         self._moves.drop_targets()
         self._teaching.interrupt()
 
@@ -93,24 +93,25 @@ class MotionCommandHandler:
 
 
 NAMES: Final = tuple(f"MitControl{joint}" for joint in JOINTS)
-"""The frames 0x15A–0x15F, joint 1 first."""
+"""The names of the frames 0x15A–0x15F, joint 1 first."""
 
 _FOLLOW_GAINS: Final = ((50.0, 2.5),) * 3 + ((20.0, 1.0),) * 3
-"""kp and kd of high-follow, which are not published: with the simulated arm's friction they lag a
-triangle of 1.2 rad/s by 0.089 rad, as a user measured."""
+"""kp and kd of high-follow, which are not published: with the simulated arm's friction the joints
+lag a triangle of 1.2 rad/s by 0.089 rad, as a user measured.
+"""
 
 
 class DirectControl:
-    """Joints that follow setpoints in their drivers, without a plan: MIT and high-follow.
+    """Controls joints that follow setpoints in their drivers, without a plan: MIT and high-follow.
 
-    0x151 byte 3 = 0xAD hands the joints to their drivers' own loop. The code of MIT, the signs of
+    0x151 byte 3 = 0xAD puts the joints under their drivers' own loop. The code of MIT, the signs of
     its commands, the scale of its torques and the way out of it are those of the arm's firmware and
-    model (`firmware_version`). The rest follows reports of single users that no text of the maker
-    denies, in their worst reading: every mode word that arrives while 0xAD is in force, or that
+    model (`firmware_version`). The rest follows the worst reading of reports by single users that
+    no text of the maker contradicts: every mode word that arrives while 0xAD is in force, or that
     brings it, voids the setpoints; each joint is limp, though powered, until its next one. That is
     a frame 0x15A–0x15F in MIT, a complete joint target in high-follow, and in the MOVE modes
-    without 0xAD the next target of any kind, which the joints take up from where they have fallen
-    to. Before S-V1.8-5 no target is taken up there: the arm stays limp until it is reset. A joint
+    without 0xAD the next target of any kind, which the joints follow from where they have fallen
+    to. Before S-V1.8-5 no target is accepted there: the arm stays limp until it is reset. A joint
     that is switched on in MIT or high-follow is limp until its setpoint, too.
     """
 
@@ -121,7 +122,7 @@ class DirectControl:
         self._torque_scale = arm_type.mit_torque_scale
 
     def mode_word(self, signals: dict[str, float]) -> None:
-        """Takes a 0x151 that the arm has accepted; its modes are in the condition already."""
+        """Handles an accepted 0x151; its modes are in the condition already."""
         condition = self._condition
         was_direct = condition.direct
         condition.direct = (
@@ -137,7 +138,7 @@ class DirectControl:
             self._mechanics.let_go(range(JOINT_COUNT))
 
     def take_frame(self, name: str, signals: dict[str, float]) -> bool:
-        """Takes a frame 0x15A–0x15F; whether it was one. Outside MIT it does nothing."""
+        """Handles a frame 0x15A–0x15F; returns whether it was one. Outside MIT it has no effect."""
         if name not in NAMES:
             return False
         condition = self._condition
@@ -146,14 +147,14 @@ class DirectControl:
         return True
 
     def follow_target(self, target_deg: SixValues) -> None:
-        """Hands a complete joint target of high-follow to the drivers."""
+        """Passes a complete joint target of high-follow to the drivers."""
         for index, angle_deg in enumerate(target_deg):
             kp, kd = _FOLLOW_GAINS[index]
             setpoint = DriverSetpoint(angle_deg, kp=kp, kd=kd, carries_weight=True)
             self._mechanics.steer(index, setpoint)
 
     def power_on(self, indices: Iterable[int]) -> None:
-        """Powers motors; in MIT and high-follow those that had none are limp."""
+        """Powers motors; in MIT and high-follow those that were off are limp."""
         if not self._condition.direct:
             self._mechanics.power_on(indices)
             return
@@ -181,7 +182,7 @@ class Moves:
     """Collects targets of all kinds and has the newest carried out.
 
     Attributes:
-        cpv: What each joint is told for itself in CPV.
+        cpv: The control of single joints in CPV.
     """
 
     def __init__(
@@ -194,15 +195,15 @@ class Moves:
         *,
         unsupported: Counter[str],
     ) -> None:
-        """Moves one arm.
+        """Handles the motions of one arm.
 
         Args:
             mechanics: Its joints.
             condition: Its modes.
-            settings: What it keeps.
-            kinematics: Of its geometry.
-            arm_type: Which arm it is.
-            unsupported: Counts what the arm understands but does not do.
+            settings: The arm's settings.
+            kinematics: The kinematics of its geometry.
+            arm_type: The arm's type.
+            unsupported: Counts commands that the arm understands but does not carry out.
         """
         self._mechanics = mechanics
         self._direct = DirectControl(mechanics, condition, arm_type)
@@ -226,16 +227,16 @@ class Moves:
 
     @property
     def targets_deg(self) -> SixValues:
-        """Where the last target taken on leads."""
+        """The end of the last accepted target."""
         return self._executor.targets_deg
 
     @property
     def ik_solution_deg(self) -> SixValues | None:
-        """Where the last pose of MOVE P leads the joints; None before the first."""
+        """The joint angles of the last pose of MOVE P; None before the first."""
         return self._tool.ik_solution_deg
 
     def take_frame(self, name: str, signals: dict[str, float]) -> bool:
-        """Takes a frame that is part of a target; whether it was one."""
+        """Handles a frame that is part of a target; returns whether it was one."""
         taker = self._takers.get(name)
         if taker is None:
             return self._direct.take_frame(name, signals) or self.cpv.take_frame(name, signals)
@@ -243,12 +244,12 @@ class Moves:
         return True
 
     def command(self, command: TrajectoryCommand) -> bool:
-        """Obeys 0x150 byte 1; whether it is a command about motions the arm knows.
+        """Obeys 0x150 byte 1; returns whether it is a known command about motions.
 
         A pause holds back new targets too, until the motion is continued or cleared. The protocol
-        text says no more than the names of the commands. Assumed: «abort» and «clear current» drop
-        the motion under way and what has come of the next target's frames; a complete target that
-        waits for its mode (frames before 0x151) is no motion yet, and only «clear all» drops it.
+        text gives only the commands' names. Assumed: «abort» and «clear current» drop the motion in
+        progress and an incomplete target; a complete target that waits for its mode (frames before
+        0x151) is no motion yet, and only «clear all» drops it.
         """
         obey = self._commands.get(command)
         if obey is None:
@@ -261,10 +262,10 @@ class Moves:
         self._direct.power_on(indices)
 
     def mode_word(self, signals: dict[str, float]) -> None:
-        """Takes a 0x151 whose modes and speed are in the condition already.
+        """Handles a 0x151 whose modes and speed are in the condition already.
 
-        It starts, ends or changes motions as they now ask. It brings back nothing that was cut
-        short: an aborted target is gone, and one frame of its three does not complete it either.
+        It starts, ends or changes motions accordingly. It never resumes an aborted motion: the
+        target is gone, and one of its three frames does not complete it either.
         """
         self._direct.mode_word(signals)
         self.cpv.mode_changed()
@@ -273,21 +274,21 @@ class Moves:
         self._tool.mode_changed(self._mechanics.positions_deg)
 
     def speed_changed(self) -> None:
-        """Takes a 0x151 that keeps the modes."""
+        """Handles a 0x151 that keeps the modes."""
         self._executor.mode_changed()
 
     def abort_motion(self) -> None:
-        """Brakes; the target counts as not reached. One that waits goes on waiting."""
+        """Brakes; the target counts as not reached. A waiting target goes on waiting."""
         self._executor.abort_motion()
 
     def drop_targets(self) -> None:
-        """Drops every target, whole or in parts; what moves is left to the caller."""
+        """Drops every target, complete or incomplete; the caller stops the joints."""
         self._executor.drop_order()
         self._joints.drop_targets()
         self._tool.drop_poses()
 
     def time_passed(self) -> None:
-        """Advances in time: notes the targets that have been reached."""
+        """Notes targets that have been reached."""
         self._executor.time_passed()
 
     def _abort(self) -> None:

@@ -1,4 +1,4 @@
-"""Drag teaching: the arm records how a hand moves it, and replays that (0x150 byte 2)."""
+"""Drag teaching: the arm records how a hand moves it, and replays the recording (0x150 byte 2)."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _SAMPLE_S: Final = 0.05
 _LONGEST_S: Final = 600.0
 _NEAR_REST_DEG: Final = 15.0
 _TO_START_SHARE: Final = 0.2
-"""Share of the joints' highest speeds with which the arm goes to a recording's start."""
+"""The share of the joints' highest speeds with which the arm goes to a recording's start."""
 
 
 class _Phase(enum.Enum):
@@ -29,15 +29,15 @@ class _Phase(enum.Enum):
 
 
 class SimulatedTeaching:
-    """Records what a hand does with the arm, and replays it.
+    """Records the arm's motion under a hand, and replays it.
 
-    A replay is as fast as the hand was, and slower where the hand asked more than the motors can
-    do. Once in drag teaching the arm obeys no mode until it is reset near its rest pose; from
-    S-V1.8-5 on a mode word leads out of it.
+    A replay is as fast as the hand was, but slower where the motors cannot follow. Once in drag
+    teaching the arm obeys no mode until it is reset near its rest pose; from S-V1.8-5 on a mode
+    word ends it.
 
     Attributes:
         entered: Whether the arm is in drag teaching.
-        recording: Where the joints were, every 50 ms.
+        recording: The joint angles, every 50 ms.
     """
 
     def __init__(
@@ -74,13 +74,13 @@ class SimulatedTeaching:
             self._condition.teaching_state = command
 
     def interrupt(self) -> None:
-        """Ends what is under way, as a stop or a cut of the power does; the recording stays."""
+        """Ends the activity, as a stop or a power cut does; the recording stays."""
         self._phase, self._path = _Phase.IDLE, None
         self._condition.teaching_state = TeachingState.OFF
         self._condition.activity = ArmStatusCode.NORMAL
 
     def reset(self) -> bool:
-        """Leaves drag teaching, if the arm is near its rest pose; whether it is left."""
+        """Leaves drag teaching if the arm is near its rest pose; returns whether it was left."""
         if self.entered and max(map(abs, self._mechanics.positions_deg)) > _NEAR_REST_DEG:
             return False
         self.entered = False
@@ -96,7 +96,7 @@ class SimulatedTeaching:
         self.entered = False
 
     def time_passed(self, dt_s: float) -> None:
-        """Records, watches the hand's speed, notices what is reached."""
+        """Records, unless the hand is too fast, and detects the ends of motions."""
         if self._phase is _Phase.RECORDING:
             self._record(dt_s)
         elif self._phase is not _Phase.IDLE and self._condition.hindered:

@@ -22,20 +22,20 @@ _ARC_POINTS: Final = (ArcPointNumber.START, ArcPointNumber.MIDDLE, ArcPointNumbe
 
 _NO_WAY_MM: Final = 1e-6
 _NO_TURN_DEG: Final = 1e-6
-"""Less than this is no path: the tool is there."""
+"""A smaller turn is no path: the tool is there already."""
 
 Order = tuple[MoveMode, tuple[Pose, ...]]
 
 
 class ToolMotions:
-    """Collects the frames of poses, and has the tool brought there.
+    """Collects the frames of poses, and has the tool moved to them.
 
-    A complete pose waits until the arm is in CAN control and MOVE P or L; there it starts at once
+    A complete pose waits until the arm is in CAN control and MOVE P or L; then it starts at once
     and replaces the one before. A pose that 0x158 marks is a point of an arc and no target; three
     of them wait for MOVE C. As with joint targets, nothing is kept for an arm that cannot move.
 
     Attributes:
-        ik_solution_deg: Where the last pose of MOVE P leads the joints; None before the first.
+        ik_solution_deg: The joint angles of the last pose of MOVE P; None before the first.
     """
 
     def __init__(
@@ -57,11 +57,11 @@ class ToolMotions:
         self.ik_solution_deg: SixValues | None = None
 
     def take_pose(self, values: Mapping[str, float], joints_deg: SixValues) -> None:
-        """Takes one frame of a pose.
+        """Receives one frame of a pose.
 
         Args:
-            values: By the names of the signals: X, Y, Z in mm, RX, RY, RZ in degrees.
-            joints_deg: Where the joints are.
+            values: The values by signal: X, Y, Z in mm, RX, RY, RZ in degrees.
+            joints_deg: The present joint angles.
         """
         if not self._executor.may_move:
             return
@@ -75,7 +75,7 @@ class ToolMotions:
             self.mode_changed(joints_deg)
 
     def mark_arc_point(self, point: ArcPointNumber, joints_deg: SixValues) -> None:
-        """Makes the pose that came last a point of an arc; a first point begins a new arc."""
+        """Makes the last pose a point of an arc; a first point begins a new arc."""
         pose = self._latest
         if point is ArcPointNumber.NONE or pose is None:
             return
@@ -88,7 +88,7 @@ class ToolMotions:
         self.mode_changed(joints_deg)
 
     def mode_changed(self, joints_deg: SixValues) -> None:
-        """Starts what waits, if the mode is right for it."""
+        """Starts a waiting motion, if the mode is right for it."""
         condition = self._condition
         if self._waiting is not None and condition.obeys(*_POSE_MODES):
             pose, self._waiting = self._waiting, None
@@ -99,13 +99,13 @@ class ToolMotions:
             self._pursue((MoveMode.MOVE_C, points), joints_deg)
 
     def drop_poses(self) -> None:
-        """Drops every pose, whole or in parts, and every point of an arc."""
+        """Drops every pose, complete or incomplete, and every point of an arc."""
         self.drop_parts()
         self._latest = self._waiting = None
         self._arc.clear()
 
     def drop_parts(self) -> None:
-        """Drops what has come of a pose that is not complete."""
+        """Drops the frames of an incomplete pose."""
         self._fresh.clear()
 
     def _pursue(self, order: Order, joints_deg: SixValues) -> None:

@@ -1,4 +1,4 @@
-"""Plans the motion of the joints along a path of the tool, or says why there is none."""
+"""Plans the motion of the joints along a path of the tool, or reports why there is none."""
 
 from __future__ import annotations
 
@@ -24,22 +24,22 @@ _ROUNDING: Final = 1e-9
 
 
 class PathProfile:
-    """Runs from 0 to an end, never backwards, with one acceleration up and down.
+    """A motion from 0 to an end, never backwards, with one acceleration up and down.
 
-    It can be slowed, halted and sent on at any time, and still stops at its end.
+    It can be slowed, halted and continued at any time, and still stops at its end.
 
     Attributes:
-        position: How far it is.
-        speed: How fast it goes.
-        acceleration: How its speed changes.
+        position: The position on the path.
+        speed: The speed.
+        acceleration: The acceleration.
     """
 
     def __init__(self, end: float, acceleration: float) -> None:
-        """At its start, halted.
+        """Starts at 0, halted.
 
         Args:
-            end: Where it ends, in any unit.
-            acceleration: The most its speed changes a second, above 0.
+            end: The end, in any unit.
+            acceleration: The largest change of speed per second, above 0.
         """
         self._end = end
         self._most = acceleration
@@ -51,12 +51,12 @@ class PathProfile:
 
     @property
     def at_end(self) -> bool:
-        """Whether the end is reached."""
+        """True if the end is reached."""
         return self.position == self._end
 
     @property
     def moving(self) -> bool:
-        """Whether it runs, or is about to."""
+        """True if it runs, or is about to."""
         return self.speed > 0.0 or (self._top_speed > 0.0 and not self.at_end)
 
     def run(self, top_speed: float) -> None:
@@ -64,7 +64,7 @@ class PathProfile:
         self._top_speed = top_speed
 
     def step(self, dt_s: float) -> None:
-        """Lets time pass."""
+        """Advances by `dt_s` seconds."""
         while dt_s > 0.0 and not self.at_end:
             acceleration, lasts_s = self._phase()
             part_s = min(dt_s, lasts_s)
@@ -105,14 +105,14 @@ Values = npt.NDArray[np.float64]
 _FEWEST_STEPS: Final = 16
 
 _LONGEST_MM: Final = 5000.0
-"""No line or arc longer than this stays within reach; it need not be looked at in detail."""
+"""A longer line or arc does not stay within reach, and need not be examined in detail."""
 
 _REPLAY_START_1_S: Final = 4.0
-"""A replay takes at least a quarter of a second to come to its pace."""
+"""The rate at which a replay reaches its pace: it takes at least a quarter of a second."""
 
 
 class PlanningError(Exception):
-    """Why a target or a path cannot be followed.
+    """The reason why a target or a path cannot be followed.
 
     Attributes:
         status: NO_SOLUTION, SINGULARITY or TARGET_BEYOND_LIMIT.
@@ -129,14 +129,14 @@ class PathMotion:
     """The motion of six joints along a path of the tool; it can be slowed, paused and continued.
 
     Attributes:
-        positions_deg: Where the joints are.
-        speeds_deg_s: How fast they turn.
-        accelerations_deg_s2: How their speeds change.
-        end_deg: Where the path ends.
+        positions_deg: The joints' positions.
+        speeds_deg_s: Their speeds.
+        accelerations_deg_s2: Their accelerations.
+        end_deg: The joint angles at the path's end.
     """
 
     def __init__(self, way: CubicSpline, end: float, top_speed: float, acceleration: float) -> None:
-        """At the start of the path, halted.
+        """Starts at the beginning of the path, halted.
 
         Args:
             way: Joint angles in degrees over the path, from 0 to `end`.
@@ -156,12 +156,12 @@ class PathMotion:
 
     @property
     def at_end(self) -> bool:
-        """Whether the path is done."""
+        """True if the end of the path is reached."""
         return self._profile.at_end
 
     @property
     def moving(self) -> bool:
-        """Whether the joints turn, or are about to."""
+        """True if the joints turn, or are about to."""
         return self._profile.moving
 
     def run(self, share: float) -> None:
@@ -169,7 +169,7 @@ class PathMotion:
         self._profile.run(share * self._top_speed)
 
     def step(self, dt_s: float) -> None:
-        """Lets time pass."""
+        """Advances by `dt_s` seconds."""
         profile = self._profile
         profile.step(dt_s)
         if profile.at_end:
@@ -186,12 +186,12 @@ class PathMotion:
 def plan(
     kinematics: Kinematics, path: ToolPath, start_deg: Sequence[float], settings: ArmSettingsRecord
 ) -> PathMotion:
-    """Plans a motion along a path, as fast as the limits of joints and tool allow throughout.
+    """Return a motion along a path, as fast as the limits of joints and tool allow throughout.
 
     Args:
-        kinematics: Of the arm.
-        path: Begins where the joints at `start_deg` hold the flange.
-        start_deg: Where the joints stand.
+        kinematics: The arm's kinematics.
+        path: The path; it begins at the flange's pose for `start_deg`.
+        start_deg: The present joint angles.
         settings: The limits.
 
     Raises:
@@ -219,10 +219,10 @@ def plan(
 def plan_replay(
     recording: Sequence[SixValues], sample_s: float, settings: ArmSettingsRecord
 ) -> PathMotion:
-    """Plans to pass through recorded joint angles again, at their own pace where the joints can.
+    """Return a motion through recorded joint angles, at their own pace where the joints can follow.
 
     Args:
-        recording: Angles in degrees; it begins where the joints stand.
+        recording: Angles in degrees; it begins at the present ones.
         sample_s: The time between two of them.
         settings: The limits.
 

@@ -1,1 +1,1 @@
-"""The values a simulated arm keeps: how a host reads and sets them, and where they are stored."""
+"""The values a simulated arm keeps: reading and setting by a host, and storage."""

@@ -31,7 +31,7 @@ _LOADS: Final = (EndLoad.EMPTY, EndLoad.HALF, EndLoad.FULL)
 
 
 class SettingsTextError(ValueError):
-    """Text that does not hold settings; says which part and why."""
+    """A text that does not hold settings; the message names the part and the reason."""
 
 
 def to_text(settings: ArmSettingsRecord) -> str:
@@ -52,12 +52,13 @@ def to_text(settings: ArmSettingsRecord) -> str:
 
 
 def from_text(text: str) -> ArmSettingsRecord:
-    """Return the inverse of `to_text`.
+    """Return the settings in a text of `to_text`.
 
     Values a real flash can hold but no motor can follow (0xFFFF read back) are accepted.
 
     Raises:
-        SettingsTextError: It is no JSON, or a part is missing, of another kind, or not finite.
+        SettingsTextError: The text is no JSON, or a part is missing, of a wrong type, or not
+            finite.
     """
     try:
         record = json.loads(text)
@@ -122,33 +123,33 @@ def _allowed(kind: ParameterKind) -> Sequence[int]:
 
 
 _MOST_BYTES: Final = 1 << 20
-"""The settings have some thousand; a file this large is another."""
+"""The settings have about a thousand bytes; a file this large is another one."""
 
 
 class Flash(Protocol):
-    """Keeps the settings of one arm.
+    """Stores the settings of one arm.
 
     Attributes:
-        problem: What went wrong last, in words; empty when all is well.
+        problem: The last error as text; empty if there was none.
     """
 
     problem: str
 
     def load(self, model: PiperModel = PiperModel.PIPER) -> ArmSettingsRecord:
-        """Return what was saved last; a model's factory values when none can be read."""
+        """Return the settings saved last, or the model's factory values if none can be read."""
         ...
 
     def save(self, settings: ArmSettingsRecord) -> None:
-        """Keeps the settings; what cannot be kept is told in `problem`, never raised."""
+        """Saves the settings; a failure is reported in `problem`, never raised."""
         ...
 
 
 class MemoryFlash:
-    """Kept in memory: outlives the arm's power cycles, but not the program.
+    """Storage in memory: it outlives the arm's power cycles, but not the program.
 
     Attributes:
-        text: What is kept; empty in a new one.
-        writes: How often the settings were written.
+        text: The stored text; empty at first.
+        writes: The number of writes.
     """
 
     def __init__(self) -> None:
@@ -157,7 +158,7 @@ class MemoryFlash:
         self.writes = 0
 
     def load(self, model: PiperModel = PiperModel.PIPER) -> ArmSettingsRecord:
-        """Return what was saved last, or factory values."""
+        """Return the settings saved last, or factory values."""
         if not self.text:
             return factory_settings(model)
         try:
@@ -167,7 +168,7 @@ class MemoryFlash:
             return factory_settings(model)
 
     def save(self, settings: ArmSettingsRecord) -> None:
-        """Keeps the settings; the same ones again cost no write."""
+        """Saves the settings; unchanged ones are not written again."""
         text = to_text(settings)
         if text != self.text:
             self.text = text
@@ -175,10 +176,10 @@ class MemoryFlash:
 
 
 class FileFlash:
-    """A file, written as a whole or not at all.
+    """Storage in a file that is written completely or not at all.
 
-    A file that cannot be understood is kept beside, under a name that ends in `.broken`, and the
-    arm starts with factory values.
+    An unreadable file is renamed so that it ends in `.broken`, and the arm starts with factory
+    values.
     """
 
     def __init__(self, path: Path) -> None:
@@ -187,7 +188,7 @@ class FileFlash:
         self._kept = ""
 
     def load(self, model: PiperModel = PiperModel.PIPER) -> ArmSettingsRecord:
-        """Return what the file says, or factory values."""
+        """Return the settings in the file, or factory values."""
         try:
             text = read_file(self.path, _MOST_BYTES).decode()
             settings = from_text(text)
@@ -203,7 +204,7 @@ class FileFlash:
         return settings
 
     def save(self, settings: ArmSettingsRecord) -> None:
-        """Replaces the file, also through a power cut of the computer."""
+        """Replaces the file safely, even through a power cut of the computer."""
         text = to_text(settings)
         if text == self._kept:
             return

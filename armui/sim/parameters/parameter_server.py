@@ -1,4 +1,4 @@
-"""Reads and sets the values an arm keeps, as a host asks over the bus."""
+"""Reads and sets the values an arm keeps, as a host requests over the bus."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ _END_LIMIT_NAMES: Final = (
     "MaxAngularAcceleration",
 )
 _ROUNDING_GRACE: Final = 1.02
-"""29 RPM on the bus are 28.65 RPM in the arm: what is read back may be written again."""
+"""29 RPM on the bus are 28.65 RPM in the arm: a value read back may be written again."""
 
 _HANDLE_SIGNALS: Final = signal_names(HandleSettings)
 _read_handle: Final = record_reader(HandleSettings)
@@ -49,9 +49,9 @@ _READS_ONLY: Final = frozenset({"LimitQuery", "LightControl"})
 class ParameterServer:
     """Answers questions about the settings, and changes them.
 
-    Every setting is answered with 0x476. A value no motor could follow (a range without
-    extent, more speed or acceleration than the motors have) is answered like any other and not
-    stored: the answer alone proves nothing, the value read back does.
+    Every setting is answered with 0x476. A value no motor could follow (a range without extent,
+    more speed or acceleration than the motors have) is answered like any other and not stored: only
+    the value read back proves that it was stored.
     """
 
     def __init__(self, codec: Codec, settings: ArmSettingsRecord, arm: SettingsApplier) -> None:
@@ -71,7 +71,7 @@ class ParameterServer:
         }
 
     def handle(self, name: str, signals: Signals) -> list[Frame] | None:
-        """Return the answers to a message, None when it is not about settings."""
+        """Return the answers to a message, or None if it is not about settings."""
         handler = self._handlers.get(name)
         if handler is None:
             return None
@@ -81,11 +81,11 @@ class ParameterServer:
         return answers
 
     def answer(self, index: SettingIndex, *, zero_set: bool = False) -> Frame:
-        """Says that a setting has been heard, and whether it set a zero."""
+        """Return the answer to a setting, which also says whether a zero was set."""
         return self._codec.encode("SettingResponse", Index=index, ZeroSet=zero_set)
 
     def corrupt_limits(self, index: int) -> None:
-        """Lets one joint's limits (0–5) read back as 0xFFFF in every field."""
+        """Makes one joint's limits (0–5) read back as 0xFFFF in every field."""
         joint = bytes((index + 1,))
         limits = self._read(0x473, joint + b"\xff" * 6 + b"\0")
         acceleration = self._read(0x47C, joint + b"\xff" * 2 + bytes(5))
@@ -230,7 +230,7 @@ class ParameterServer:
         return []
 
     def _unchanged(self, message: str, signal: str, signals: Signals) -> bool:
-        """Tell whether a field asks to leave its value: the only word in its value table."""
+        """Return whether a field asks to leave its value: the only word in its value table."""
         return self._codec.word(message, signal, signals[signal]) is not None
 
     def _outward(self, message: str, signal: str, value_deg: float) -> float:
@@ -254,14 +254,14 @@ _BATCH: Final = (16, "10")
 _NODE_TYPE_AT: Final = 32
 _SOFTWARE_AT: Final = 60
 _SOFTWARE_LENGTH: Final = 8
-"""The date follows at once: a longer version shifts it."""
+"""The length of the version's text. The date follows at once: a longer version shifts it."""
 _DATE: Final = "250925"
 _NODE_NUMBER: Final = (76, "15")
 _NODE_TYPE: Final = "ARM_MC"
 
 
 def identity_text(version: str, model: PiperModel) -> bytes:
-    """Return the 88 bytes of the answer, padded with zeros."""
+    """Return the 88 bytes of the answer to 0x4AF, padded with zeros."""
     text = bytearray(_LENGTH)
     types = model_data(model).node_types
     software = version.ljust(_SOFTWARE_LENGTH, "\0") + _DATE
@@ -280,12 +280,12 @@ def identity_text(version: str, model: PiperModel) -> bytes:
 def version_frames(
     codec: Codec, signals: dict[str, float], version: str, model: PiperModel = PiperModel.PIPER
 ) -> list[Frame]:
-    """Return the answer cut into frames; a neighbour's answer is no question.
+    """Return the frames of the answer to a 0x4AF; another arm's answer is not taken as a question.
 
     Args:
-        codec: The arm's.
-        signals: Of the 0x4AF that was heard.
-        version: As `S-V1.8-9`.
+        codec: The arm's codec.
+        signals: The signals of the received 0x4AF.
+        version: The version, as `S-V1.8-9`.
         model: The arm.
     """
     if signals["Byte0"] != _REQUEST:

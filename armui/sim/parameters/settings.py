@@ -47,7 +47,7 @@ def _factory_accelerations() -> list[float]:
 
 
 def factory_settings(model: PiperModel) -> ArmSettingsRecord:
-    """Return what an arm of a model leaves the factory with."""
+    """Return the factory settings of a model."""
     data = model_data(model)
     return ArmSettingsRecord(
         limits=list(data.limits), accelerations_deg_s2=list(data.accelerations_deg_s2)
@@ -60,18 +60,18 @@ def _no_zeros() -> list[float]:
 
 @dataclass(slots=True)
 class ArmSettingsRecord:
-    """What the arm keeps, with the values a PiPER leaves the factory with.
+    """The values an arm keeps, by default the factory values of a PiPER.
 
     Attributes:
         limits: Angles and speeds, joint 1 first.
         accelerations_deg_s2: Highest accelerations, joint 1 first.
         end_limits: Linear speed m/s, angular speed rad/s, and their accelerations.
-        collision_levels: 0–8 a joint.
-        load: What the flange carries, as the host says.
+        collision_levels: 0–8 for each joint.
+        load: The load at the flange, as set by the host.
         teaching: The teaching handle, generation 2.
-        drag_assistance: 0–10 a joint, from S-V1.8-1.
+        drag_assistance: 0–10 for each joint, from S-V1.8-1.
         linkage: Role and identifier offsets.
-        zeros_deg: Where each joint has its zero, counted from the factory's.
+        zeros_deg: Each joint's zero, counted from the factory's.
         lights: The lamps, by joint; dark again after a power cycle.
     """
 
@@ -87,6 +87,6 @@ class ArmSettingsRecord:
     lights: dict[int, Light] = field(default_factory=dict)
 
     def take_over(self, other: ArmSettingsRecord) -> None:
-        """Becomes what the other is; the arm's parts go on holding this object."""
+        """Copies all values of another record into this object, which the arm's parts share."""
         for each in fields(self):
             setattr(self, each.name, getattr(other, each.name))

@@ -17,11 +17,11 @@ from armui.sim.parameters.settings import ArmSettingsRecord
 
 
 class SettingsApplier:
-    """Keeps the arm's parts and its flash in step with its settings.
+    """Applies the settings to the arm's parts and writes them to its flash.
 
     Attributes:
-        model: Which arm it is.
-        stops: Where the metal ends, joint 1 first, whatever limits and zeros were set.
+        model: The arm's type.
+        stops: The mechanical stops, joint 1 first, whatever limits and zeros were set.
     """
 
     def __init__(
@@ -35,7 +35,7 @@ class SettingsApplier:
         flash: Flash,
         drop_targets: Callable[[], None],
     ) -> None:
-        """Takes care of the parts of one arm; `drop_targets` drops the targets it has."""
+        """Manages the parts of one arm; `drop_targets` drops its targets."""
         self.model = arm_type.model
         self._quirks = arm_type.quirks
         self._settings = settings
@@ -51,17 +51,17 @@ class SettingsApplier:
 
     @property
     def addressing(self) -> Addressing:
-        """The identifier offsets the arm is to have."""
+        """The identifier offsets in the settings."""
         linkage = self._settings.linkage
         return Addressing(linkage.feedback_offset, linkage.control_offset)
 
     def hang(self, mass_kg: float | None) -> None:
-        """Hangs a mass at the flange whatever the host says of it; as it says again with None."""
+        """Sets the mass at the flange; None uses the one that the host has set."""
         self._hanging_kg = mass_kg
         self._refresh()
 
     def mount(self, mounting: Mounting) -> None:
-        """Turns the whole arm as the host says it is mounted; the arm cannot say so itself."""
+        """Turns the whole arm to the mounting the host has set; the arm cannot measure it."""
         if mounting is Mounting.UPSIDE_DOWN and not self._quirks.has_upside_down:
             return
         down = DOWN_BY_MOUNTING.get(mounting)
@@ -69,7 +69,7 @@ class SettingsApplier:
             self._mechanics.weight.down = down
 
     def restart(self) -> None:
-        """Goes on with the settings that the flash holds."""
+        """Loads the settings from the flash."""
         self._settings.take_over(self._flash.load(self.model.model))
         self._schedule.end_motion = False
         self._refresh()
@@ -80,20 +80,20 @@ class SettingsApplier:
         self._flash.save(self._settings)
 
     def report_end_motion(self, *, on: bool) -> None:
-        """Switches 0x481–0x486."""
+        """Switches the feedback 0x481–0x486."""
         self._schedule.end_motion = on
 
     def clear_joint_errors(self, indices: Iterable[int]) -> None:
-        """Clears the errors the drivers of joints (0–5) keep."""
+        """Clears the errors that the drivers of joints (0–5) keep."""
         indices = list(indices)
         self._condition.alarms.clear(indices)
         for i in indices:
             self._condition.beyond_limit[i] = False
 
     def set_zero(self, indices: Iterable[int]) -> bool:
-        """Writes where joints (0–5) stand as their zero, of all or of none.
+        """Makes the positions of joints (0–5) their zeros; returns whether it was possible.
 
-        It takes joints that stand still and can be talked to.
+        Every joint must stand still and be reachable; otherwise none is set.
         """
         indices, mechanics = list(indices), self._mechanics
         if mechanics.moving or any(
@@ -111,12 +111,12 @@ class SettingsApplier:
         return True
 
     def slip(self, index: int, step_deg: float, *, most_deg: float) -> None:
-        """Lets a joint (0–5) turn on without its count: what it tells parts from where it is.
+        """Turns a joint (0–5) without its encoder counting: its reported angle becomes wrong.
 
         Args:
             index: The joint.
-            step_deg: How far it turns now.
-            most_deg: How far it may turn in all; more is left out, and so is what a stop prevents.
+            step_deg: The turn in degrees.
+            most_deg: The largest turn in all; more is left out, as is a turn that a stop prevents.
         """
         stop, angle = self.stops[index], self._mechanics.positions_deg[index]
         there = self._slips_deg[index] + step_deg
@@ -125,7 +125,7 @@ class SettingsApplier:
             self._refresh()
 
     def find_place(self) -> None:
-        """Lets every joint that had slipped tell where it is again."""
+        """Makes every joint that has slipped report its true angle again."""
         if any(self._slips_deg):
             there = [
                 a + b for a, b in zip(self._mechanics.positions_deg, self._slips_deg, strict=True)
@@ -136,7 +136,7 @@ class SettingsApplier:
             self._mechanics.count_anew(there)
 
     def move_zero(self, index: int, angle_deg: float) -> None:
-        """Moves a joint's (0–5) zero by itself; the joint stays where it is and tells less."""
+        """Moves a joint's (0–5) zero; the joint stays in place and reports a smaller angle."""
         angles_deg, zeros_deg = list(self._mechanics.positions_deg), list(self._settings.zeros_deg)
         zeros_deg[index] += angle_deg
         angles_deg[index] -= angle_deg

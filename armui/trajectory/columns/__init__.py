@@ -1,7 +1,7 @@
 """Import of an unknown table: guess its dialect, map its columns, convert its rows.
 
-`sniff` looks at the text and guesses; the operator corrects how it is built (`Dialect`), and what
-its columns are, to a `ColumnMapping`; `apply` reads the whole text by it.
+`sniff` looks at the text and guesses; the operator corrects the dialect (`Dialect`) and the meaning
+of the columns, which gives a `ColumnMapping`; `apply` reads the whole text by it.
 """
 
 from armui.trajectory.columns.apply import apply, check_mapping

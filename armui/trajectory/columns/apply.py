@@ -1,4 +1,4 @@
-"""A table read by a mapping: a recording of its rows over time, or a trajectory through them."""
+"""Reads a table by a mapping, into a recording over time or a trajectory through its rows."""
 
 from __future__ import annotations
 
@@ -41,13 +41,13 @@ COLUMNS_MISSING = Reason(
 
 
 _TIME_DIGITS: Final = 6
-"""Of seconds, so that a sum of waits does not drift by rounding."""
+"""The decimals of seconds, so that a sum of waits does not drift by rounding."""
 
 _MAY_BE_EMPTY: Final = (ColumnQuantity.GRIPPER, ColumnQuantity.SPEED, ColumnQuantity.DWELL)
 
 
 def check_mapping(mapping: ColumnMapping) -> Refusal | None:
-    """Tell why a mapping says too little, or something twice; ``None``: it does not."""
+    """Return why a mapping is incomplete or ambiguous, or ``None`` if it is fine."""
     columns: dict[ColumnQuantity, int] = {}
     for number, column in enumerate(mapping.columns, start=1):
         if column is None:
@@ -72,10 +72,10 @@ def apply(text: str, sheet: Sheet, mapping: ColumnMapping, name: str) -> Content
     """Return a recording or trajectory from a table.
 
     Args:
-        text: Of the whole file.
-        sheet: How it is built.
-        mapping: Which column is what.
-        name: What the result is called.
+        text: The text of the whole file.
+        sheet: The table's dialect and columns.
+        mapping: The meaning of the columns.
+        name: The name of the result.
 
     Raises:
         TrajectoryFileError: A row does not fit, with the line and, as column, the cell.

@@ -1,4 +1,4 @@
-"""What a column seems to hold: by its title, else by its place and its figures."""
+"""Guesses the content of a column by its title, else by its place and its figures."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ _PREFIX: Final = re.compile(
     r"(?:tool|tcp|eef|ee|endeffector|end|flange|tip|robot|arm|pose|position|pos|cartesian|cart"
     r"|target|actual|measured|工具|末端|法兰|位姿|位置|目标|实际)+(?=.)"
 )
-"""What it is of, before what it is."""
+"""Words in a title that name the part, in front of the quantity."""
 
 _UNIT_WORDS: Final = {
     **dict.fromkeys(("s", "sec", "secs", "second", "seconds", "秒"), "s"),
@@ -68,15 +68,15 @@ _LONGEST_M: Final = 2.0
 _WIDEST_M: Final = 0.2
 _LONGEST_WAIT: Final = 60.0
 _EPOCHS: Final = (("ns", 1e17), ("µs", 1e14), ("ms", 1e11))
-"""Time since 1970 in these units is beyond these figures, in this century."""
+"""In this century a time since 1970 in these units is above these figures."""
 
 
 def guess_columns(header: Sequence[str], figures: Sequence[Figures]) -> tuple[Guess, ...]:
-    """Return what each column of a table seems to hold.
+    """Return a guess of the content of each column of a table.
 
     Args:
-        header: The titles; empty where there are none.
-        figures: Some of every column's.
+        header: The titles; empty if there are none.
+        figures: Some figures of every column.
     """
     named = _by_titles(header) if header else []
     quantities = [quantity for quantity, _ in named]
@@ -100,21 +100,21 @@ def guess_columns(header: Sequence[str], figures: Sequence[Figures]) -> tuple[Gu
 
 
 def likely_unit(quantity: ColumnQuantity, guess: Guess) -> str:
-    """Return the unit of a column that is said to hold a quantity.
+    """Return the most likely unit of a column that holds a quantity.
 
-    What its title names wins, else what its figures speak for.
+    The unit in its title wins; else the figures decide.
     """
     unit = guess.titled_unit
     return unit if unit in UNITS[quantity] else _unit(quantity, [quantity], [""], [guess.figures])
 
 
 def looks_like_radians(figures: Figures) -> bool:
-    """Tell whether figures of an angle are small enough for radians, and tell anything."""
+    """Return whether an angle's figures, not all zero, are small enough for radians."""
     return 0.0 < _largest(figures) <= _FULL_TURN_RAD
 
 
 def exceeds_radians(figures: Figures) -> bool:
-    """Tell whether figures of an angle are too large for radians."""
+    """Return whether figures of an angle are too large for radians."""
     return _largest(figures) > _FULL_TURN_RAD
 
 

@@ -1,4 +1,4 @@
-"""What a column can hold, in which unit, and how a table is built."""
+"""The possible contents of a column, their units, and the dialect of a table."""
 
 from __future__ import annotations
 
@@ -15,14 +15,17 @@ from armui.protocol.codes import MoveMode
 from armui.trajectory.files.csv_file import Row, rows
 
 SPACES: Final = " "
-"""The delimiter of a table whose cells stand apart by any number of blanks."""
+"""The delimiter of a table whose cells are separated by any number of blanks."""
 DELIMITERS: Final = (",", ";", "\t", "|", SPACES)
 DECIMALS: Final = (".", ",")
 _COMMENTS: Final = ("#", "%", "//")
 
 
 class ColumnQuantity(StrEnum):
-    """What a column can hold. Time counts from anywhere; wait is the time since the row before."""
+    """The quantities a column can hold.
+
+    Time counts from any moment; wait is the time since the row before.
+    """
 
     TIME = "time"
     WAIT = "wait"
@@ -65,27 +68,27 @@ UNITS: Final[Mapping[ColumnQuantity, Mapping[str, float]]] = {
     ColumnQuantity.SPEED: {"%": 1.0},
     ColumnQuantity.NOTE: {"": 1.0},
 }
-"""The units of each quantity; times the factor it is in ours: s, °, mm, %."""
+"""The units of each quantity, with the factor that converts to ours: s, °, mm, %."""
 
 
 class TableColumn(NamedTuple):
-    """What a column holds."""
+    """The quantity and the unit of a column."""
 
     quantity: ColumnQuantity
     unit: str
 
 
 Figures = Sequence[float | None]
-"""Of one column, in their order; ``None`` where a cell holds no number."""
+"""The figures of one column in order; ``None`` for a cell without a number."""
 
 
 @dataclass(frozen=True, slots=True)
 class Guess:
-    """What a column seems to hold: `column` is ``None`` where nothing speaks for anything.
+    """A guess of a column's content; `column` is ``None`` if there is no clue.
 
-    `confidence` is 1 where the title says quantity and unit, less where one of them was guessed
-    from the figures, 0 for no idea. `titled_unit` is the unit that the title names, whatever the
-    column is; "" for none. `figures` are some of the column's.
+    `confidence` is 1 if the title names quantity and unit, less if one of them was guessed from the
+    figures, 0 without a clue. `titled_unit` is the unit named in the title, whatever the column is;
+    "" for none. `figures` are some of the column's.
     """
 
     column: TableColumn | None
@@ -96,7 +99,7 @@ class Guess:
 
 @dataclass(frozen=True, slots=True)
 class Dialect:
-    """How a table is built as far as the operator says it; what is ``None`` is guessed."""
+    """The table's dialect as the operator set it; fields that are ``None`` are guessed."""
 
     delimiter: str | None = None
     decimal: str | None = None
@@ -105,18 +108,18 @@ class Dialect:
 
 @dataclass(frozen=True, slots=True)
 class Sheet:
-    """How a text is built that holds a table.
+    """The layout of a text that holds a table.
 
     Attributes:
-        delimiter: Between cells; :data:`SPACES` for any number of blanks.
+        delimiter: The separator of cells; :data:`SPACES` for any number of blanks.
         decimal: The decimal sign, a point or a comma.
-        header: The titles of the columns; empty where there are none.
-        first_line: Of the table's figures, from 1.
-        width: How many columns there are.
-        count: How many rows there are, about: some may turn out to be comments.
-        lines: How many lines the text has.
+        header: The titles of the columns; empty if there are none.
+        first_line: The line of the first figures, from 1.
+        width: The number of columns.
+        count: The approximate number of rows: some may turn out to be comments.
+        lines: The number of lines of the text.
         preview: The first rows, as text.
-        guesses: For every column.
+        guesses: A guess for every column.
     """
 
     delimiter: str
@@ -132,14 +135,14 @@ class Sheet:
 
 @dataclass(frozen=True, slots=True)
 class ColumnMapping:
-    """Which column is what, as the operator says it.
+    """The meaning of the columns, as the operator set it.
 
     Attributes:
-        columns: For every column of the sheet; ``None`` for one that is left out.
-        move: How to go to each row: MOVE_J to its joint angles, MOVE_P or MOVE_L to its pose;
-            ``None`` makes a recording of joint angles over time. What is not needed for that is
+        columns: The content of every column of the sheet; ``None`` for one that is left out.
+        move: The motion to each row: MOVE_J to its joint angles, MOVE_P or MOVE_L to its pose;
+            ``None`` makes a recording of joint angles over time. Columns not needed for that are
             left out.
-        speed_percent: Of points, where no column says it.
+        speed_percent: The speed of the points, if no column gives it.
     """
 
     columns: tuple[TableColumn | None, ...]
@@ -155,10 +158,10 @@ def split(line: str, delimiter: str) -> list[str]:
 
 
 def table(text: str, delimiter: str, first_line: int) -> Iterator[Row]:
-    """Return the rows of a text that are no comments, from a line on.
+    """Yield the rows of a text from a line on, without comments.
 
     Raises:
-        TrajectoryFileError: It cannot be parted into rows.
+        TrajectoryFileError: The text cannot be split into rows.
     """
     if delimiter == SPACES:
         parted = ((line, row.split()) for line, row in enumerate(lines_of(text), start=1))
@@ -171,23 +174,23 @@ def table(text: str, delimiter: str, first_line: int) -> Iterator[Row]:
 
 
 def lines_from(text: str, first_line: int) -> Iterator[tuple[int, str]]:
-    """Return the lines of a table that are neither empty nor comments, with their numbers."""
+    """Yield the lines of a table that are neither empty nor comments, with their numbers."""
     numbered = islice(enumerate(lines_of(text), start=1), first_line - 1, None)
     return ((number, line) for number, line in numbered if line.strip() and not is_comment(line))
 
 
 def lines_of(text: str) -> Iterator[str]:
-    """Return the lines of a text, whichever way they end; as the csv module counts them."""
+    """Yield the lines of a text, with any line ends, counted as the csv module does."""
     return iter(io.StringIO(text, newline=None))
 
 
 def is_comment(text: str) -> bool:
-    """Tell whether a line or its first cell begins a comment."""
+    """Return whether a line or its first cell begins a comment."""
     return text.lstrip().startswith(_COMMENTS)
 
 
 def as_number(cell: str, decimal: str) -> float | None:
-    """Return the number in a cell, if it is one."""
+    """Return the number in a cell, or ``None`` if it holds none."""
     text = cell.strip()
     if decimal != ".":
         if "." in text:

@@ -1,4 +1,4 @@
-"""How a text is built that holds a table: delimiter, decimal sign, titles, first row."""
+"""Detects the layout of a text that holds a table: delimiter, decimal sign, titles, first row."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ _STYLES: Final = (
     *(("|", "."), (SPACES, "."), (SPACES, ",")),
 )
 _LOOKED_AT: Final = 400
-"""Lines the dialect of the table is judged by, spread over the whole text."""
+"""The number of lines, spread over the whole text, that are examined."""
 _LOOKED_AT_CHARACTERS: Final = 100_000
 _LEAST_LINES: Final = 10
 _ALL_GUESSED: Final = Dialect()
@@ -52,14 +52,15 @@ class _Style(NamedTuple):
 
 
 def sniff(text: str, dialect: Dialect = _ALL_GUESSED) -> Sheet:
-    """Return how a table in a text is built and what its columns seem to hold.
+    """Return the layout of the table in a text, with guesses of its columns.
 
     Args:
-        text: Of the whole file; prose and comments may stand before the table.
-        dialect: What the operator says of it; the rest is guessed.
+        text: The text of the whole file; other text and comments may come before the table.
+        dialect: The settings of the operator; the rest is guessed.
 
     Raises:
-        TrajectoryFileError: There are no rows of numbers, and nobody says where they should be.
+        TrajectoryFileError: There are no rows of numbers, and the operator has not set where they
+            begin.
     """
     lines = [line.rstrip("\n") for line in lines_of(text)]
     skipped = 0 if dialect.first_line is None else min(dialect.first_line, max(1, len(lines))) - 1

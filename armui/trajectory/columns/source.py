@@ -1,4 +1,4 @@
-"""A file that is not in a format of ours, and the table in it."""
+"""Reads a file in an unknown format, and finds the table in it."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ FILE_NOT_ENCODING = Reason(
 
 _LOOKED_AT_BYTES: Final = 4096
 _MANY: Final = 0.3
-"""Of the bytes at even or odd places are zero where figures are written in UTF-16."""
+"""The part of the bytes at even or odd places that is zero in figures written in UTF-16."""
 
 
 class Encoding(StrEnum):
-    """The encodings of text files that are met with; the value is Python's name of each."""
+    """The usual encodings of text files; the value is Python's name of each."""
 
     UTF_8 = "utf-8-sig"
     GBK = "gb18030"
@@ -43,17 +43,16 @@ LABELS: Final[Mapping[Encoding, str]] = {
     Encoding.UTF_16_BE: "UTF-16 BE",
     Encoding.WESTERN: "Windows-1252",
 }
-"""What each is called everywhere."""
+"""The common name of each encoding."""
 
 _MARKS: Final = {codecs.BOM_UTF16_LE: Encoding.UTF_16_LE, codecs.BOM_UTF16_BE: Encoding.UTF_16_BE}
 
 
 def guess_encoding(data: bytes) -> Encoding:
-    """Return the encoding that bytes seem to be in.
+    """Return the likely encoding of bytes.
 
-    A mark at the beginning says it; UTF-16 without one is full of zeros, and what is valid UTF-8
-    is hardly ever anything else. GBK is what Chinese Windows writes by itself, Windows-1252 what
-    the rest of the world's does.
+    A byte order mark decides; UTF-16 without one is full of zeros, and valid UTF-8 is hardly ever
+    anything else. Chinese Windows writes GBK by default, Western Windows writes Windows-1252.
     """
     for mark, encoding in _MARKS.items():
         if data.startswith(mark):
@@ -73,10 +72,11 @@ def guess_encoding(data: bytes) -> Encoding:
 
 
 def decode_as(data: bytes, encoding: Encoding) -> str:
-    """Return the text of bytes in an encoding, without the mark at its beginning.
+    """Return the text of bytes in an encoding, without the byte order mark.
 
     Raises:
-        TrajectoryFileError: They are not in it, with the line and the character in it.
+        TrajectoryFileError: The bytes are not in this encoding; it names the line and the
+            character.
     """
     try:
         text = data.decode(encoding)
@@ -100,14 +100,14 @@ def _odd(before: str, encoding: Encoding) -> TrajectoryFileError:
 
 @dataclass(frozen=True, slots=True)
 class TableFile:
-    """The whole text of a file, and how the table in it is built.
+    """The whole text of a file, and the layout of the table in it.
 
     Attributes:
-        file_name: Without its folder.
+        file_name: The file's name without its folder.
         data: The bytes of the file.
-        encoding: Of the text.
-        text: What the bytes say in it.
-        sheet: How the table is built.
+        encoding: The encoding of the text.
+        text: The decoded text.
+        sheet: The layout of the table.
     """
 
     file_name: str
@@ -117,19 +117,19 @@ class TableFile:
     sheet: Sheet
 
     def read_anew(self, encoding: Encoding | None, dialect: Dialect) -> TableFile:
-        """The same file, read as the operator says; what is left open is guessed.
+        """Return the same file read with the operator's settings; the rest is guessed.
 
         Raises:
-            TrajectoryFileError: It is not possible; it names the file.
+            TrajectoryFileError: It cannot be read so; the error names the file.
         """
         return _read(self.file_name, self.data, encoding, dialect)
 
 
 def open_table(path: Path) -> TableFile:
-    """Read a file and see how the table in it is built.
+    """Read a file and detect the layout of the table in it.
 
     Raises:
-        TrajectoryFileError: It cannot be read, or holds no table; it names the file.
+        TrajectoryFileError: It cannot be read, or holds no table; the error names the file.
     """
     return _read(path.name, files.load_bytes(path), None, Dialect())
 
@@ -144,16 +144,17 @@ def _read(file_name: str, data: bytes, encoding: Encoding | None, dialect: Diale
 
 
 def look_closer(path: Path, error: TrajectoryFileError) -> tuple[TrajectoryFileError, bool]:
-    """Tell whether a file that could not be loaded can be imported by columns.
+    """Return the error to show for a file that could not be loaded, and whether it holds a table.
 
-    So can one that a format of ours mistook for its own: degrees for the maker's radians.
+    A table may also be a file that one of our formats took for its own, as degrees for the maker's
+    radians.
 
     Args:
         path: The file.
-        error: Why it could not.
+        error: The error from loading it.
 
     Returns:
-        What is wrong with it, and whether it holds a table all the same.
+        The better error, and whether the file can be imported by columns.
     """
     try:
         table = open_table(path)

@@ -47,20 +47,20 @@ _WRITERS: Final[dict[str, Callable[[Content], bytes]]] = {
     ".armui": lambda content: log_file.write(content).encode(),
 }
 SUFFIXES: Final = tuple(_WRITERS)
-"""The formats for the operator, by the end of the file's name."""
+"""The suffixes of the formats offered to the operator."""
 _HEAD_BYTES: Final = 4096
-"""Enough for the first two lines with the longest name."""
+"""The length of a beginning that holds the first two lines with the longest name."""
 
 
 def to_bytes(content: Content, suffix: str) -> bytes:
-    """Return a trajectory or recording in a format.
+    """Return a trajectory or recording as the bytes of a file.
 
     Args:
-        content: What to write.
+        content: The content to write.
         suffix: One of :data:`SUFFIXES`; for a recording also ``.npz``.
 
     Raises:
-        UnwritableError: It is not possible.
+        UnwritableError: The content cannot be written.
         ValueError: There is no such format for it.
     """
     if suffix == ".npz" and isinstance(content, Recording):
@@ -75,7 +75,7 @@ def load(path: Path) -> Content:
     """Return the trajectory or recording in a file of any of our formats, or of the maker's.
 
     Raises:
-        TrajectoryFileError: It cannot be read or is none; it names the file.
+        TrajectoryFileError: The file cannot be read or has an unknown format; the error names it.
     """
     with _named(path):
         return read_bytes(_bytes_of(path), path.stem)
@@ -85,14 +85,14 @@ def load_bytes(path: Path) -> bytes:
     """Return the bytes of a file of any kind, for the import by columns.
 
     Raises:
-        TrajectoryFileError: It cannot be read; it names the file.
+        TrajectoryFileError: The file cannot be read; the error names it.
     """
     with _named(path):
         return _bytes_of(path)
 
 
 def name_in(path: Path) -> str | None:
-    """Return the name in a file as the library writes it; only its beginning is read.
+    """Return the name in a file of the library; only the file's beginning is read.
 
     Raises:
         OSError: It cannot be read.
@@ -105,7 +105,7 @@ def name_in(path: Path) -> str | None:
 
 
 def is_ours(text: str) -> bool:
-    """Tell whether a text, sound or not, begins as a format that is no mere table of figures."""
+    """Return whether a text, valid or not, begins as a format of ours other than a plain table."""
     return log_file.is_log(text) or json_file.is_json(text)
 
 
@@ -131,14 +131,14 @@ def _named(path: Path) -> Iterator[None]:
 
 
 def read_bytes(data: bytes, name: str) -> Content:
-    """Return what the bytes of a file hold; what they look like counts, not the file's name.
+    """Return the content of a file's bytes; they decide the format, not the file's name.
 
     Args:
         data: The bytes.
-        name: What it is called where the bytes do not say.
+        name: The name used if the bytes hold none.
 
     Raises:
-        TrajectoryFileError: Nothing this program knows, or a broken one.
+        TrajectoryFileError: The format is unknown, or the content is damaged.
     """
     if data.startswith(npz_file.MAGIC):
         return npz_file.read(data)
@@ -146,10 +146,10 @@ def read_bytes(data: bytes, name: str) -> Content:
 
 
 def read_text(text: str, name: str) -> Content:
-    """The same for a text, as from the clipboard.
+    """Return the content of a text, as from the clipboard; see :func:`read_bytes`.
 
     Raises:
-        TrajectoryFileError: As there.
+        TrajectoryFileError: As in :func:`read_bytes`.
     """
     name = name if name.strip() else "?"
     if not text.strip():

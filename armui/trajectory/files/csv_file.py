@@ -1,7 +1,7 @@
 """`.csv`, for spreadsheets: one row of titles, then a row for each point or sample.
 
-Rows whose first cell is # hold a comment; rows that begin with #name, #note, #taught_on or
-#modified hold what belongs to the whole, and stand at the end, where they do not disturb a table.
+Rows whose first cell is # hold a comment. Rows that begin with #name, #note, #taught_on or
+#modified hold properties of the whole; they come last, where they do not disturb a table.
 """
 
 from __future__ import annotations
@@ -43,11 +43,11 @@ SAMPLE_TITLES: Final = ("t_s", *(f"j{joint}_deg" for joint in range(1, 7)), "gri
 _LONGEST_CELL: Final = 1 << 20
 
 Row = tuple[int, list[str]]
-"""Number of its first line, and its cells."""
+"""The number of the row's first line, and its cells."""
 
 
 def is_csv(text: str) -> bool:
-    """Tell whether a text has the titles of this format, in any order."""
+    """Return whether a text has the titles of this format, in any order."""
     titles = _titles(text.partition("\n")[0])
     return "move" in titles or titles >= set(SAMPLE_TITLES[:GRIPPER])
 
@@ -56,7 +56,7 @@ def write(content: Content) -> str:
     """Return a trajectory or recording as text.
 
     Raises:
-        UnwritableError: It is not possible.
+        UnwritableError: The content cannot be written.
     """
     verify(content)
     stream = io.StringIO(newline="")
@@ -81,11 +81,11 @@ def write(content: Content) -> str:
 
 
 def read(text: str, name: str) -> Content:
-    """Return the trajectory or recording of a text.
+    """Return the trajectory or recording in a text.
 
     Args:
-        text: Of the file, line ends as they are.
-        name: What it is called where no row says so.
+        text: The text of the file, with its own line ends.
+        name: The name used if no row holds one.
 
     Raises:
         TrajectoryFileError: With the line and, as column, the cell.
@@ -102,15 +102,15 @@ def read(text: str, name: str) -> Content:
 
 
 def rows(text: str, delimiter: str = ",", first_line: int = 1) -> Iterator[Row]:
-    """Return the rows of a table that hold anything.
+    """Yield the rows of a table that are not empty.
 
     Args:
-        text: Of the whole file.
-        delimiter: Between cells.
-        first_line: Where the table begins; what stands before is no table and is not parsed.
+        text: The text of the whole file.
+        delimiter: The separator of cells.
+        first_line: The line at which the table begins; the text before is not parsed.
 
     Raises:
-        TrajectoryFileError: It cannot be parted into rows.
+        TrajectoryFileError: The text cannot be split into rows.
     """
     stream = io.StringIO(text, newline="")
     for _ in range(first_line - 1):
@@ -238,7 +238,7 @@ def write_cells(point: Waypoint) -> list[str]:
 
 
 class Columns:
-    """Where each title stands.
+    """The column of each title.
 
     Raises:
         TrajectoryFileError: A title is unknown or there twice.
@@ -255,11 +255,11 @@ class Columns:
         self.count = len(titles)
 
     def column(self, title: str) -> int:
-        """Return the cell's number, from 1; 0 where there is no such column."""
+        """Return the number of a title's column, from 1; 0 if there is none."""
         return self._places.get(title, -1) + 1
 
     def cell(self, cells: Sequence[str], title: str) -> str:
-        """Return the cell under a title, "" where there is no such column."""
+        """Return the cell under a title, or "" if there is no such column."""
         place = self._places.get(title)
         return "" if place is None else cells[place]
 
@@ -346,7 +346,7 @@ _STEP_DIGITS: Final = 6
 
 
 def is_maker_csv(text: str) -> bool:
-    """Tell whether the first row holds 7 or 8 numbers and nothing else."""
+    """Return whether the first row holds 7 or 8 numbers and nothing else."""
     first = text.lstrip().partition("\n")[0].split(",")
     try:
         return len(first) in _COUNTS and all(math.isfinite(float(cell)) for cell in first)
@@ -355,10 +355,10 @@ def is_maker_csv(text: str) -> bool:
 
 
 def read_maker_csv(text: str, name: str) -> Content:
-    """Return the recording of the maker's own CSV: no titles.
+    """Return the recording in a CSV file of the maker's, which has no titles.
 
-    Its cells are `wait_s, j1 … j6` in rad, perhaps the gripper in m. The wait of a row is the time
-    since the row before it.
+    Its cells are `wait_s, j1 … j6` in rad and optionally the gripper in m. The wait of a row is the
+    time since the row before.
 
     Raises:
         TrajectoryFileError: With the line and, as column, the cell.

@@ -1,4 +1,4 @@
-"""The one error of trajectory files."""
+"""The exception raised by the readers of trajectory files."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ SPEED_OUT_OF_RANGE = Reason(
 
 
 def field_refusal(error: FieldError) -> Refusal:
-    """Return what is wrong with a field, as a `TrajectoryFileError` says it."""
+    """Return the refusal for a wrong field, for a `TrajectoryFileError`."""
     if error.problem is FieldProblem.MISSING:
         return JSON_FIELD_MISSING(field=error.name)
     if error.problem is FieldProblem.UNKNOWN:
@@ -35,13 +35,13 @@ def field_refusal(error: FieldError) -> Refusal:
 
 
 class TrajectoryFileError(Exception):
-    """A file that is no trajectory, or a broken one; nothing of it is taken over.
+    """A file that is no trajectory, or damaged; nothing of it is used.
 
     Attributes:
-        file: The file's name, without its folder; "" where it has none.
-        line: Where, from 1; 0 where no line is to blame.
-        column: Where in the line, from 1: the character, in .csv the cell; 0 where unknown.
-        refusal: Why.
+        file: The file's name without its folder; "" if there is none.
+        line: The line, from 1; 0 if no line is to blame.
+        column: The place in the line, from 1: the character, in .csv the cell; 0 if unknown.
+        refusal: The reason.
     """
 
     def __init__(self, refusal: Refusal, line: int = 0, column: int = 0, file: str = "") -> None:
@@ -70,7 +70,7 @@ _NO_FIGURES: Final = dict.fromkeys(
 def broken(
     code: Reason, line: int = 0, column: int = 0, /, **params: float | str
 ) -> TrajectoryFileError:
-    """Return a `TrajectoryFileError`, in short."""
+    """Return a `TrajectoryFileError` made of a reason, a place and the reason's figures."""
     shown = {key: _short(value) for key, value in params.items()}
     return TrajectoryFileError(Refusal(code, shown), line, column)
 

@@ -1,4 +1,4 @@
-"""`.json`, for programs: the fields of points and samples by name, one of them a line."""
+"""`.json`, for programs: fields of points and samples by name, one point or sample a line."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ JSON_BAD = Reason("json_bad", "This is not valid JSON: {text}.")
 
 _KINDS: Final = ("armui trajectory", "armui recording")
 _EMPTY: Final = {"note": "", "gripper": None, "light": None, "comments": ()}
-"""Fields of a point that are left out when they hold this."""
+"""Fields of a point that are omitted when they hold this value."""
 
 
 def is_json(text: str) -> bool:
-    """Tell whether a text begins as JSON does; nothing else of ours begins so."""
+    """Return whether a text begins as JSON does; no other format of ours begins so."""
     return text.lstrip()[:1] in ("{", "[")
 
 
@@ -43,7 +43,7 @@ def write(content: Content) -> str:
     """Return a trajectory or recording as text.
 
     Raises:
-        UnwritableError: It is not possible.
+        UnwritableError: The content cannot be written.
     """
     verify(content)
     head: dict[str, Any] = {
@@ -67,11 +67,11 @@ def write(content: Content) -> str:
 
 
 def read(text: str, name: str) -> Content:
-    """Return the trajectory or recording of a text.
+    """Return the trajectory or recording in a text.
 
     Args:
-        text: Of the file.
-        name: What it is called where the file does not say.
+        text: The text of the file.
+        name: The name used if the file holds none.
 
     Raises:
         TrajectoryFileError: With the line and column of the object that is wrong.
@@ -188,10 +188,10 @@ _Scan = Callable[[str, int], tuple[Any, int]]
 
 
 def place_of(text: str, path: Path) -> tuple[int, int]:
-    """Line and column, from 1, of the value a path leads to, or of the last one found on the way.
+    """Return line and column, from 1, of the value at a path, or of the last one found on the way.
 
     Args:
-        text: Sound JSON.
+        text: Valid JSON.
         path: Keys and indices.
     """
     scan = json.JSONDecoder().raw_decode

@@ -1,7 +1,7 @@
 """`.log`, our own text format: made to be read and written by people, one point a line.
 
 A first line with the kind and the version, some lines `key: value`, an empty line, then points or
-samples. Empty lines count nothing; lines that begin with # are comments, and are kept.
+samples. Empty lines are ignored; lines that begin with # are comments, and are kept.
 """
 
 from __future__ import annotations
@@ -47,15 +47,15 @@ _ENTRY: Final = re.compile(r"([A-Za-z]\w*):[ \t]*(.*?)[ \t]*")
 
 
 def is_log(text: str) -> bool:
-    """Tell whether a text begins as this format does."""
+    """Return whether a text begins as this format does."""
     return _FIRST.match(text) is not None
 
 
 def name_in(beginning: str) -> str | None:
-    """Return the name of a trajectory or recording as this program writes it: in the second line.
+    """Return the name in a text that this program wrote: it is in the second line.
 
     Args:
-        beginning: Of the text, at least its first two lines.
+        beginning: The beginning of the text, at least its first two lines.
     """
     first, _, rest = beginning.partition("\n")
     entry = _ENTRY.fullmatch(rest.partition("\n")[0])
@@ -71,7 +71,7 @@ def write(content: Content) -> str:
     """Return a trajectory or recording as text.
 
     Raises:
-        UnwritableError: It is not possible.
+        UnwritableError: The content cannot be written.
     """
     if isinstance(content, Trajectory):
         return "".join(lines(content))
@@ -80,13 +80,13 @@ def write(content: Content) -> str:
 
 
 def lines(trajectory: Trajectory) -> Iterator[str]:
-    """Return a trajectory as text, point by point: its writer may rest between them.
+    """Yield a trajectory as text, point by point, so that its writer may pause between them.
 
     Yields:
-        Lines, their ends included; several at once where they belong together.
+        Lines with their ends; several at once if they belong together.
 
     Raises:
-        UnwritableError: It is not possible; what was yielded before is of no use then.
+        UnwritableError: The trajectory cannot be written; discard the lines yielded before.
     """
     verify(replace(trajectory, points=()))
     yield from _header(trajectory)
@@ -111,11 +111,11 @@ def _header(content: Content) -> Iterator[str]:
 
 
 def read(text: str, name: str) -> Content:
-    """Return the trajectory or recording of a text.
+    """Return the trajectory or recording in a text.
 
     Args:
-        text: Of the file.
-        name: What it is called where the header says nothing.
+        text: The text of the file.
+        name: The name used if the header holds none.
 
     Raises:
         TrajectoryFileError: With line and column.
@@ -196,7 +196,7 @@ _TITLES: Final = "# t_s J1 J2 J3 J4 J5 J6 (deg) gripper_mm"
 
 
 def write_samples(samples: Array) -> str:
-    """Return lines of samples; the gripper is left out where it was not recorded."""
+    """Return the lines of samples; the gripper is omitted if it was not recorded."""
     lines = [_TITLES]
     for row in samples.tolist():
         values = row[:GRIPPER] if math.isnan(row[GRIPPER]) else row
@@ -205,12 +205,12 @@ def write_samples(samples: Array) -> str:
 
 
 def read_samples(lines: list[str], begin: int, fields: dict[str, Any]) -> Content:
-    """Return the recording of a text.
+    """Return the recording in the lines of a file.
 
     Args:
-        lines: Of the file.
-        begin: Index of the first after the header.
-        fields: What the header says.
+        lines: The lines of the file.
+        begin: The index of the first line after the header.
+        fields: The fields of the header.
 
     Raises:
         TrajectoryFileError: With line and column.

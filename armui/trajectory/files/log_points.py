@@ -2,8 +2,8 @@
 
     J  10 70 -60 10 25 -20  speed=30 dwell=1.5 gripper=35mm@1Nm light=1/all:255,128,0 note="tray"
 
-First the kind of motion, then six values (for C the six of the middle, a slash, and the six of
-the end), then options in any order. What follows a # is a comment.
+First the kind of motion, then six values (for C the six of the middle, a slash, and the six of the
+end), then options in any order. A # begins a comment.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ Token = tuple[str, int]
 
 
 def write_point(point: Waypoint) -> str:
-    """Return the line of a point, without its comments and the end of the line."""
+    """Return the line of a point, without its comments and without a line end."""
     parts = [LETTER_OF[point.move]]
     if point.middle is not None:
         parts += [*map(number, point.middle), "/"]
@@ -76,7 +76,7 @@ def write_point(point: Waypoint) -> str:
 
 
 def read_point(text: str, line: int, comments: tuple[str, ...]) -> Waypoint:
-    """Return the point of a line; a comment at its end joins the comments before it.
+    """Return the point in a line; a comment at its end is added to the comments before it.
 
     Args:
         text: The line.
@@ -148,10 +148,10 @@ def _read_speed(text: str, line: int, column: int) -> int:
 
 
 def read_gripper(text: str, line: int, column: int) -> GripperAction:
-    """Return what the gripper does, as in ``35mm@1Nm`` or ``20°@1rad/s``.
+    """Return the gripper's action in a text like ``35mm@1Nm`` or ``20°@1rad/s``.
 
     Raises:
-        TrajectoryFileError: It is written otherwise; `line` and `column` say where.
+        TrajectoryFileError: The text has another form; the error names `line` and `column`.
     """
     match = _GRIPPER.fullmatch(text)
     if match is None or (match.group(2) == "mm") != (match.group(4) == "Nm"):
@@ -163,17 +163,17 @@ def read_gripper(text: str, line: int, column: int) -> GripperAction:
 
 
 def gripper_text(action: GripperAction) -> str:
-    """Return what :func:`read_gripper` reads."""
+    """Return the text that :func:`read_gripper` reads."""
     if isinstance(action, GripperOpening):
         return f"{number(action.opening_mm)}mm@{number(action.torque_nm)}Nm"
     return f"{number(action.angle_deg)}°@{number(action.speed_rad_s)}rad/s"
 
 
 def read_light(text: str, line: int, column: int) -> LightAction:
-    """Return what the lamps do, as in ``1/all:255,128,0``: joint, lamp, grey values.
+    """Return the lamps' action in a text like ``1/all:255,128,0``: joint, lamp, red, green, blue.
 
     Raises:
-        TrajectoryFileError: It is written otherwise; `line` and `column` say where.
+        TrajectoryFileError: The text has another form; the error names `line` and `column`.
     """
     match = _LIGHT.fullmatch(text)
     if match is None or not match.group(0).isascii():
@@ -185,16 +185,16 @@ def read_light(text: str, line: int, column: int) -> LightAction:
 
 
 def light_text(light: LightAction) -> str:
-    """Return what :func:`read_light` reads."""
+    """Return the text that :func:`read_light` reads."""
     lamp = "all" if light.lamp == ALL_LAMPS else str(light.lamp)
     return f"{light.joint}/{lamp}:{light.red},{light.green},{light.blue}"
 
 
 def read_text(text: str, line: int, column: int) -> str:
-    """Return a text as JSON writes it, in quotation marks; one without them as it is.
+    """Return a text written in quotation marks as in JSON; one without them unchanged.
 
     Raises:
-        TrajectoryFileError: The quotation marks do not close, or an escape is none.
+        TrajectoryFileError: A quotation mark or an escape is wrong.
     """
     if not text.startswith('"'):
         return text
@@ -212,4 +212,4 @@ _READERS: Final[dict[str, tuple[str, Callable[[str, int, int], Any]]]] = {
     "light": ("light", read_light),
     "note": ("note", read_text),
 }
-"""Which attribute an option sets, and how it is read."""
+"""The attribute that each option sets, and the function that reads it."""

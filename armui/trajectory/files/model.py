@@ -1,4 +1,4 @@
-"""What a file can hold, and the check that all formats share."""
+"""The content of a trajectory file, and the checks that all formats share."""
 
 from __future__ import annotations
 
@@ -17,20 +17,20 @@ TIME_BAD = Reason(
 
 
 Content = Trajectory | Recording
-"""What a file holds."""
+"""The content of a file."""
 
 VERSION: Final = 1
-"""Of all formats."""
+"""The version of all formats."""
 
 LARGEST_BYTES: Final = 256 * 1024 * 1024
 
 
 class UnwritableError(ValueError):
-    """No file can hold it.
+    """Content that no file can hold.
 
     Attributes:
-        row: The point or sample to blame, from 1; 0 where it is the whole.
-        refusal: Why.
+        row: The point or sample to blame, from 1; 0 for the whole.
+        refusal: The reason.
     """
 
     def __init__(self, name: str, row: int, refusal: Refusal) -> None:
@@ -40,10 +40,10 @@ class UnwritableError(ValueError):
 
 
 def verify(content: Content) -> None:
-    """Makes sure before writing that what is written can be read again.
+    """Checks before writing that the content can be read again.
 
     Raises:
-        UnwritableError: It could not.
+        UnwritableError: It could not be read again.
     """
     found = (
         check_trajectory(content) if isinstance(content, Trajectory) else check_recording(content)
@@ -53,14 +53,14 @@ def verify(content: Content) -> None:
 
 
 def verified(content: Content, lines: Sequence[int] = ()) -> Content:
-    """Return what was read, if it is possible.
+    """Return content that was read, if it is valid.
 
     Args:
-        content: What was read.
+        content: The content that was read.
         lines: The line of each point or sample.
 
     Raises:
-        TrajectoryFileError: It is not.
+        TrajectoryFileError: It is not valid.
     """
     found = (
         check_trajectory(content) if isinstance(content, Trajectory) else check_recording(content)
@@ -72,10 +72,10 @@ def verified(content: Content, lines: Sequence[int] = ()) -> Content:
 
 
 def verified_point(point: Waypoint, line: int, column: int = 0) -> Waypoint:
-    """Return a point that was read, if it is possible.
+    """Return a point that was read, if it is valid.
 
     Raises:
-        TrajectoryFileError: It is not.
+        TrajectoryFileError: It is not valid.
     """
     reason = check_point(point)
     if reason is not None:
@@ -84,10 +84,10 @@ def verified_point(point: Waypoint, line: int, column: int = 0) -> Waypoint:
 
 
 def parse_time(text: str, line: int, column: int) -> datetime:
-    """Return a date and time in ISO 8601; one without a time zone is in UTC.
+    """Return a date and time in ISO 8601; without a time zone it is taken as UTC.
 
     Raises:
-        TrajectoryFileError: It is none.
+        TrajectoryFileError: The text is no date and time.
     """
     try:
         when = datetime.fromisoformat(text)

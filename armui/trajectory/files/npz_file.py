@@ -1,6 +1,6 @@
-"""`.npz`, how the library keeps recordings: numpy's own archive, so that any program can open it.
+"""`.npz`, the library's format for recordings: numpy's archive, which other programs can open.
 
-Two members: `samples` (n, 8) and `header`, a JSON text of the name, the note and the time.
+It has two members: `samples` (n, 8) and `header`, a JSON text of the name, the note and the time.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ def write(recording: Recording) -> bytes:
     """Return a recording as the bytes of an archive, uncompressed.
 
     Raises:
-        UnwritableError: It is not possible.
+        UnwritableError: The recording cannot be written.
     """
     verify(recording)
     header = json.dumps(
@@ -43,10 +43,10 @@ def write(recording: Recording) -> bytes:
 
 
 def read(data: bytes) -> Content:
-    """Return the recording of an archive.
+    """Return the recording in an archive.
 
     Raises:
-        TrajectoryFileError: It is none, or damaged.
+        TrajectoryFileError: The bytes are no such archive, or damaged.
     """
     try:
         with zipfile.ZipFile(io.BytesIO(data)) as archive:
@@ -68,7 +68,7 @@ def read(data: bytes) -> Content:
 
 
 def name_in(file: BinaryIO) -> str | None:
-    """Return the recording's name in an archive; ``None``: it is damaged."""
+    """Return the recording's name in an archive, or ``None`` if it is damaged."""
     try:
         with zipfile.ZipFile(file) as archive:
             header = json.loads(str(_array(_member(archive, _HEADER))))

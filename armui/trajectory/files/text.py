@@ -1,4 +1,4 @@
-"""From the bytes of a text file to its text, and from numbers to text that says the same."""
+"""Decodes text files, and converts between numbers and text without loss."""
 
 from __future__ import annotations
 
@@ -24,10 +24,11 @@ _UTF_16: Final = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 def decode(data: bytes) -> str:
     """Return the text of a file: UTF-8, with or without a mark; UTF-16 with one; else GBK.
 
-    GBK (here with all of GB 18030) is what Chinese Windows writes by itself.
+    Chinese Windows writes GBK by default; all of GB 18030 is accepted.
 
     Raises:
-        TrajectoryFileError: It is none of them, with the line of the first odd byte.
+        TrajectoryFileError: It is in none of them; the error names the line of the first wrong
+            byte.
     """
     if data.startswith(_UTF_16):
         try:
@@ -51,16 +52,16 @@ def decode(data: bytes) -> str:
 
 
 def number(value: float) -> str:
-    """Return a number as short as it can be written without losing anything."""
+    """Return the shortest text of a number that loses nothing."""
     text = repr(float(value))
     return text[:-2] if text.endswith(".0") else text
 
 
 def parse_number(text: str, line: int, column: int) -> float:
-    """Return a number as written with digits, a decimal point and perhaps an exponent.
+    """Return the number in a text of digits, a decimal point and perhaps an exponent.
 
     Raises:
-        TrajectoryFileError: It is none, or an infinite one; `line` and `column` say where.
+        TrajectoryFileError: It is no finite number; the error names `line` and `column`.
     """
     try:
         value = float(text)
@@ -72,15 +73,15 @@ def parse_number(text: str, line: int, column: int) -> float:
 
 
 def read_figures(lines: Sequence[str], delimiter: str | None) -> Array | None:
-    """Return the numbers (n, columns) of lines that all hold equally many of them and nothing else.
+    """Return (n, columns) of the numbers in lines that hold equally many numbers and nothing else.
 
     Args:
-        lines: Without empty ones and comments.
-        delimiter: Between numbers; ``None`` for blanks.
+        lines: Lines without empty ones and comments.
+        delimiter: The separator of numbers; ``None`` for blanks.
 
     Returns:
-        The finite numbers, or ``None`` where something is different: whoever then reads the lines
-        one by one can say where and what.
+        The finite numbers, or ``None`` if a line differs: the caller then reads the lines one by
+        one to find the error.
     """
     if not lines:
         return None

@@ -1,1 +1,1 @@
-"""The folder that keeps trajectories: files, index, history, bin and drafts."""
+"""The folder of trajectories: files, index, history, bin and drafts."""

@@ -1,4 +1,4 @@
-"""Where deleted files of the library wait to be brought back."""
+"""Keeps deleted files of the library for a while, so that they can be restored."""
 
 from __future__ import annotations
 
@@ -20,24 +20,25 @@ from armui.trajectory.library.index import IndexEntry
 from armui.trajectory.library.stored_files import name_inside
 
 KEPT: Final = timedelta(days=30)
-"""How long a deleted file is kept."""
+"""The time for which a deleted file is kept."""
 
 _GRACE: Final = timedelta(days=7)
-"""What is found to be too old is only marked, and removed when it is found so this much later: the
-clock may have been set wrong when it was deleted, or be wrong now."""
+"""A file found to be too old is only marked, and removed when it is found so again this much later:
+the clock may have been wrong when it was deleted, or be wrong now.
+"""
 _DUE: Final = ".due"
-"""The mark: a file that holds the time at which it was made."""
+"""The name of the mark: a file that holds the time at which it was made."""
 
 
 @dataclass(frozen=True, slots=True)
 class Deleted:
-    """What was deleted together, to be brought back together.
+    """Files that were deleted together, to be restored together.
 
     Attributes:
-        names: Of the trajectories.
-        places: For every file, drafts included: its name in the library, and where it is now.
-        when: It was deleted.
-        entries: What the library knew of them, where it still knows.
+        names: The trajectories' names.
+        places: For every file, drafts included: its name in the library, and its present path.
+        when: The time of deletion.
+        entries: Their entries in the index, as far as they are still known.
     """
 
     names: tuple[str, ...]
@@ -47,28 +48,28 @@ class Deleted:
 
     @property
     def only_draft(self) -> bool:
-        """Whether nothing of it was ever saved, or what was saved is gone."""
+        """True if it holds drafts only: the trajectory was never saved, or its file is gone."""
         return all(is_draft(place) for _, place in self.places)
 
 
 class Bin:
-    """A folder of deleted files, each in a folder of its own that is called by the time.
+    """A folder of deleted files, each in a subfolder named after the time.
 
     Args:
-        folder: It need not exist; on the same disk as the files.
+        folder: The folder, on the same disk as the files; it need not exist.
     """
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
 
     def take(self, paths: Sequence[Path]) -> tuple[tuple[tuple[str, Path], ...], datetime]:
-        """Move files here, all or none.
+        """Move files into the bin, all or none.
 
         Returns:
-            For each its name and where it is now; and the time they are kept from.
+            The name and the present path of each, and the time of deletion.
 
         Raises:
-            OSError: One cannot be moved; the others are back in their places.
+            OSError: One cannot be moved; the others have been moved back.
         """
         seconds, rest_ns = divmod(time.time_ns(), 1_000_000_000)
         when = datetime.fromtimestamp(seconds, UTC)
@@ -91,10 +92,10 @@ class Bin:
         return tuple((path.name, place) for path, place in moved), when
 
     def keep_copy(self, path: Path) -> None:
-        """Keep what a file holds that is about to be replaced.
+        """Copy a file that is about to be replaced into the bin.
 
         Raises:
-            OSError: It cannot be kept.
+            OSError: It cannot be copied.
         """
         room = self._new_room(*divmod(time.time_ns(), 1_000_000_000))
         try:
@@ -111,7 +112,7 @@ class Bin:
         return room
 
     def contents(self) -> list[Deleted]:
-        """Everything here, the last deleted first: each trajectory by itself, with its draft.
+        """Return everything in the bin, the last deleted first: each trajectory with its draft.
 
         Raises:
             OSError: The folder cannot be read.
@@ -127,15 +128,15 @@ class Bin:
         return found
 
     def give_back(self, file: str, place: Path, folder: Path) -> Path:
-        """Move a file back, under a free name where its own is taken by now.
+        """Move a file back; if its name is taken by now, under a free name.
 
         Args:
-            file: What it was called.
-            place: Where it is here.
-            folder: Where to.
+            file: The file's former name.
+            place: Its path in the bin.
+            folder: The folder to move it to.
 
         Returns:
-            Where it is now.
+            Its new path.
 
         Raises:
             OSError: It cannot be moved.
@@ -149,7 +150,7 @@ class Bin:
         return path
 
     def remove(self, place: Path) -> None:
-        """Remove a file for good.
+        """Delete a file permanently.
 
         Raises:
             OSError: It cannot be removed.
@@ -158,7 +159,7 @@ class Bin:
         self._tidy(place)
 
     def remove_outdated(self) -> None:
-        """Remove for good what was deleted long ago, if it was found so some days before, too."""
+        """Delete permanently what is too old, if it was already marked as such some days before."""
         now = datetime.now(UTC)
         with contextlib.suppress(OSError):
             for when, room in list(self._rooms()):

@@ -1,4 +1,4 @@
-"""Unsaved states of trajectories, kept through a crash: a `.draft` file each, beside the library's.
+"""Unsaved trajectories, kept through a crash: a `.draft` file each, beside the library's files.
 
 A draft is a trajectory in our text format; its header holds the name it belongs to.
 """
@@ -27,15 +27,15 @@ from armui.trajectory.points.program import Trajectory
 
 _SUFFIX: Final = ".draft"
 _AT_A_STRETCH: Final = 100
-"""Lines, a millisecond's work."""
+"""The lines written before a pause: a millisecond's work."""
 
 
 class Drafts:
     """The drafts in a folder, by the name of their trajectory.
 
     Args:
-        folder: It need not exist.
-        call: Where large files are read.
+        folder: The folder; it need not exist.
+        call: Calls the function that reads a large file.
     """
 
     def __init__(self, folder: Path, call: Call = call_directly) -> None:
@@ -44,7 +44,7 @@ class Drafts:
         self._known: dict[Path, tuple[Stamp, IndexEntry]] = {}
 
     def paths(self) -> dict[str, Path]:
-        """Return all of them; only their beginnings are read."""
+        """Return the path of each draft by its name; only the files' beginnings are read."""
         found: dict[str, Path] = {}
         for path in sorted(self._folder.glob(f"[!.]*{_SUFFIX}")):
             if path.is_file():
@@ -52,14 +52,14 @@ class Drafts:
         return found
 
     def names(self) -> list[str]:
-        """Return what they belong to."""
+        """Return the names of the trajectories that have a draft."""
         return sorted(self.paths())
 
     def entries(self, but: Container[str]) -> list[IndexEntry]:
-        """Return what they hold; only those that are new or changed are opened.
+        """Return the drafts' entries for the list; only new or changed drafts are opened.
 
         Args:
-            but: The names of those that are not wanted.
+            but: The names to leave out.
         """
         known, self._known = self._known, {}
         for name, path in self.paths().items():
@@ -82,16 +82,16 @@ class Drafts:
         return replace(entry, count=read.count, note=read.note)
 
     def save(self, content: Trajectory, rest: Callable[[], object] = lambda: None) -> None:
-        """Write one in place of the last of that name.
+        """Write a draft in place of the last one of that name.
 
         Args:
-            content: What to write.
-            rest: Called every millisecond or so of the work, which lasts a tenth of a second for
-                10,000 points: whoever does it in the background leaves others room there.
+            content: The trajectory to write.
+            rest: Called about every millisecond of the work, which takes a tenth of a second for
+                10,000 points: a background thread can let others run there.
 
         Raises:
-            OSError: It was not written; the last one is as it was.
-            UnwritableError: It is not possible.
+            OSError: It was not written; the last draft is unchanged.
+            UnwritableError: The trajectory cannot be written.
         """
         lines = []
         for count, line in enumerate(log_file.lines(content), start=1):
@@ -107,10 +107,10 @@ class Drafts:
         write_whole(path, "".join(lines).encode())
 
     def load(self, name: str) -> Trajectory | None:
-        """One, if there is one.
+        """Return the draft of a trajectory, or ``None`` if there is none.
 
         Raises:
-            TrajectoryFileError: Somebody has damaged it.
+            TrajectoryFileError: It is damaged.
         """
         path = self.paths().get(name)
         if path is None:
@@ -123,7 +123,7 @@ class Drafts:
         return content if isinstance(content, Trajectory) else None
 
     def copy(self, name: str, new: str) -> None:
-        """Let a draft belong to another trajectory as well; a damaged one stays where it is.
+        """Copy a draft to another trajectory's name; a damaged one is left alone.
 
         Raises:
             OSError: It was not written.
@@ -134,10 +134,10 @@ class Drafts:
                 self.save(replace(content, name=new))
 
     def drop(self, name: str) -> None:
-        """Remove one, if there is one.
+        """Delete a draft, if there is one.
 
         Raises:
-            OSError: It cannot be removed.
+            OSError: It cannot be deleted.
         """
         path = self.paths().get(name)
         if path is not None:
@@ -146,5 +146,5 @@ class Drafts:
 
 
 def is_draft(path: Path) -> bool:
-    """Tell whether a file holds a draft, by its name."""
+    """Return whether a file is a draft, by its suffix."""
     return path.suffix == _SUFFIX

@@ -1,4 +1,4 @@
-"""From a trajectory's name, in any script and with any sign, to one every file system takes."""
+"""Turns a trajectory's name, in any script and with any sign, into a valid file name."""
 
 from __future__ import annotations
 
@@ -8,15 +8,15 @@ from collections.abc import Container
 from typing import Final
 
 _FORBIDDEN: Final = re.compile(r'[<>:"/\\|?*\x00-\x1f\x7f]')
-"""By Windows; macOS and Linux forbid only some of them."""
+"""Characters forbidden by Windows; macOS and Linux forbid only some of them."""
 _RESERVED: Final = re.compile(r"(?:con|prn|aux|nul|com[0-9¹²³]|lpt[0-9¹²³])(?:\.|$)", re.IGNORECASE)
-"""Names of devices on Windows, whatever follows the dot."""
+"""Names of devices on Windows, with any suffix."""
 _LONGEST_BYTES: Final = 120
-"""Of 255 that file systems take: leaves room for a number, an ending and encrypted folders."""
+"""File systems take 255: this leaves room for a number, a suffix and encrypted folders."""
 
 
 def file_stem(name: str) -> str:
-    """Return what a file may be called, close to what the operator called its content.
+    """Return a file name without suffix, as close as possible to a content's name.
 
     Args:
         name: Any text.
@@ -32,16 +32,16 @@ def file_stem(name: str) -> str:
 
 
 def folded(stem: str) -> str:
-    """Return what two names share that are one to a file system blind to case or composition."""
+    """Return a key that is equal for names which differ only in case or Unicode composition."""
     return unicodedata.normalize("NFC", unicodedata.normalize("NFC", stem).casefold())
 
 
 def free_stem(name: str, taken: Container[str]) -> str:
-    """A stem no other file has.
+    """Return a stem that no other file has.
 
     Args:
-        name: What the content is called.
-        taken: Stems there are, `folded`.
+        name: The name of the content.
+        taken: The stems in use, `folded`.
     """
     stem = file_stem(name)
     result, number = stem, 1

@@ -1,8 +1,8 @@
-"""What was done to the library while the program runs, and how it is undone, the last first.
+"""The undo history of the library for this run of the program.
 
-Not Qt's undo stack: that one holds that a step once done can be undone, and a disk may refuse, or
-another program have been there. A step the disk refuses stays and can be tried again; one that can
-never be undone any more is dropped, and said to be.
+Not Qt's undo stack: that one assumes that a step once done can be undone, but a disk may refuse, or
+another program may have changed the files. A step the disk refuses stays and can be tried again;
+one that can never be undone any more is dropped, and the operator is told.
 """
 
 from __future__ import annotations
@@ -41,45 +41,45 @@ _TRY_AGAIN: Final = frozenset(
         LIBRARY_UNREADABLE,
     }
 )
-"""Refusals of the disk."""
+"""Errors of the disk, after which the step is kept."""
 
 
 @dataclass(frozen=True, slots=True)
 class Deletion:
-    """Undone by bringing back what was deleted together.
+    """A deletion, undone by restoring what was deleted together.
 
     Attributes:
-        deleted: Where it is now.
+        deleted: The deleted files.
     """
 
     deleted: Deleted
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Of what comes back."""
+        """The names of the restored trajectories."""
         return self.deleted.names
 
     @property
     def touched(self) -> tuple[str, ...]:
-        """What is in the library now that is changed by undoing: nothing."""
+        """The present trajectories that undoing changes: none."""
         return ()
 
     def is_possible(self, _seen: Listing) -> bool:
-        """Tell whether something of it is still in the bin."""
+        """Return whether at least one of the files is still in the bin."""
         return any(os.path.exists(place) for _, place in self.deleted.places)  # noqa: PTH110 - never raises
 
     def undo(self, library: Library) -> tuple[str, ...]:
-        """Undo it; returns the names of what came of it."""
+        """Undo the deletion, and return the names of the restored trajectories."""
         return library.restore(self.deleted)
 
 
 @dataclass(frozen=True, slots=True)
 class Renaming:
-    """Undone by giving back the old name.
+    """A renaming, undone by giving back the old name.
 
     Attributes:
-        old: What it was called.
-        new: What it is called now.
+        old: The old name.
+        new: The new name.
     """
 
     old: str
@@ -92,22 +92,22 @@ class Renaming:
 
     @property
     def touched(self) -> tuple[str, ...]:
-        """What is changed by undoing."""
+        """The present trajectories that undoing changes."""
         return (self.new,)
 
     def is_possible(self, seen: Listing) -> bool:
-        """Tell whether it is there under its new name, and the old one is free."""
+        """Return whether the new name exists and the old one is free."""
         names = {entry.name for entry in seen.entries}
         return self.new in names and self.old not in names
 
     def undo(self, library: Library) -> tuple[str, ...]:
-        """Undo it; returns the names of what came of it."""
+        """Undo the renaming, and return the old name."""
         library.rename(self.new, self.old)
         return (self.old,)
 
 
 class Origin(enum.Enum):
-    """How a new trajectory came into the library."""
+    """The way a new trajectory came into the library."""
 
     CREATED = enum.auto()
     COPIED = enum.auto()
@@ -116,11 +116,11 @@ class Origin(enum.Enum):
 
 @dataclass(frozen=True, slots=True)
 class Making:
-    """New ones, undone by deleting them, as long as they are as made.
+    """New trajectories, undone by deleting them as long as they are unchanged.
 
     Attributes:
-        made: The name of each, and when it was made.
-        origin: How they were made.
+        made: The name of each, and the time at which it was made.
+        origin: The way they were made.
     """
 
     made: tuple[tuple[str, datetime], ...]
@@ -128,21 +128,21 @@ class Making:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Of the new ones."""
+        """The names of the new trajectories."""
         return tuple(name for name, _ in self.made)
 
     @property
     def touched(self) -> tuple[str, ...]:
-        """What is changed by undoing."""
+        """The present trajectories that undoing changes."""
         return self.names
 
     def is_possible(self, seen: Listing) -> bool:
-        """Tell whether some are there, and none has been worked on."""
+        """Return whether some of them exist, and none has been changed."""
         there = {entry.name for entry in seen.entries}
         return not there.isdisjoint(self.names) and self._changed(seen) is None
 
     def undo(self, library: Library) -> tuple[str, ...]:
-        """Undo it; returns the names of what came of it: none."""
+        """Undo it by deleting the trajectories; return no names."""
         name = self._changed(library.listing())
         if name is not None:
             raise LibraryError(CHANGED_SINCE(name=name))
@@ -162,10 +162,10 @@ Step = Deletion | Renaming | Making
 
 
 class LibraryHistory:
-    """Changes the library and remembers how.
+    """Changes the library, and remembers the steps for undo.
 
     Args:
-        library: What is changed.
+        library: The library.
     """
 
     def __init__(self, library: Library) -> None:
@@ -174,7 +174,7 @@ class LibraryHistory:
 
     @property
     def last(self) -> Step | None:
-        """What is undone next."""
+        """The step that would be undone next."""
         return next(iter(self._steps[-1:]), None)
 
     def delete(self, names: Sequence[str]) -> Deleted:
@@ -193,27 +193,27 @@ class LibraryHistory:
 
         Raises:
             LibraryError: See `Library.rename`.
-            TrajectoryFileError: As there.
+            TrajectoryFileError: See `Library.rename`.
         """
         self._library.rename(name, new)
         if new != name:
             self._steps.append(Renaming(name, new))
 
     def drop_outdated(self, seen: Listing) -> None:
-        """Drop the last steps that cannot be undone any more, before they are offered.
+        """Drop the last steps as long as they cannot be undone any more.
 
         Args:
-            seen: The library as it is now.
+            seen: The present content of the library.
         """
         while self._steps and not self._steps[-1].is_possible(seen):
             self._steps.pop()
 
     def note_made(self, names: Sequence[str], origin: Origin) -> None:
-        """Remember what was just made.
+        """Remember that trajectories were just made.
 
         Args:
-            names: What was made.
-            origin: How.
+            names: Their names.
+            origin: The way they were made.
 
         Raises:
             LibraryError: The library cannot be read.
@@ -227,11 +227,11 @@ class LibraryHistory:
         """Undo the last step.
 
         Returns:
-            The names of what came back, as they are listed now.
+            The names of the trajectories that came back, as they are listed now.
 
         Raises:
-            LibraryError: It could not be undone; where the disk refused, it can be tried again.
-            TrajectoryFileError: What it was about is damaged, or gone.
+            LibraryError: It could not be undone; after an error of the disk it can be tried again.
+            TrajectoryFileError: The file is damaged, or gone.
         """
         step = self._steps[-1]
         try:
@@ -247,13 +247,13 @@ class LibraryHistory:
         return names
 
     def bring_back(self, deleted: Sequence[Deleted]) -> tuple[str, ...]:
-        """Bring back what is chosen of all that was deleted, also before this run of the program.
+        """Restore deleted trajectories, even from before this run of the program.
 
         Returns:
             The names under which they are listed now.
 
         Raises:
-            LibraryError: The disk refuses, or one is gone; those before it are back.
+            LibraryError: The disk refuses, or one is gone; those before it have been restored.
         """
         names: list[str] = []
         for one in deleted:

@@ -1,8 +1,8 @@
-"""What the library knows of its files without opening them: a cache, and the check marks.
+"""A cache of the library's entries, so that its files need not be opened, and the check marks.
 
-One JSON file beside the trajectories. An entry counts as long as its file has the size, the time
-and the number it had then; without the cache every file is read once more and nothing is lost but
-the marks.
+It is one JSON file beside the trajectories. An entry is valid as long as its file has the same
+size, time and inode number; without the cache every file is read once more, and only the marks are
+lost.
 """
 
 from __future__ import annotations
@@ -28,21 +28,23 @@ from armui.trajectory.points.program import SpeedsFrom, speeds_of
 from armui.trajectory.samples.recording import Recording
 
 Kind = Literal["points", "recording", "draft"]
-"""A draft is the unsaved state of a trajectory that was never saved, or is gone."""
+"""The kind of content. A draft is the unsaved state of a trajectory that was never saved, or is
+gone.
+"""
 Check = Literal["ok", "warnings", "errors"]
-"""How the check before running ended."""
+"""The result of the check before a run."""
 
 _VERSION: Final = 3
 
 _MOST_BYTES: Final = 64_000_000
-"""More than a hundred thousand entries need; a larger file is not read."""
+"""More than a hundred thousand entries need; a larger file is ignored."""
 
 _BROKEN: Final = (
     *(OSError, ValueError, TypeError, KeyError, AttributeError),
     RecursionError,  # lists nested too deep
     OverflowError,  # a number of hundreds of digits
 )
-"""What a damaged file may raise."""
+"""The exceptions that reading a damaged file may raise."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,17 +52,17 @@ class IndexEntry:
     """One line of the library's list.
 
     Attributes:
-        name: What the operator calls it; no two entries share one.
-        kind: Points to go to, recorded samples, or points that nobody has saved.
-        count: Of the points or samples; 0 where the file is damaged.
-        length_s: How long it takes; ``None`` while nobody has worked it out.
-        modified: When it was last changed.
-        check: How its last check ended; ``None`` where it has changed since, or never had one.
-        damage: What is wrong with its file; ``None`` where nothing is.
-        note: What it is for.
+        name: The trajectory's name; no two entries share one.
+        kind: Points, recorded samples, or unsaved points.
+        count: The number of points or samples; 0 if the file is damaged.
+        length_s: The duration; ``None`` if it was not computed yet.
+        modified: The time of the last change.
+        check: The result of its last check; ``None`` if it has changed since, or was never checked.
+        damage: The fault of its file; ``None`` if there is none.
+        note: The operator's note.
         checked_for: The `ArmModel.fingerprint` that the check was made for.
-        ran_with: How it was run last; ``None`` where it is not known to have run.
-        taught_on: The arm it was taught on; "": not known.
+        ran_with: The options of its last run; ``None`` if it is not known to have run.
+        taught_on: The arm it was taught on; "" if not known.
         speeds: The lowest and highest speed percentage of its points from each row on, see
             `speeds_of`.
     """
@@ -81,12 +83,12 @@ class IndexEntry:
 
 @dataclass(frozen=True, slots=True)
 class Listing:
-    """What the library shows at one look.
+    """The content of the library at one time.
 
     Attributes:
-        entries: Everything there is, by name.
-        drafts: The names of those with unsaved changes.
-        exists: Whether its folder does.
+        entries: All entries, sorted by name.
+        drafts: The names of entries with unsaved changes.
+        exists: True if the library's folder exists.
     """
 
     entries: tuple[IndexEntry, ...]
@@ -95,7 +97,7 @@ class Listing:
 
 
 def entry_of(content: Content) -> IndexEntry:
-    """Return the entry of a trajectory or recording nobody has checked yet."""
+    """Return the entry of a trajectory or recording that was not checked yet."""
     name, note, modified = content.name, content.note, content.modified
     if isinstance(content, Recording):
         length = content.duration_s
@@ -109,7 +111,7 @@ def entry_of(content: Content) -> IndexEntry:
 
 
 class Stamp(NamedTuple):
-    """What of a file changes when its content does."""
+    """The properties of a file that change when its content does."""
 
     size: int
     time_ns: int
@@ -117,11 +119,11 @@ class Stamp(NamedTuple):
 
     @classmethod
     def of(cls, stat: os.stat_result) -> Stamp:
-        """From what the operating system says of a file."""
+        """Return the stamp from the operating system's data on a file."""
         return cls(stat.st_size, stat.st_mtime_ns, stat.st_ino)
 
     def changed(self) -> datetime:
-        """Return when the file was changed last; a time that no calendar has is its beginning."""
+        """Return the time of the file's last change; 1970 if the calendar lacks that time."""
         return datetime.fromtimestamp(in_calendar_s(self.time_ns / 1e9), UTC)
 
 
@@ -129,7 +131,7 @@ class Index:
     """The entries by their file's name.
 
     Args:
-        path: The file that keeps them; it need not exist.
+        path: The cache file; it need not exist.
     """
 
     def __init__(self, path: Path) -> None:
@@ -139,7 +141,7 @@ class Index:
         self._seen: Stamp | None = None
 
     def follow(self) -> None:
-        """Take over what another program has found out or marked since this one last looked."""
+        """Read entries that another program has added or marked since this one last looked."""
         seen = self._stamp()
         if seen is None or seen == self._seen:
             return
@@ -157,29 +159,29 @@ class Index:
         return None
 
     def entry(self, file: str, stamp: Stamp) -> IndexEntry | None:
-        """Return the entry of a file, unless it is another one by now."""
+        """Return the entry of a file, or ``None`` if the file has changed since."""
         known, entry = self._entries.get(file, (None, None))
         return entry if known == stamp else None
 
     def last_name(self, file: str) -> str | None:
-        """Return what a file's content was called when it was last read."""
+        """Return the name of a file's content when it was last read, or ``None``."""
         known = self._entries.get(file)
         return None if known is None else known[1].name
 
     def put(self, file: str, stamp: Stamp, entry: IndexEntry) -> None:
-        """Take over what was found out about a file."""
+        """Store the entry of a file."""
         if self._entries.get(file) != (stamp, entry):
             self._entries[file] = stamp, entry
             self._changed = True
 
     def keep_only(self, files: Collection[str]) -> None:
-        """Forget the files that are gone."""
+        """Drop the entries of all other files: they are gone."""
         for file in self._entries.keys() - set(files):
             del self._entries[file]
             self._changed = True
 
     def save(self) -> None:
-        """Write what has changed. A cache that cannot be written is no reason to stop anything."""
+        """Write the cache if it has changed. A failure to write it is ignored."""
         if not self._changed:
             return
         data = {file: [*stamp, _pack(entry)] for file, (stamp, entry) in self._entries.items()}
@@ -237,7 +239,7 @@ def _unpack(data: dict[str, Any]) -> dict[str, tuple[Stamp, IndexEntry]]:
 
 
 def _is_sound(entry: IndexEntry) -> bool:
-    """Tell whether every field of an entry is what the list can show."""
+    """Return whether every field of an entry is what the list can show."""
     length_s = entry.length_s
     return (
         all(
@@ -263,7 +265,7 @@ def _are_speeds(speeds: tuple[SpeedsFrom, ...]) -> bool:
 
 
 def _can_be_shown(text: str) -> bool:
-    """Tell whether a text holds no half of a character."""
+    """Return whether a text holds no half of a character."""
     try:
         text.encode("utf-8")
     except UnicodeEncodeError:

@@ -1,8 +1,9 @@
-"""Recordings that are not saved, kept through a crash: a folder each, beside the library's files.
+"""Unsaved recordings, kept through a crash: a folder each, beside the library's files.
 
-A file of samples grows as the arm is recorded: a line of JSON first, then eight little-endian
-doubles a sample, as in `Recording`. Whoever records holds a lock in the folder; the operating
-system lets go of it when the program is killed, and the next one offers what it finds.
+Samples are appended to a file while the arm is recorded: first a line of JSON, then eight
+little-endian doubles a sample, as in `Recording`. The recording program holds a lock in the folder;
+the operating system releases it when the program is killed, and the next program offers to save the
+recording.
 """
 
 from __future__ import annotations
@@ -35,13 +36,13 @@ _LARGE_BYTES: Final = 1 << 20
 
 
 class RecordingDraft:
-    """A recording that is under way, or not saved yet.
+    """A recording that is in progress, or not saved yet.
 
     Args:
-        folder: Of its own; it need not exist.
-        name: What the recording will be called.
-        taught_on: The arm it is of, as `ModelFit.taught_on` tells.
-        begun: When it was begun.
+        folder: Its own folder; it need not exist.
+        name: The name of the recording.
+        taught_on: The arm it is of, as in `ModelFit.taught_on`.
+        begun: The time at which it began.
     """
 
     def __init__(self, folder: Path, name: str, taught_on: str, begun: datetime) -> None:
@@ -52,10 +53,10 @@ class RecordingDraft:
         self.name = name
 
     def append(self, samples: Array) -> None:
-        """Append samples to the file; the first ones make it.
+        """Append samples to the file, which is created with the first ones.
 
         Raises:
-            OSError: The disk does not take them.
+            OSError: They cannot be written.
         """
         path = self._folder / _SAMPLES
         data = samples.astype(_FIGURE).tobytes()
@@ -68,10 +69,10 @@ class RecordingDraft:
             file.write(data)
 
     def drop(self) -> None:
-        """Remove the file: the recording is saved, or not wanted.
+        """Delete the file, because the recording is saved or not wanted.
 
         Raises:
-            OSError: It cannot be removed.
+            OSError: It cannot be deleted.
         """
         self._presence.leave()
         if self._folder.is_dir():
@@ -80,14 +81,14 @@ class RecordingDraft:
 
 @dataclass(frozen=True, slots=True)
 class UnsavedRecording:
-    """A recording that a killed program has left.
+    """An unsaved recording of a program that was killed.
 
     Attributes:
-        folder: Where it is kept.
-        name: What it was to be called.
-        begun: When it was begun.
-        count: How many samples there are.
-        taught_on: The arm it is of; "": not known.
+        folder: Its folder.
+        name: The name it was to have.
+        begun: The time at which it began.
+        count: The number of samples.
+        taught_on: The arm it is of; "" if not known.
     """
 
     folder: Path
@@ -101,8 +102,8 @@ class RecordingDrafts:
     """The unsaved recordings in a folder.
 
     Args:
-        folder: It need not exist.
-        call: Where large files are read.
+        folder: The folder; it need not exist.
+        call: Calls the function that reads a large file.
     """
 
     def __init__(self, folder: Path, call: Call = call_directly) -> None:
@@ -110,12 +111,12 @@ class RecordingDrafts:
         self._call = call
 
     def begin(self, name: str, taught_on: str) -> RecordingDraft:
-        """Return a draft of what is recorded from now on; it touches no disk yet."""
+        """Return a draft for a new recording; nothing is written to the disk yet."""
         folder = self._folder / f"{os.getpid()}-{os.urandom(4).hex()}"
         return RecordingDraft(folder, name, taught_on, datetime.now().astimezone())
 
     def abandoned(self) -> list[UnsavedRecording]:
-        """Return those whose program is gone, the oldest first; what is none of ours is left out.
+        """Return the drafts of programs that have ended, the oldest first; others are ignored.
 
         Raises:
             OSError: The folder cannot be read.
@@ -139,7 +140,7 @@ class RecordingDrafts:
                     )
 
     def load(self, unsaved: UnsavedRecording) -> Recording:
-        """Return what was recorded, up to the first sample that cannot be.
+        """Return the recording up to the first invalid sample.
 
         Raises:
             OSError: It cannot be read.
@@ -152,19 +153,19 @@ class RecordingDrafts:
         )
 
     def drop(self, unsaved: UnsavedRecording) -> None:
-        """Remove one.
+        """Delete an unsaved recording.
 
         Raises:
-            OSError: It cannot be removed.
+            OSError: It cannot be deleted.
         """
         shutil.rmtree(unsaved.folder)
 
 
 def read_samples(path: Path) -> Array:
-    """Return the whole samples of a draft's file; a power cut may have left others behind them.
+    """Return the intact samples of a draft's file; a power cut may have left damaged ones behind.
 
-    The disk knows blocks and no samples: the last one before what cannot be may be torn, with
-    zeros in the place of its angles, so it is left out as well.
+    The disk writes blocks, not samples: the last one before an invalid sample may be torn, with
+    zeros in place of its angles, so it is left out as well.
 
     Raises:
         OSError: It cannot be read, or is larger than any file of ours.

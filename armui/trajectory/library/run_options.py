@@ -1,4 +1,4 @@
-"""What the operator has chosen beside 发送, kept with each trajectory."""
+"""The operator's choices beside 发送, kept with each trajectory."""
 
 from __future__ import annotations
 
@@ -6,20 +6,21 @@ from dataclasses import dataclass
 from typing import Final
 
 FIRST_RUN_FACTOR: Final = 0.2
-"""A trajectory that never ran begins with this: nobody has seen yet where it goes."""
+"""The speed factor offered for a trajectory that never ran, because nobody has seen its path yet.
+"""
 FASTEST_FACTOR: Final = 2.0
 MOST_CYCLES: Final = 9999
 
 
 @dataclass(frozen=True, slots=True)
 class RunOptions:
-    """How the operator wants it run.
+    """The options of a run.
 
     Attributes:
-        cycles: How often; 0 until it is ended.
-        speed_factor: On the speed of each point, or on the recorded one.
+        cycles: The number of cycles; 0 runs until it is ended.
+        speed_factor: The factor on each point's speed, or on the recorded speed.
         first: The index of the point to begin with.
-        step_by_step: Whether to wait after each point.
+        step_by_step: True to wait after each point.
     """
 
     cycles: int = 1
@@ -29,7 +30,7 @@ class RunOptions:
 
     @property
     def is_sound(self) -> bool:
-        """Tell whether every value is one that can be chosen: it may come from a damaged file."""
+        """True if every value can be chosen; values may come from a damaged file."""
         return (
             all(type(number) is int for number in (self.cycles, self.first))
             and 0 <= self.cycles <= MOST_CYCLES

@@ -1,8 +1,8 @@
-"""The folder that keeps the trajectories: a file for each, every one of them always whole.
+"""The folder of the trajectories: a file for each, every one always complete.
 
-Points are kept as `.log`, recordings as `.npz`. What the operator calls a trajectory stands within
-its file; the file's own name is as near to it as every file system allows. A file that somebody
-else has damaged is listed with what is wrong with it, and never written over.
+Points are kept as `.log`, recordings as `.npz`. The name of a trajectory is stored within its file;
+the file's own name is as close to it as every file system allows. A file that somebody else has
+damaged is listed with its fault, and never overwritten.
 """
 
 from __future__ import annotations
@@ -75,11 +75,11 @@ LIBRARY_DAMAGED = Reason(
 
 
 class LibraryError(Exception):
-    """Something the library did not do; everything is as it was.
+    """An action on the library that failed; everything is as it was.
 
     Attributes:
-        refusal: Why.
-        row: The point or sample to blame, from 1; 0 where none is.
+        refusal: The reason.
+        row: The point or sample to blame, from 1; 0 if none.
     """
 
     def __init__(self, refusal: Refusal, row: int = 0) -> None:
@@ -93,7 +93,7 @@ class LibraryError(Exception):
 
 @contextlib.contextmanager
 def on_disk(code: Reason, name: str) -> Iterator[None]:
-    """Says what the disk refused as a `LibraryError`."""
+    """Raise errors of the disk as `LibraryError` with this reason."""
     try:
         yield
     except OSError as error:
@@ -109,16 +109,18 @@ _ROOM_FOR_NUMBER: Final = 8
 
 
 class Library:
-    """Keeps trajectories and recordings by name. For one thread; other programs may look on.
+    """Keeps trajectories and recordings by name.
+
+    It is for one thread; other programs may use the folder at the same time.
 
     Args:
-        folder: Where they are kept; it need not exist.
-        now: Tells the time that is kept as the last change.
-        call: Calls a function with its arguments where it may take long: in another process. Used
-            for large files; called directly by default.
+        folder: The folder; it need not exist.
+        now: Returns the time that is stored as that of the last change.
+        call: Calls a function that may take long with its arguments, for example in another
+            process. Used for large files; by default they are read directly.
 
     Attributes:
-        turn: Held by whoever is at work on it, where there may be several.
+        turn: Held by the thread at work, if there may be several.
     """
 
     def __init__(
@@ -141,19 +143,19 @@ class Library:
         """When what was loaded to be edited, or saved, had been changed: drafts are based on it."""
 
     def tidy(self) -> None:
-        """Remove what killed programs left half written, and what was deleted long ago."""
+        """Remove half-written files of killed programs, and what was deleted long ago."""
         remove_abandoned(self._folder)
         self._bin.remove_outdated()
 
     @property
     def folder(self) -> Path:
-        """Where the trajectories are kept."""
+        """The folder of the trajectories."""
         return self._folder
 
     def entries(self) -> list[IndexEntry]:
-        """Everything there is, by name; only files that are new or changed are opened.
+        """Return all entries by name; only new or changed files are opened.
 
-        Unsaved states whose trajectory was never saved, or is gone, are listed as `draft`.
+        An unsaved state whose trajectory was never saved, or is gone, is listed as `draft`.
 
         Raises:
             LibraryError: The folder cannot be read.
@@ -165,7 +167,7 @@ class Library:
         return sorted(entries, key=lambda one: one.name)
 
     def listing(self) -> Listing:
-        """Return the entries, which of them have unsaved changes, and whether there is a folder.
+        """Return the entries, the names with unsaved changes, and whether the folder exists.
 
         Raises:
             LibraryError: The folder cannot be read.
@@ -176,8 +178,8 @@ class Library:
         """Return a trajectory or recording.
 
         Args:
-            name: Which.
-            to_edit: Whether `save` shall say if another program has saved it by then.
+            name: Its name.
+            to_edit: True if `save` shall report that another program has saved it since.
 
         Raises:
             TrajectoryFileError: It is damaged, or gone.
@@ -194,10 +196,10 @@ class Library:
         return content if content.name == name else replace(content, name=name)
 
     def free_name(self, wanted: str) -> str:
-        """A name nothing has, not even a draft: the wanted, or the wanted with a number.
+        """Return a name that nothing has, not even a draft: the wanted one, or with a number added.
 
         Args:
-            wanted: Any text; what no name can hold is left out of it.
+            wanted: Any text; characters that no name can hold are left out.
         """
         if check_name(wanted) is not None:
             plain = wanted.encode(errors="ignore").decode().replace("\0", "")
@@ -213,20 +215,20 @@ class Library:
     # Changes --------------------------------------------------------------------------------------
 
     def save(self, content: Content, *, replacing: str | None = None) -> bool:
-        """Keep a trajectory or recording, with the present time as that of its last change.
+        """Save a trajectory or recording, with the present time as that of its last change.
 
-        Its draft is done with.
+        Its draft is deleted.
 
         Args:
-            content: What to keep.
-            replacing: The name of the one it replaces; it may have had another name.
+            content: The content to save.
+            replacing: The name of the trajectory it replaces, which may differ from its own.
 
         Returns:
-            Whether another program had saved the one it replaces since it was loaded here: what
-            that program saved is among what was deleted recently.
+            True if another program had saved the replaced one since it was loaded here; that
+            version is then among the recently deleted.
 
         Raises:
-            LibraryError: It is not possible, its name is taken, the one to replace is damaged, or
+            LibraryError: It cannot be written, its name is taken, the one to replace is damaged, or
                 the disk refuses.
         """
         self._verify(content)
@@ -236,10 +238,10 @@ class Library:
         return displaced
 
     def rename(self, name: str, new: str) -> None:
-        """Give a trajectory another name; its draft goes along.
+        """Rename a trajectory together with its draft.
 
         Raises:
-            LibraryError: The new name is taken or no name, or the disk refuses.
+            LibraryError: The new name is taken or invalid, or the disk refuses.
             TrajectoryFileError: It is damaged, or gone.
         """
         if new == name:
@@ -267,10 +269,10 @@ class Library:
         self.mark(new, check=known.check, length_s=known.length_s, arm=known.checked_for)
 
     def duplicate(self, name: str, new: str) -> None:
-        """Keep a trajectory once more, under another name.
+        """Copy a trajectory under another name.
 
         Raises:
-            LibraryError: The new name is taken or no name, or the disk refuses.
+            LibraryError: The new name is taken or invalid, or the disk refuses.
             TrajectoryFileError: It is damaged, or gone.
         """
         content = replace(self.load(name), name=new)
@@ -280,14 +282,14 @@ class Library:
         self.mark(new, check=known.check, length_s=known.length_s, arm=known.checked_for)
 
     def delete(self, names: Sequence[str]) -> Deleted:
-        """Move trajectories, their drafts with them, where `restore` finds them.
+        """Move trajectories and their drafts to the bin, from which `restore` brings them back.
 
         Args:
-            names: Which; a draft without a trajectory is one, too. Those that are gone already are
-                left out.
+            names: Their names; a draft without a trajectory counts as well. Those that are gone
+                already are ignored.
 
         Returns:
-            What to give to `restore`.
+            The argument for `restore`.
 
         Raises:
             LibraryError: The disk refuses; nothing is deleted.
@@ -311,13 +313,13 @@ class Library:
             return self._bin.contents()
 
     def restore(self, deleted: Deleted) -> tuple[str, ...]:
-        """Bring back what was deleted; where its name is taken by now, with a number.
+        """Restore deleted trajectories, adding a number to a name that is taken by now.
 
         Returns:
-            The names under which it is listed now.
+            The names under which they are listed now.
 
         Raises:
-            LibraryError: The disk refuses, or nothing of it is left.
+            LibraryError: The disk refuses, or nothing is left of them.
         """
         places = [(file, place) for file, place in deleted.places if place.exists()]
         if not places and deleted.places:
@@ -372,12 +374,12 @@ class Library:
     def mark(
         self, name: str, *, check: Check | None, length_s: float | None, arm: str = ""
     ) -> None:
-        """Note how a trajectory was checked and how long it takes, until its file changes.
+        """Store the result of a check and the duration, valid until the file changes.
 
         Args:
-            name: Which; nothing is noted of one that is gone or damaged.
-            check: How the check ended.
-            length_s: How long it takes; a recording knows by itself.
+            name: The name; nothing is stored if the file is gone or damaged.
+            check: The result of the check.
+            length_s: The duration; ignored for recordings, which hold it.
             arm: The `ArmModel.fingerprint` of the arm it was checked for.
         """
         kept = self._scan().get(name)
@@ -389,11 +391,11 @@ class Library:
         self._file_store.mark(kept, entry)
 
     def note_run(self, name: str, options: RunOptions) -> None:
-        """Note that a trajectory was run, and how; nothing is noted of one that is gone.
+        """Store that a trajectory was run, with its options; ignored if it is gone.
 
         Args:
-            name: Which.
-            options: How; the next run begins at the first row again.
+            name: Its name.
+            options: The options of the run; the next one begins at the first row again.
         """
         kept = self._scan().get(name)
         if kept is not None and kept.entry.damage is None:
@@ -405,15 +407,15 @@ class Library:
     def save_draft(
         self, name: str, content: Trajectory, rest: Callable[[], object] = lambda: None
     ) -> None:
-        """Keep the unsaved state of a trajectory through a crash; any thread may do so.
+        """Keep the unsaved state of a trajectory through a crash; may be called from any thread.
 
         Args:
-            name: What it is called in the library, or will be.
+            name: Its present or future name in the library.
             content: Its present state.
-            rest: Called every millisecond or so of the work.
+            rest: Called about every millisecond of the work.
 
         Raises:
-            LibraryError: It is not possible, or the disk refuses.
+            LibraryError: It cannot be written, or the disk refuses.
         """
         content = replace(content, name=name, modified=self._bases.get(name, content.modified))
         with on_disk(LIBRARY_NOT_SAVED, name):
@@ -423,27 +425,28 @@ class Library:
                 raise LibraryError(error.refusal, error.row) from error
 
     def draft(self, name: str) -> Trajectory | None:
-        """Return the unsaved state of a trajectory, if there is one.
+        """Return the unsaved state of a trajectory, or ``None``.
 
         Raises:
-            TrajectoryFileError: Somebody has damaged it.
+            TrajectoryFileError: It is damaged.
         """
         return self._drafts.load(name)
 
     def set_aside_draft(self, over: Trajectory) -> bool:
-        """Do away with a draft that is based on another state of a file than it has.
+        """Delete a draft that is based on another version of the file.
 
-        A program was killed after it had saved, or another one has saved since: such a draft would
-        undo what was saved. It is among what was deleted recently then, if it says anything else.
+        This happens when a program was killed after saving, or another one has saved since: such a
+        draft would undo what was saved. It is then among the recently deleted, if its content
+        differs.
 
         Args:
-            over: What the file holds.
+            over: The content of the file.
 
         Returns:
-            Whether there was one that says something else.
+            True if there was a draft with different content.
 
         Raises:
-            TrajectoryFileError: Somebody has damaged the draft.
+            TrajectoryFileError: The draft is damaged.
             LibraryError: The disk refuses.
         """
         draft = self._drafts.load(over.name)
@@ -457,7 +460,7 @@ class Library:
         return True
 
     def drop_draft(self, name: str) -> None:
-        """Forget the unsaved state of a trajectory.
+        """Delete the unsaved state of a trajectory.
 
         Raises:
             LibraryError: The disk refuses.
@@ -472,11 +475,11 @@ class Library:
     # Recordings that are not saved ----------------------------------------------------------------
 
     def begin_recording(self, name: str, taught_on: str) -> RecordingDraft:
-        """Return what keeps a recording through a crash; any thread may call this."""
+        """Return a draft that keeps a recording through a crash; may be called from any thread."""
         return self._recordings.begin(name, taught_on)
 
     def append_recording(self, draft: RecordingDraft, samples: Array) -> None:
-        """Keep further samples of a recording.
+        """Append samples to the draft of a recording.
 
         Raises:
             LibraryError: The disk refuses.
@@ -485,7 +488,7 @@ class Library:
             draft.append(samples)
 
     def drop_recording(self, draft: RecordingDraft) -> None:
-        """Forget a recording that is saved, or not wanted.
+        """Delete the draft of a recording that is saved, or not wanted.
 
         Raises:
             LibraryError: The disk refuses.
@@ -494,7 +497,7 @@ class Library:
             draft.drop()
 
     def unsaved_recordings(self) -> list[UnsavedRecording]:
-        """Return the recordings that killed programs have left, the oldest first.
+        """Return the unsaved recordings of killed programs, the oldest first.
 
         Raises:
             LibraryError: The folder cannot be read.
@@ -503,13 +506,13 @@ class Library:
             return self._recordings.abandoned()
 
     def keep_recording(self, unsaved: UnsavedRecording) -> str:
-        """Save a recording that a killed program has left.
+        """Save the unsaved recording of a killed program.
 
         Returns:
             Its name.
 
         Raises:
-            LibraryError: It is gone, it cannot be kept, or the disk refuses.
+            LibraryError: It is gone, it cannot be written, or the disk refuses.
         """
         with on_disk(LIBRARY_NOT_SAVED, unsaved.name):
             recording = self._recordings.load(unsaved)
@@ -520,10 +523,10 @@ class Library:
         return name
 
     def discard_recording(self, unsaved: UnsavedRecording) -> Deleted:
-        """Put a recording that a killed program has left where `restore` finds it.
+        """Move the unsaved recording of a killed program to the bin, where `restore` finds it.
 
         Raises:
-            LibraryError: As of `keep_recording`.
+            LibraryError: See `keep_recording`.
         """
         return self.delete([self.keep_recording(unsaved)])
 
@@ -591,15 +594,15 @@ def _first_fault(content: Content) -> tuple[int, Refusal] | None:
 
 @dataclass(frozen=True, slots=True)
 class Imported:
-    """What became of a file.
+    """The result of importing a file.
 
     Attributes:
         path: The file.
-        name: Under which its content is in the library now; "" if it is not.
-        requested: The name its content brought along.
-        error: Why it is not in the library.
-        is_table: Whether it is none of our formats and holds rows of figures.
-        was_there: Whether the library had the same under this name before.
+        name: The name of its content in the library; "" if it was not imported.
+        requested: The name given in the file.
+        error: The reason why it was not imported.
+        is_table: True if it is in none of our formats but holds rows of figures.
+        was_there: True if the library already had the same content under this name.
     """
 
     path: Path
@@ -611,10 +614,10 @@ class Imported:
 
 
 def find_or_import(folder: Path, path: Path) -> Imported:
-    """Take a file over, unless the same is in the library under its name: it is opened, not piled.
+    """Import a file, unless the library already has the same content under its name.
 
     Args:
-        folder: Of the library.
+        folder: The library's folder.
         path: The file; it may be one of the library's own.
     """
     library = Library(folder)
@@ -627,14 +630,14 @@ def find_or_import(folder: Path, path: Path) -> Imported:
 
 
 def import_files(folder: Path, paths: Sequence[Path]) -> list[Imported]:
-    """Take over what is whole of some files.
+    """Import the valid ones among some files.
 
     Args:
-        folder: Of the library.
+        folder: The library's folder.
         paths: The files.
 
     Returns:
-        One for each file, in their order.
+        One result for each file, in their order.
     """
     library = Library(folder)
     return [_import_file(library, path) for path in paths]

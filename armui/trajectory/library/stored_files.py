@@ -1,4 +1,4 @@
-"""The files of the library as they are on the disk: which there are, and what each holds."""
+"""The files of the library on the disk, and the content of each."""
 
 from __future__ import annotations
 
@@ -17,26 +17,26 @@ from armui.trajectory.library.index import Index, IndexEntry, Stamp, entry_of
 from armui.trajectory.samples.recording import Recording
 
 Call = Callable[..., Any]
-"""Calls a function of a module with its arguments, somewhere, and returns what it returns."""
+"""Calls a function of a module with its arguments, here or elsewhere, and returns its result."""
 
 _LARGE_BYTES: Final = 65536
-"""A text of this size is read in a twentieth of a second."""
+"""A text of this size takes a twentieth of a second to read."""
 _LARGE_COUNT: Final = 1000
 
 
 def call_directly(function: Callable[..., Any], *args: Any) -> Any:
-    """Call it here."""
+    """Call the function in this thread."""
     return function(*args)
 
 
 def is_large(content: Content) -> bool:
-    """Tell whether writing or checking it takes long."""
+    """Return whether writing or checking a content takes long."""
     rows = content.samples if isinstance(content, Recording) else content.points
     return len(rows) >= _LARGE_COUNT
 
 
 def load_by(call: Call, path: Path, size: int) -> Content:
-    """Return what a file holds, read elsewhere if it is large.
+    """Return the content of a file; a large one is read through `call`.
 
     Raises:
         TrajectoryFileError: It is damaged, or gone.
@@ -46,7 +46,7 @@ def load_by(call: Call, path: Path, size: int) -> Content:
 
 
 def entry_by(call: Call, path: Path, size: int) -> IndexEntry:
-    """Return the entry of a file, as `load_by`.
+    """Return the entry of a file; a large one is read through `call`.
 
     Raises:
         TrajectoryFileError: It is damaged, or gone.
@@ -65,11 +65,11 @@ def read_entry(path: Path) -> IndexEntry:
 
 
 def write_content(path: Path, content: Content) -> None:
-    """Write a file, whole or not at all.
+    """Write a file completely or not at all.
 
     Raises:
         OSError: It was not written.
-        UnwritableError: It is not possible.
+        UnwritableError: The content cannot be written.
     """
     write_whole(path, files.to_bytes(content, path.suffix))
 
@@ -80,7 +80,7 @@ _INDEX: Final = ".index.json"
 
 @dataclass(frozen=True, slots=True)
 class StoredFile:
-    """A file of the library and what is known of it."""
+    """A file of the library with its stamp and its entry."""
 
     path: Path
     stamp: Stamp
@@ -88,11 +88,11 @@ class StoredFile:
 
 
 class FileStore:
-    """The files in a folder, by the name of what they hold.
+    """The files in a folder, by the name of their content.
 
     Args:
-        folder: It need not exist.
-        call: Where large files are read.
+        folder: The folder; it need not exist.
+        call: Calls the function that reads a large file.
     """
 
     def __init__(self, folder: Path, call: Call = call_directly) -> None:
@@ -101,7 +101,7 @@ class FileStore:
         self._index = Index(folder / _INDEX)
 
     def scan(self) -> dict[str, StoredFile]:
-        """Return all of them; only those that are new or changed are opened.
+        """Return all files by name; only new or changed ones are opened.
 
         Raises:
             OSError: The folder cannot be read.
@@ -114,7 +114,7 @@ class FileStore:
         return _by_name(found)
 
     def note(self, path: Path, entry: IndexEntry) -> Stamp:
-        """Take over what a file holds that was just written; returns its stamp.
+        """Store the entry of a file that was just written, and return its stamp.
 
         Raises:
             OSError: It is gone.
@@ -125,7 +125,7 @@ class FileStore:
         return stamp
 
     def mark(self, kept: StoredFile, entry: IndexEntry) -> None:
-        """Take over what was found out about a file, unless it has changed since the scan."""
+        """Store a new entry for a file, valid only if the file is as it was at the scan."""
         self._index.put(kept.path.name, kept.stamp, entry)
         self._index.save()
 
@@ -179,10 +179,10 @@ def _name_of(path: Path) -> str:
 
 
 def name_inside(path: Path) -> str:
-    """Return the name a file of the library gives its content; else what its own name says.
+    """Return the name in a file of the library, or one made from the file's own name.
 
     Args:
-        path: Of a trajectory, recording or draft; only its beginning is read.
+        path: The file of a trajectory, recording or draft; only its beginning is read.
     """
     found = None
     with contextlib.suppress(OSError):
@@ -191,5 +191,5 @@ def name_inside(path: Path) -> str:
 
 
 def suffix_of(content: Content) -> str:
-    """Return how the name of the file ends that is to hold something."""
+    """Return the suffix of the file for a content."""
     return ".npz" if isinstance(content, Recording) else ".log"

@@ -1,1 +1,1 @@
-"""The plan of a trajectory: its path, its timing, and the check with its findings."""
+"""Plans a trajectory: its path, its timing, and the check with its findings."""

@@ -1,7 +1,7 @@
-"""Checks a trajectory before it is run: the whole way is planned, and looked at.
+"""Checks a trajectory before it is run, by planning the whole path and examining it.
 
-Nothing here knows a window or a bus, so that it can be done in a process of its own: 10,000
-points take from half a second to many seconds, by how far they lie apart.
+This room has neither windows nor a bus, so that a check can run in a process of its own: 10,000
+points take from half a second to many seconds, depending on their distances.
 """
 
 from __future__ import annotations
@@ -47,18 +47,20 @@ Whole = npt.NDArray[np.int64]
 Flags = npt.NDArray[np.bool_]
 
 FAR_FROM_START_DEG: Final = 30.0
-"""A first point further from where the joints are is worth a look."""
+"""A first point further than this from the present joint angles is reported."""
 LARGE_TURN_DEG: Final = 90.0
-"""So is a joint that turns further to a pose: the arm may hold it in another way than meant."""
+"""A joint that turns further than this to a pose is reported: the arm may reach it in another
+configuration than meant.
+"""
 FLOOR_MM: Final = 0.0
-"""The plane the arm stands on."""
+"""The height of the plane on which the arm stands."""
 _ROUNDED_DEG: Final = 0.01
-"""So much of a joint's angle may be lost in a pose that is rounded to the steps of the bus."""
+"""The error of a joint angle that may come from rounding a pose to the steps of the bus."""
 _SPEED_SLACK: Final = 1.02
 JUMP_DEG: Final = 5.0
-"""A joint that turns so far from one sample to the next was not recorded in one go."""
+"""A joint that turns this far between two samples shows that they were not recorded in one go."""
 _STROKE_SLACK_MM: Final = 1.0
-"""A gripper that stands at its stop may measure so much more."""
+"""A gripper at its stop may measure this much more than its stroke."""
 _COLLISION_STEP_DEG: Final = 2.0
 
 EMPTY = FindingKind("empty", "There is nothing to run. Add points, or record.", Severity.ERROR)
@@ -136,20 +138,20 @@ BELOW_FLOOR = FindingKind(
 )
 
 _OF_A_WAY: Final = (PATH_BEYOND_LIMIT, PATH_OUT_OF_REACH, PATH_SINGULAR)
-"""Nothing of this is true of a point without where the arm comes from."""
+"""Findings that depend on where the arm comes from, and not on a point alone."""
 
 
 @dataclass(frozen=True, slots=True)
 class CheckRequest:
-    """What is to be checked.
+    """The input of a check.
 
     Attributes:
-        content: What shall be run.
-        arm: By which arm.
-        start_deg: From where.
-        speed_factor: On the speed of each point, or on the recorded one.
+        content: The trajectory or recording to be run.
+        arm: The arm that will run it.
+        start_deg: The joint angles at the start.
+        speed_factor: The factor on each point's speed, or on the recorded speed.
         first: The index of the point to begin with, in the first cycle.
-        cycles: How often it shall be run; 0 until it is ended.
+        cycles: The number of cycles; 0 runs until it is ended.
     """
 
     content: Content
@@ -162,13 +164,13 @@ class CheckRequest:
 
 @dataclass(frozen=True, slots=True)
 class CheckOutcome:
-    """How a check has ended.
+    """The result of a check.
 
     Attributes:
-        path: Where the arm would go.
-        expected_s: How long each point takes at its own speed; of a recording empty.
-        findings: What was found, errors first, then by row.
-        profile: What a replay must know of a recording; ``None`` for points.
+        path: The path of the arm.
+        expected_s: The duration of each point at its own speed; empty for a recording.
+        findings: The findings, errors first, then by row.
+        profile: The replay profile of a recording; ``None`` for points.
     """
 
     path: PlannedPath
@@ -183,11 +185,11 @@ class CheckOutcome:
 
 
 def warm_up() -> None:
-    """Load this module and its libraries where it is called."""
+    """Load this module and its libraries in the calling process."""
 
 
 def check(request: CheckRequest) -> CheckOutcome:
-    """Plan a trajectory or recording, and look whether this arm can do all of it, and should."""
+    """Plan a trajectory or recording, and report what this arm cannot do or should not do."""
     content, arm, start_deg = request.content, request.arm, request.start_deg
     plan = partial(plan_path, content, arm, start_deg, first=request.first, cycles=request.cycles)
     path = plan(speed_factor=request.speed_factor)

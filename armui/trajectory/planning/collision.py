@@ -1,7 +1,8 @@
-"""Whether parts of the arm would pass through each other: capsules along its links.
+"""Finds parts of the arm that would collide with each other: capsules along its links.
 
-Their sizes are those of the meshes in ``urdf/``, a little within the covers: what is told touches.
-Neighbours are left out, their joints' limits keep them apart.
+The capsules are as large as the meshes in ``urdf/``, a little within the covers: a reported
+collision is a real contact. Neighbouring parts are left out, because their joints' limits keep them
+apart.
 """
 
 from __future__ import annotations
@@ -21,28 +22,30 @@ Array = npt.NDArray[np.float64]
 Whole = npt.NDArray[np.int64]
 
 PARTS: Final = ("base", "upper arm", "forearm", "hand", "gripper")
-"""The parts of the arm as findings name them."""
+"""The names of the arm's parts in findings."""
 
 _COLUMN_RADIUS_MM: Final = 38.0
 _SOCKET_MM: Final = (-33.0, 60.0)
 _SOCKET_RADIUS_MM: Final = 25.0
-"""The box with the sockets behind the foot: its place along X, its height."""
+"""The box with the sockets behind the foot: its radius, then its place along X and its height."""
 _UPPER_ARM_RADIUS_MM: Final = 26.0
 _FOREARM_RADIUS_MM: Final = 28.0
 _HAND_RADIUS_MM: Final = 31.0
 _RAISED_MM: Final = (40.0, 54.0)
-"""Where the raised motor of a parallel wrist begins and ends, but for the capsule's own ends."""
+"""The beginning and the end of the raised motor of a parallel wrist, without the capsule's ends."""
 _RAISED_RADIUS_MM: Final = 27.0
 _KNEE_MM: Final = (125.0, 29.0)
-"""Where the bow of the upper arm is: along it, and outwards."""
+"""The bend of the upper arm: its place along the arm, and its distance outwards."""
 _FOREARM_FROM_MM: Final = 60.0
-"""The forearm from the elbow on; before that it is the elbow's motor, the upper arm's neighbour."""
+"""The distance from the elbow at which the forearm begins; before it is the elbow's motor, a
+neighbour of the upper arm.
+"""
 _PALM_AT_MM: Final = 54.0
 _PALM_HALF_MM: Final = 56.0
 _PALM_RADIUS_MM: Final = 14.0
 _FINGER_RADIUS_MM: Final = 18.0
 _FURTHEST_MM: Final = 75.0
-"""No part of hand and gripper is further from their axis."""
+"""The largest distance of a part of hand and gripper from their axis."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,16 +59,16 @@ class _Capsule:
 def collisions(
     geometry: Geometry, joints_deg: Array, tool_mm: float, gripper_turned_deg: float = 0.0
 ) -> dict[int, str]:
-    """Return where parts of the arm would be in each other.
+    """Return the samples at which parts of the arm would collide.
 
     Args:
-        geometry: Of the arm.
+        geometry: The arm's geometry.
         joints_deg: (n, 6).
-        tool_mm: How far the gripper reaches beyond the flange; 0 if there is none.
-        gripper_turned_deg: How it is mounted, about the flange's Z axis.
+        tool_mm: The distance from the flange to the gripper's tip; 0 without a gripper.
+        gripper_turned_deg: The gripper's turn about the flange's Z axis.
 
     Returns:
-        By index, the two parts, as ``upper arm/gripper``.
+        The two parts by the sample's index, as ``upper arm/gripper``.
     """
     arm = links(geometry, joints_deg)
     close = np.flatnonzero(_close(geometry, arm, tool_mm))
@@ -81,7 +84,7 @@ def collisions(
 
 
 def segment_distances(a: Array, b: Array, c: Array, d: Array) -> Array:
-    """(n,) the shortest distances between the segments a–b and c–d, all (n, 3)."""
+    """Return (n,) the shortest distances between the segments a–b and c–d, all (n, 3)."""
     one, other, between = b - a, d - c, a - c
     one_2, other_2 = _dot(one, one), np.maximum(_dot(other, other), 1e-12)
     along, across = _dot(one, other), _dot(other, between)
@@ -99,7 +102,7 @@ def segment_distances(a: Array, b: Array, c: Array, d: Array) -> Array:
 
 
 def _close(geometry: Geometry, arm: Links, tool_mm: float) -> npt.NDArray[np.bool_]:
-    """Tell whether hand or forearm could touch anything, by the spheres around them."""
+    """Return whether hand or forearm could touch anything, by the spheres around them."""
     half_mm = (geometry.hand_mm + tool_mm) / 2.0
     middle = arm.centre + half_mm * arm.hand
     reach_mm = half_mm + _FURTHEST_MM + geometry.wrist_mm

@@ -1,4 +1,4 @@
-"""The same point the other way: joint angles as a pose, a pose as joint angles."""
+"""Converts points between joint angles and poses."""
 
 from __future__ import annotations
 
@@ -26,12 +26,13 @@ CONVERT_OUT_OF_REACH = Reason(
 def to_pose(
     point: Waypoint, kinematics: Kinematics, move: MoveMode = MoveMode.MOVE_P
 ) -> Waypoint | Refusal:
-    """Return a point by the pose its joint angles give the flange.
+    """Return a point converted to the pose that its joint angles give the flange.
 
     Args:
         point: The point; one that holds a pose keeps it.
-        kinematics: Of the arm.
-        move: MOVE_P or MOVE_L. An arc needs a middle that no conversion can know.
+        kinematics: The arm's kinematics.
+        move: MOVE_P or MOVE_L. Not MOVE_C: an arc needs a middle pose, which no conversion can
+            give.
     """
     if move not in (MoveMode.MOVE_P, MoveMode.MOVE_L):
         return CONVERT_NEEDS_MIDDLE()
@@ -47,13 +48,13 @@ def to_joints(
     near_deg: Sequence[float],
     limits: Sequence[JointLimits] | None = None,
 ) -> Waypoint | Refusal:
-    """Return a point by joint angles that bring the flange to its pose.
+    """Return a point converted to joint angles that bring the flange to its pose.
 
     Args:
         point: The point; one that holds joint angles stays as it is.
-        kinematics: Of the arm.
-        near_deg: Of several ways the one nearest to these angles is taken.
-        limits: Where given, a way within them goes before a nearer one beyond.
+        kinematics: The arm's kinematics.
+        near_deg: The solution nearest to these angles is taken.
+        limits: If given, a solution within them is preferred to a nearer one beyond.
     """
     if point.is_joint:
         return point
@@ -73,15 +74,15 @@ def to_move(
     near_deg: Sequence[float],
     before: Sequence[float],
 ) -> Waypoint | Refusal:
-    """The same place reached by another kind of motion.
+    """Return a point that reaches the same place by another kind of motion, or why there is none.
 
     Args:
         point: The point.
-        move: How it shall be reached.
-        kinematics: Of the arm.
+        move: The new kind of motion.
+        kinematics: The arm's kinematics.
         near_deg: As in :func:`to_joints`.
-        before: The pose an arc would begin in. Its middle becomes half-way from there, which is
-            no arc until the operator moves it.
+        before: The pose in which an arc would begin. Its middle is set half-way from there, which
+            makes no arc until the operator moves it.
     """
     if move is MoveMode.MOVE_J:
         return to_joints(point, kinematics, near_deg)
@@ -99,17 +100,17 @@ def to_move(
 def comes_from(
     points: Sequence[Waypoint], row: int, kinematics: Kinematics, measured_deg: Sequence[float]
 ) -> tuple[Sequence[float], Pose]:
-    """Return where the arm is about to come from when it moves to a row.
+    """Return the joint angles and the pose from which the arm moves to a row.
 
     Args:
-        points: Of the trajectory.
-        row: Which, from 0.
-        kinematics: Of the arm.
-        measured_deg: Where the arm is before the first point.
+        points: The points of the trajectory.
+        row: The row, from 0.
+        kinematics: The arm's kinematics.
+        measured_deg: The joint angles before the first point.
 
     Returns:
-        Joint angles: those of the nearest row above, or this one, that has some, else the measured
-        ones. The pose of the row above, else the measured one.
+        The joint angles of this row or the nearest one above that holds some, else the measured
+        ones; and the pose of the row above, else the measured one.
     """
     above = points[row::-1] if row < len(points) else points[::-1]
     near_deg = next((point.target for point in above if point.is_joint), measured_deg)

@@ -1,4 +1,4 @@
-"""What a check before running has found: the sentence stands where it is found."""
+"""The findings of a check before a run; each kind is declared with its sentence."""
 
 from __future__ import annotations
 
@@ -11,27 +11,27 @@ from armui.system.sentence import Sentence
 
 
 class Severity(enum.Enum):
-    """Whether the operator may run the trajectory all the same."""
+    """The weight of a finding: may the operator run the trajectory all the same?"""
 
     ERROR = "error"
-    """The arm would refuse, stop or hit itself: not to be run."""
+    """The arm would refuse, stop or hit itself: the trajectory must not be run."""
     WARNING = "warning"
-    """The operator may look at it and accept it."""
+    """The operator may examine it and accept it."""
 
 
 @dataclass(frozen=True, slots=True)
 class FindingKind(Sentence):
-    """Something a check can find.
+    """A kind of finding.
 
     Attributes:
-        severity: Whether it can be accepted.
+        severity: Its severity.
     """
 
     context: ClassVar[str] = "Finding"
     severity: Severity = field(default=Severity.ERROR, compare=False)
 
     def __call__(self, **figures: float | int | str) -> Finding:
-        """It with the figures its sentence names, in their units; of the whole, until placed."""
+        """Return a finding with the figures its sentence names; it has no row until placed."""
         return Finding(self, figures)
 
 
@@ -44,12 +44,12 @@ FAR_FROM_START = FindingKind(
 
 
 class Approach(enum.Enum):
-    """What of a trajectory is not in its points: how the arm comes to the first of them."""
+    """The parts of a run that are not in its points: the start, and the way to the first point."""
 
     HERE = "here"
-    """The pose in which the arm is."""
+    """The present pose of the arm."""
     WAY = "way"
-    """The way from there to the first point."""
+    """The way from the present pose to the first point."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,15 +57,15 @@ class Finding:
     """Something the operator should know before the arm moves.
 
     Attributes:
-        kind: What was found.
+        kind: The kind of finding.
         params: The figures the sentence names.
         row: The index of the point (or the sample of a recording) it concerns, from 0;
             ``None`` for the whole.
-        joints_deg: Where the arm would be, if that is known.
-        place_mm: Where the tip of the tool would be, if that is known.
-        approach: Set where the arm's present pose, or the way from it, is at fault and not the
-            point in the row.
-        cycle: In which cycle it happens first.
+        joints_deg: The joint angles there, if known.
+        place_mm: The place of the tool's tip there, if known.
+        approach: Set if the arm's present pose, or the way from it, is at fault and not the point
+            in the row.
+        cycle: The first cycle in which it happens.
     """
 
     kind: FindingKind
@@ -78,15 +78,15 @@ class Finding:
 
     @property
     def code(self) -> str:
-        """The id of what was found."""
+        """The id of the kind."""
         return self.kind.id
 
     @property
     def is_of_approach(self) -> bool:
-        """Tell whether it depends on where the arm is now."""
+        """True if it depends on where the arm is now."""
         return self.approach is not None or self.kind == FAR_FROM_START
 
     @property
     def severity(self) -> Severity:
-        """Whether it can be accepted."""
+        """The severity of its kind."""
         return self.kind.severity

@@ -1,4 +1,4 @@
-"""Where an arm is at every moment of a trajectory."""
+"""The planned path: where the arm is at every moment of a trajectory."""
 
 from __future__ import annotations
 
@@ -18,20 +18,21 @@ Whole = npt.NDArray[np.int64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PlannedPath:
-    """The whole way, sampled: evenly spaced in no respect, closely enough in every one.
+    """The whole path as samples, not evenly spaced, but close together in time and place.
 
     Attributes:
-        times_s: (n,) from 0 up, never back.
+        times_s: (n,) from 0, never decreasing.
         joints_deg: (n, 6).
-        places_mm: (n, 3) the tip of the tool: as far beyond the flange as the gripper reaches.
-        speeds_mm_s: (n,) how fast the tip goes.
-        rows: (n,) the index of the point the arm is on its way to, or waits at; of a recording
-            the index of the sample.
-        cycles: (n,) in which cycle that is, from 1.
-        expected_s: How long each point takes from the one before, dwell included: the longest of
-            all cycles, 0 for those left out; of a recording empty.
-        problems: What was found in planning: why points were left out, for the arm cannot get
-            there, and where it is not certain which way the arm takes.
+        places_mm: (n, 3) the places of the tool's tip, which is as far beyond the flange as the
+            gripper reaches.
+        speeds_mm_s: (n,) the speeds of the tip.
+        rows: (n,) the index of the point to which the arm moves, or at which it waits; for a
+            recording the index of the sample.
+        cycles: (n,) the cycle, from 1.
+        expected_s: The duration of each point from the one before, dwell included: the longest of
+            all cycles, 0 for those left out; empty for a recording.
+        problems: The findings of the planning: points left out because the arm cannot reach them,
+            and points for which it is not certain which solution the arm takes.
     """
 
     times_s: Array
@@ -45,23 +46,23 @@ class PlannedPath:
 
     @property
     def duration_s(self) -> float:
-        """How long it takes in all."""
+        """The whole duration in seconds."""
         return float(self.times_s[-1]) if len(self.times_s) else 0.0
 
     @property
     def first_cycle_s(self) -> float:
-        """How long the first cycle takes, from where the arm stands before it."""
+        """The duration of the first cycle, from where the arm stands before it."""
         first = self.times_s[self.cycles == 1]
         return float(first[-1]) if len(first) else 0.0
 
     @property
     def begins(self) -> npt.NDArray[np.bool_]:
-        """(n,) whether each sample is the first on the way to a point, in whichever cycle."""
+        """(n,) true for each sample that is the first on the way to a point, in any cycle."""
         changes = (np.diff(self.rows) != 0) | (np.diff(self.cycles) != 0)
         return np.concatenate((np.ones(min(1, len(self.rows)), dtype=bool), changes))
 
     def at(self, t_s: float) -> Joints:
-        """Return six angles so long after the start; before and after the path its ends.
+        """Return the six joint angles at a time after the start, clipped to the path's ends.
 
         Raises:
             IndexError: The path is empty.
@@ -75,21 +76,21 @@ class PlannedPath:
         return tuple((one + share * (other - one)).tolist())
 
     def ends(self) -> dict[int, int]:
-        """Return the index of the last sample of each row, where the arm first comes to it."""
+        """Return the index of the last sample of each row, in the first cycle that reaches it."""
         if not len(self.rows):
             return {}
         lasts = np.flatnonzero(np.append(self.begins[1:], True))[::-1].tolist()
         return dict(sorted((int(self.rows[last]), last) for last in lasts))
 
     def outline(self, most: int) -> Whole:
-        """Return the indices of about so many samples, evenly, and of each row's last."""
+        """Return the indices of about `most` evenly spaced samples, and of each row's last one."""
         step = max(1, len(self.rows) // most)
         wanted = np.append(self.begins[1:], True)
         wanted[::step] = True
         return np.flatnonzero(wanted)
 
     def row_at(self, t_s: float) -> int:
-        """Return the index of the point under way so long after the start."""
+        """Return the index of the point that is active at a time after the start."""
         index = int(np.searchsorted(self.times_s, t_s, side="left"))
         return int(self.rows[min(index, len(self.rows) - 1)])
 
@@ -104,7 +105,7 @@ def sampled_path(
     expected_s: tuple[float, ...] = (),
     problems: tuple[Finding, ...] = (),
 ) -> PlannedPath:
-    """Return a path with the places and the speeds of the tool's tip worked out."""
+    """Return a path with the places and speeds of the tool's tip computed."""
     arm_links = links(arm.kinematics.geometry, joints_deg)
     places = arm_links.flange + arm.tool_mm * arm_links.hand
     cycles = np.ones_like(rows) if cycles is None else cycles

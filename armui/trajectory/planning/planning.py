@@ -1,4 +1,4 @@
-"""Which way a trajectory takes: over all points the arm can reach, and why not over the others."""
+"""Plans the route of a trajectory over the points the arm can reach, with reasons for others."""
 
 from __future__ import annotations
 
@@ -22,25 +22,30 @@ from armui.trajectory.points.program import Waypoint
 Array = npt.NDArray[np.float64]
 
 _ROUNDS: Final = 3
-"""So often the way is looked for anew without the points that cannot be reached."""
+"""The number of times that the route is planned again without unreachable points."""
 _NO_WAY: Final = 1e-9
-"""Transforms as much alike are one place."""
+"""Transforms that differ by less are the same place."""
 _SAME_DEG: Final = 1e-6
 _SMALLEST_MM: Final = 0.5
-"""No nearer to each other are the points of an arc: within as much the arm counts as there."""
+"""The least distance between the points of an arc: within it the arm counts as arrived."""
 _FLATTEST_MM: Final = 0.02
-"""And no nearer to a line: twenty of the steps in which the arm tells where it is."""
+"""The least height of an arc's three points over a line: twenty steps of the arm's pose feedback.
+"""
 _MOST_CYCLES: Final = 16
-"""A pose is held in eight ways at most: what differs between cycles for longer drifts."""
+"""The most cycles planned. A pose has eight solutions at most: a difference between later cycles is
+drift.
+"""
 _REPEATS_DEG: Final = 0.005
-"""Joints as near to where they were at the same point are on the same way: the arm rounds poses."""
+"""Joints this near to an earlier visit of the same point are in the same configuration: the arm
+rounds poses.
+"""
 _LONGEST_MM: Final = 5000.0
-"""No arc longer than this stays within reach."""
+"""A longer arc does not stay within reach."""
 _ARC_STEPS: Final = 64
 _FEW_ROWS: Final = 16
-"""So many rows of a further cycle are looked at first,"""
+"""The number of rows of a further cycle that are examined first,"""
 _MORE: Final = 4
-"""and so many times more each time."""
+"""and the factor by which that number grows each time."""
 
 NEVER_REPEATS = FindingKind(
     "never_repeats",
@@ -81,14 +86,14 @@ START_UNKNOWN = FindingKind(
 
 @dataclass(frozen=True, slots=True)
 class Plan:
-    """Where the joints go.
+    """The planned route of the joints.
 
     Attributes:
-        route: From stop to stop.
+        route: The route from stop to stop.
         moves: The lines and arcs on it.
-        problems: By stop, why it is left out.
-        known: How many stops it is right for: behind them a line or an arc ends elsewhere than the
-            route goes on.
+        problems: The reason for each stop that is left out.
+        known: The number of stops for which it is right: behind them a line or an arc ends
+            elsewhere than the route continues.
     """
 
     route: Route
@@ -97,7 +102,7 @@ class Plan:
     known: int
 
     def ends_deg(self) -> Array:
-        """Return the joints at each stop but the first, (stops, 6), NaN where it is left out."""
+        """Return the joints at each stop but the first, (stops, 6), NaN for those left out."""
         ends = self.route.ends_deg.copy()
         for group in self.moves:
             wanted = group.broken < 0
@@ -106,7 +111,7 @@ class Plan:
         return ends[1:]
 
     def up_to(self, stop: int) -> Plan:
-        """Return the plan of the way to a stop and no further."""
+        """Return the part of the plan that leads to a stop."""
         unsure = {each: ways for each, ways in self.route.unsure.items() if each <= stop}
         origins, ends_deg = self.route.origins[: stop + 1], self.route.ends_deg[: stop + 1]
         route = Route(origins, ends_deg, [], unsure)
@@ -117,12 +122,12 @@ class Plan:
 
 @dataclass(frozen=True, slots=True)
 class Leg:
-    """A part of the way of a run.
+    """One cycle's part of a run.
 
     Attributes:
-        cycle: From 1.
-        first: The row its first stop is the point of.
-        plan: Of this part; it begins where the one before ends.
+        cycle: The cycle, from 1.
+        first: The row of its first stop.
+        plan: The plan of this part; it begins where the one before ends.
     """
 
     cycle: int
@@ -135,18 +140,18 @@ def plan_run(
 ) -> tuple[list[Leg], Finding | None]:
     """Plan a run as it is driven: every cycle begins where the one before has ended.
 
-    It ends where the joints come to a point as they came to it in an earlier cycle: all that
-    follows is known from there. A cycle that cannot be driven to its end is the last.
+    Planning ends when the joints reach a point as in an earlier cycle, because the rest repeats. A
+    cycle that cannot be driven to its end is the last.
 
     Args:
         points: The trajectory.
         arm: The arm.
-        start_deg: Where its joints are before.
+        start_deg: The joint angles before the run.
         first: The row to begin with.
-        cycles: How many; 0 without end.
+        cycles: The number of cycles; 0 without end.
 
     Returns:
-        The parts of the way, and what is found if it does not repeat.
+        The parts of the run, and a finding if it does not repeat.
     """
     legs: list[Leg] = []
     most = min(cycles, _MOST_CYCLES) if cycles else _MOST_CYCLES
@@ -182,7 +187,7 @@ def plan_run(
 
 
 def plan_route(points: Sequence[Waypoint], arm: ArmModel, start_deg: Sequence[float]) -> Plan:
-    """Looks for a way over all points; again without those that cannot be reached."""
+    """Plan a route over all points, and again without those that cannot be reached."""
     table = stops(points, arm, start_deg)
     problems: dict[int, Finding] = {}
     followed: dict[int, tuple[Joints, Joints]] = {}
@@ -207,17 +212,17 @@ def plan_route(points: Sequence[Waypoint], arm: ArmModel, start_deg: Sequence[fl
 def single_pace(
     way: Sequence[Sequence[float]], start_deg: Sequence[float], arm: ArmModel
 ) -> tuple[float, float, float] | None:
-    """Return how fast the flange goes along one line or arc at 100 %: the most, in mm/s and °/s.
+    """Return the flange's highest speeds along one line or arc at 100 %, and the braking time.
 
-    And how many seconds it takes to brake from there.
+    The speeds are in mm/s and °/s, the time to brake from them in seconds.
 
     Args:
-        way: Poses: the end of a line, or start, middle and end of an arc.
-        start_deg: Where the joints are.
+        way: The pose at the end of a line, or the poses at start, middle and end of an arc.
+        start_deg: The present joint angles.
         arm: The arm.
 
     Returns:
-        ``None`` where the arm cannot go this way, or there is none.
+        The three figures, or ``None`` if the arm cannot follow the path, or it has no length.
     """
     start = arm.kinematics.matrix(start_deg)
     poses = [pose_to_matrix(pose) for pose in way]

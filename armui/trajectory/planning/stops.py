@@ -1,6 +1,6 @@
-"""The points of a trajectory as arrays, and where the joints are at each of them.
+"""The points of a trajectory as arrays, and the joint angles at each of them.
 
-Stop 0 is where the arm stands before it runs; stop i is the point in row i − 1.
+Stop 0 is where the arm stands before the run; stop i is the point in row i − 1.
 """
 
 from __future__ import annotations
@@ -27,21 +27,21 @@ Whole = npt.NDArray[np.int64]
 TOOL_MOVES: Final = frozenset({MoveMode.MOVE_L, MoveMode.MOVE_C})
 """Motions that lead the tool along a path."""
 _UNSURE_DEG: Final = 0.5
-"""A run begins within as much of where the arm stood at the check."""
+"""A run may begin this far from where the arm stood at the check."""
 _OTHER_WAY_DEG: Final = 5.0
-"""Ways that are less different lead the arm through about the same places."""
+"""Solutions that differ by less lead the arm through nearly the same places."""
 
 
 @dataclass(frozen=True, slots=True)
 class Stops:
-    """What is known of the stops before the way between them is.
+    """The stops before the route between them is known.
 
     Attributes:
         joints_deg: (n, 6) targets of MOVE J, and of the start; NaN for poses.
         goals: (n, 4, 4) transforms of the flange.
-        solutions_deg: (n, 8, 6) ways to hold the flange, see `armui.kinematics.inverse`.
-        within: (n, 8) whether each is within the joints' limits.
-        stretched: (n,) whether the wrist may leave a joint free there.
+        solutions_deg: (n, 8, 6) solutions for the flange's pose, see `armui.kinematics.inverse`.
+        within: (n, 8) true for solutions within the joints' limits.
+        stretched: (n,) true if a singular wrist may leave a joint free there.
     """
 
     joints_deg: Array
@@ -67,13 +67,13 @@ def stops(points: Sequence[Waypoint], arm: ArmModel, start_deg: Sequence[float])
 
 
 def as_told(values: Array | Sequence[float]) -> Array:
-    """Return a target as the arm is told it: in whole steps of 0.001 mm or degrees."""
+    """Return a target as it is sent to the arm: in whole steps of 0.001 mm or degrees."""
     told: Array = np.round(np.array(values, dtype=float) / ANGLE_STEP_DEG) * ANGLE_STEP_DEG
     return told
 
 
 def bounds(arm: ArmModel) -> tuple[Array, Array]:
-    """Return the lowest and highest angles of the joints, with the bus's rounding."""
+    """Return the lowest and highest joint angles, widened by the bus's rounding."""
     half_step = ANGLE_STEP_DEG / 2
     low = np.array([limits.min_deg - half_step for limits in arm.limits])
     high = np.array([limits.max_deg + half_step for limits in arm.limits])
@@ -82,14 +82,14 @@ def bounds(arm: ArmModel) -> tuple[Array, Array]:
 
 @dataclass(frozen=True, slots=True)
 class Route:
-    """Where the joints go from stop to stop.
+    """The route of the joints from stop to stop.
 
     Attributes:
         origins: (n,) the stop each motion begins at; −1 for stops that are left out.
-        ends_deg: (n, 6) the joints at each stop; NaN where it is not known.
-        unreachable: Poses no way leads to.
-        unsure: Poses of MOVE P that two ways lead to, about equally near: the joint that turns
-            most differently, and how far in either.
+        ends_deg: (n, 6) the joints at each stop; NaN if not known.
+        unreachable: Poses without a solution.
+        unsure: Poses of MOVE P with two solutions about equally near: the joint that differs most,
+            and its turn in either.
     """
 
     origins: Whole
@@ -105,16 +105,16 @@ def choose(
     skipped: Mapping[int, object],
     followed: Mapping[int, tuple[Joints, Joints]],
 ) -> Route:
-    """Return where the joints go, as the arm chooses among the ways to its poses.
+    """Return the route of the joints, with the solutions that the arm itself would choose.
 
-    MOVE P goes to the nearest way within the limits; lines and arcs stay on the way where they
-    begin, and where they really end is told by following them.
+    MOVE P goes to the nearest solution within the limits; lines and arcs stay in the solution
+    branch in which they begin, and their real end is found by following them.
 
     Args:
         points: The trajectory.
         table: Its stops.
         arm: The arm.
-        skipped: Stops that cannot be reached: the arm stays where it is.
+        skipped: Stops that cannot be reached: the arm does not move for them.
         followed: By stop, the joints a tool move was followed from, and to.
     """
     count = len(points) + 1

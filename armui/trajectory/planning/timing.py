@@ -1,7 +1,8 @@
-"""How long a trajectory takes and where it goes, planned as the arm moves.
+"""Plans the duration and the path of a trajectory, as the arm moves.
 
-MOVE J and P go from rest to rest, all joints arriving together; lines and arcs keep the limits of
-joints and tool all along. Each point is begun when the one before is reached and its dwell is over.
+MOVE J and P go from rest to rest, with all joints arriving together; lines and arcs keep the limits
+of joints and tool all along. Each point begins when the one before is reached and its dwell is
+over.
 """
 
 from __future__ import annotations
@@ -25,13 +26,13 @@ Array = npt.NDArray[np.float64]
 Whole = npt.NDArray[np.int64]
 
 APPROACH_PERCENT: Final = 15
-"""The speed at which a replay approaches its first sample."""
+"""The speed in percent at which a replay approaches its first sample."""
 
 _STEP_DEG: Final = 2.5
 _FEWEST_STEPS: Final = 8
 _NO_ROWS: Final = np.empty(0, dtype=np.int64)
 _SLOWEST: Final = 0.05
-"""Limits of 0 are taken as so many °/s and °/s²: the time is long, and known."""
+"""Limits of 0 are replaced by this many °/s and °/s², so that the duration is long but finite."""
 
 EITHER_WAY = FindingKind(
     "either_way",
@@ -50,17 +51,18 @@ def plan_path(
     first: int = 0,
     cycles: int = 1,
 ) -> PlannedPath:
-    """Plans a trajectory or the replay of a recording as it is driven.
+    """Plan a trajectory or the replay of a recording.
 
-    Of several cycles it shows each until they repeat, of a recording the way back for the next.
+    Several cycles are planned until they repeat; for a recording the way back to its start is
+    included.
 
     Args:
-        content: What is run.
+        content: The trajectory or recording.
         arm: The arm.
-        start_deg: Where its joints are before. A recording is approached from there.
-        speed_factor: On the speed of every point, or on the recorded speed; above 0.
+        start_deg: The joint angles before the run. A recording is approached from there.
+        speed_factor: The factor, above 0, on the speed of every point, or on the recorded speed.
         first: The index of the point to begin with, in the first cycle.
-        cycles: How many; 0 without end.
+        cycles: The number of cycles; 0 without end.
     """
     if isinstance(content, Recording):
         return _replay(content, arm, start_deg, speed_factor, again=cycles != 1)

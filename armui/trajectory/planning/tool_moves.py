@@ -1,7 +1,7 @@
-"""Many lines and arcs at once: the joints along them, and their pace.
+"""Plans many lines and arcs at once: the joint angles along them, and their pace.
 
 Moves of similar length are taken together in arrays; each has as many places as its length wants,
-rounded up to a power of two. Where joints turn fast a move is looked at again more finely.
+rounded up to a power of two. A move on which joints turn fast is sampled again more finely.
 """
 
 from __future__ import annotations
@@ -30,28 +30,28 @@ _STEP_DEG: Final = 1.5
 _FEWEST_STEPS: Final = 8
 _MOST_STEPS: Final = 8192
 _MOST_PLACES: Final = 200_000
-"""So many places are worked on together."""
+"""The number of places that are computed together."""
 _FAST_DEG: Final = 4.0
-"""A joint that turns further in a step is looked at more finely."""
+"""A move is sampled more finely if a joint turns further than this in a step,"""
 _BENT_DEG: Final = 0.5
-"""So is one that turns by so much more, or less, in a step than in the step before."""
+"""or if the turn differs by this much from that of the step before,"""
 _SHARP: Final = 4.0
-"""So is one for which that difference is so many times its mean along the path."""
+"""or if that difference is this many times its mean along the path."""
 _FINER: Final = 2
 
 
 @dataclass(frozen=True, slots=True)
 class PlannedToolMoves:
-    """Moves with the same number of places.
+    """Planned moves with the same number of places.
 
     Attributes:
         stops: (m,) the stops they lead to.
         joints_deg: (m, places, 6) evenly along each path; NaN from where it cannot be followed.
-        lengths_mm, angles_deg: (m,) of the tool's way.
-        speeds: (m,) highest along the path, in paths a second; 0 where it cannot be followed.
-        accelerations: (m,) highest along the path, in paths a second².
-        broken: (m,) first place that cannot be passed, −1 where all can.
-        singular: (m,) whether a joint would have to leap there.
+        lengths_mm, angles_deg: (m,) lengths of the tool's paths, and turns of the hand.
+        speeds: (m,) highest along the path, in paths per second; 0 if the path cannot be followed.
+        accelerations: (m,) highest along the path, in paths per second².
+        broken: (m,) the first place that cannot be passed; −1 if all can.
+        singular: (m,) true if a joint would have to leap there.
     """
 
     stops: Whole
@@ -64,7 +64,7 @@ class PlannedToolMoves:
     singular: Flags
 
     def only(self, wanted: Whole | Flags) -> PlannedToolMoves:
-        """Some of them, by their indices or marks."""
+        """Return some of the moves, by their indices or a mask."""
         return PlannedToolMoves(
             self.stops[wanted],
             self.joints_deg[wanted],
@@ -79,7 +79,7 @@ class PlannedToolMoves:
 
 @dataclass(frozen=True, slots=True)
 class Paths:
-    """The ways of the flange; arcs are lines that go over a middle.
+    """Paths of the flange; arcs have a middle pose as well.
 
     Attributes:
         stops: (m,) the stops they lead to.
@@ -95,7 +95,7 @@ class Paths:
     arcs: Sequence[Arc | None]
 
     def only(self, wanted: Whole) -> Paths:
-        """Some of them, by their indices."""
+        """Return some of the paths, by their indices."""
         return Paths(
             self.stops[wanted],
             self.starts[wanted],
@@ -105,7 +105,7 @@ class Paths:
         )
 
     def sizes(self) -> tuple[Array, Array]:
-        """(m,) lengths in mm and turns in degrees."""
+        """Return (m,) lengths in mm and (m,) turns in degrees."""
         lines = StraightLines(self.starts, self.goals)
         lengths, angles = lines.lengths_mm, lines.angles_deg
         for index, arc in enumerate(self.arcs):
@@ -114,7 +114,7 @@ class Paths:
         return lengths, angles
 
     def poses(self, shares: Array) -> Array:
-        """(m, places, 4, 4) transforms at parts of the ways."""
+        """Return (m, places, 4, 4) transforms at parts of the paths."""
         poses = StraightLines(self.starts, self.goals).poses(shares)
         for index, arc in enumerate(self.arcs):
             if arc is not None:
@@ -125,13 +125,13 @@ class Paths:
 def plan_tool_moves(
     paths: Paths, arm: ArmModel, *, roughly: bool = False
 ) -> list[PlannedToolMoves]:
-    """Follows lines and arcs as the arm does, and finds their pace.
+    """Follow lines and arcs as the arm does, and compute their pace.
 
     Args:
         paths: The ways of the flange.
         arm: The arm.
-        roughly: Whether no path is looked at more finely: that is quick, and where joints turn fast
-            the pace is found too high rather than too low.
+        roughly: True to sample no path more finely: that is quick, and if joints turn fast the pace
+            is overestimated rather than underestimated.
     """
     if not len(paths.stops):
         return []

@@ -1,7 +1,7 @@
 """Motions from rest to rest, limited in speed and acceleration: many at once, in closed form.
 
-What ruckig plans for such a motion without a limit of jerk: each joint speeds up, goes evenly
-and brakes; the joints with time to spare go slower, so that all of them arrive together.
+They equal ruckig's plan for such a motion without a limit of jerk: each joint accelerates, moves
+evenly and brakes; joints with time to spare move slower, so that all of them arrive together.
 """
 
 from __future__ import annotations
@@ -13,15 +13,15 @@ Array = npt.NDArray[np.float64]
 
 
 def durations(ways: Array, speeds: Array, accelerations: Array) -> Array:
-    """Return the shortest time for each way.
+    """Return the shortest time for each motion.
 
     Args:
-        ways: How far, in any unit; the sign does not matter.
+        ways: The distances, in any unit; the sign does not matter.
         speeds: The highest speed, above 0.
         accelerations: The highest acceleration, above 0.
 
     Returns:
-        Times in s, of the shape the three have together.
+        Times in s, in the common (broadcast) shape of the three.
     """
     ways = np.abs(ways)
     short = ways < speeds**2 / accelerations
@@ -30,12 +30,12 @@ def durations(ways: Array, speeds: Array, accelerations: Array) -> Array:
 
 
 def even_speeds(ways: Array, lasting_s: Array, accelerations: Array) -> Array:
-    """Return how fast the even part is, so that a way takes just so long.
+    """Return the speed of the even part with which a motion takes exactly a given time.
 
     Args:
-        ways: How far, in any unit; the speed has its sign.
-        lasting_s: Not less than the shortest time.
-        accelerations: Of both ramps.
+        ways: The distances, in any unit; the speed has their sign.
+        lasting_s: The durations, not less than the shortest.
+        accelerations: The accelerations of both ramps.
     """
     reserve = (accelerations * lasting_s) ** 2 - 4.0 * accelerations * np.abs(ways)
     # the smaller root, written so that nothing cancels when it is small
@@ -49,13 +49,13 @@ def even_speeds(ways: Array, lasting_s: Array, accelerations: Array) -> Array:
 
 
 def places(times_s: Array, lasting_s: Array, speeds: Array, accelerations: Array) -> Array:
-    """Return how far a motion has come.
+    """Return the distance covered by a motion at a time.
 
     Args:
-        times_s: Since its start.
-        lasting_s: How long it takes.
-        speeds: Of its even part, with a sign.
-        accelerations: Of both ramps.
+        times_s: The times since its start.
+        lasting_s: Its duration.
+        speeds: The speed of its even part, with a sign.
+        accelerations: The accelerations of both ramps.
     """
     ramp_s = np.abs(speeds) / accelerations
     into = np.minimum(times_s, ramp_s)
@@ -67,13 +67,13 @@ def places(times_s: Array, lasting_s: Array, speeds: Array, accelerations: Array
 
 
 def times(gone: Array, ways: Array, speeds: Array, accelerations: Array) -> Array:
-    """Return when a motion has come so far, the inverse of `places`, for ways ≥ 0.
+    """Return when a motion has covered a distance: the inverse of `places`, for ways ≥ 0.
 
     Args:
-        gone: How far, 0 to `ways`.
-        ways: The whole way.
-        speeds: Of the even part, above 0.
-        accelerations: Of both ramps.
+        gone: The distance covered, 0 to `ways`.
+        ways: The whole distance.
+        speeds: The speed of the even part, above 0.
+        accelerations: The accelerations of both ramps.
     """
     ramp = np.minimum(speeds**2 / (2.0 * accelerations), ways / 2.0)
     lasting_s = durations(ways, speeds, accelerations)

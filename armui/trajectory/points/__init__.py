@@ -1,1 +1,1 @@
-"""Trajectories of points: what they are, and how they are edited."""
+"""Trajectories of points, and their editing."""

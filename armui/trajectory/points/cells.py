@@ -1,4 +1,4 @@
-"""The columns of a table of points, and what becomes of a point when a cell of it is edited."""
+"""The columns of a table of points, and the edit of a point through one of its cells."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from armui.trajectory.points.program import (
 
 
 class PointColumn(enum.IntEnum):
-    """From left to right."""
+    """The columns from left to right."""
 
     MOVE = 0
     VALUE_1 = 1
@@ -52,7 +52,7 @@ _UNIT: Final = re.compile(r"\s*(?:°|deg|mm|%|s)$")
 
 
 def text_of(point: Waypoint, column: PointColumn) -> str:
-    """Return what stands in a cell when it is edited, exact; :func:`edited` reads it."""
+    """Return the exact text of a cell for editing; :func:`edited` reads it."""
     if column in VALUES:
         return number(point.target[column - PointColumn.VALUE_1])
     if column is PointColumn.MIDDLE:
@@ -69,16 +69,16 @@ def text_of(point: Waypoint, column: PointColumn) -> str:
 
 
 def edited(point: Waypoint, column: PointColumn, text: str) -> Waypoint | Refusal:
-    """A point after a text has been entered in one of its cells.
+    """Return a point after a text was entered in one of its cells, or why it is refused.
 
     Args:
-        point: Before.
-        column: Which cell; not that of the kind of motion, see
+        point: The point before.
+        column: The cell's column; not that of the kind of motion, see
             :func:`armui.trajectory.planning.convert.to_move`.
-        text: What was entered. A figure may have its unit behind it, and a decimal comma.
+        text: The text entered. A figure may have its unit behind it, and a decimal comma.
 
     Returns:
-        The point, or why it cannot be so.
+        The new point, or the reason against it.
     """
     try:
         changed = _edited(point, column, text.strip())
@@ -112,11 +112,11 @@ def _edited(point: Waypoint, column: PointColumn, text: str) -> Waypoint | Refus
 
 
 def figure(field: str, text: str) -> float | Refusal:
-    """Return the figure in a text, or why it is none that a point may have.
+    """Return the figure in a text, or why a point cannot have it.
 
     Args:
         field: A key of `program.RANGES`.
-        text: As the operator types: a unit behind it, a decimal comma and the typographic minus
+        text: The text as typed: a unit behind the figure, a decimal comma and the typographic minus
             are understood.
     """
     plain = _UNIT.sub("", text.strip()).replace("−", "-").replace(",", ".")
@@ -138,5 +138,5 @@ def _six(text: str) -> Values | Refusal:
 
 
 def editable(point: Waypoint, column: PointColumn) -> bool:
-    """Tell whether a cell takes anything: a middle pose belongs to arcs alone."""
+    """Return whether a cell can be edited: only arcs have a middle pose."""
     return column is not PointColumn.MIDDLE or point.move is MoveMode.MOVE_C

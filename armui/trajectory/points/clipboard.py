@@ -1,4 +1,4 @@
-"""Points as text for the clipboard, and the points in a text from it, as of a spreadsheet."""
+"""Converts points to text for the clipboard, and text from it to points."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ _NO_POSE: Final = (0.0,) * VALUE_COUNT
 
 
 def to_text(points: Sequence[Waypoint]) -> str:
-    """Return a row for each point and tabs between its cells, as a spreadsheet takes it."""
+    """Return the text of points for a spreadsheet: a row for each, with tabs between its cells."""
     return "\n".join(
         "\t".join(_one_line(text_of(point, column)) for column in PointColumn) for point in points
     )
@@ -45,7 +45,7 @@ class PastedPoints:
 
     Attributes:
         points: All of them.
-        taught_on: The arm they were taught on, where a file says so; "": not known.
+        taught_on: The arm they were taught on, if a file says so; "" if not known.
     """
 
     points: tuple[Waypoint, ...]
@@ -58,18 +58,18 @@ def from_text(text: str, like: MoveMode = MoveMode.MOVE_J) -> tuple[Waypoint, ..
 
 
 def pasted(text: str, like: MoveMode = MoveMode.MOVE_J) -> PastedPoints:
-    """Return the points in a text, and of which arm they are.
+    """Return the points in a text, and the arm they were taught on.
 
-    Understood are what :func:`to_text` writes, whole files of this program, lines of its ``.log``
-    format, and rows of a spreadsheet: perhaps the kind of motion, six values, perhaps speed in
-    percent and dwell in seconds. A first row without a figure is taken for titles.
+    It understands the output of :func:`to_text`, whole files of this program, lines of its ``.log``
+    format, and rows of a spreadsheet: optionally the kind of motion, six values, optionally speed
+    in percent and dwell in seconds. A first row without a figure counts as titles.
 
     Args:
-        text: From the clipboard.
-        like: The kind of motion of rows that do not say it.
+        text: The text from the clipboard.
+        like: The kind of motion of rows that do not name one.
 
     Raises:
-        TrajectoryFileError: With line and cell.
+        TrajectoryFileError: The text has another form; it names line and cell.
     """
     if log_file.is_log(text) or json_file.is_json(text) or csv_file.is_csv(text):
         content = files.read_text(text, "clipboard")
@@ -91,7 +91,7 @@ def _one_line(text: str) -> str:
 
 
 def _has_figure(line: str) -> bool:
-    """Tell whether a row has a cell that is a figure: titles have none."""
+    """Return whether a row has a cell that is a figure: titles have none."""
     return any(
         not isinstance(figure("X", cell), Refusal)
         for cell in line.replace("\t", " ").replace(",", " ").replace(";", " ").split()

@@ -1,7 +1,7 @@
-"""Edits of a trajectory's points: each takes the points and gives the points after it.
+"""Edits of a trajectory's points: each function takes the points and returns the new ones.
 
-Points are a tuple and are never changed in place, so that a step back is the tuple from before,
-and what an edit has changed can be found by comparing the two.
+Points are a tuple and are never changed in place, so that undo restores the former tuple, and an
+edit's changes are found by comparing the two.
 """
 
 from __future__ import annotations
@@ -17,12 +17,12 @@ Points = tuple[Waypoint, ...]
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """What an edit did: from a row on, some points gave way to others.
+    """The effect of an edit: from a row on, some points were replaced by others.
 
     Attributes:
         first: The first row that differs, from 0.
-        removed: The points that stood there.
-        added: Those that stand there now.
+        removed: The points removed there.
+        added: The points put there.
     """
 
     first: int
@@ -34,12 +34,12 @@ class Change:
         return points[: self.first] + self.added + points[self.first + len(self.removed) :]
 
     def reversed(self) -> Change:
-        """Return the edit that takes this one back."""
+        """Return the edit that undoes this one."""
         return Change(self.first, self.added, self.removed)
 
 
 def difference(before: Points, after: Points) -> Change | None:
-    """Return the smallest stretch in which two lists of points differ; ``None``: none."""
+    """Return the smallest stretch in which two lists of points differ, or ``None`` if equal."""
     shorter = min(len(before), len(after))
     first = 0
     while first < shorter and before[first] is after[first]:
@@ -52,18 +52,18 @@ def difference(before: Points, after: Points) -> Change | None:
 
 
 def insert(points: Points, row: int, new: Iterable[Waypoint]) -> Points:
-    """New points before a row; at the number of rows, after the last."""
+    """Return the points with new ones before a row; at the number of rows, after the last."""
     return (*points[:row], *new, *points[row:])
 
 
 def remove(points: Points, rows: Iterable[int]) -> Points:
-    """Without some rows."""
+    """Return the points without some rows."""
     gone = frozenset(rows)
     return tuple(point for row, point in enumerate(points) if row not in gone)
 
 
 def change(points: Points, changed: Mapping[int, Waypoint]) -> Points:
-    """With other points in some rows."""
+    """Return the points with some rows replaced."""
     result = list(points)
     for row, point in changed.items():
         result[row] = point
@@ -71,7 +71,7 @@ def change(points: Points, changed: Mapping[int, Waypoint]) -> Points:
 
 
 def turned(points: Points, by_deg: Sequence[float]) -> Points:
-    """With the joints of every point turned by so much; poses stay, which count from the base."""
+    """Return the points with the joints turned; poses, which count from the base, stay."""
     return tuple(
         replace(point, target=tuple(a + by for a, by in zip(point.target, by_deg, strict=True)))
         if point.is_joint
@@ -86,20 +86,20 @@ def chosen(points: Points, rows: Iterable[int]) -> Points:
 
 
 def duplicate(points: Points, rows: Sequence[int]) -> Points:
-    """With copies of some rows, together, after the last of them."""
+    """Return the points with copies of some rows, together, after the last of them."""
     return insert(points, max(rows) + 1, chosen(points, rows)) if rows else points
 
 
 def move(points: Points, rows: Sequence[int], before: int) -> tuple[Points, int]:
-    """With some rows, together, before another row.
+    """Move some rows, together, before another row.
 
     Args:
-        points: All of them.
-        rows: Which to move.
-        before: The row they shall stand before, counted as the rows are now.
+        points: All points.
+        rows: The rows to move.
+        before: The row before which they go, counted before the move.
 
     Returns:
-        The points, and the row in which the first of the moved ones stands.
+        The new points, and the row of the first moved one.
     """
     moved = chosen(points, rows)
     gone = frozenset(rows)
@@ -108,11 +108,11 @@ def move(points: Points, rows: Sequence[int], before: int) -> tuple[Points, int]
 
 
 def shift(points: Points, rows: Sequence[int], by: int) -> tuple[Points, int]:
-    """With some rows one place further up or down; at the ends nothing changes.
+    """Move some rows up or down by one; at the ends nothing changes.
 
     Args:
-        points: All of them.
-        rows: Which to move.
+        points: All points.
+        rows: The rows to move.
         by: −1 up, +1 down.
 
     Returns:
@@ -126,12 +126,12 @@ def shift(points: Points, rows: Sequence[int], by: int) -> tuple[Points, int]:
 
 @dataclass(frozen=True, slots=True)
 class FigureQuery:
-    """Looks for a figure of the target or for a speed or dwell.
+    """The search for a figure of the target, or for a speed or dwell.
 
     Attributes:
         field: ``J1``…``J6``, ``X``…``RZ``, ``speed`` or ``dwell``.
-        value: What it should be.
-        tolerance: How far off it may be.
+        value: The value searched for.
+        tolerance: The allowed difference.
     """
 
     field: str
@@ -140,7 +140,7 @@ class FigureQuery:
 
 
 def find_text(points: Sequence[Waypoint], text: str, *, match_case: bool = False) -> Iterator[int]:
-    """Indices of the points whose note holds a text."""
+    """Yield the indices of the points whose note contains a text."""
     wanted = text if match_case else text.casefold()
     for index, point in enumerate(points):
         if wanted in (point.note if match_case else point.note.casefold()):
@@ -148,7 +148,7 @@ def find_text(points: Sequence[Waypoint], text: str, *, match_case: bool = False
 
 
 def find_figure(points: Sequence[Waypoint], query: FigureQuery) -> Iterator[int]:
-    """Indices of the points where a figure has a value."""
+    """Yield the indices of the points whose figure matches a query."""
     for index, point in enumerate(points):
         value = _figure(point, query.field)
         if value is not None and abs(value - query.value) <= query.tolerance:
@@ -156,13 +156,13 @@ def find_figure(points: Sequence[Waypoint], query: FigureQuery) -> Iterator[int]
 
 
 def replace_text(point: Waypoint, text: str, by: str) -> Waypoint | Refusal:
-    """Return a point with a text of its note replaced, letter by letter as given."""
+    """Return a point with a text of its note replaced, or why the new note is refused."""
     changed = replace(point, note=point.note.replace(text, by))
     return check_point(changed) or changed
 
 
 def replace_figure(point: Waypoint, field: str, value: float) -> Waypoint | Refusal:
-    """Return a point with one figure replaced; a point without such a figure stays as it is."""
+    """Return a point with one figure replaced; a point without that figure is unchanged."""
     refusal = check_figure(field, value)
     if refusal is not None:
         return refusal

@@ -1,7 +1,7 @@
-"""A trajectory as the operator wrote it: points, one after the other. Knows no numpy, no arm.
+"""A trajectory of points as the operator wrote it; without numpy and without an arm.
 
 A point of MOVE J holds six joint angles; one of MOVE P, L or C the pose of the flange it ends in.
-An arc of MOVE C begins where the point before it ends and goes over a middle pose.
+An arc of MOVE C begins where the point before it ends and passes through a middle pose.
 """
 
 from __future__ import annotations
@@ -45,16 +45,16 @@ Values = tuple[float, ...]
 """Six values: joint angles in degrees, or X Y Z in mm and RX RY RZ in degrees."""
 
 MOVES: Final = (MoveMode.MOVE_J, MoveMode.MOVE_P, MoveMode.MOVE_L, MoveMode.MOVE_C)
-"""The kinds of motion a point can ask for."""
+"""The kinds of motion a point can have."""
 
 VALUE_COUNT: Final = 6
 LONGEST_TEXT: Final = 4000
-"""Characters of a note or a comment."""
+"""The most characters of a note or a comment."""
 LONGEST_NAME: Final = 200
 
 
 class Range(NamedTuple):
-    """What a figure may be."""
+    """The range of a figure, with its unit."""
 
     minimum: float
     maximum: float
@@ -81,9 +81,9 @@ RANGES: Final = {
     "green": Range(0, 255, ""),
     "blue": Range(0, 255, ""),
 }
-"""What each figure of a point may be, whichever the arm: wider than any arm's own limits.
+"""The range of each figure of a point for every arm: wider than any arm's own limits.
 
-A speed of 0 % would never arrive. Torque: protocol 0x159, generation 2.
+A motion at 0 % would never arrive. The torque's range is that of 0x159 in generation 2.
 """
 WHOLE: Final = frozenset({"speed", "light joint", "lamp", "red", "green", "blue"})
 """The figures that are whole numbers."""
@@ -91,7 +91,7 @@ WHOLE: Final = frozenset({"speed", "light joint", "lamp", "red", "green", "blue"
 
 @dataclass(frozen=True, slots=True)
 class GripperOpening:
-    """Opens or closes the gripper as generation 2 does (0x159): to an opening, with a torque."""
+    """Moves the gripper to an opening with a torque, as in generation 2 (0x159)."""
 
     opening_mm: float
     torque_nm: float = 1.0
@@ -99,7 +99,7 @@ class GripperOpening:
 
 @dataclass(frozen=True, slots=True)
 class GripperAngle:
-    """Turns the gripper as generation 1 does (0x159): to an angle, with a speed."""
+    """Moves the gripper to an angle with a speed, as in generation 1 (0x159)."""
 
     angle_deg: float
     speed_rad_s: float = 1.0
@@ -121,18 +121,18 @@ class LightAction:
 
 @dataclass(frozen=True, slots=True)
 class Waypoint:
-    """One step of a trajectory: go there, then act, then wait.
+    """One step of a trajectory: a motion, then actions, then a pause.
 
     Attributes:
-        move: How to get there, one of :data:`MOVES`.
+        move: The kind of motion, one of :data:`MOVES`.
         target: Six joint angles for MOVE J, else the pose of the flange.
-        middle: The pose an arc of MOVE C goes over; ``None`` for every other kind.
-        speed_percent: Of the highest speed, 1–100.
-        dwell_s: How long to stay.
-        gripper: What the gripper does on arrival.
-        light: What the lamps do on arrival.
+        middle: The pose through which an arc of MOVE C passes; ``None`` for every other kind.
+        speed_percent: The percentage of the highest speed, 1–100.
+        dwell_s: The pause at the target.
+        gripper: The gripper's action on arrival.
+        light: The lamps' action on arrival.
         note: The operator's own words.
-        comments: Lines that stood before the point in its file.
+        comments: The comment lines before the point in its file.
     """
 
     move: MoveMode
@@ -147,16 +147,16 @@ class Waypoint:
 
     @property
     def is_joint(self) -> bool:
-        """Whether the target is six joint angles."""
+        """True if the target is six joint angles."""
         return self.move is MoveMode.MOVE_J
 
     @property
     def names(self) -> tuple[str, ...]:
-        """What the six values of the target are called."""
+        """The names of the target's six values."""
         return JOINT_NAMES if self.is_joint else POSE_NAMES
 
     def figures(self) -> Iterator[tuple[str, float]]:
-        """Return every figure of the point by the name it has in :data:`RANGES`."""
+        """Yield every figure of the point with its name in :data:`RANGES`."""
         yield from zip(self.names, self.target, strict=False)
         if self.middle is not None:
             yield from zip(POSE_NAMES, self.middle, strict=False)
@@ -178,15 +178,15 @@ class Waypoint:
 
 @dataclass(frozen=True, slots=True)
 class Trajectory:
-    """Points under a name.
+    """A named list of points.
 
     Attributes:
-        name: What the operator calls it.
-        note: What it is for.
-        points: In the order they are run.
-        modified: When it was last changed, with its time zone.
+        name: The name the operator gave it.
+        note: The operator's note.
+        points: The points in the order of the run.
+        modified: The time of the last change, with its time zone.
         closing: Comment lines after the last point of its file.
-        taught_on: The arm it was taught on, as `ModelFit.kind` tells; "": not known.
+        taught_on: The arm it was taught on, as in `ModelFit.kind`; "" if not known.
     """
 
     name: str
@@ -197,7 +197,7 @@ class Trajectory:
     taught_on: str = ""
 
     def __reduce__(self) -> tuple[object, ...]:
-        """To another process its points go as bare figures, in a fraction of the time."""
+        """Pickle the points as bare figures, which takes a fraction of the time."""
         rest = (self.name, self.note, self.modified, self.closing, self.taught_on)
         return _unpacked, (list(map(_FIELDS_OF, self.points)), *rest)
 
@@ -231,7 +231,7 @@ class SpeedsFrom(NamedTuple):
 
 
 def speeds_of(points: Sequence[Waypoint]) -> tuple[SpeedsFrom, ...]:
-    """Return the lowest and highest speed from each row on, where that differs; rows rise."""
+    """Return the lowest and highest speed from each row on, an entry for each change; rows rise."""
     found: list[SpeedsFrom] = []
     low, high = 100, 1
     for row in range(len(points) - 1, -1, -1):
@@ -244,11 +244,11 @@ def speeds_of(points: Sequence[Waypoint]) -> tuple[SpeedsFrom, ...]:
 
 
 def check_figure(field: str, value: float) -> Refusal | None:
-    """Tell why a figure of a point is not possible; ``None``: it is.
+    """Return why a figure of a point is not possible, or ``None`` if it is.
 
     Args:
         field: A key of :data:`RANGES`.
-        value: What was entered.
+        value: The value entered.
     """
     allowed = RANGES[field]
     if not math.isfinite(value) or (field in WHOLE and value != int(value)):
@@ -260,9 +260,9 @@ def check_figure(field: str, value: float) -> Refusal | None:
 
 
 def check_point(point: Waypoint) -> Refusal | None:
-    """Tell why a point is not whole, or possible for no arm; ``None``: it is fine.
+    """Return why a point is incomplete or possible for no arm, or ``None`` if it is fine.
 
-    Whether *this* arm can do it is for `armui.trajectory.planning.check`.
+    `armui.trajectory.planning.check` checks whether a particular arm can reach it.
     """
     if point.move not in MOVES:
         return POINT_MOVE_UNKNOWN(value=str(point.move))
@@ -283,7 +283,7 @@ def check_point(point: Waypoint) -> Refusal | None:
 
 
 def check_name(name: str) -> Refusal | None:
-    """Tell whether a trajectory may be called so; any script and any sign of it is welcome."""
+    """Return why a trajectory cannot have a name, or ``None``; every script is allowed."""
     if not name.strip():
         return NAME_EMPTY()
     if len(name) > LONGEST_NAME:
@@ -294,12 +294,12 @@ def check_name(name: str) -> Refusal | None:
 
 
 def check_text(field: str, text: str, *, lines: int = 0) -> Refusal | None:
-    """Tell whether a text can be kept in a file: of a decent length, no half of a character.
+    """Return why a text cannot be kept in a file, or ``None``: too long, half of a character.
 
     Args:
-        field: What the text is.
+        field: The field of the text.
         text: The text.
-        lines: 1 where it must not have more than one.
+        lines: 1 if it must be a single line.
     """
     if len(text) > LONGEST_TEXT:
         return TEXT_TOO_LONG(field=field, value=len(text), maximum=LONGEST_TEXT)
@@ -310,7 +310,7 @@ def check_text(field: str, text: str, *, lines: int = 0) -> Refusal | None:
 
 
 def check_trajectory(trajectory: Trajectory) -> tuple[int, Refusal] | None:
-    """Return the first thing that keeps a trajectory from being saved.
+    """Return the first reason why a trajectory cannot be saved, or ``None``.
 
     Returns:
         The row of the point, from 1, or 0 for the trajectory itself, and the reason.

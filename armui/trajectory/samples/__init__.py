@@ -1,1 +1,1 @@
-"""Recordings: samples over time, thinned, read forward, prepared for replay."""
+"""Recordings: samples over time, thinning, lookup at a time, preparation for replay."""

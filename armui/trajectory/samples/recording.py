@@ -1,4 +1,4 @@
-"""What was recorded while the arm moved: samples of its joints and its gripper over time."""
+"""Recordings of a moving arm: samples of its joints and its gripper over time."""
 
 from __future__ import annotations
 
@@ -38,15 +38,15 @@ LONGEST_S: Final = 24 * 3600.0
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Recording:
-    """Samples over time.
+    """Named samples over time.
 
     Attributes:
-        name: What the operator calls it.
-        note: What it is for.
-        samples: (n, 8): time in s, from 0 up and never back; six joint angles in degrees; the
-            gripper's opening in mm, NaN where it was not recorded.
-        modified: When it was last changed, with its time zone.
-        taught_on: The arm it was taught on, as `ModelFit.kind` tells; "": not known.
+        name: The name the operator gave it.
+        note: The operator's note.
+        samples: (n, 8): time in s, from 0 and never decreasing; six joint angles in degrees; the
+            gripper's opening in mm, NaN if it was not recorded.
+        modified: The time of the last change, with its time zone.
+        taught_on: The arm it was taught on, as in `ModelFit.kind`; "" if not known.
     """
 
     name: str
@@ -57,7 +57,7 @@ class Recording:
 
     @property
     def times_s(self) -> Array:
-        """(n,) when the samples were taken."""
+        """(n,) the times of the samples."""
         return self.samples[:, 0]
 
     @property
@@ -67,12 +67,12 @@ class Recording:
 
     @property
     def gripper_mm(self) -> Array:
-        """(n,) openings, NaN where none was recorded."""
+        """(n,) the gripper's openings, NaN if not recorded."""
         return self.samples[:, GRIPPER]
 
     @property
     def duration_s(self) -> float:
-        """From the first sample to the last."""
+        """The time from the first sample to the last."""
         return float(self.samples[-1, 0] - self.samples[0, 0]) if len(self.samples) else 0.0
 
     def __eq__(self, other: object) -> bool:
@@ -88,7 +88,7 @@ class Recording:
 
 
 def check_samples(samples: Array) -> tuple[int, Refusal] | None:
-    """Return the first sample that cannot be: its row, from 1, and the reason.
+    """Return the first invalid sample: its row, from 1, and the reason; ``None`` if all are valid.
 
     Args:
         samples: (n, 8), as in `Recording`.
@@ -121,17 +121,17 @@ def check_samples(samples: Array) -> tuple[int, Refusal] | None:
 
 
 def check_recording(recording: Recording) -> tuple[int, Refusal] | None:
-    """Return the first thing that keeps a recording from being saved: row (0: itself), reason."""
+    """Return the first reason why a recording cannot be saved, with its row (0: the whole)."""
     refusal = check_name(recording.name) or check_text("note", recording.note)
     return (0, refusal) if refusal is not None else check_samples(recording.samples)
 
 
 _STRIDE = 64
-"""A look this many samples ahead, or one back in time, searches all of them by halves."""
+"""Going this many samples forward, or one back in time, searches all of them by bisection."""
 
 
 class SampleCursor:
-    """Looks up where a recording is at a time, in a few microseconds whatever its length.
+    """Finds the sample of a recording at a time, in a few microseconds whatever its length.
 
     Args:
         recording: At least one sample; its array may be mapped from a file.
@@ -160,7 +160,7 @@ class SampleCursor:
         return index
 
     def joints_deg_at(self, recorded_s: float) -> tuple[float, ...]:
-        """Return six angles at a time after the first sample, on straight lines between samples."""
+        """Return the joint angles at a time after the first sample, interpolated linearly."""
         index = self.index_at(recorded_s)
         here: npt.NDArray[np.float64] = self._samples[index, 1:GRIPPER]
         begin_s = self._time_s(index)
@@ -170,7 +170,7 @@ class SampleCursor:
         return tuple(here.tolist())
 
     def gripper_mm_at(self, recorded_s: float) -> float:
-        """Return the opening of the last sample up to a time; NaN: it was not recorded."""
+        """Return the opening of the last sample up to a time; NaN if it was not recorded."""
         return float(self._samples[self.index_at(recorded_s), GRIPPER])
 
     def _time_s(self, index: int) -> float:
@@ -178,17 +178,17 @@ class SampleCursor:
 
 
 _SPEED_OVER_S: Final = 0.1
-"""Speeds are taken over so long: samples carry the bus's jitter."""
+"""Speeds are averaged over this time, because samples carry the bus's jitter."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ReplayProfile:
-    """Extremes and speeds of a recording at its recorded speed.
+    """The extreme angles and the speeds of a recording at its recorded speed.
 
     Attributes:
-        speeds_deg_s: (n, 6) how fast each joint turns at each sample.
+        speeds_deg_s: (n, 6) the speed of each joint at each sample.
         low_deg: The smallest angle of each joint.
-        high_deg: The largest.
+        high_deg: The largest angle of each joint.
         fastest_deg_s: The highest speed of each joint.
     """
 
@@ -199,7 +199,7 @@ class ReplayProfile:
 
 
 def turning_speeds(times_s: Array, angles_deg: Array) -> Array:
-    """(n,) how fast a joint turns around each sample, in °/s."""
+    """Return (n,) the speeds of a joint around each sample, in °/s."""
     before_s = np.maximum(times_s - _SPEED_OVER_S / 2, times_s[0])
     after_s = np.minimum(times_s + _SPEED_OVER_S / 2, times_s[-1])
     angles_deg = np.ascontiguousarray(angles_deg)
@@ -209,7 +209,7 @@ def turning_speeds(times_s: Array, angles_deg: Array) -> Array:
 
 
 def replay_profile(recording: Recording) -> ReplayProfile:
-    """Work it out; a recording without samples has an empty one."""
+    """Compute the replay profile; it is empty for a recording without samples."""
     speeds = np.zeros((len(recording.samples), len(JOINTS)), dtype=np.float32)
     if not len(speeds):
         return ReplayProfile(speeds, (0.0,) * 6, (0.0,) * 6, (0.0,) * 6)

@@ -1,8 +1,8 @@
-"""Recordings made smaller: fewer samples within a tolerance, a stretch cut out, points of it.
+"""Makes recordings smaller: fewer samples within a tolerance, a stretch of it, or its points.
 
-Ramer–Douglas–Peucker over time: what is left out lies, at its own time, within the tolerance of
-the straight line between the samples that are kept, in every joint. That is what a replay
-interpolates.
+It is Ramer–Douglas–Peucker over time: every omitted sample lies, at its own time, within the
+tolerance of the straight line between the samples that are kept, in every joint. A replay
+interpolates along these lines.
 """
 
 from __future__ import annotations
@@ -25,12 +25,12 @@ _LEAST_S: Final = 1e-6
 
 
 def thin(recording: Recording, tolerance_deg: float) -> Recording:
-    """Return the recording with no more samples than it needs.
+    """Return the recording with only as many samples as it needs.
 
     Args:
-        recording: All of it.
-        tolerance_deg: How far a joint may be off at any of the times that are left out; the
-            gripper may be by :data:`GRIPPER_TOLERANCE_MM`.
+        recording: The whole recording.
+        tolerance_deg: The allowed error of a joint at every omitted sample; for the gripper it is
+            :data:`GRIPPER_TOLERANCE_MM`.
 
     Raises:
         ValueError: The tolerance is negative or no number.
@@ -48,17 +48,17 @@ def thin(recording: Recording, tolerance_deg: float) -> Recording:
 
 
 def needed(times_s: Array, curves: Array) -> npt.NDArray[np.intp]:
-    """Which samples are needed for straight lines between them to stay within 1 of all curves.
+    """Return the samples needed for the lines between them to stay within 1 of all curves.
 
-    All stretches are split at once, level by level, so that the work is a few passes over arrays
+    All stretches are split together, level by level, so that the work is a few passes over arrays
     however many samples are kept.
 
     Args:
-        times_s: (n,) from low to high.
-        curves: (n, k) in units of what each may be off.
+        times_s: (n,) in rising order.
+        curves: (n, k) in units of its allowed error.
 
     Returns:
-        (m,) their indices, the first and the last among them.
+        (m,) the indices, with the first and the last.
     """
     count = len(times_s)
     if count < 3:
@@ -97,13 +97,13 @@ def _off_lines(
 
 
 def cut(recording: Recording, from_s: float, to_s: float, tolerance_deg: float) -> Recording | None:
-    """Trimmed, then thinned; ``None`` if no sample is left."""
+    """Return a stretch of a recording, thinned; ``None`` if no sample is left."""
     trimmed = trim(recording, from_s, to_s)
     return thin(trimmed, tolerance_deg) if len(trimmed.samples) else None
 
 
 def trim(recording: Recording, from_s: float, to_s: float) -> Recording:
-    """Return the stretch between two times, both included, counted from 0 anew."""
+    """Return the stretch between two times, both included, with times from 0 again."""
     times_s = recording.times_s
     inside = (times_s >= from_s) & (times_s <= to_s)
     samples = recording.samples[inside].copy()
@@ -113,13 +113,13 @@ def trim(recording: Recording, from_s: float, to_s: float) -> Recording:
 
 
 def to_points(recording: Recording, limits: Sequence[JointLimits]) -> Trajectory:
-    """Return every sample as a point of MOVE J, each with the speed it was recorded with.
+    """Return every sample as a point of MOVE J, with the speed at which it was recorded.
 
     The arm comes to rest in each point, so thin the recording first.
 
     Args:
-        recording: What was recorded.
-        limits: Of the six joints; speeds are percent of theirs.
+        recording: The recording.
+        limits: The limits of the six joints; speeds are in percent of them.
     """
     angles, times_s = recording.joints_deg, recording.times_s
     highest = np.array([limit.max_speed_deg_s for limit in limits])

@@ -19,44 +19,48 @@ from armui.ui.actions.keys import SHORTCUTS
 from armui.ui.words.text import Text
 
 Target = QWidget | QAction
-"""Carries out a command: a button, a field that it leads to, or an action."""
+"""The widget or action that carries out a command: a button, a field that it leads to, or an
+action.
+"""
 Reason = Callable[[OperatingState], str]
-"""Returns in words why something cannot be done now; empty: it can."""
+"""Returns the reason in words why something cannot be done now; empty if it can."""
 
 
 def no_reason(*_: object) -> str:
-    """Return no reason: nothing stands in the way."""
+    """Return an empty reason: nothing stands in the way."""
     return ""
 
 
 def while_editing(_now: OperatingState) -> str:
-    """Say what must be done before parameters can be saved or given up."""
+    """Return the sentence on what must be done before parameters can be saved or cancelled."""
     return QCoreApplication.translate("Action", "Press Edit in the panel first.")
 
 
 def with_angles(now: OperatingState) -> str:
-    """Say that the joint angles must be heard first."""
+    """Return the reason if the joint angles have not been heard; empty otherwise."""
     return words.why_not(None if now.angles_known else JOINTS_UNKNOWN())
 
 
 def with_pose(now: OperatingState) -> str:
-    """Say that the pose of the flange must be heard first."""
+    """Return the reason if the pose of the flange has not been heard; empty otherwise."""
     return words.why_not(None if now.pose_known else POSE_UNKNOWN())
 
 
 @dataclass(frozen=True, slots=True)
 class Command:
-    """A command of a panel, page or window, declared before that is made.
+    """A command of a panel, page or window, declared before that is created.
 
     Attributes:
-        name: Its stable name: the key of its place, a dot, the act; also that of its shortcut.
+        name: Its stable name: the key of its place, a dot, the act; its shortcut has the same name.
         own_title: The title in the palette; ``None``: that of its shortcut or of its operation.
         operation: The operation on the arm that it carries out, if it is one.
         arguments: The arguments of the operation that its reason depends on.
-        needs: Tells from the operating state what is missing while its target is not seen.
-        leads: It is only led to while its page is not seen, as an operation that is shown first.
-        presses: Whether its button is pressed; else it is only led to, seen or not.
-        risky: It never comes first in the list, as an operation that asks first.
+        needs: Returns from the operating state what is missing while its target is not visible.
+        leads: True if only its page is opened while that is hidden, as for an operation that is
+            shown first.
+        presses: True if its button is pressed; otherwise the command only brings the operator to
+            it.
+        risky: True if it never comes first in the list, like an operation that asks first.
         synonyms: Other names of it in both languages; see :func:`also`.
     """
 
@@ -71,25 +75,25 @@ class Command:
     synonyms: tuple[str, ...] = ()
 
     def refusal(self, now: OperatingState) -> str:
-        """Return in words why its operation may not be done now; empty: it may."""
+        """Return in words why its operation is not allowed now; empty if it is."""
         if self.operation is None:
             return ""
         return words.why_not(self.operation.why_not(now, **self.arguments))
 
     @property
     def shown_first(self) -> bool:
-        """Whether it is never done where the operator has not seen its page."""
+        """True if it is never carried out before the operator has seen its page."""
         return self.leads or (self.operation is not None and self.operation.shown_first)
 
     @property
     def only_led_to(self) -> bool:
-        """Whether its button is never pressed from the list, as one that has to be held."""
+        """True if its button is never pressed from the list, as one that must be held."""
         held = self.operation is not None and self.operation.consent is Consent.HELD
         return held or not self.presses
 
     @property
     def dangerous(self) -> bool:
-        """Whether it may lose a zero, a setting, or the power that holds the arm."""
+        """True if it may lose a zero, a setting, or the power that holds the arm."""
         asks = self.operation is not None and self.operation.consent is Consent.PRESS
         return self.risky or asks
 
@@ -107,10 +111,10 @@ class Command:
 
     @property
     def operation_title(self) -> Text:
-        """The title of its operation, by which it is found as well.
+        """The title of its operation, which is searched as well.
 
         Raises:
-            KeyError: It carries out none.
+            KeyError: It has no operation.
         """
         if self.operation is None:
             raise KeyError(self.name)
@@ -129,57 +133,57 @@ class Command:
 
 
 def also(names: str) -> tuple[str, ...]:
-    """Return other names of a command, given with spaces between.
+    """Return other names of a command, given in one text with spaces between them.
 
-    ``python -m tests.translations`` finds the Chinese ones by this call and spells them in pinyin.
+    ``python -m tests.translations`` finds the Chinese ones by this call and adds their pinyin.
     """
     return tuple(names.split())
 
 
 def new_action(parent: QObject, act: Callable[[], object]) -> QAction:
-    """Return an action of the window without a button: it calls a function."""
+    """Return an action of the window without a button that calls a function."""
     action = QAction(parent)
     action.triggered.connect(lambda _on=False: act())
     return action
 
 
 def allow(action: QAction, reason: str) -> None:
-    """Let an action be chosen, or say in its tooltip why it cannot be now."""
+    """Enable an action, or disable it with the reason in its tooltip."""
     action.setEnabled(not reason)
     action.setToolTip(reason)
 
 
 def of_place(place: str, commands: Iterable[Command]) -> tuple[Command, ...]:
-    """Return the commands of a part that stands in several places, as those of one of them.
+    """Return the commands of a part that exists in several places, named for one of them.
 
     Args:
         place: The key of the place.
-        commands: Those of the part; their names are the acts alone.
+        commands: The part's commands, whose names are the acts alone.
     """
     return tuple(replace(each, name=f"{place}.{each.name}") for each in commands)
 
 
 class Offering(Protocol):
-    """A widget, or another part of the window, that the command palette knows."""
+    """A widget, or another part of the window, with commands for the palette."""
 
     @property
     def commands(self) -> Sequence[Command]:
         """The commands, in the order in which they are listed."""
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
+        """Return the target of each command, by the command's name."""
 
 
 @dataclass(frozen=True, slots=True)
 class CommandSource:
-    """A part of the window with its commands, whether it has been made yet or not.
+    """A part of the window with its commands, created or not.
 
     Attributes:
         commands: Its commands.
-        owner: Returns the part; ``None``: it has not been made yet.
-        show: Brings it into sight; ``None``: it stands in the main window, always.
-        why_not: Tells why it cannot be brought into sight.
-        asks_first: To show it may ask first what becomes of something that is not saved.
+        owner: Returns the part, or ``None`` if it was not created yet.
+        show: Shows the part; ``None`` for a permanent part of the main window.
+        why_not: Returns the reason why it cannot be shown.
+        asks_first: True if showing it may first ask about unsaved work.
     """
 
     commands: Sequence[Command]
@@ -190,5 +194,5 @@ class CommandSource:
 
 
 def source_of(part: Offering) -> CommandSource:
-    """Return the source of a part that stands in the main window."""
+    """Return the source of a permanent part of the main window."""
     return CommandSource(part.commands, lambda: part)

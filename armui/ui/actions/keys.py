@@ -1,4 +1,4 @@
-"""Every shortcut of the program, once: what presses, what tooltips say and what the list shows."""
+"""All shortcuts of the program, in one place for keys, tooltips and the list of shortcuts."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from armui.ui.words.text import Text
 
 @dataclass(frozen=True, slots=True)
 class Shortcut:
-    """Keys, and what they do where.
+    """Keys, with their effect and their place.
 
     Attributes:
-        name: Of the action, with its place before the dot.
-        keys: As Qt writes them on every system; or a word, if no single press does it.
-        title: What they do.
-        by_qt: Whether it is one press that Qt tells apart; else it is only told of here.
+        name: The name of the action, with its place before the dot.
+        keys: The keys as Qt writes them on every system; or a word for what is no single press.
+        title: The title of the action.
+        by_qt: True if Qt recognises it as one press; otherwise it is only listed.
     """
 
     name: str
@@ -31,18 +31,18 @@ class Shortcut:
 
     @property
     def place(self) -> str:
-        """The key of the place where they count."""
+        """The key of the place where the keys count."""
         return self.name.partition(".")[0]
 
     def text(self) -> str:
-        """Return the keys as this system writes them."""
+        """Return the keys in this system's notation."""
         if not self.by_qt:
             return self.keys
         return QKeySequence(self.keys).toString(QKeySequence.SequenceFormat.NativeText)
 
 
 _QTS_OWN: Final = (QT_TRANSLATE_NOOP("QShortcut", "Up"), QT_TRANSLATE_NOOP("QShortcut", "Down"))
-"""Keys whose names in Qt's translation are longer than what is printed on them: ours counts."""
+"""Keys whose names in Qt's translation are longer than their labels; our names are used."""
 
 
 # fmt: off
@@ -161,13 +161,13 @@ def listen_for(
     act: Callable[[], object],
     context: Qt.ShortcutContext = Qt.ShortcutContext.WidgetWithChildrenShortcut,
 ) -> QShortcut:
-    """Have the keys of an action carry it out; return the shortcut.
+    """Connect the keys of an action to a function, and return the shortcut.
 
     Args:
-        name: Of the action.
-        place: Where they count.
-        act: What they do.
-        context: How far around that place.
+        name: The name of the action.
+        place: The widget in which they count.
+        act: The function.
+        context: How far around that widget they count.
     """
     shortcut = QShortcut(QKeySequence(keys_of(name)), place)
     shortcut.setContext(context)
@@ -176,6 +176,6 @@ def listen_for(
 
 
 def key_text(name: str) -> str:
-    """Return the keys of an action as this system writes them; empty: it has none."""
+    """Return the keys of an action in this system's notation; empty if it has none."""
     shortcut = SHORTCUTS.get(name)
     return "" if shortcut is None else shortcut.text()

@@ -1,7 +1,7 @@
 """The program's texts in the other language, and the pinyin of the Chinese ones.
 
-The file is made by ``python -m tests.translations``, so that no dictionary of pinyin is needed by
-the program. Pure.
+``python -m tests.translations`` writes the file, so that the program needs no dictionary of pinyin.
+Pure.
 """
 
 from __future__ import annotations
@@ -36,16 +36,16 @@ class Names:
 
     @property
     def known(self) -> bool:
-        """Whether the names have been read."""
+        """True if the names have been read."""
         return bool(self._pinyin)
 
     def search_text(
         self, titles: Sequence[str], place: str, synonyms: Sequence[str] = ()
     ) -> SearchText:
-        """Return everything that a command can be found by.
+        """Return all texts by which a command can be found.
 
         Args:
-            titles: Its titles, in the language that is shown.
+            titles: Its titles in the present language.
             place: The title of its place, likewise.
             synonyms: Other names, in any language; lower case.
         """

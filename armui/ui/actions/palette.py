@@ -1,4 +1,4 @@
-"""The command palette: everything that can be done, found by a piece of its name (Ctrl+K)."""
+"""The command palette: finds any command by a part of its name (Ctrl+K)."""
 
 from __future__ import annotations
 
@@ -48,17 +48,17 @@ _TWO_LINES_PX: Final = 50
 
 
 _SIZE_PX: Final = (440, 600)
-"""The palette is as wide as the panel it opens over: the picture stays free."""
+"""The size of the palette: as wide as the panel it covers, so that the picture stays visible."""
 _FOLLOW_MS: Final = 200
 _PLACE: Final = QPoint(184, 72)
-"""In the main window: right of the menu, below the stop."""
+"""Its place in the main window: right of the menu, below the stop."""
 _TO_THE_LIST: Final = frozenset(
     {Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_PageUp, Qt.Key.Key_PageDown}
 )
 
 
 class PaletteModel(QAbstractListModel):
-    """The items that the search has found, best first."""
+    """The items found by the search, the best first."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -71,11 +71,11 @@ class PaletteModel(QAbstractListModel):
         self.endResetModel()
 
     def item(self, row: int) -> PaletteItem | None:
-        """Return the item of a row; ``None`` if there is no such row."""
+        """Return the item of a row, or ``None`` if there is no such row."""
         return self._items[row] if 0 <= row < len(self._items) else None
 
     def row_of(self, name: str) -> int:
-        """Return the row of a command by its name; 0 if it is not there."""
+        """Return the row of a command by its name; 0 if it is not listed."""
         rows = (row for row, each in enumerate(self._items) if each.command.name == name)
         return next(rows, 0)
 
@@ -84,7 +84,7 @@ class PaletteModel(QAbstractListModel):
         return 0 if parent is not None and parent.isValid() else len(self._items)
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        """Return the words of an item; under ``UserRole`` the item itself."""
+        """Return the texts of an item; under ``UserRole`` the item itself."""
         item = self.item(index.row())
         if item is None:
             return None
@@ -96,14 +96,14 @@ class PaletteModel(QAbstractListModel):
 
 
 class PaletteDelegate(QStyledItemDelegate):
-    """Title, place and keys in one line; the reason of what cannot be done below them."""
+    """Draws title, place and keys in one line, and the reason against the command below."""
 
     def __init__(self, view: QWidget) -> None:
         super().__init__(view)
         self._view = view
 
     def sizeHint(self, _option: QStyleOptionViewItem, index: Index) -> QSize:
-        """Keep room for the reason where there is one."""
+        """Return a height with room for the reason, if there is one."""
         item: PaletteItem = index.data(Qt.ItemDataRole.UserRole)
         return QSize(200, _TWO_LINES_PX if item.reason else _ONE_LINE_PX)
 
@@ -149,15 +149,15 @@ class PaletteDelegate(QStyledItemDelegate):
 
 
 class CommandPalette(ArmDialog):
-    """A search above a list; Enter does what is chosen there, by its own button.
+    """A search field above a list; Enter carries out the chosen command by its own button.
 
-    It is a window beside the others, and takes no key and no press from them: stop and halt work
-    as they do everywhere, and stand on it, too.
+    It is a window beside the others, and intercepts none of their keys and presses: stop and halt
+    work as everywhere, and it has them as well.
 
     Args:
-        controller: Whom the emergency stop tells, and who knows why something cannot be done.
-        items: What is offered.
-        background: Where names are read from their file.
+        controller: Receives the emergency stop, and gives the reasons why something cannot be done.
+        items: The commands offered.
+        background: Reads the file of names.
         parent: The main window.
     """
 
@@ -200,7 +200,7 @@ class CommandPalette(ArmDialog):
 
     @property
     def knows_names(self) -> bool:
-        """Whether the file of translations and pinyin has been read: both are found, then."""
+        """True if translations and pinyin have been read, so that both are searched."""
         return self._names.known
 
     # -- what is offered ----------------------------------------------------------------------
@@ -293,7 +293,7 @@ class CommandPalette(ArmDialog):
         return item
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """In the search the arrows move through the list, and Enter does what is chosen."""
+        """Handle arrow keys and Enter in the search field: move through the list, carry out."""
         pressed = event.type() == QEvent.Type.KeyPress
         if watched is self.search and pressed and isinstance(event, QKeyEvent):
             if event.key() in {Qt.Key.Key_Return, Qt.Key.Key_Enter}:
@@ -305,7 +305,7 @@ class CommandPalette(ArmDialog):
         return super().eventFilter(watched, event)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Begin anew at each opening, over the panel and beside the picture."""
+        """Start a new search at each opening, over the panel and beside the picture."""
         super().showEvent(event)
         if event.spontaneous():
             return
@@ -317,7 +317,7 @@ class CommandPalette(ArmDialog):
         self._gather()
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.set_title(self.tr("Commands"))
         self.search.setPlaceholderText(self.tr("Name, pinyin or initials, in Chinese or English"))
         self.search.setAccessibleName(self.tr("Search for a command"))

@@ -1,4 +1,4 @@
-"""The items of the command palette: the commands of every part of the window, seen or not."""
+"""The items of the command palette: the commands of every part of the window, visible or not."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from armui.ui.words.text import Text
 
 Callback = Callable[[], object]
-"""Does something that the operator wants."""
+"""A function without arguments that does what the operator asked for."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,12 +26,12 @@ class PaletteItem:
     """A row of the palette.
 
     Attributes:
-        title, place: In the present language.
-        reason: Why it cannot be done now; empty: it can, as far as is known.
+        title, place: The texts in the present language.
+        reason: The reason why it cannot be done now; empty if none is known.
         command: The command.
         source: The part of the window that offers it.
-        target: Carries it out; ``None``: its page is not in sight.
-        seen: Whether the target is in sight.
+        target: Carries it out; ``None`` if its page is hidden.
+        seen: True if the target is visible.
     """
 
     title: str
@@ -44,15 +44,15 @@ class PaletteItem:
 
     @property
     def must_be_opened(self) -> bool:
-        """Whether its page has to be opened before anything more is known of it."""
+        """True if its page has to be opened before more is known of it."""
         return not self.seen and self.source.show is not None and not self.source.asks_first
 
 
 class PaletteItems:
-    """Asks every part of the window what it offers now.
+    """Collects the present commands of every part of the window.
 
     Args:
-        controller: Knows the operating state.
+        controller: Gives the operating state.
         sources: The parts, in the order in which they are listed.
         places: The titles of the places by their keys.
     """
@@ -68,26 +68,26 @@ class PaletteItems:
         self._places = places
 
     def now(self) -> list[PaletteItem]:
-        """Return all items as things stand."""
+        """Return all items in their present state."""
         return [item for source in self._sources for item in self._of(source)]
 
     def show(self, item: PaletteItem) -> PaletteItem:
-        """Open the page of an item; return the item as it stands there."""
+        """Open the page of an item, and return the item in its new state."""
         if item.source.show is not None:
             item.source.show()
         return self.again(item)
 
     def again(self, item: PaletteItem) -> PaletteItem:
-        """Return an item as it stands now."""
+        """Return an item in its present state."""
         return next(each for each in self._of(item.source) if each.command is item.command)
 
     def carry_out(self, item: PaletteItem, *, was_seen: bool) -> None:
-        """Do what an item does, by its own button: what that asks first is asked.
+        """Carry out an item by its own button; a question that the button asks is asked.
 
         Args:
-            item: As it stands now.
-            was_seen: Whether the operator saw the button when choosing; else what sends the arm
-                somewhere is only led to.
+            item: The item in its present state.
+            was_seen: Whether the operator saw the button when choosing; otherwise a command that
+                moves the arm is only shown.
         """
         if not item.seen:
             item = self.show(item)
@@ -123,7 +123,7 @@ class PaletteItems:
 
 
 def nothing_to_do() -> str:
-    """Return why a button that is not there cannot be pressed."""
+    """Return the sentence that a missing button cannot be pressed."""
     return QCoreApplication.translate("Action", "There is nothing to do here right now.")
 
 
@@ -135,7 +135,7 @@ def _why_off(target: Target | None) -> str:
 
 
 def use(widget: QWidget) -> None:
-    """Press a button, or bring the operator to what cannot be pressed by a key alone."""
+    """Press a button, or focus a widget that needs more than a press."""
     if isinstance(widget, QAbstractButton) and not isinstance(widget, HoldButton):
         widget.window().activateWindow()
         widget.click()
@@ -144,7 +144,7 @@ def use(widget: QWidget) -> None:
 
 
 def lead_to(widget: QWidget) -> None:
-    """Give the keyboard to a widget, and press nothing."""
+    """Focus a widget without pressing it."""
     widget.window().activateWindow()
     widget.setFocus()
     select = getattr(widget, "selectAll", None)

@@ -27,9 +27,11 @@ PLACES: Final[Mapping[str, Text]] = {
     "joint_status": Text("JointStatusDialog", "Joint status"),
     "about_arm": Text("AboutArmDialog", "About this arm"),
     "doctor": Text("DoctorDialog", "Diagnosis"),
+    "report": Text("ProblemReportDialog", "Report a problem"),
+    "about": Text("AboutDialog", "About armui"),
     "run": Text("Place", "Run"),
 }
 """The titles by the keys of the places; `operation_area.PANELS` has those of the panels."""
 
 MOVABLE: Final = ("library", "editor", "recording", "plots", "events", "bus")
-"""The pages that can be taken out into a window, by their keys."""
+"""The keys of the pages that can be moved into a window of their own."""

@@ -1,4 +1,4 @@
-"""Finding something by a piece of its Chinese, English or pinyin name. Pure."""
+"""Searches by a part of a Chinese, English or pinyin name. Pure."""
 
 from __future__ import annotations
 
@@ -11,20 +11,20 @@ _EXACT, _INITIALS, _START, _WORD, _WITHIN = range(5)
 
 _NONE: Final = 99
 _SHORTEST_LATIN: Final = 3
-"""Fewer Latin letters are not taken for the beginning of a synonym."""
+"""Fewer Latin letters do not match the beginning of a synonym."""
 
 
 @dataclass(frozen=True, slots=True)
 class SearchText:
-    """The names of a command, to be searched.
+    """The names of a command for the search.
 
     Attributes:
-        names: Its own, in whatever languages they are known; lower case.
-        more: Where it is done, likewise: found as well, behind the names.
-        pinyin: Of each Chinese name of its own its syllables, without tones.
-        more_pinyin: Of the names of its place.
-        synonyms: What else it is called, in any language; lower case.
-        synonym_pinyin: Of each Chinese synonym its syllables.
+        names: Its own names, in all known languages; lower case.
+        more: The names of its place, likewise: they match as well, with a lower rank.
+        pinyin: The syllables of each of its Chinese names, without tones.
+        more_pinyin: The same for the names of its place.
+        synonyms: Other names of it, in any language; lower case.
+        synonym_pinyin: The syllables of each Chinese synonym.
     """
 
     names: tuple[str, ...]
@@ -36,10 +36,10 @@ class SearchText:
 
 
 def rank(query: str, text: SearchText) -> tuple[int, ...] | None:
-    """Return how well a query fits, the lower the better; ``None``: it does not.
+    """Return how well a query matches, the lower the better, or ``None`` if it does not.
 
-    Every word of the query must be found: in a name, or in that of the place where it is done. A
-    word may be Chinese, English, pinyin in full, its initials, or the two mixed: «ydkz», «yundkz».
+    Every word of the query must be found in a name of the command or of its place. A word may be
+    Chinese, English, pinyin in full, its initials, or the two mixed: «ydkz», «yundkz».
     """
     words = query.lower().split()
     ranks = []

@@ -20,14 +20,14 @@ _LEFT: Final = (
     *("everywhere", "window", "view", "motion", "light", "gripper", "parameters", "jogging"),
     "library",
 )
-"""The places of the left column; the others stand in the right one."""
+"""The places in the left column; the others are in the right one."""
 
 
 class ShortcutList(SectionsDialog):
-    """Keys on the left, what they do on the right.
+    """The list with keys on the left and their effects on the right.
 
     Args:
-        controller: Whom the emergency stop tells.
+        controller: Receives the emergency stop.
         places: The titles of all places by their keys.
         parent: The main window.
     """
@@ -48,7 +48,7 @@ class ShortcutList(SectionsDialog):
         self.resize(*_SIZE_PX)
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         super().retranslate_ui()
         self.set_title(self.tr("Keyboard shortcuts"))
 

@@ -37,9 +37,9 @@ if TYPE_CHECKING:
 
 _ICON_PX: Final = 14
 _HIGHEST_PX: Final = 20
-"""The button is no higher than the line of text beside it."""
+"""The largest height of the button: that of the line of text beside it."""
 _IN_THE_RUN_STRIP: Final = frozenset({StepKind.RUN_PAUSED, StepKind.RUN_WAITS})
-"""The steps that the line above the panels has no button for."""
+"""The steps for which the line above the panels has no button."""
 _NEXT_STEP: Final = "window.next_step"
 
 
@@ -69,6 +69,10 @@ _COMMANDS: Final = (
             synonyms=also("doctor troubleshoot problem 排查 自检")),
     Command("window.about_arm", Text("AboutArmDialog", "About this arm"),
             synonyms=also("version firmware serial 版本 固件 序列号")),
+    Command("window.report", Text("ProblemReportDialog", "Report a problem"),
+            synonyms=also("bug support zip log 反馈 故障 日志")),
+    Command("window.about", Text("AboutDialog", "About armui"),
+            synonyms=also("version licence license 版本 许可证")),
     Command("window.language", Text("Action", "Language: Chinese or English")),
     Command("window.theme", Text("Action", "Theme: light or dark"),
             synonyms=also("dark light night 深色 浅色 夜间")),
@@ -82,7 +86,7 @@ _COMMANDS: Final = (
 
 
 class CommandsButton(Translated, QToolButton):
-    """In the status bar: opens the command palette, and tells its key."""
+    """A button in the status bar that opens the command palette, and shows its key."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -95,7 +99,7 @@ class CommandsButton(Translated, QToolButton):
         self._recolor()
 
     def retranslate_ui(self) -> None:
-        """Put the words into the operator's language."""
+        """Set the texts in the operator's language."""
         key = key_text("everywhere.palette")
         self.setText(key)
         self.setAccessibleName(self.tr("Commands"))
@@ -110,9 +114,9 @@ class WindowActions(QObject):
 
     Args:
         window: The main window.
-        controller: Who stops, and knows why something cannot be done.
+        controller: Stops the arm, and gives the reasons why something cannot be done.
         store: The operator's settings.
-        background: Where files are read.
+        background: Reads files.
 
     Attributes:
         button: Opens the command palette.
@@ -155,13 +159,13 @@ class WindowActions(QObject):
         *,
         buttons: Mapping[str, QAbstractButton],
     ) -> None:
-        """Take in what the parts of the window do.
+        """Connect the actions to the parts of the window.
 
         Args:
             ask_to_resume: Asks whether to end the emergency stop.
             recovery: Takes the next step.
             run: Goes on with a run that pauses or waits.
-            diagnosis: Opens the windows that tell what is wrong, and which arm this is.
+            diagnosis: Opens the windows 诊断 and «About this arm».
             watch: Opens the windows for recordings.
             buttons: The buttons below the menu, by the names of their commands.
         """
@@ -178,6 +182,8 @@ class WindowActions(QObject):
             "window.backup": self._window.open_backup_dialog,
             "window.diagnosis": diagnosis.open_doctor,
             "window.about_arm": diagnosis.open_about_arm,
+            "window.report": diagnosis.open_report,
+            "window.about": diagnosis.open_about,
             "window.language": self._switch_language,
             "window.theme": self._switch_theme,
             "everywhere.guide": self.open_guide,
@@ -194,22 +200,22 @@ class WindowActions(QObject):
         places: Mapping[str, Text],
         where: Callable[[], tuple[Iterable[QWidget | None], str]],
     ) -> None:
-        """Take in what the palette, the list of shortcuts and the guide have to know.
+        """Set the contents of the palette, the list of shortcuts and the guide.
 
         Args:
-            sources: Returns what each part of the window offers.
+            sources: Returns the commands of each part of the window.
             places: The titles of all places by their keys.
-            where: Returns the pages that stand in the window, and the key of its panel.
+            where: Returns the pages in the window, and the key of its panel.
         """
         self._sources, self._places, self._where = sources, places, where
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each of its commands, by the command's name."""
+        """Return the target of each of its commands, by the command's name."""
         allow(self._next_step, self._why_no_step())
         return self._targets
 
     def palette_items(self) -> PaletteItems:
-        """Return what the palette offers."""
+        """Return the items of the palette."""
         return PaletteItems(self._controller, self._sources(), self._places)
 
     # -- windows ------------------------------------------------------------------------------
@@ -228,7 +234,7 @@ class WindowActions(QObject):
         self._open("shortcuts", lambda: ShortcutList(self._controller, self._places, self._window))
 
     def open_guide(self) -> None:
-        """Show the user guide at the place where the operator is."""
+        """Show the section of the user guide on the place where the operator is."""
         if isinstance(QApplication.activeWindow(), GuideWindow):
             return
         section = section_of(*self._where())

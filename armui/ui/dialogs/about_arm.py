@@ -1,6 +1,6 @@
-"""The window «About this arm»: what is known of it, for the operator and for a support mail (B17).
+"""The window «About this arm»: facts on it for the operator and for a support mail (B17).
 
-Each value is one that was heard, read or set; what the arm does not tell is said to be unknown.
+Each value was heard, read or set; values that the arm does not report are shown as unknown.
 """
 
 from __future__ import annotations
@@ -67,13 +67,14 @@ _NO_BITRATE: Final = frozenset({"virtual", "udp_multicast"})
 
 
 class OnlineSince(QObject):
-    """Remembers when the arm came online.
+    """Remembers the time at which the arm came online.
 
-    The protocol does not tell for how long an arm has been switched on; this is what is known.
+    The protocol does not report for how long an arm has been switched on; this is the nearest to
+    it.
 
     Args:
-        controller: Tells whether the arm is online.
-        parent: Whom it ends with.
+        controller: Gives the arm's state.
+        parent: The object with which it ends.
     """
 
     def __init__(self, controller: ArmController, parent: QObject | None = None) -> None:
@@ -84,7 +85,7 @@ class OnlineSince(QObject):
         self._on_state_changed(controller.operating_state)
 
     def seconds(self) -> float | None:
-        """For so long it has been online, by its feedback; ``None``: it is not."""
+        """Return for how long the arm has been online, or ``None`` if it is offline."""
         now_s = self._controller.state.last_feedback_s
         if self._since_s is None or now_s is None:
             return None
@@ -99,11 +100,11 @@ class OnlineSince(QObject):
 
 @dataclass(frozen=True, slots=True)
 class AboutRow:
-    """One line.
+    """One line of the window.
 
     Attributes:
         key: Its name in the program.
-        label, value: In the operator's language.
+        label, value: The texts in the operator's language.
     """
 
     key: str
@@ -119,14 +120,14 @@ def about_rows(
     online_s: float | None,
     frames_per_s: float | None,
 ) -> list[AboutRow]:
-    """The lines, always the same ones in the same order.
+    """Return the lines, always the same ones in the same order.
 
     Args:
-        state: The arm as heard.
+        state: The arm's state.
         now: The connection.
-        links: What the operating system knows of its CAN interfaces.
-        online_s: For so long the arm has been heard; ``None``: it is not.
-        frames_per_s: Received; ``None``: not measured yet.
+        links: The operating system's facts on its CAN interfaces.
+        online_s: The time for which the arm has been online; ``None`` if it is offline.
+        frames_per_s: The rate of received frames; ``None`` if not measured yet.
     """
     online = now.link is LinkState.ONLINE
     untold = translate("AboutArm", "unknown: the arm does not report it")
@@ -309,17 +310,17 @@ def _unknown() -> str:
 
 
 def translate(context: str, text: str) -> str:
-    """The name by which Qt's tools find the words."""
+    """Return a text in the present language; Qt's tools find texts by this name."""
     return QCoreApplication.translate(context, text)
 
 
 class AboutArmDialog(ArmDialog):
-    """Shows the values, fresh every second while it is open.
+    """Shows the lines, updated every second while it is open.
 
     Args:
-        controller: Who hears the arm.
-        online: Knows since when.
-        background: Asks the operating system for the bit rate of its CAN interfaces.
+        controller: Gives the arm's state.
+        online: Gives the time for which it has been online.
+        background: Reads the bit rate of CAN interfaces from the operating system.
         parent: The main window.
     """
 
@@ -350,7 +351,7 @@ class AboutArmDialog(ArmDialog):
         self.retranslate_ui()
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
+        """Return the target of each command, by the command's name."""
         return {"about_arm.copy": self.copy_button}
 
     def _build(self) -> None:
@@ -369,13 +370,13 @@ class AboutArmDialog(ArmDialog):
         fill(self.footer, self.copy_button, (self._said, 1), CloseButton(self, on_enter=True))
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.set_title(self.tr("About this arm"))
         self.copy_button.setText(self.tr("Copy as text"))
         self._refresh()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Look anew."""
+        """Update everything that is shown."""
         super().showEvent(event)
         if not event.spontaneous():
             self._before = self._rate = None
@@ -384,7 +385,7 @@ class AboutArmDialog(ArmDialog):
             self._refresh()
 
     def text(self) -> str:
-        """Everything that is shown, a line each."""
+        """Return everything that is shown as text, one line for each row."""
         return "".join(f"{row.label}: {row.value}\n" for row in self._rows)
 
     def _on_copy(self) -> None:

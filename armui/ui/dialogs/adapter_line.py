@@ -1,4 +1,4 @@
-"""The adapter set up by a click: what is under way, and what came of it; the window never waits."""
+"""Sets up an adapter by a click, and shows progress and result, without blocking the window."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import Final, Protocol
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtWidgets import QLabel, QLineEdit, QPlainTextEdit, QWidget
 
+from armui.arm.device import Device
 from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
 from armui.control.events import Level
@@ -40,42 +41,46 @@ _SIZE_PX: Final = (720, 520)
 
 
 class HelperRun(Protocol):
-    """Something under way that is told to go, and can be ended."""
+    """A change in progress that can be started and cancelled."""
 
     def go(self) -> None:
-        """Have it done."""
+        """Carry out the plan."""
 
     def end(self) -> None:
-        """Nobody wants it any more."""
+        """Cancel the change."""
 
 
 Begin = Callable[[Sequence[str], Callable[[Answer], object], Sequence[str]], HelperRun]
-"""Begins a change; see :class:`armui.doctor.adapter_change.AdapterChange`."""
+"""Starts a change; see :class:`armui.doctor.adapter_change.AdapterChange`."""
 
 
 class Examination(Protocol):
-    """Something under way that can be ended."""
+    """An examination in progress that can be cancelled."""
 
     def end(self) -> None:
-        """Nobody waits for it any more."""
+        """Cancel the examination."""
 
 
 Examine = Callable[[Sequence[str], Callable[[list[Diagnosis] | str], object]], Examination]
-"""Begins an examination; see :class:`armui.doctor.process.DoctorProcess`."""
+"""Starts an examination; see :class:`armui.doctor.process.DoctorProcess`."""
 
 
 class AdapterLine(Translated, QWidget):
-    """There while the adapter's helper is at work, and until its outcome was read.
+    """A line shown while the adapter's helper works, and until its result was read.
 
     Args:
-        controller: Knows whether an arm moves on that adapter.
-        begin: Begins a change.
-        examine: Listens to the adapter afterwards: a success is not believed.
-        is_there: Whether the helper can be used at all; asked after an examination, whose thread
-            has looked at the disk.
+        controller: Gives the state of the arm on that adapter.
+        begin: Starts a change.
+        examine: Examines the adapter afterwards to check the result.
+        is_there: Returns whether the helper can be used; called after an examination, whose thread
+            has read the disk.
+
+    Attributes:
+        listens_elsewhere: Whether whoever follows `changed` listens to an interface by that, and
+            tells `tell_heard` what was found: two programs on one adapter take each other's frames.
 
     Signals:
-        changed: The helper has done something: what was found before is outdated.
+        changed: The helper has changed something: earlier findings are outdated.
     """
 
     changed = Signal()
@@ -100,6 +105,8 @@ class AdapterLine(Translated, QWidget):
         self._shown: Planned | None = None
         self._change: HelperRun | None = None
         self._listening: Examination | None = None
+        self._waits_for = ""
+        self.listens_elsewhere: Callable[[str], bool] = lambda _interface: False
         self._frames = 0
         self._line = named("adapter_message", MessageLine())
         self.cancel_button = push_button("adapter_cancel", on_enter=False)
@@ -112,11 +119,11 @@ class AdapterLine(Translated, QWidget):
         self.hide()
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.cancel_button.setText(self.tr("Cancel"))
 
     def text(self) -> str:
-        """What it says now."""
+        """Return the present text."""
         return self._line.text()
 
     def is_there(self) -> bool:
@@ -126,18 +133,18 @@ class AdapterLine(Translated, QWidget):
     # What the operator does -------------------------------------------------------------------
 
     def choose(self, remedy: Remedy) -> None:
-        """A button was pressed: files are shown before; anything else is begun."""
+        """Carry out a remedy, after showing the files that it would write or remove."""
         if remedy[0] in {"remember", "forget"}:
             KeepDialog(self._controller, self.window(), remedy, self.start, self._begin).open()
         else:
             self.start(remedy)
 
     def start(self, remedy: Remedy, shown: Planned | None = None) -> None:
-        """Begin; the system asks for the password.
+        """Start a remedy; the system asks for the password.
 
         Args:
-            remedy: Verb and words.
-            shown: What the operator has seen of it: anything else is not done.
+            remedy: The verb and its arguments.
+            shown: The plan that the operator has seen; another plan is not carried out.
         """
         if self._change is not None:
             return
@@ -153,7 +160,7 @@ class AdapterLine(Translated, QWidget):
         self._change = self._begin(remedy, lambda answer: self._told.emit(number, answer), BY_ROOT)
 
     def cancel(self) -> None:
-        """Nobody waits any more: what has not begun is not done."""
+        """Cancel; a change that has begun is completed."""
         if self._change is not None:
             self._change.end()
             self._change = None
@@ -198,6 +205,9 @@ class AdapterLine(Translated, QWidget):
         verb, subject = self._remedy[:2]
         if verb in {"up", "reset"}:
             self._listen(subject)
+        elif verb == "down":
+            said = self.tr("{channel} is switched off.").format(channel=subject)
+            self._say(said, Level.DONE)
         elif done.told.get("not_told"):
             said = self.tr("Done; it takes effect at the next start of this computer.")
             self._say(said, Level.DONE)
@@ -215,6 +225,9 @@ class AdapterLine(Translated, QWidget):
         if device is not None and str(device.channel) == interface:
             self._frames = self._controller.state.frames
             QTimer.singleShot(_LISTEN_MS, self, lambda: self._count(number, interface))
+            return
+        if self.listens_elsewhere(interface):
+            self._waits_for = interface
             return
         self._listening = self._examine(
             ["--interface", "socketcan", "--channel", interface],
@@ -235,6 +248,16 @@ class AdapterLine(Translated, QWidget):
         )
         self._say(said.format(channel=interface), Level.WARNING)
 
+    def tell_heard(self, findings: list[Diagnosis] | str) -> None:
+        """Take in what another examination has found, where this one waits for it."""
+        interface, self._waits_for = self._waits_for, ""
+        if not interface:
+            return
+        if isinstance(findings, list):
+            name = Device("socketcan", interface).name
+            findings = [each for each in findings if each.params.get("device") == name]
+        self._on_heard(self._number, findings)
+
     def _on_heard(self, number: int, findings: list[Diagnosis] | str) -> None:
         if number != self._number:
             return
@@ -244,8 +267,11 @@ class AdapterLine(Translated, QWidget):
             return
         of_arm = [each for each in findings if each.section is Section.ARM]
         good = any(each.kind == ARM for each in of_arm)
-        said = " ".join(WORDS.text(each) for each in of_arm[:1])
-        self._say(said, Level.DONE if good else Level.WARNING)
+        if not of_arm:  # it is gone again, or was not looked at
+            said = self.tr("{channel}: nothing was found out. Run the diagnosis again.")
+            self._say(said.format(channel=self._remedy[1]), Level.WARNING)
+            return
+        self._say(WORDS.text(of_arm[0]), Level.DONE if good else Level.WARNING)
 
     # How it looks -----------------------------------------------------------------------------
 
@@ -255,26 +281,27 @@ class AdapterLine(Translated, QWidget):
         self.setVisible(bool(text))
 
     def _end_listening(self) -> None:
+        self._waits_for = ""
         if self._listening is not None:
             self._listening.end()
             self._listening = None
 
     def end(self) -> None:
-        """The window closes."""
+        """Cancel and clear the line, because the window closes."""
         self.cancel()
         self._forbidden = False
         self._say("")
 
 
 class KeepDialog(ArmDialog):
-    """Shows the files before they are written, or taken away; the adapter gets its name here.
+    """Shows the files before they are written or removed; the adapter gets its name here.
 
     Args:
-        controller: Whom the emergency stop tells.
+        controller: Receives the emergency stop.
         parent: The window that asks.
         remedy: ``remember`` an interface with its bit rate, or a port; or ``forget`` a name.
-        agreed: Called with the helper's words and what was shown.
-        begin: Begins a change; here only its plan is asked for, without being root.
+        agreed: Called with the helper's arguments and the plan that was shown.
+        begin: Starts a change; here only for its plan, without root's rights.
     """
 
     _told = Signal(object, object)
@@ -326,7 +353,7 @@ class KeepDialog(ArmDialog):
         return self._remedy[0] == "remember" and len(self._remedy) > 2
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         keeps = self._remedy[0] == "remember"
         self.set_title(self.tr("Keep at every start") if keeps else self.tr("Forget"))
         self._name_label.setText(self.tr("Name of the adapter"))
@@ -399,7 +426,7 @@ class KeepDialog(ArmDialog):
             self._agreed(wanted, planned)
 
     def done(self, result: int) -> None:
-        """Nobody waits for a plan any more."""
+        """Cancel the request for a plan, and close."""
         self._timer.stop()
         self._forget_plan()
         super().done(result)

@@ -1,4 +1,4 @@
-"""The window 参数备份: every parameter of the arm into a file, compared with one, and restored."""
+"""The window 参数备份: saves all parameters of the arm to a file, compares and restores them."""
 
 from __future__ import annotations
 
@@ -50,15 +50,15 @@ BACKUP_NOTHING_READ = Reason(
 
 _SIZE_PX: Final = (860, 640)
 _MOST_BEYOND: Final = 8
-"""Lines of a question."""
+"""The most lines of a question."""
 _NARROWEST_COLUMN_PX: Final = 110
 NAME, FILED, HELD, STATE = range(4)
 Said = tuple[str, Level]
-"""A text and how much it matters."""
+"""A text and its severity."""
 
 
 def origin_text(backup: Backup | None, path: Path | None) -> str:
-    """Where the values of the file come from; or that there is no file."""
+    """Return the text on the origin of the file's values, or that there is no file."""
     if backup is None or path is None:
         return QCoreApplication.translate(
             "BackupDialog", "No file is open; the arm's own values are shown."
@@ -83,13 +83,13 @@ def difference_text(
     firmware: str | None,
     model: PiperModel | None = None,
 ) -> str:
-    """What sets the arm of the file apart from this one; empty: nothing that is known.
+    """Return the differences between the file's arm and this one; empty if none are known.
 
     Args:
         backup: The file.
-        generation: What this arm speaks; ``None``: not known yet.
-        firmware: Of this arm; ``None``: it has not told.
-        model: What this arm was connected as.
+        generation: This arm's generation; ``None`` if not known yet.
+        firmware: This arm's version; ``None`` if not named.
+        model: The model as which this arm was connected.
     """
     if None not in {backup.model, model} and backup.model is not model:
         text = QCoreApplication.translate(
@@ -123,7 +123,7 @@ def _name(model: PiperModel | None) -> str:
 
 
 def saved_text(path: Path, count: int, missing: int) -> Said:
-    """That a file was written, and how many parameters of the arm are not in it."""
+    """Return the text that a file was written, with the number of parameters missing in it."""
     text = QCoreApplication.translate("BackupDialog", "Saved {count} parameters to {path}.")
     if missing > 0:
         rest = QCoreApplication.translate(
@@ -135,11 +135,11 @@ def saved_text(path: Path, count: int, missing: int) -> Said:
 
 
 def restored_text(count: int, failed: Sequence[Refusal | None]) -> Said:
-    """How restoring has ended.
+    """Return the text on the result of restoring.
 
     Args:
-        count: How many parameters were to be restored.
-        failed: Of each that the arm does not hold, the reason as far as it is known.
+        count: The number of parameters to be restored.
+        failed: The reason, if known, for each one that was not restored.
     """
     if not failed:
         text = QCoreApplication.translate(
@@ -154,13 +154,13 @@ def restored_text(count: int, failed: Sequence[Refusal | None]) -> Said:
 
 
 class BackupModel(TableModel):
-    """Rows with a tick; only what can be restored, and would change something, can have one.
+    """Rows with a tick; only parameters that can be restored, and would change, can be ticked.
 
     Args:
-        cell: How a parameter stands between the program and the arm.
+        cell: Gives the state of a parameter between program and arm.
 
     Signals:
-        ticked: Other rows have a tick.
+        ticked: The ticks have changed.
     """
 
     ticked = Signal()
@@ -184,7 +184,7 @@ class BackupModel(TableModel):
 
     @property
     def chosen(self) -> dict[Parameter, float]:
-        """What has a tick, with the file's values."""
+        """The ticked parameters with the file's values."""
         return {
             row.parameter: row.filed
             for row in self._rows
@@ -192,7 +192,7 @@ class BackupModel(TableModel):
         }
 
     def show_rows(self, rows: Sequence[ComparisonRow]) -> None:
-        """Show another comparison; ticks stay where the parameters do."""
+        """Show another comparison; the same parameters stay ticked."""
         same = [row.parameter for row in rows] == [row.parameter for row in self._rows]
         if not same:
             self.beginResetModel()
@@ -206,13 +206,13 @@ class BackupModel(TableModel):
         self.ticked.emit()
 
     def choose(self, wanted: Callable[[ComparisonRow], bool]) -> None:
-        """Tick the rows that are wanted and can be restored, and no others."""
+        """Tick exactly the rows that are wanted and can be restored."""
         self._chosen = {row.parameter for row in self._rows if row.restorable and wanted(row)}
         self.redraw()
         self.ticked.emit()
 
     def follow(self, restored: Sequence[Parameter]) -> None:
-        """Show how saving these ends; an empty list ends it."""
+        """Show the progress of restoring these parameters; an empty list ends it."""
         if set(restored) != self._restored:
             self._restored = set(restored)
             self.redraw()
@@ -220,14 +220,14 @@ class BackupModel(TableModel):
     # What Qt asks -----------------------------------------------------------------------------
 
     def flags(self, index: Index) -> Qt.ItemFlag:
-        """Only what can be restored can be ticked."""
+        """Return the flags of a cell; only parameters that can be restored can be ticked."""
         flags = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable
         if index.column() == NAME and self._rows[index.row()].restorable:
             flags |= Qt.ItemFlag.ItemIsUserCheckable
         return flags
 
     def titles(self) -> Sequence[str]:
-        """Name, file, arm, and how the two compare."""
+        """Return the titles: name, file, arm, comparison."""
         return (
             self.tr("Parameter"),
             self.tr("In the file"),
@@ -236,7 +236,7 @@ class BackupModel(TableModel):
         )
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        """The words of a cell, its tick, and in the tooltip what there is to say."""
+        """Return the text of a cell, its tick, or its tooltip."""
         row = self._rows[index.row()]
         if role == Qt.ItemDataRole.CheckStateRole and index.column() == NAME:
             if not row.restorable:
@@ -255,7 +255,7 @@ class BackupModel(TableModel):
     def setData(  # noqa: N802 - the name Qt calls
         self, index: Index, value: Any, role: int = Qt.ItemDataRole.EditRole
     ) -> bool:
-        """Take a tick."""
+        """Set a tick, and return whether that was possible."""
         row = self._rows[index.row()]
         if role != Qt.ItemDataRole.CheckStateRole or not row.restorable:
             return False
@@ -296,7 +296,7 @@ class BackupModel(TableModel):
 
 
 class DifferencesOnly(QSortFilterProxyModel):
-    """Hides what is the same in the file and in the arm, if wanted."""
+    """Hides parameters that are equal in the file and in the arm, if wanted."""
 
     def __init__(self, model: BackupModel) -> None:
         super().__init__()
@@ -305,19 +305,19 @@ class DifferencesOnly(QSortFilterProxyModel):
         self.setSourceModel(model)
 
     def show_only_differences(self, wanted: bool) -> None:
-        """Hide what is the same, or show it again."""
+        """Hide or show equal parameters."""
         self._only = wanted
         self.invalidate()
 
     def filterAcceptsRow(  # noqa: N802 - the name Qt calls
         self, source_row: int, _parent: Index
     ) -> bool:
-        """Whether a row is shown."""
+        """Return whether a row is shown."""
         return not self._only or self._model.rows[source_row].verdict is not ComparisonVerdict.SAME
 
 
 class BackupDialog(ArmDialog):
-    """Reads the arm when it opens; what a file says comes beside it."""
+    """Reads the arm when it opens, and compares its values with a file's."""
 
     def __init__(
         self, controller: ArmController, background: Background, parent: QWidget | None = None
@@ -376,7 +376,7 @@ class BackupDialog(ArmDialog):
         self._controller.operating_state_changed.connect(self._on_operating_state_changed)
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.set_title(self.tr("Parameter backup"))
         self.table.setAccessibleName(self.tr("Parameters in the file and in the arm"))
         self.only_differences.setText(self.tr("Only differences"))
@@ -397,7 +397,7 @@ class BackupDialog(ArmDialog):
             self._start_reading()
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Nobody looks any more: ask no more."""
+        """Stop reading the arm."""
         self._reader.stop()
         self._drop_file()
         super().closeEvent(event)
@@ -457,7 +457,7 @@ class BackupDialog(ArmDialog):
         )
 
     def open_file(self, path: Path) -> None:
-        """Compare a file with the arm; one that cannot be read leaves everything as it was."""
+        """Compare a file with the arm; one that cannot be read changes nothing."""
         self._drop_file()
         self._reading_file = Job(partial(self._on_file, path))
         self._background.begin_here(self._reading_file, read_backup, path)

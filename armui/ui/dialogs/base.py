@@ -1,4 +1,4 @@
-"""What every dialog of the program shares: the emergency stop, and a change of language."""
+"""The parts shared by all dialogs: the emergency stop, and a change of language."""
 
 from __future__ import annotations
 
@@ -24,24 +24,24 @@ _MARGIN_PX: Final = 20
 _GAP_PX: Final = 14
 _EDGE_PX: Final = 16
 FRAME: Final = QMargins(8, 36, 8, 8)
-"""What window systems draw around a window, its title above all; it must be in reach."""
+"""The frame that window systems draw around a window; its title must stay reachable."""
 
 
 @runtime_checkable
 class HasRoomForQuestions(Protocol):
-    """A window that says where small windows may lie over it; no stop button lies there."""
+    """A window with an area for small windows, which never cover its stop button."""
 
     def room_for_questions(self) -> QRect:
-        """In pixels of the desktop."""
+        """Return the area in pixels of the desktop."""
 
 
 def place(dialog: QDialog) -> None:
-    """Move a dialog to the right edge of that room, and to its top, and fit it on the screen.
+    """Move a dialog to the top right of that area, and fit it on the screen.
 
-    One that is wider than the room begins at its left edge; one that is higher goes on below.
+    One that is wider than the area begins at its left edge; a higher one extends below.
 
     Args:
-        dialog: Before it is shown; without a window that has such a room Qt finds its place.
+        dialog: The dialog before it is shown; Qt places it if no window has such an area.
     """
     parent = dialog.parentWidget()
     window = dialog if parent is None else parent.window()
@@ -64,14 +64,14 @@ def place(dialog: QDialog) -> None:
 
 
 def screens() -> list[Place]:
-    """What a window can fill of each screen, the main one first."""
+    """Return the usable area of each screen, the main one first."""
     main = QGuiApplication.primaryScreen()
     ordered = [main, *(each for each in QGuiApplication.screens() if each is not main)]
     return [place_of(each.availableGeometry().marginsRemoved(FRAME)) for each in ordered]
 
 
 def place_of(rect: QRect) -> Place:
-    """A rectangle of Qt as plain figures."""
+    """Return a rectangle of Qt as a plain place."""
     return Place(rect.x(), rect.y(), rect.width(), rect.height())
 
 
@@ -81,16 +81,16 @@ def _rect_of(place: Place) -> QRect:
 
 
 def on_screen(place: Place) -> QRect:
-    """Where a window opens that stood at a place: wholly on a screen there is."""
+    """Return the rectangle for a window at a stored place, completely on an existing screen."""
     return _rect_of(fitted(place, screens()))
 
 
 class CloseButton(Translated, QPushButton):
-    """Names itself.
+    """A button that closes a dialog.
 
     Args:
-        dialog: What it closes.
-        on_enter: Whether Enter presses it wherever in the dialog.
+        dialog: The dialog it closes.
+        on_enter: True if Enter presses it anywhere in the dialog.
     """
 
     def __init__(self, dialog: QDialog, *, on_enter: bool = False) -> None:
@@ -101,23 +101,23 @@ class CloseButton(Translated, QPushButton):
         self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
-        """Its word in the operator's language."""
+        """Set the text in the operator's language."""
         self.setText(self.tr("Close"))
 
 
 class ArmDialog(Translated, KeepsFocus, QDialog):
     """A dialog with its title, halt and emergency stop at the top.
 
-    It never blocks the main window: the stop there stays within reach too. Escape closes it.
+    It never blocks the main window, so the stop there stays within reach, too. Escape closes it.
 
     Args:
-        controller: Whom the emergency stop tells.
+        controller: Receives the emergency stop.
         parent: The window it belongs to and stays in front of.
 
     Attributes:
-        body: Where its own content goes.
-        footer: Where its buttons go, from left to right.
-        commands: What the command palette offers of it.
+        body: The layout for its own content.
+        footer: The layout for its buttons, from left to right.
+        commands: Its commands for the command palette.
     """
 
     commands: Sequence[Command] = ()
@@ -138,15 +138,15 @@ class ArmDialog(Translated, KeepsFocus, QDialog):
         in_column(header, (self.body, 1), self.footer, on=self, spacing=_GAP_PX, margins=_MARGIN_PX)
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each of its commands, by the command's name."""
+        """Return the target of each of its commands, by the command's name."""
         return {}
 
     def add_to_header(self, widget: QWidget) -> None:
-        """Put something between the title and the stops."""
+        """Add a widget between the title and the stops."""
         self._header.insertWidget(1, widget, 0, Qt.AlignmentFlag.AlignVCenter)
 
     def set_title(self, title: str) -> None:
-        """Name the dialog, in its frame and at its top."""
+        """Set the title in the frame and at the top of the dialog."""
         self.setWindowTitle(title)
         self._heading.setText(title)
 
@@ -159,13 +159,13 @@ class ArmDialog(Translated, KeepsFocus, QDialog):
         self.activateWindow()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """The keyboard goes to the first control of the content, never to halt or stop."""
+        """Focus the first control of the content, never halt or stop."""
         super().showEvent(event)
         if not event.spontaneous() and self.focusWidget() in {None, self.halt_button}:
             self.go_on_from(self.stop_button, forward=True)
 
     def event(self, event: QEvent) -> bool:
-        """Grow where text goes on below and would be cut; Qt counts the height of one line only."""
+        """Grow if wrapped text would be cut; Qt's size hint counts only one line of it."""
         done = super().event(event)
         if event.type() == QEvent.Type.LayoutRequest and self.isVisible():
             room = self.screen().availableGeometry().marginsRemoved(FRAME)
@@ -178,14 +178,14 @@ class ArmDialog(Translated, KeepsFocus, QDialog):
         return done
 
     def moveEvent(self, event: QMoveEvent) -> None:
-        """Where the operator has put it, it opens again."""
+        """Remember that the operator has moved the dialog: it reopens at the same place."""
         super().moveEvent(event)
         if event.spontaneous() and self.isVisible():
             self._moved = True
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language; called anew when that changes."""
+        """Set all texts in the operator's language; called again when that changes."""
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        """A figure can be shown as a curve."""
+        """Offer to show the figure as a curve."""
         offer_curves(self, event)

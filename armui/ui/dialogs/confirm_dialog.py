@@ -40,18 +40,19 @@ def confirm(
     concerns_arm: bool = True,
     still: Callable[[], bool] = lambda: True,
 ) -> ConfirmDialog:
-    """Ask, without holding up anything; an older question of the same title is withdrawn.
+    """Ask a question without blocking; an older question of the same title is withdrawn.
 
     Args:
         parent: The window that asks.
         controller: Whom the emergency stop in the question tells.
         title: The question in a few words.
-        text: What will physically happen, and what to do before.
-        action_label: What the button does, in a word.
+        text: The physical effect, and what to do before.
+        action_label: The button's action in a word.
         on_confirmed: Called when the operator agrees.
         hold: The button must be held for a second.
-        concerns_arm: It is withdrawn when another arm, or none, is there; see `ConfirmDialog`.
-        still: Whether what it says is still so; it is withdrawn when not.
+        concerns_arm: True to withdraw it when another arm or none is connected; see
+            `ConfirmDialog`.
+        still: Returns whether its text still holds; otherwise it is withdrawn.
 
     Returns:
         The open question; it deletes itself once answered.
@@ -76,23 +77,24 @@ def confirm(
 
 
 class ConfirmDialog(ArmDialog):
-    """Says what is going to happen; nothing does unless the button that names it is pressed.
+    """Describes an action, which only happens if the button with its name is pressed.
 
     Enter and Escape both mean no. Its emergency stop stops, and never asks a question itself.
 
-    It is asked about the arm that is there when it is made, and withdraws itself, with a line that
-    says why, as soon as that is another one, or what it says is no more so. What is pressed is
-    looked at once more by what is heard at that very moment.
+    It is about the arm that is connected when it is created, and withdraws itself with a line on
+    the reason as soon as that is another one, or its text no longer holds. This is checked again at
+    the press, by the newest state of the arm.
 
     Args:
-        controller: Whom the emergency stop tells.
+        controller: Receives the emergency stop.
         parent: The window that asks.
         title: The question in a few words.
-        text: What will physically happen, and what to do before.
-        action_label: What the button does, in a word.
-        hold: The button must be held for a second: for what a double click must not do.
-        concerns_arm: It is about the arm that is there now. A question about files is not.
-        still: Whether what it says is still so.
+        text: The physical effect, and what to do before.
+        action_label: The button's action in a word.
+        hold: True if the button must be held for a second: for actions that a double click must not
+            cause.
+        concerns_arm: True if it is about the connected arm, as opposed to files.
+        still: Returns whether its text still holds.
     """
 
     def __init__(
@@ -146,7 +148,7 @@ class ConfirmDialog(ArmDialog):
             super().accept()
 
     def holds(self) -> bool:
-        """Tell whether the arm and what was said are as they were; withdraw the question if not."""
+        """Return whether arm and text are unchanged; withdraw the question if not."""
         asked_for = self._asked_for
         if asked_for is not None and not asked_for.is_still(self._controller.mark):
             reason = ARM_CHANGED()
@@ -163,15 +165,15 @@ class ConfirmDialog(ArmDialog):
             self.holds()
 
     def show_text(self, text: str) -> None:
-        """Say something else."""
+        """Replace the text."""
         self._text.setText(text)
 
     def text(self) -> str:
-        """What it says."""
+        """Return the text."""
         return self._text.text()
 
     def retranslate_ui(self) -> None:
-        """Only what is not the asker's: how to answer."""
+        """Set the dialog's own texts; the asker sets the others."""
         self._hint.setText(self.tr("Hold the button, or the space bar on it, for one second."))
         self.cancel_button.setText(self.tr("Cancel"))
 
@@ -181,16 +183,16 @@ class ConfirmDialog(ArmDialog):
 
 
 class SaveQuestion(ConfirmDialog):
-    """Save, discard, or stay.
+    """A question with the choices to save, discard, or stay.
 
     Args:
-        controller: Whom the emergency stop tells.
+        controller: Receives the emergency stop.
         parent: The window that asks.
-        text: What has not been saved.
-        concerns_arm: It would be saved to the arm.
+        text: The text on what has not been saved.
+        concerns_arm: True if it would be saved to the arm.
 
     Signals:
-        save_wanted: The changes shall be saved; accepted alone, they shall be discarded.
+        save_wanted: The changes shall be saved; `accepted` alone means that they are discarded.
     """
 
     save_wanted = Signal()
@@ -211,7 +213,7 @@ class SaveQuestion(ConfirmDialog):
         self.footer.insertWidget(self.footer.count() - 1, self.save_button)
 
     def allow_saving(self, reason: str) -> None:
-        """Offer to save, or say in the button's tooltip why that cannot be done now."""
+        """Enable saving, or disable it with the reason in the button's tooltip."""
         enable_or_explain(self.save_button, reason)
 
     def _on_save(self) -> None:
@@ -221,12 +223,12 @@ class SaveQuestion(ConfirmDialog):
 
 
 class LeaveQuestion(SaveQuestion):
-    """Save a trajectory, discard what was changed in it, or stay.
+    """A question with the choices to save a trajectory, discard its changes, or stay.
 
     Args:
-        controller: Whom the emergency stop tells.
+        controller: Receives the emergency stop.
         parent: The editor.
-        name: Of the trajectory.
+        name: The name of the trajectory.
     """
 
     def __init__(self, controller: ArmController, parent: QWidget, name: str) -> None:
@@ -237,11 +239,11 @@ class LeaveQuestion(SaveQuestion):
 
 
 class CloseQuestion(ConfirmDialog):
-    """End the motion and close, let it finish and close, or stay.
+    """A question with the choices to end the motion and close, let it finish and close, or stay.
 
     Signals:
-        let_finish: The program shall be closed and the arm go on to its target; accepted, the
-            motion shall be ended before.
+        let_finish: The program shall close and the arm go on to its target; `accepted` means that
+            the motion is ended before.
     """
 
     let_finish = Signal()

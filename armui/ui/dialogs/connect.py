@@ -1,4 +1,4 @@
-"""The window 连接机械臂: which devices are there, connect and disconnect (manual 1.0.1)."""
+"""The window 连接机械臂: lists devices, connects and disconnects (manual 1.0.1)."""
 
 from __future__ import annotations
 
@@ -54,27 +54,30 @@ from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Text
 
 _BITRATES: Final = (DEFAULT_BITRATE, 500_000)
-"""Today's hardware, and what generation 1's protocol text says."""
+"""The bit rates of today's hardware, and of generation 1's protocol text."""
 
 _SIZE_PX: Final = (820, 620)
 _LIST_PX: Final = 194
-"""The titles and five devices: adapters of a bench, and the simulated arm below them."""
+"""The height for the titles and five devices: adapters of a bench, and the simulated arm below
+them.
+"""
 _BOX_PX: Final = 190
 
 Leaving = Callable[[QWidget, Callable[[], object]], object]
-"""Given the window that asks and what to go on with, now or once the operator agrees."""
+"""Called with the window that asks and a function to go on with, now or once the operator agrees.
+"""
 _MOST: Final = 1
-"""The gravest alone: 诊断 tells all of them."""
+"""Only the gravest is shown: 诊断 lists all of them."""
 
 
 class ManualEntry(Translated, QWidget):
-    """Interface and channel as python-can names them.
+    """Fields for interface and channel as python-can names them.
 
     Args:
         interfaces: The back-ends to offer; others can be typed.
 
     Signals:
-        entered: The :class:`Device` that was named.
+        entered: The :class:`Device` that was entered.
     """
 
     entered = Signal(object)
@@ -100,7 +103,7 @@ class ManualEntry(Translated, QWidget):
         self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.interface_label.setText(self.tr("Interface"))
         self._channel_label.setText(self.tr("Channel"))
         self.channel_edit.setPlaceholderText(self.tr("e.g. COM5, /dev/ttyACM0, 239.0.0.1"))
@@ -133,15 +136,15 @@ class ManualEntry(Translated, QWidget):
 
 
 class AdapterTrouble(Translated, QWidget):
-    """There while something is wrong with an adapter.
+    """A line shown while an adapter has a fault.
 
     Args:
-        background: Where it is looked for.
-        look: Finds it out.
-        adapter: Sets an adapter up by a click; without, there are the commands to copy.
+        background: Runs the examination.
+        look: Returns the faults.
+        adapter: Sets an adapter up by a click; without it commands are shown for copying.
 
     Signals:
-        told: Other findings are shown, or the same in other words: it needs other room.
+        told: The text has changed, so that it needs other room.
     """
 
     told = Signal()
@@ -165,7 +168,7 @@ class AdapterTrouble(Translated, QWidget):
         self.hide()
 
     def examine(self) -> None:
-        """Look anew."""
+        """Examine the adapters again."""
         self._background.begin_here(Job(self._take), self._look)
 
     def _take(self, findings: list[Diagnosis] | Refusal) -> None:
@@ -173,7 +176,7 @@ class AdapterTrouble(Translated, QWidget):
         self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
-        """Say it in the operator's language."""
+        """Set the text in the operator's language."""
         for row in self._rows:
             self._column.removeWidget(row)
             row.deleteLater()
@@ -190,9 +193,9 @@ class ConnectDialog(ArmDialog):
     Args:
         controller: Searches and connects.
         parent: The main window.
-        before_leaving: Asks about what is not saved, before the arm is left for another or none.
-        kept_models: Which model was chosen for which arm.
-        background: Where it is looked for what is wrong with an adapter; nothing is by default.
+        before_leaving: Asks about unsaved work before the arm is disconnected or changed.
+        kept_models: The models chosen for arms.
+        background: Runs the examination of adapters; by default there is none.
 
     Signals:
         diagnosis_wanted: The operator wants to know why a device, or no arm, answers.
@@ -246,7 +249,7 @@ class ConnectDialog(ArmDialog):
         self.retranslate_ui()
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
+        """Return the target of each command, by the command's name."""
         return {
             "connect.model": self.model_choice.box,
             "connect.listen_only": self.listen_only_box,
@@ -302,7 +305,7 @@ class ConnectDialog(ArmDialog):
         fill(self.footer, self.disconnect_button, self.connect_button, CloseButton(self))
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.set_title(self.tr("Connect arm"))
         self._table.setAccessibleName(self.tr("CAN devices"))
         self.refresh_button.setText(self.tr("Refresh"))
@@ -326,7 +329,7 @@ class ConnectDialog(ArmDialog):
     # What the operator does -------------------------------------------------------------------
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Search at each opening, as the manual has it."""
+        """Search for devices at each opening, as in the manual."""
         super().showEvent(event)
         if not event.spontaneous():
             self._table.setFocus()
@@ -454,7 +457,7 @@ class ConnectDialog(ArmDialog):
         return same_device(device, self._operating_state.device)
 
     def _is_connected_so(self, device: Device) -> bool:
-        """Whether it is connected as the model that is chosen."""
+        """Return whether it is connected as the model that is chosen."""
         return self._is_connected(device) and (
             self.model_choice.model is self._operating_state.model
         )

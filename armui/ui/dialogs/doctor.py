@@ -1,4 +1,4 @@
-"""The window 诊断: what is wrong with this computer, the bus and the arm, and what mends it."""
+"""The window 诊断: faults of this computer, the bus and the arm, with their remedies."""
 
 from __future__ import annotations
 
@@ -40,12 +40,12 @@ _AT_ONCE: Final = 8
 
 
 def judge_connected(controller: ArmController, *, frames: int, seconds: float) -> list[Diagnosis]:
-    """Findings about the arm on the open device; none where no device is open.
+    """Return the findings on the arm on the open device; none if no device is open.
 
     Args:
-        controller: Who hears it.
-        frames: So many frames were received while it was listened to.
-        seconds: So long that was.
+        controller: Gives the arm's state.
+        frames: The number of frames received while listening.
+        seconds: The time of listening.
     """
     now = controller.operating_state
     if now.device is None:
@@ -76,20 +76,43 @@ def judge_connected(controller: ArmController, *, frames: int, seconds: float) -
     return findings
 
 
-class DoctorDialog(ArmDialog):
-    """Examines at each opening, in a process of its own; an open device is left alone.
+def with_connected(
+    controller: ArmController, findings: list[Diagnosis], *, frames: int, begun_s: float
+) -> list[Diagnosis]:
+    """Return findings with those about the arm on the open device in the place of others.
 
     Args:
-        controller: Tells about the arm that is connected.
+        controller: Who hears it.
+        findings: Of an examination, which leaves an open device alone.
+        frames: So many had been received when it began.
+        begun_s: When that was, by `time.monotonic`.
+    """
+    seconds = time.monotonic() - begun_s
+    heard = max(0, controller.state.frames - frames)
+    connected = judge_connected(controller, frames=heard, seconds=seconds)
+    if connected:
+        findings = [each for each in findings if each.section is not Section.ARM]
+    return [*findings, *connected]
+
+
+class DoctorDialog(ArmDialog):
+    """Examines at each opening, in a process of its own; an open device is not disturbed.
+
+    Args:
+        controller: Gives the state of the connected arm.
         parent: The main window.
-        examine: Begins an examination.
+        examine: Starts an examination.
         adapter: Sets an adapter up by a click.
+
+    Signals:
+        report_wanted: The operator wants to report a problem.
     """
 
     commands = (
         Command("doctor.copy", Text("DoctorDialog", "Copy report")),
         Command("doctor.again", Text("DoctorDialog", "Run again")),
     )
+    report_wanted = Signal()
     _told = Signal(object, object)
 
     def __init__(
@@ -101,6 +124,7 @@ class DoctorDialog(ArmDialog):
     ) -> None:
         super().__init__(controller, parent)
         self._adapter = adapter or AdapterLine(controller)
+        self._adapter.listens_elsewhere = self._listens_to
         self._controller = controller
         self._examine = examine
         self._device: Device | None = None
@@ -112,6 +136,7 @@ class DoctorDialog(ArmDialog):
         self._build()
         self.resize(*_SIZE_PX)
         self.copy_button.clicked.connect(self._on_copy)
+        self.report_button.clicked.connect(self.report_wanted)
         self.again_button.clicked.connect(self.examine)
         self._adapter.changed.connect(self._on_adapter_changed)
         # queued, for an answer may come while the examination is being begun
@@ -119,7 +144,7 @@ class DoctorDialog(ArmDialog):
         self.retranslate_ui()
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
+        """Return the target of each command, by the command's name."""
         return {"doctor.copy": self.copy_button, "doctor.again": self.again_button}
 
     # Layout -----------------------------------------------------------------------------------
@@ -132,17 +157,20 @@ class DoctorDialog(ArmDialog):
         self._note = text_label(rank="muted", wraps=True, plain=True)
         self._area = named("doctor_findings", bare_area())
         self.copy_button = push_button("doctor_copy", on_enter=False)
+        self.report_button = push_button("doctor_report", on_enter=False)
         self.again_button = push_button("doctor_again", on_enter=False)
         self.close_button = CloseButton(self)
         self.close_button.setDefault(True)
         shown = (self._message, self._progress, self._adapter, (self._area, 1), self._note)
         fill(self.body, *shown)
-        fill(self.footer, self.copy_button, STRETCH, self.again_button, self.close_button)
+        kept = (self.copy_button, self.report_button)
+        fill(self.footer, *kept, STRETCH, self.again_button, self.close_button)
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.set_title(self.tr("Diagnosis"))
         self.copy_button.setText(self.tr("Copy report"))
+        self.report_button.setText(self.tr("Report a problem…"))
         self.again_button.setText(self.tr("Run again"))
         self._note.setText(
             self.tr("Only looked and listened: nothing was sent. In a terminal: armui doctor")
@@ -152,7 +180,7 @@ class DoctorDialog(ArmDialog):
     # What the operator does -------------------------------------------------------------------
 
     def examine_device(self, device: Device | None) -> None:
-        """Open the dialog for a device that could not be connected, or ``None``: for all."""
+        """Open the dialog for a device that could not be connected, or for all with ``None``."""
         self._device = device
         self.open()
 
@@ -162,7 +190,7 @@ class DoctorDialog(ArmDialog):
         self.examine()
 
     def examine(self) -> None:
-        """Begin anew."""
+        """Start the examination again."""
         self._end()
         self._number += 1
         number = self._number
@@ -182,6 +210,13 @@ class DoctorDialog(ArmDialog):
         bitrate = [] if device.bitrate is None else ["--bitrate", str(device.bitrate)]
         return ["--interface", device.interface, "--channel", str(device.channel), *bitrate]
 
+    def _listens_to(self, interface: str) -> bool:
+        """Whether an examination that begins now listens to an interface."""
+        if self._controller.operating_state.device is not None or not self.isVisible():
+            return False
+        device = self._device
+        return device is None or device.simulated or str(device.channel) == interface
+
     def _on_adapter_changed(self) -> None:
         if self.isVisible():
             self.examine()
@@ -190,7 +225,7 @@ class DoctorDialog(ArmDialog):
         QGuiApplication.clipboard().setText(self.report())
 
     def report(self) -> str:
-        """The report as text, for a support mail."""
+        """Return the report as text, for a support mail."""
         findings = self._findings()
         answers = any(each.kind == ARM for each in findings)
         return as_text(findings, WORDS, arm_answers=answers, asked=False)
@@ -203,13 +238,9 @@ class DoctorDialog(ArmDialog):
         self._under_way = None
         self._answer = answer
         if not isinstance(answer, str):
-            began_s, frames = self._began
-            seconds = time.monotonic() - began_s
-            heard = max(0, self._controller.state.frames - frames)
-            connected = judge_connected(self._controller, frames=heard, seconds=seconds)
-            if connected:
-                answer = [each for each in answer if each.section is not Section.ARM]
-            self._answer = [*answer, *connected]
+            begun_s, frames = self._began
+            self._answer = with_connected(self._controller, answer, frames=frames, begun_s=begun_s)
+        self._adapter.tell_heard(self._answer)
         self._refresh()
 
     def _findings(self) -> list[Diagnosis]:
@@ -274,14 +305,14 @@ class DoctorDialog(ArmDialog):
     # The end ----------------------------------------------------------------------------------
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Nobody waits for an examination any more."""
+        """Cancel the examination."""
         self._end()
         self._adapter.end()
         self._refresh()
         super().closeEvent(event)
 
     def reject(self) -> None:
-        """Escape does the same."""
+        """Cancel the examination and close, by Escape."""
         self._end()
         self._adapter.end()
         super().reject()

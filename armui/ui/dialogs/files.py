@@ -1,4 +1,4 @@
-"""Choosing files and folders, and saving something to one."""
+"""Lets the operator choose files and folders, and writes files."""
 
 from __future__ import annotations
 
@@ -36,19 +36,19 @@ _QTS_OWN: Final = (
     QT_TRANSLATE_NOOP("QFileSystemModel", "Size"),
     QT_TRANSLATE_NOOP("QAbstractFileIconProvider", "Folder"),
 )
-"""Texts of Qt for which its translation has another word than is usual, or none: ours counts."""
+"""Texts for which Qt's translation is unusual or missing; our translation is used."""
 
 
 class FileExport(QObject):
-    """What the exports of plots, events and the picture share.
+    """The common part of the exports of plots, events and the picture.
 
     Args:
         controller: For the emergency stop in the file chooser.
-        background: Where files are written.
-        window: Whom the file chooser belongs to.
+        background: Writes files.
+        window: The parent of the file chooser.
 
     Signals:
-        said: What has become of it, and its :class:`Level`.
+        said: The text on the result, and its :class:`Level`.
     """
 
     said = Signal(str, object)
@@ -94,16 +94,16 @@ class FileExport(QObject):
 
 
 class FileDialog(QFileDialog):
-    """Qt's own file chooser: the system's could hold neither the stop button nor the stop key.
+    """Qt's own file chooser: the system's could have neither the stop button nor the stop key.
 
     Args:
-        controller: Whom the emergency stop tells.
+        controller: Receives the emergency stop.
         parent: The window it belongs to.
-        title: What the file is for.
-        name_filter: As Qt writes it: ``Robot description (*.urdf)``.
+        title: The purpose of the file.
+        name_filter: The filter in Qt's notation: ``Robot description (*.urdf)``.
         start: The folder to begin in, or a file in it.
-        new_file: The name to propose for a file that is to be written; its ending is added where
-            the operator types none. ``None``: an existing file is chosen.
+        new_file: The proposed name of a file to be written; its suffix is added if the operator
+            types none. ``None`` to choose an existing file.
     """
 
     def __init__(
@@ -168,7 +168,7 @@ def choose_file(
     start: Path | None = None,
     new_file: str | None = None,
 ) -> FileDialog:
-    """Let the operator choose a file, without holding up anything; see :class:`FileDialog`.
+    """Let the operator choose a file without blocking; see :class:`FileDialog`.
 
     Returns:
         The open chooser; it deletes itself when closed.
@@ -187,7 +187,7 @@ def choose_folder(
     on_chosen: Callable[[Path], object],
     start: Path | None = None,
 ) -> FileDialog:
-    """Let the operator choose a folder, in the same way.
+    """Let the operator choose a folder without blocking.
 
     Returns:
         The open chooser; it deletes itself when closed.

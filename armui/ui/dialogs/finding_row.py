@@ -1,4 +1,4 @@
-"""One finding of the diagnosis: how grave, what, and the buttons or commands that mend it."""
+"""One finding of the diagnosis: severity, text, and the buttons or commands that remedy it."""
 
 from __future__ import annotations
 
@@ -20,33 +20,35 @@ _ICON_PX: Final = 18
 _GAP_PX: Final = 10
 
 WORDS: Final = Words(QCoreApplication.translate)
-"""The words of the diagnosis in the language chosen."""
+"""The texts of the diagnosis in the present language."""
 
 
 _KBIT: Final = {"1000000": "1 Mbit/s", "500000": "500 kbit/s"}
 
 Remedy = tuple[str, ...]
-"""A verb of the adapter's helper and its words, as a finding has it."""
+"""A verb of the adapter's helper with its arguments, as in a finding."""
 
 
 class SetsUpAdapters(Protocol):
-    """Who carries out remedies."""
+    """Carries out remedies."""
 
     def is_there(self) -> bool:
-        """Whether it can: the package has brought the helper."""
+        """Return whether the helper of the package is installed."""
 
     def choose(self, remedy: Remedy) -> None:
-        """A button was pressed."""
+        """Carry out the remedy of a pressed button."""
 
 
 def remedy_label(remedy: Remedy) -> str:
-    """What the button of a remedy says."""
+    """Return the text of a remedy's button."""
     verb, subject, *rest = remedy
     if verb == "up":
         said = QCoreApplication.translate("FindingRow", "Switch on: {bitrate}")
         return said.format(bitrate=_KBIT.get(rest[0], rest[0]))
     if verb == "reset":
         return QCoreApplication.translate("FindingRow", "Bring back to the bus")
+    if verb == "down":
+        return QCoreApplication.translate("FindingRow", "Switch off")
     if verb == "forget":
         return QCoreApplication.translate("FindingRow", "Forget…")
     if not rest:
@@ -59,8 +61,8 @@ class FindingRow(QWidget):
     """Shows a finding.
 
     Args:
-        finding: What was found.
-        adapter: Who carries out its remedies; without, there are the commands to copy.
+        finding: The finding.
+        adapter: Carries out its remedies; without it commands are shown for copying.
     """
 
     def __init__(self, finding: Diagnosis, adapter: SetsUpAdapters | None = None) -> None:
@@ -121,7 +123,7 @@ class FindingRow(QWidget):
         self._icon.setPixmap(icons.pixmap(name, ink, _ICON_PX, self.devicePixelRatioF()))
 
     def changeEvent(self, event: QEvent) -> None:
-        """Follow the colours."""
+        """Redraw the icon after a change of colours."""
         if event.type() == QEvent.Type.PaletteChange:
             self._draw_icon()
         super().changeEvent(event)

@@ -105,6 +105,6 @@ class HelpDialog(SectionsDialog):
         self.resize(*_SIZE_PX)
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         super().retranslate_ui()
         self.set_title(self.tr("Help: 3D view"))

@@ -1,4 +1,4 @@
-"""The window 关节状态: what each driver says of itself, beside the work (manual 1.0.10)."""
+"""The window 关节状态: the reports of each driver, open beside the work (manual 1.0.10)."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ _TEXT_LEFT_PX: Final = _LEFT_PX + 2 * _MARK_PX + _GAP_PX
 _ROW_PX: Final = 40
 _SMALL: Final = 0.84
 CELL_ROLE: Final = Qt.ItemDataRole.UserRole
-"""A :class:`CellView`: what the delegate draws."""
+"""The role of a :class:`CellView`, which the delegate draws."""
 
 _DECIMALS: Final = {
     Item.SUPPLY_VOLTAGE: 1,
@@ -70,7 +70,7 @@ _DECIMALS: Final = {
     Item.DRIVER_TEMPERATURE: 0,
     Item.DRIVER_ENABLED: 1,
 }
-"""Of the figures, so that columns of them stand still."""
+"""The decimals of the figures, fixed so that columns do not jitter."""
 
 _KINDS: Final = {
     Item.SUPPLY_VOLTAGE: ("voltage",),
@@ -79,18 +79,18 @@ _KINDS: Final = {
     Item.DRIVER_TEMPERATURE: ("driver_temperature",),
     Item.DRIVER_ENABLED: ("motor_speed", "enabled"),
 }
-"""Which curves belong to a row; the others are faults of the driver."""
+"""The curves of a row; those of other rows are faults of the driver."""
 
 
 @dataclass(frozen=True, slots=True)
 class CellView:
-    """A cell ready to be drawn.
+    """The content of a cell.
 
     Attributes:
         text: The word, or the status code.
-        small: The figure behind it, and of a fault since when.
-        mark: What stands before the word; the status code has none.
-        stale: It was heard a while ago.
+        small: The figure behind it, and for a fault the time since when.
+        mark: The sign before the word; the status code has none.
+        stale: True if it is too old to count as present.
     """
 
     text: str
@@ -100,10 +100,10 @@ class CellView:
 
 
 class JointStatusModel(TableModel):
-    """Shows what a monitor knows; told by :meth:`refresh` to look.
+    """Shows the content of a monitor; updated by :meth:`refresh`.
 
     Args:
-        monitor: Knows the joints.
+        monitor: Gives the state of the joints.
     """
 
     _columns = len(JOINTS)
@@ -116,7 +116,7 @@ class JointStatusModel(TableModel):
         self._cells = {(row, column): StatusCell() for row in range(10) for column in range(6)}
 
     def refresh(self) -> None:
-        """Look at the joints and tell the view which cells have changed."""
+        """Read the joints and report the changed cells to the view."""
         if self._monitor.generation is not self._generation:
             self._generation = self._monitor.generation
             self._rows = rows(self._generation)
@@ -130,12 +130,12 @@ class JointStatusModel(TableModel):
                     self.dataChanged.emit(index, index)
 
     def retranslate(self) -> None:
-        """Every word anew: the language has changed."""
+        """Update every text after a change of language."""
         self.redraw()
         self.headerDataChanged.emit(Qt.Orientation.Vertical, 0, len(self._rows) - 1)
 
     def describe(self, index: Index) -> str:
-        """A cell in full: joint, item, word, figure, and since when."""
+        """Return the full text of a cell: joint, item, word, figure, and since when."""
         cell, item = self._cells[index.row(), index.column()], self._rows[index.row()]
         parts = [f"J{index.column() + 1}  {words.joint_item(item)} {_text(item, cell)}"]
         if item in UNITS:
@@ -147,7 +147,7 @@ class JointStatusModel(TableModel):
         return " · ".join(parts)
 
     def quantities(self, index: Index) -> list[str]:
-        """The keys of what a cell shows, as far as it can be drawn as a curve."""
+        """Return the keys of a cell's quantities that can be drawn as curves."""
         joint = JOINTS[index.column()]
         kinds = _KINDS.get(self._rows[index.row()], ("driver_faults",))
         keys = [f"arm.{kind}.{joint}" for kind in kinds]
@@ -160,7 +160,7 @@ class JointStatusModel(TableModel):
     def headerData(  # noqa: N802 - the name Qt calls
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
     ) -> Any:
-        """The joint's number above, the item's name on the left."""
+        """Return the joint's number for a column, the item's name for a row."""
         if role != Qt.ItemDataRole.DisplayRole:
             return None
         if orientation is Qt.Orientation.Horizontal:
@@ -168,7 +168,7 @@ class JointStatusModel(TableModel):
         return words.joint_item(self._rows[section])
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        """The word of a cell; more of it under the other roles."""
+        """Return the word of a cell, or more of it under the other roles."""
         if not index.isValid():
             return None
         item, cell = self._rows[index.row()], self._cells[index.row(), index.column()]
@@ -210,7 +210,7 @@ def _mark(item: Item, cell: StatusCell) -> Mark | None:
 
 
 class JointCellDelegate(QStyledItemDelegate):
-    """Draws a :class:`CellView`; a fault stands on a ground of its own."""
+    """Draws a :class:`CellView`; a fault has a background of its own."""
 
     def paint(
         self,
@@ -262,12 +262,12 @@ class JointCellDelegate(QStyledItemDelegate):
             painter.drawText(below, Qt.AlignmentFlag.AlignLeft, view.small)
 
     def sizeHint(self, _option: QStyleOptionViewItem, _index: Index) -> QSize:
-        """The columns share the table's width."""
+        """Return the height of a row; the columns share the table's width."""
         return QSize(0, _ROW_PX)
 
 
 def cell_width(table: QWidget, words: list[str]) -> int:
-    """How wide a column must be for these words, bold, behind their mark."""
+    """Return the width of a column for these words in bold, with their sign."""
     metrics = QFontMetrics(scaled_font(table, 1.0, bold=True))
     widest = max(metrics.horizontalAdvance(word) for word in words)
     small = QFontMetrics(scaled_font(table, _SMALL)).horizontalAdvance("-00.00°/s · 00:00:00")
@@ -278,11 +278,11 @@ _CLEAR: Final = Text("JointStatusDialog", "Clear error")
 
 
 class JointStatusDialog(ArmDialog):
-    """Stays open beside the work; looks at the joints only while it is shown.
+    """Stays open beside the work, and is updated only while visible.
 
     Args:
         controller: Clears errors.
-        monitor: Knows the joints.
+        monitor: Gives the state of the joints.
         parent: The main window.
     """
 
@@ -319,7 +319,7 @@ class JointStatusDialog(ArmDialog):
         self.resize(self.sizeHint())
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
+        """Return the target of each command, by the command's name."""
         names = (command.name for command in self.commands)
         return dict(zip(names, self.clear_buttons, strict=True))
 
@@ -353,7 +353,7 @@ class JointStatusDialog(ArmDialog):
             in_column(self._corner_label, on=corner, margins=(0, 0, 6, 0))
 
     def quantities_at(self, place: QPoint) -> list[str]:
-        """What the cell at a place of the dialog shows."""
+        """Return the quantities of the cell at a place of the dialog."""
         viewport = self._table.viewport()
         if not viewport.rect().contains(viewport.mapFrom(self, place)):
             return []
@@ -375,7 +375,7 @@ class JointStatusDialog(ArmDialog):
         fill(self.footer, (self._detail, 1), CloseButton(self, on_enter=True))
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.set_title(self.tr("Joint status"))
         self._corner_label.setText(self.tr("Joint"))
         self._table.setAccessibleName(self.tr("Joint status"))
@@ -426,7 +426,7 @@ class JointStatusDialog(ArmDialog):
             )
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Catch up with what went by while the window was hidden."""
+        """Update the joints, which were not updated while the window was hidden."""
         self._model.refresh()
         self._show_usable(self._controller.operating_state)
         super().showEvent(event)

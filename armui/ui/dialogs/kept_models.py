@@ -1,4 +1,4 @@
-"""Which model was chosen for which arm: kept by the adapter's serial number and the node number."""
+"""Remembers the model of each arm by the adapter's serial number and the node number."""
 
 from __future__ import annotations
 
@@ -20,37 +20,37 @@ if TYPE_CHECKING:
     from armui.settings import SettingsStore
 
 MOST: Final = 200
-"""Arms that are remembered; those connected longest ago are forgotten."""
+"""The most arms remembered; those connected longest ago are dropped."""
 
 
 class KeptModels:
-    """The choices in the settings.
+    """The chosen models in the settings.
 
     Args:
-        store: The settings; ``None``: nothing is kept.
+        store: The settings; ``None`` keeps nothing.
     """
 
     def __init__(self, store: SettingsStore | None = None) -> None:
         self._store = store
 
     def of(self, device: Device, node: str = "") -> PiperModel | None:
-        """The model that was chosen last for an arm; ``None``: none was.
+        """Return the model chosen last for an arm, or ``None``.
 
         Args:
-            device: The way to it.
-            node: Its node number, where it is known: two arms may be used on one adapter in turn.
+            device: Its device.
+            node: Its node number, if known: two arms may be used on one adapter in turn.
         """
         kept = self._kept()
         model = kept.get(device.arm_key(node)) or kept.get(device.arm_key())
         return None if model is None else PiperModel(model)
 
     def of_node(self, device: Device, node: str) -> PiperModel | None:
-        """The model that an arm with this node number had the last time at this adapter."""
+        """Return the last model of an arm with this node number at this adapter, or ``None``."""
         model = self._kept().get(device.arm_key(node)) if node else None
         return None if model is None else PiperModel(model)
 
     def keep(self, device: Device, node: str = "") -> Refusal | None:
-        """Keep the model chosen for a device; ``None``, or why it could not be written."""
+        """Store the model chosen for a device; return ``None``, or why it could not be written."""
         if self._store is None:
             return None
         kept = dict(self._kept())
@@ -65,14 +65,14 @@ class KeptModels:
 
 
 class NodeKeeper(QObject):
-    """Keeps the model of an arm by its node number, too, and recalls it when the arm names that.
+    """Stores an arm's model by its node number as well, and recalls it when the arm names that.
 
-    It is kept once the arm itself has confirmed it, and written when the arm is left: no file is
-    touched while a device is open.
+    It is kept once the arm's own feedback has confirmed it, and written at disconnecting: no file
+    is touched while a device is open.
 
     Args:
-        controller: Knows the arm.
-        kept: Where it is kept.
+        controller: Gives the arm's state.
+        kept: The store of models.
     """
 
     def __init__(self, controller: ArmController, kept: KeptModels) -> None:
@@ -108,5 +108,5 @@ class NodeKeeper(QObject):
 
 
 def last_model(models: Mapping[str, str]) -> PiperModel:
-    """The model that was chosen last of all; the PiPER where none was."""
+    """Return the model chosen last of all, or the PiPER if there is none."""
     return PiperModel(next(reversed(list(models.values())), PiperModel.PIPER))

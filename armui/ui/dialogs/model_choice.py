@@ -1,4 +1,4 @@
-"""Which arm of the family is at a device: chosen by the operator before it is connected."""
+"""The choice of a device and of its arm's model, before connecting."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 _ICON_PX: Final = 16
 LINE_GAP_PX: Final = 8
-"""Between label, field and what is said of it; of the lines below, too."""
+"""The gap between label, field and note, and between the lines below."""
 STATE, KIND, CHANNEL, SERIAL, BITRATE = range(5)
 
 _KINDS: Final = {
@@ -39,11 +39,11 @@ _KINDS: Final = {
     "udp_multicast": "UDP multicast",
     "pcan": "PCAN",
 }
-"""How the world knows a back-end, where that is not python-can's own name for it."""
+"""The common name of a back-end, if it differs from python-can's."""
 
 
 def same_device(one: Device, other: Device | None) -> bool:
-    """Whether two entries are one device: the bit rate chosen does not make it another."""
+    """Return whether two entries are one device; the bit rate does not matter."""
     return other is not None and _key(one) == _key(other)
 
 
@@ -52,7 +52,7 @@ def _key(device: Device) -> tuple[object, ...]:
 
 
 class DeviceModel(TableModel):
-    """Found, typed-in and connected devices, each once; a row a device."""
+    """The devices found, entered and connected, each once, a row for each."""
 
     _columns = BITRATE + 1
 
@@ -65,12 +65,12 @@ class DeviceModel(TableModel):
         self._link = LinkState.NO_DEVICE
 
     def show_found(self, devices: Sequence[Device]) -> None:
-        """Replace what the last search found."""
+        """Replace the devices of the last search."""
         self._found = list(devices)
         self._rebuild()
 
     def add(self, device: Device) -> int:
-        """Add a device that was typed in; its row."""
+        """Add a device that was entered, and return its row."""
         if all(not same_device(device, known) for known in self._rows):
             self._typed.append(device)
             self._rebuild()
@@ -88,11 +88,11 @@ class DeviceModel(TableModel):
             self.redraw()
 
     def device(self, row: int) -> Device | None:
-        """The device of a row; ``None`` if there is no such row."""
+        """Return the device of a row, or ``None`` if there is no such row."""
         return self._rows[row] if 0 <= row < len(self._rows) else None
 
     def row_of(self, device: Device | None) -> int:
-        """The row of a device; −1 if it has none."""
+        """Return the row of a device, or −1 if it has none."""
         rows = (row for row, known in enumerate(self._rows) if same_device(known, device))
         return next(rows, -1)
 
@@ -115,7 +115,7 @@ class DeviceModel(TableModel):
     # What Qt asks -----------------------------------------------------------------------------
 
     def titles(self) -> Sequence[str]:
-        """State, kind, channel, serial number, bit rate."""
+        """Return the titles: state, kind, channel, serial number, bit rate."""
         return (
             self.tr("State"),
             self.tr("Kind"),
@@ -125,7 +125,7 @@ class DeviceModel(TableModel):
         )
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        """The words of a cell; under ``UserRole`` whether its device is connected."""
+        """Return the text of a cell; under ``UserRole`` whether its device is connected."""
         device = self.device(index.row())
         if device is None:
             return None
@@ -168,7 +168,7 @@ class DeviceModel(TableModel):
 
 
 def bitrate_text(bitrate: int | None) -> str:
-    """A bit rate as CAN people write it."""
+    """Return a bit rate in the usual notation."""
     if bitrate is None:
         return NOTHING
     if bitrate % 1_000_000 == 0:
@@ -177,10 +177,10 @@ def bitrate_text(bitrate: int | None) -> str:
 
 
 class ModelChoice(Translated, QWidget):
-    """A list of the models, and what is known of the choice.
+    """A list of the models, with a note on the choice.
 
     Args:
-        kept: Which model was chosen for which arm.
+        kept: The models chosen for arms.
 
     Signals:
         chosen: Another model was chosen.
@@ -210,20 +210,20 @@ class ModelChoice(Translated, QWidget):
 
     @property
     def model(self) -> PiperModel:
-        """The model that is chosen."""
+        """The chosen model."""
         return PiperModel(self.box.currentData())
 
     @property
     def is_assumed(self) -> bool:
-        """Whether it is only what was offered: the operator has not touched the list."""
+        """True if it was only offered, and the operator has not changed the list."""
         return not self._by_hand
 
     def show_device(self, device: Device | None, now: OperatingState) -> None:
-        """Offer what was chosen for a device: in this connection, or the last time.
+        """Offer the model chosen for a device, in this connection or the last time.
 
         Args:
-            device: The one that is selected.
-            now: The connection.
+            device: The selected device.
+            now: The present operating state.
         """
         self._device, self._now = device, now
         if device is None:
@@ -235,12 +235,12 @@ class ModelChoice(Translated, QWidget):
         self._explain()
 
     def show_fit(self, device: Device | None, now: OperatingState) -> None:
-        """Say what the arm itself tells."""
+        """Show the result of comparing the model with the arm's feedback."""
         self._device, self._now = device, now
         self._explain()
 
     def keep(self, device: Device) -> None:
-        """The device is about to be connected as the model that is chosen."""
+        """Store the chosen model, because the device is about to be connected."""
         self._kept.keep(device)
 
     def _on_activated(self, _index: int) -> None:
@@ -286,7 +286,7 @@ class ModelChoice(Translated, QWidget):
         return self.tr("Not checked yet: the arm must stand still.")
 
     def line_up(self, *labels: QLabel) -> None:
-        """Let the labels of the rows below take as much room as the one here."""
+        """Give the labels of the rows below the same width as the one here."""
         column = (self._label, *labels)
         width = max(label.sizeHint().width() for label in column)
         for label in column:
@@ -296,7 +296,7 @@ class ModelChoice(Translated, QWidget):
         self._explain()
 
     def retranslate_ui(self) -> None:
-        """Put the words into the operator's language."""
+        """Set the texts in the operator's language."""
         self._label.setText(self.tr("Model of the arm"))
         self.box.setAccessibleName(self.tr("Model of the arm"))
         self.box.setToolTip(

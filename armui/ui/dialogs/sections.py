@@ -1,4 +1,4 @@
-"""A window to be read: sections in two columns, each a heading and lines that explain."""
+"""A window for reading: sections in two columns, each with a heading and explaining lines."""
 
 from __future__ import annotations
 
@@ -48,12 +48,12 @@ class KeyCap(QLabel):
 
 @dataclass(frozen=True, slots=True)
 class HelpSection:
-    """A heading and its lines: what to do or see, and what it does or means.
+    """A heading and its lines: an action or a sign, and its effect or meaning.
 
     Attributes:
-        heading: Of the section.
-        lines: Left and right; what is in no language is a plain string.
-        keys: What is on the left of a line is a key or a gesture.
+        heading: The heading.
+        lines: The left and right texts; those without a translation are plain strings.
+        keys: True if the left texts are keys or gestures.
     """
 
     heading: Text
@@ -62,13 +62,13 @@ class HelpSection:
 
 
 class SectionsDialog(ArmDialog):
-    """Shows them; who derives from it gives it its title.
+    """Shows the sections; subclasses set the title.
 
     Args:
-        controller: Whom the emergency stop tells.
+        controller: Receives the emergency stop.
         parent: The main window.
         left, right: The columns.
-        gaps_px: Within a line, and between two.
+        gaps_px: The gaps within a line, and between two.
     """
 
     def __init__(
@@ -119,13 +119,13 @@ class SectionsDialog(ArmDialog):
                 left.setText(what)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Let the lines be as high as their text in the fonts of the style sheet."""
+        """Update the heights of the lines for the fonts of the style sheet."""
         super().showEvent(event)
         layout = self._page.layout()
         if layout is not None:
             layout.invalidate()
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         for label, text in self._texts:
             label.setText(text.text())

@@ -45,20 +45,21 @@ if TYPE_CHECKING:
 _SIZE_PX: Final = (680, 500)
 _STEP_WIDTH_PX: Final = 110
 _LANGUAGES: Final = (("zh", "中文"), ("en", "English"))
-"""Each in its own words: who cannot read the present language must find their own."""
+"""The languages, each in its own name, so that its readers find it."""
 
 
 class SettingsDialog(ArmDialog):
-    """Changes the program's settings; each holds at once and is saved.
+    """Changes the program's settings; each takes effect at once and is saved.
 
     Args:
         store: The settings.
-        controller: Whom the emergency stop tells.
+        controller: Receives the emergency stop.
         parent: The main window.
 
     Signals:
         diagnosis_wanted: The operator wants to know what is wrong.
         about_arm_wanted: The operator wants to know which arm this is.
+        about_wanted: The operator wants to know which program this is.
     """
 
     commands = (
@@ -74,6 +75,7 @@ class SettingsDialog(ArmDialog):
     )
     diagnosis_wanted = Signal()
     about_arm_wanted = Signal()
+    about_wanted = Signal()
 
     def __init__(
         self, store: SettingsStore, controller: ArmController, parent: QWidget | None = None
@@ -97,6 +99,7 @@ class SettingsDialog(ArmDialog):
         self.built_in_button.clicked.connect(self._on_built_in)
         self.diagnosis_button.clicked.connect(self.diagnosis_wanted)
         self.about_arm_button.clicked.connect(self.about_arm_wanted)
+        self.about_button.clicked.connect(self.about_wanted)
         self.gamepad_button.clicked.connect(self._on_gamepad)
         self.language_box.setFocus()
         self.retranslate_ui()
@@ -106,7 +109,7 @@ class SettingsDialog(ArmDialog):
         self._show_problem(reason)
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
+        """Return the target of each command, by the command's name."""
         return {
             "settings.gamepad": self.gamepad_button,
             "settings.stop_again": self.stop_again_box,
@@ -131,6 +134,7 @@ class SettingsDialog(ArmDialog):
         self.browse_button, self.built_in_button = (push_button(on_enter=False) for _ in range(2))
         self.diagnosis_button = push_button("diagnosis_button", on_enter=False)
         self.about_arm_button = push_button("about_arm_button", on_enter=False)
+        self.about_button = push_button("about_button", on_enter=False)
         self._gamepad_label, self._gamepad_state = QLabel(), ElidedLabel()
         self.gamepad_button = push_button("gamepad_button", on_enter=False)
         self._gamepad_dialog: GamepadDialog | None = None
@@ -158,10 +162,11 @@ class SettingsDialog(ArmDialog):
         grid.addWidget(self.stop_again_box, grid.rowCount(), 1)
         self._message = MessageLine()
         fill(self.body, grid, STRETCH, self._message)
-        fill(self.footer, self.diagnosis_button, self.about_arm_button, STRETCH, CloseButton(self))
+        told = (self.diagnosis_button, self.about_arm_button, self.about_button)
+        fill(self.footer, *told, STRETCH, CloseButton(self))
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.set_title(self.tr("Settings"))
         self._language_label.setText(self.tr("Language"))
         self._theme_label.setText(self.tr("Theme"))
@@ -196,17 +201,18 @@ class SettingsDialog(ArmDialog):
         caption(self.gamepad_button, self.tr("Gamepad…"))
         self.diagnosis_button.setText(self.tr("Diagnosis…"))
         self.about_arm_button.setText(self.tr("About this arm…"))
+        self.about_button.setText(self.tr("About armui…"))
         self._refresh()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Show what holds now."""
+        """Show the present settings."""
         super().showEvent(event)
         if not event.spontaneous():
             self._mark_jog_step(wrong=False)
             self._refresh()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """What was said stands no longer at the next opening."""
+        """Clear the message for the next opening."""
         super().hideEvent(event)
         if not event.spontaneous():
             self._problem = None

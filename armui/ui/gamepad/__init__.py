@@ -1,1 +1,1 @@
-"""What is seen of gamepads and SpaceMice: the sign in the main window, and their settings."""
+"""The gamepad's strip in the main window, and the window of its settings."""

@@ -1,4 +1,4 @@
-"""The window 手柄: jogging by gamepad or SpaceMouse switched on, tried and assigned (B22)."""
+"""The window 手柄: switches jogging by gamepad or SpaceMouse on, and assigns buttons (B22)."""
 
 from __future__ import annotations
 
@@ -73,14 +73,14 @@ _OPTIONAL: Final = frozenset({"halt", "mode"})
 
 
 class ButtonRows(Translated, QWidget):
-    """A row for each thing a button can do.
+    """A row for each action of a button.
 
     Args:
-        kind: Of the device.
+        kind: The kind of device.
     """
 
     chosen = Signal(object)
-    """An :class:`Assignment`: the operator wants it so."""
+    """Emitted with the :class:`Assignment` that the operator has chosen."""
 
     def __init__(self, kind: DeviceKind) -> None:
         super().__init__()
@@ -108,13 +108,13 @@ class ButtonRows(Translated, QWidget):
         self.retranslate_ui()
 
     def show_assignment(self, now: Assignment) -> None:
-        """Show what holds."""
+        """Show the present assignment."""
         self._now = now
         for action, box in self._boxes.items():
             box.setCurrentIndex(box.findData(getattr(now, action)))
 
     def show_down(self, down: frozenset[str]) -> None:
-        """Name the buttons that are down, and mark what they do."""
+        """Name the pressed buttons, and mark their actions."""
         names = " · ".join(gamepad_button(self._kind, name) for name in sorted(down))
         self._down.setText(self.tr("Pressed: {buttons}").format(buttons=names or "—"))
         for action, label in self._labels.items():
@@ -132,7 +132,7 @@ class ButtonRows(Translated, QWidget):
         self.chosen.emit(swapped(self._now, action, button))
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         for action, box in self._boxes.items():
             self._labels[action].setText(gamepad_action(action))
             for place, button in enumerate(self._choices(action)):
@@ -144,11 +144,11 @@ class ButtonRows(Translated, QWidget):
 
 
 class AxisBar(QWidget):
-    """Shows −1 to 1, or 0 to 1.
+    """A bar for −1 to 1, or 0 to 1.
 
     Args:
         dead_zone: The axis counts as at rest within it.
-        from_left: Whether it begins at the left, as a trigger does.
+        from_left: True if it begins at the left, as for a trigger.
     """
 
     def __init__(self, dead_zone: float, *, from_left: bool = False) -> None:
@@ -160,22 +160,22 @@ class AxisBar(QWidget):
 
     @property
     def value(self) -> float:
-        """What it shows."""
+        """The value shown."""
         return self._value
 
     def show_value(self, value: float) -> None:
-        """Show how far it is pushed."""
+        """Show a deflection."""
         value = max(-1.0, min(1.0, value))
         if value != self._value:
             self._value = value
             self.update()
 
     def sizeHint(self) -> QSize:
-        """As wide as there is room."""
+        """Return a size that uses the available width."""
         return QSize(120, _HEIGHT_PX)
 
     def minimumSizeHint(self) -> QSize:
-        """So that it can still be read."""
+        """Return the smallest readable size."""
         return QSize(70, _HEIGHT_PX)
 
     def paintEvent(self, _event: QPaintEvent) -> None:
@@ -204,10 +204,10 @@ class AxisBar(QWidget):
 
 
 class AxisRows(Translated, QWidget):
-    """A row an axis of the arm, and one for the trigger.
+    """A row for each axis of the arm, and one for the trigger.
 
     Args:
-        kind: Of the device.
+        kind: The kind of device.
     """
 
     def __init__(self, kind: DeviceKind) -> None:
@@ -233,13 +233,13 @@ class AxisRows(Translated, QWidget):
         self.retranslate_ui()
 
     def show_mode(self, mode: JogMode) -> None:
-        """What the axes move."""
+        """Show the axes of a mode."""
         if mode is not self._mode:
             self._mode = mode
             self.retranslate_ui()
 
     def show_state(self, state: DeviceState | None) -> None:
-        """Show how far each axis is pushed; None: nothing is known."""
+        """Show the deflection of each axis, or nothing with None."""
         pushed = (0.0,) * 6 if state is None else deflections(state, self._mode)
         for bar, value in zip(self._bars, pushed, strict=True):
             bar.show_value(value)
@@ -248,7 +248,7 @@ class AxisRows(Translated, QWidget):
             self._share.show_text("—" if state is None else f"{100 * speed_share(state):.0f} %")
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         sources = SOURCES[self._kind][self._mode]
         for place, source in enumerate(sources):
             self._sources[place].setText(gamepad_source(source))
@@ -262,11 +262,11 @@ class AxisRows(Translated, QWidget):
 
 
 class GamepadDialog(ArmDialog):
-    """Shows what was found and how its axes stand; nothing moves while this window is in front.
+    """Shows the devices found and their axes; nothing moves while this window is in front.
 
     Args:
         store: The settings.
-        controller: Whose gamepads they are.
+        controller: Controls the gamepads.
         parent: The main window.
     """
 
@@ -337,7 +337,7 @@ class GamepadDialog(ArmDialog):
     # What is shown ----------------------------------------------------------------------------
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Show how everything stands now."""
+        """Update everything that is shown."""
         super().showEvent(event)
         if not event.spontaneous():
             self._refresh()
@@ -458,7 +458,7 @@ class GamepadDialog(ArmDialog):
         self._refresh()
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.set_title(self.tr("Gamepad and SpaceMouse"))
         caption(self.on_box, self.tr("Jog by gamepad or SpaceMouse"))
         tip = self.tr("Only the axis that was pushed first moves, until all are at rest again")

@@ -1,4 +1,4 @@
-"""The sign in the main window: what a gamepad does now, or what it waits for."""
+"""The gamepad's strip in the main window: what the gamepad does, or what it waits for."""
 
 from __future__ import annotations
 
@@ -34,20 +34,22 @@ _SIDE_PX: Final = 26
 _GROUND_SIDE_PX: Final = 16
 _PADDING_PX: Final = 6
 _A_DAY_S: Final = 86_400.0
-"""The device's own movements are watched elsewhere; those of the mouse do not count here."""
+"""A limit that never applies: the device's own movements are watched elsewhere, and those of the
+mouse do not count here.
+"""
 
 _WAITS, _HELD, _MOVES, _WRONG = "waits", "held", "moves", "wrong"
 
 
 class GamepadStrip(Translated, QWidget):
-    """One line, only while a gamepad is switched on; it keeps its room then.
+    """One line, visible only while a gamepad is switched on.
 
-    It also says to the controller when there is no place to jog from: neither the main window nor
-    a page taken out of it in front, a menu open, the main window minimised or hidden.
+    It also tells the controller when jogging is not possible: neither the main window nor a page
+    taken out of it is in front, a menu is open, or the main window is minimised or hidden.
 
     Args:
-        controller: Whose gamepads they are.
-        store: Says whether they are switched on.
+        controller: Controls the gamepads.
+        store: The setting that switches them on.
     """
 
     def __init__(self, controller: ArmController, store: SettingsStore) -> None:
@@ -73,7 +75,7 @@ class GamepadStrip(Translated, QWidget):
 
     @property
     def text(self) -> str:
-        """What it says now."""
+        """The present text."""
         return self._text.text()
 
     def _choose(self, settings: Settings) -> None:
@@ -132,7 +134,7 @@ class GamepadStrip(Translated, QWidget):
         self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
-        """Say it in the operator's language."""
+        """Set the text in the operator's language."""
         if self._view is None:
             return
         text = self._sentence(self._view)
@@ -186,15 +188,15 @@ class GamepadStrip(Translated, QWidget):
         }[self._state]
 
     def sizeHint(self) -> QSize:
-        """One line."""
+        """Return the size of one line."""
         return QSize(300, max(self.fontMetrics().height(), _ICON_PX) + 2 * _PADDING_PX)
 
     def minimumSizeHint(self) -> QSize:
-        """No lower, and as narrow as may be."""
+        """Return the height of one line without a minimal width."""
         return QSize(0, self.sizeHint().height())
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw the ground of what matters now."""
+        """Draw the background in the colour of the present severity."""
         if self._state == _WAITS:
             return
         fill, _ink = self._paint_colors(colors_of(self))

@@ -1,1 +1,1 @@
-"""The user guide: its text, its window, and which of its sections belongs where."""
+"""The user guide: its text, its window, and the section for each place in the program."""

@@ -1,4 +1,4 @@
-"""Shows one section of the guide, its pictures as wide as there is room."""
+"""Shows one section of the guide, with pictures as wide as there is room."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ _NOTHING: Final = QImage()
 
 
 class GuideBrowser(QTextBrowser):
-    """Reads no file itself: pictures come from another thread, and are there when they are.
+    """Shows a section; pictures are read in another thread, and appear when they have come.
 
     Args:
-        background: Where pictures are read.
-        folder: The guide's.
+        background: Reads pictures.
+        folder: The guide's folder.
 
     Signals:
-        section_wanted: A link to another section was clicked: its name.
+        section_wanted: A link to another section was clicked, with the section's name.
     """
 
     section_wanted = Signal(str)
@@ -52,16 +52,16 @@ class GuideBrowser(QTextBrowser):
 
     @property
     def section(self) -> GuideSection | None:
-        """What it shows."""
+        """The section shown."""
         return self._section
 
     def picture_width(self, name: str) -> float:
-        """How wide a picture is shown, in pixels; 0: it is not."""
+        """Return the width at which a picture is shown, in pixels; 0 if it is not shown."""
         picture = self._fitted.get(name)
         return 0.0 if picture is None else picture.deviceIndependentSize().width()
 
     def show_section(self, section: GuideSection, words: tuple[str, ...] = ()) -> None:
-        """Show a section, and mark words in it."""
+        """Show a section, with these words marked."""
         self._section, self._words = section, words
         self._show(keep_place=False)
         missing = [name for name in section.pictures if name not in self._pictures]
@@ -120,18 +120,18 @@ class GuideBrowser(QTextBrowser):
             self.section_wanted.emit(url.fragment())
 
     def loadResource(self, _kind: int, name: QUrl | str) -> Any:  # noqa: N802 - the name Qt calls
-        """What was not brought from the other thread is not there: no file is looked for here."""
+        """Return a picture that has been read; no file is opened here."""
         return self._fitted.get(QUrl(name).toString(), _NOTHING)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Pictures follow the width, once it stands."""
+        """Scale the pictures to the new width, once it has settled."""
         super().resizeEvent(event)
         if event.size().width() != event.oldSize().width():
             self._resized.start()
 
 
 def read_pictures(folder: Path, names: Sequence[str]) -> dict[str, bytes]:
-    """The files of pictures that are there; not in the GUI thread."""
+    """Return the files of those pictures that exist; not for the GUI thread."""
     found = {}
     for name in names:
         file = folder / name

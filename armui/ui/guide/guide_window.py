@@ -29,11 +29,11 @@ _INDENT: Final = "    "
 
 
 class GuideWindow(ArmDialog):
-    """Reads the guide of the language that is shown, in another thread.
+    """Shows the guide in the present language, read in another thread.
 
     Args:
-        controller: Whom the emergency stop tells.
-        background: Where files are read.
+        controller: Receives the emergency stop.
+        background: Reads files.
         parent: The main window.
         read: Reads the sections of a language.
     """
@@ -83,7 +83,7 @@ class GuideWindow(ArmDialog):
 
     @property
     def shown(self) -> str:
-        """The section that is shown; empty: none yet."""
+        """The name of the section shown; empty if none is."""
         section = self.browser.section
         return "" if section is None else section.anchor
 
@@ -137,7 +137,7 @@ class GuideWindow(ArmDialog):
             self.browser.show_section(section, tuple(self.search.text().split()))
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.set_title(self.tr("User guide"))
         self.search.setPlaceholderText(self.tr("Search the guide"))
         self.search.setAccessibleName(self.tr("Search the guide"))

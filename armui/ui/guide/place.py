@@ -1,4 +1,4 @@
-"""Which section of the guide belongs to where the operator is."""
+"""Finds the guide's section for the place where the operator is."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ FIRST: Final = "start"
 
 _WINDOWS: Final[Mapping[str, str]] = {
     "AboutArmDialog": "about_arm",
+    "AboutDialog": "about",
     "BackupDialog": "backup",
     "BinDialog": "library",
     "BusPage": "bus",
@@ -30,13 +31,14 @@ _WINDOWS: Final[Mapping[str, str]] = {
     "KeepDialog": "doctor",
     "LibraryPage": "library",
     "PlotPage": "plots",
+    "ProblemReportDialog": "report",
     "RecordingPage": "recording",
     "ReplayWindow": "replay",
     "SessionsWindow": "sessions",
     "SettingsDialog": "settings",
     "ShortcutList": "keys",
 }
-"""By the class of a window or of a page in the main window."""
+"""The section by the class of a window or of a page in the main window."""
 
 _REGIONS: Final[Mapping[str, str]] = {
     "ArmView": "view",
@@ -47,14 +49,14 @@ _REGIONS: Final[Mapping[str, str]] = {
     "StatusBar": "window",
     "TopBar": "window",
 }
-"""By the class of a part of the main window that has the keyboard."""
+"""The section by the class of the part of the main window that has the focus."""
 
 
 def section_of(pages: Iterable[QWidget | None], panel: str) -> str:
-    """Return the section of the place that has the keyboard.
+    """Return the section for the place that has the focus.
 
     Args:
-        pages: The pages that stand in the main window.
+        pages: The pages in the main window.
         panel: The key of the panel that is chosen there.
     """
     focus = QApplication.focusWidget()
@@ -70,7 +72,7 @@ def section_of(pages: Iterable[QWidget | None], panel: str) -> str:
 
 
 def windows_named() -> set[str]:
-    """The classes of the windows and pages that have a section."""
+    """Return the classes of the windows and pages that have a section."""
     return set(_WINDOWS)
 
 

@@ -1,4 +1,4 @@
-"""The text of the guide in sections, each with the name by which it is opened. Pure."""
+"""The text of the guide in sections, each with a name. Pure."""
 
 from __future__ import annotations
 
@@ -16,20 +16,22 @@ _ANCHOR: Final = re.compile(r'^<a id="([a-z_]+)"></a>$', re.MULTILINE)
 _HEADING: Final = re.compile(r"^(#+) (.+)$", re.MULTILINE)
 _PICTURE: Final = re.compile(r"!\[[^\]]*\]\(([^)]+)\)")
 _NUMBERS: Final = re.compile(r"^<!-- ([MPB0-9 ]+) -->\n+", re.MULTILINE)
-"""Functions of the manual (M), of the protocol (P) and of this program (B)."""
+"""A comment with numbers of functions of the manual (M), of the protocol (P) and of this program
+(B).
+"""
 _MARKUP: Final = re.compile(r"[*`_|#>\[\]()!-]")
 
 
 @dataclass(frozen=True, slots=True)
 class GuideSection:
-    """A part of the guide that is shown by itself.
+    """A section of the guide, shown by itself.
 
     Attributes:
         anchor: Its name, the same in both languages.
         title: Its heading.
-        level: 1 for the whole guide's first page, 2 for a chapter, 3 for a part of one.
-        text: The whole of it as Markdown, its heading included.
-        functions: The numbers of the functions it tells of, for the tests.
+        level: 1 for the guide's first page, 2 for a chapter, 3 for a part of one.
+        text: Its whole Markdown text with its heading.
+        functions: The numbers of the functions it describes, for the tests.
     """
 
     anchor: str
@@ -40,12 +42,12 @@ class GuideSection:
 
     @property
     def pictures(self) -> tuple[str, ...]:
-        """The files of its pictures, as the text names them."""
+        """The files of its pictures, as named in the text."""
         return tuple(_PICTURE.findall(self.text))
 
 
 def parse(text: str) -> list[GuideSection]:
-    """Divide the guide at its anchors; what stands before the first one is left out.
+    """Split the guide at its anchors; text before the first one is left out.
 
     Raises:
         ValueError: A section has no heading.
@@ -68,17 +70,17 @@ def parse(text: str) -> list[GuideSection]:
 
 
 def read_guide(language: str) -> list[GuideSection]:
-    """Read the guide of a language; not in the GUI thread.
+    """Return the sections of the guide in a language; not for the GUI thread.
 
     Raises:
         OSError: It cannot be read.
-        ValueError: It is not as it should be.
+        ValueError: Its structure is wrong.
     """
     return parse(read_file(FOLDER / f"{language}.md").decode())
 
 
 def search(sections: Sequence[GuideSection], query: str) -> list[GuideSection]:
-    """Those in which every word of a query stands; the ones with it in their titles first."""
+    """Return the sections that contain every word of a query, those with title matches first."""
     words = query.lower().split()
     if not words:
         return list(sections)

@@ -1,4 +1,4 @@
 """The panels of the operation area, one file each.
 
-What only one panel uses stands beside it. No panel knows another.
+Parts used by one panel only are beside it. Panels do not import each other.
 """

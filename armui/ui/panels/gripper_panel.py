@@ -52,10 +52,10 @@ from armui.ui.words.text import Text
 
 
 class MeasureChoice(QWidget):
-    """Two buttons, one of them chosen.
+    """Two buttons to choose between an opening and an angle.
 
     Signals:
-        chosen: Whether angles are to be told.
+        chosen: True if angles shall be commanded.
     """
 
     chosen = Signal(bool)
@@ -80,17 +80,17 @@ class MeasureChoice(QWidget):
         return self._group.buttons()
 
     def show_choice(self, *, by_angle: bool, why_not: str) -> None:
-        """Show what counts now.
+        """Show the present choice.
 
         Args:
-            by_angle: Whether angles are told.
-            why_not: The reason against angles; empty: there is none.
+            by_angle: True if angles are commanded.
+            why_not: The reason against angles; empty if there is none.
         """
         (self._angle if by_angle else self._opening).setChecked(True)
         enable_or_explain(self._angle, why_not, self.tr("Tells the gripper an angle."))
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._label.setText(self.tr("Set by"))
         caption(self._opening, self.tr("Opening (mm)"), whose=self._label.text())
         caption(self._angle, self.tr("Angle (°)"), whose=self._label.text())
@@ -105,16 +105,16 @@ _ENDS: Final = {
 _ACTS: Final = ("enable", "disable", "clear", "zero")
 
 _Kind = tuple[Generation, bool]
-"""The generation, and whether the second one is told angles."""
+"""The generation, and whether angles are commanded in the second one."""
 _WIDEST: Final = "-000.000 rad/s"
 _LABEL_PX: Final = 58
 
 
 class GripperRow(QWidget):
-    """A field, a slider, the measured value; with − and + where a step acts at once.
+    """A field, a slider, the measured value, and optionally − and + that act at once.
 
     Args:
-        figure: What it is; its widgets are called ``gripper_<figure>_field``, ``…_slider``.
+        figure: The quantity; its widgets are named ``gripper_<figure>_field``, ``…_slider``.
         steps: Whether it has − and +.
 
     Signals:
@@ -164,7 +164,7 @@ class GripperRow(QWidget):
 
     @property
     def figure(self) -> Figure:
-        """What it is."""
+        """The quantity of the row."""
         return self._figure
 
     def refusal(self) -> Refusal | None:
@@ -183,7 +183,7 @@ class GripperRow(QWidget):
         }
 
     def set_figure(self, figure: Figure) -> None:
-        """Take another range of the same quantity."""
+        """Set another range of the same quantity."""
         if figure != self._figure:
             self._figure = figure
             self.slider.set_limits(0.0, figure.usual)
@@ -191,17 +191,17 @@ class GripperRow(QWidget):
             self.retranslate_ui()
 
     def show_value(self, value: float | None) -> None:
-        """Put a figure into field and slider without telling anyone."""
+        """Set field and slider to a figure without emitting a signal."""
         self.field.show_value(value)
         self._after_change()
 
     def show_measured(self, value: float | None, *, stale: bool) -> None:
-        """Show what the gripper says."""
+        """Show the value reported by the gripper."""
         self.measured.show_text(fmt.with_unit(value, self._figure.unit), stale=stale)
         self.slider.show_measured(None if stale else value)
 
     def allow_steps(self, why_not: str) -> None:
-        """Enable − and +, or disable them and say why."""
+        """Enable − and +, or disable them with the reason."""
         for button, tip in (
             (self.minus, self.tr("Closes the gripper by {step} at once. Hold to go on.")),
             (self.plus, self.tr("Opens the gripper by {step} at once. Hold to go on.")),
@@ -225,7 +225,7 @@ class GripperRow(QWidget):
         self.field.show_attention(wanted=wrong)
 
     def retranslate_ui(self) -> None:
-        """Put names and ranges into the operator's language."""
+        """Set names and ranges in the operator's language."""
         figure = self._figure
         name = words.gripper_figure(figure.name)
         self._label.setText(name)
@@ -247,7 +247,7 @@ _COMMANDS: Final = (
 
 
 class GripperPanel(Panel):
-    """Target and measured values of the gripper, the buttons for its power, its errors in words."""
+    """Target and measured values of the gripper, its power, and its errors in words."""
 
     commands = (
         Command("gripper.send", operation=operation_of(GripperControl.move)),
@@ -287,7 +287,7 @@ class GripperPanel(Panel):
         self.retranslate_ui()
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
+        """Return the target of each command, by the command's name."""
         opening, angle = self._measure.buttons
         return {
             "gripper.send": self._send,
@@ -543,7 +543,7 @@ class GripperPanel(Panel):
         )
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._title.setText(self.tr("Gripper control"))
         self._measure.retranslate_ui()
         whose = self._title.text()

@@ -56,16 +56,16 @@ LIGHT_NOT_A_NUMBER = Reason(
 
 
 FULL: Final = 255
-"""The highest grey value."""
+"""The highest value of a colour channel."""
 
 _PAGE: Final = 16
 _HEIGHT_PX: Final = 44
 _BRIGHT: Final = 0.45
-"""From this luminance on, black is read better than white."""
+"""From this luminance on black text is more readable than white."""
 
 
 class ColorStrip(QWidget):
-    """Shows one colour with its hexadecimal value in it; without a colour it is hatched."""
+    """Shows one colour with its hexadecimal value; hatched without a colour."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -78,20 +78,20 @@ class ColorStrip(QWidget):
         return fmt.NOTHING if self._color is None else self._color.name().upper()
 
     def show_color(self, color: QColor | None) -> None:
-        """Show a colour, or that there is none."""
+        """Show a colour, or none with ``None``."""
         self._color = color
         self.update()
 
     def sizeHint(self) -> QSize:
-        """As large as it wants to be."""
+        """Return the preferred size."""
         return QSize(200, _HEIGHT_PX)
 
     def minimumSizeHint(self) -> QSize:
-        """No smaller than that."""
+        """Return the smallest size."""
         return QSize(100, _HEIGHT_PX)
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw it."""
+        """Draw the strip."""
         colors = colors_of(self)
         painter = painting.begin(self)
         fill = colors.sunken if self._color is None else self._color.name()
@@ -113,10 +113,10 @@ def _luminance(color: QColor) -> float:
 
 
 class ChannelRow(QWidget):
-    """A grey value of 0–255; the field takes other figures too and is marked then.
+    """A channel value of 0–255; the field accepts other figures, too, and is marked then.
 
     Args:
-        name: For the names of slider and field: ``<name>_slider``, ``<name>_field``.
+        name: The first part of the names of slider and field: ``<name>_slider``, ``<name>_field``.
 
     Signals:
         edited: The operator changed the value.
@@ -139,12 +139,12 @@ class ChannelRow(QWidget):
 
     @property
     def value(self) -> int | None:
-        """The grey value, or ``None`` if the field holds none."""
+        """The channel value, or ``None`` if the field holds none."""
         value = self.field.value
         return None if value is None or not 0 <= value <= FULL else int(value)
 
     def show_value(self, value: int) -> None:
-        """Show a grey value without telling anyone."""
+        """Set the value without emitting a signal."""
         self.field.show_value(value)
         self._after_change()
 
@@ -164,7 +164,7 @@ class ChannelRow(QWidget):
         self.field.show_attention(wanted=wrong)
 
     def describe(self, name: str, tip: str) -> None:
-        """Name the channel in the operator's language."""
+        """Set the channel's name in the operator's language."""
         self.label.setText(name)
         for widget in (self.slider, self.field):
             describe(widget, name, tip)
@@ -182,9 +182,9 @@ _PICKER: Final = (
 
 
 class ColorDialog(ArmDialog):
-    """Qt's own picker beside the stop; what is picked counts at once.
+    """Qt's own colour picker beside the stop; a picked colour takes effect at once.
 
-    It has no eye-dropper: that would grab the mouse, and the stop could not be pressed.
+    The eye-dropper is removed: it would grab the mouse, so that the stop could not be pressed.
 
     Signals:
         picked: The operator has picked a colour.
@@ -207,17 +207,17 @@ class ColorDialog(ArmDialog):
         self.retranslate_ui()
 
     def show_color(self, color: QColor) -> None:
-        """Show a colour without telling anyone."""
+        """Show a colour without emitting a signal."""
         with QSignalBlocker(self._picker):
             self._picker.setCurrentColor(color)
 
     def open(self) -> None:
-        """Show it; Escape may have hidden the picker in it."""
+        """Show the dialog, with the picker, which Escape may have hidden."""
         self._picker.show()
         super().open()
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.set_title(self.tr("Colour of the lamps"))
 
 
@@ -225,10 +225,10 @@ _LAMPS: Final = Text("Action", "Lamps of")
 
 
 class LightPanel(Panel):
-    """What is to be sent to the lamps; it never claims to know what colour they have.
+    """The colour to be sent to the lamps; their actual colour is not known.
 
-    Fields, sliders and a picker are three ways to the same colour. Everything stays as it was left
-    while another panel is used.
+    Fields, sliders and a picker are three ways to the same colour. The choices are kept while
+    another panel is used.
     """
 
     commands = (
@@ -264,7 +264,7 @@ class LightPanel(Panel):
         self.retranslate_ui()
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
+        """Return the target of each command, by the command's name."""
         return {
             "light.all": self._all_lamps,
             "light.pick": self._pick,
@@ -315,7 +315,7 @@ class LightPanel(Panel):
     # -- the colour ---------------------------------------------------------------------------
 
     def color(self) -> QColor | None:
-        """Return the colour in the fields, or ``None`` if one of them holds no grey value."""
+        """Return the colour in the fields, or ``None`` if one of them is invalid."""
         red, green, blue = (self._rows[name].value for name in _CHANNELS)
         if red is None or green is None or blue is None:
             return None
@@ -424,7 +424,7 @@ class LightPanel(Panel):
         self._say(self._refusal or standing or self._first_wrong())
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._title.setText(self.tr("Light control"))
         self._joint_label.setText(words.light_figure("joint"))
         for joint in JOINTS:

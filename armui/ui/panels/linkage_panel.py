@@ -36,7 +36,7 @@ _BASES: Final = {"feedback": (0x2A1, 0x2A8), "control": (0x150, 0x15F), "target"
 
 
 class LinkagePanel(Panel):
-    """What is to be set, which identifiers are in use, and how a teaching input is led back."""
+    """The role to be set, the identifiers in use, and the way back from a teaching input."""
 
     commands = (
         Command("linkage.input", Text("Action", "Master arm (teaching input arm)"), risky=True),
@@ -72,7 +72,7 @@ class LinkagePanel(Panel):
         self.retranslate_ui()
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
+        """Return the target of each command, by the command's name."""
         return {
             "linkage.input": self._role_buttons[LinkageRole.TEACHING_INPUT],
             "linkage.output": self._role_buttons[LinkageRole.MOTION_OUTPUT],
@@ -193,7 +193,7 @@ class LinkagePanel(Panel):
         self._say(refusal, self._event)
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._title.setText(self.tr("Linkage control"))
         self._role_label.setText(self.tr("Linkage setting"))
         for role, text in (

@@ -1,4 +1,4 @@
-"""电机设置: each motor's power, zero and errors, beside what its driver says (manual 1.0.7.7)."""
+"""电机设置: each motor's power, zero and errors, beside its driver's values (manual 1.0.7.7)."""
 
 from __future__ import annotations
 
@@ -47,10 +47,10 @@ _ACTS: Final = (
 
 
 class MotorPanel(Panel):
-    """Six rows of figures and buttons, and the buttons once more for all joints.
+    """Six rows of figures and buttons, and a row of buttons for all joints.
 
-    Disabling lets the arm drop and a wrong zero makes it run into its stops: both say so and must
-    be confirmed by holding a button.
+    Disabling lets the arm drop and a wrong zero makes it run into its stops: both show a warning
+    and must be confirmed by holding a button.
     """
 
     commands = tuple(
@@ -89,7 +89,7 @@ class MotorPanel(Panel):
         return [*(row.acts for row in self._rows), self._all]
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
+        """Return the target of each command, by the command's name."""
         numbers = (*JOINTS, ALL_JOINTS)
         return {
             f"motor.{act.value}_{number}": button
@@ -98,7 +98,7 @@ class MotorPanel(Panel):
         }
 
     def focus_joint(self, joint: int) -> None:
-        """Bring the operator to the buttons of a joint."""
+        """Focus the buttons of a joint."""
         button = self._rows[joint - 1].acts.buttons[MotorAct.ENABLE]
         button.setFocus(Qt.FocusReason.OtherFocusReason)
 
@@ -182,7 +182,7 @@ class MotorPanel(Panel):
         self._say(blocked, self._event)
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._title.setText(self.tr("Motor settings"))
         self._all_label.setText(self.tr("All joints"))
         for head, text in zip(

@@ -1,4 +1,4 @@
-"""One motor of the motor panel: what its driver says, and what can be done to it."""
+"""One motor of the motor panel: its driver's values, and its commands."""
 
 from __future__ import annotations
 
@@ -27,12 +27,12 @@ _WIDEST_CURRENT: Final = "−00.00 A"
 _WIDEST_WORD: Final = "Disabled"
 _WIDEST_VOLTAGE: Final = "00.0 V"
 FIGURE_PX: Final = 62
-"""Width of a column of figures."""
+"""The width of a column of figures."""
 COLUMN_GAP_PX: Final = 5
 
 
 class MotorAct(enum.Enum):
-    """What can be done to a motor (manual section 1.0.7.7)."""
+    """The commands to a motor (manual section 1.0.7.7)."""
 
     ENABLE = "enable"
     DISABLE = "disable"
@@ -41,7 +41,7 @@ class MotorAct(enum.Enum):
 
 
 class PowerMark(QWidget):
-    """Whether a motor is enabled, by shape and colour."""
+    """Shows by shape and colour whether a motor is enabled."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -55,7 +55,7 @@ class PowerMark(QWidget):
             self.update()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw it."""
+        """Draw the mark."""
         painter = painting.begin(self)
         center = QPointF(self.rect().center()) + QPointF(0.5, 0.5)
         state_mark.draw(painter, colors_of(self), center, _MARK_PX, self._mark, muted=self._muted)
@@ -85,7 +85,7 @@ class ActButtons(Translated, QWidget):
         self.retranslate_ui()
 
     def allow(self, act: MotorAct, why_not: str) -> None:
-        """Enable a button, or disable it and say why."""
+        """Enable a button, or disable it with the reason."""
         self.buttons[act].setEnabled(not why_not)
         self.buttons[act].setToolTip(why_not or self._tips()[act])
 
@@ -98,7 +98,7 @@ class ActButtons(Translated, QWidget):
         }
 
     def retranslate_ui(self) -> None:
-        """Put the words into the operator's language."""
+        """Set the texts in the operator's language."""
         words = {
             MotorAct.ENABLE: self.tr("Enable"),
             MotorAct.DISABLE: self.tr("Disable"),
@@ -147,7 +147,7 @@ class MotorRow(Translated, QWidget):
         self.retranslate_ui()
 
     def show_slow(self, heard: Reading[DriverSlow] | None, *, stale: bool) -> None:
-        """Show what 0x261–0x266 say."""
+        """Show the values of 0x261–0x266."""
         driver = None if heard is None else heard.value
         self._show_power(None if driver is None else driver.enabled, stale=stale)
         texts = {
@@ -165,7 +165,7 @@ class MotorRow(Translated, QWidget):
             self.figures[key].show_attention(wanted=hot and not stale)
 
     def show_fast(self, heard: Reading[DriverFast] | None, *, stale: bool) -> None:
-        """Show what 0x251–0x256 say."""
+        """Show the values of 0x251–0x256."""
         text = fmt.NOTHING if heard is None else f"{fmt.number(heard.value.current_a, 2)} A"
         self.figures["current"].show_text(text, stale=stale)
 
@@ -176,7 +176,7 @@ class MotorRow(Translated, QWidget):
         self.power.show_text(word, stale=stale)
 
     def retranslate_ui(self) -> None:
-        """Put the names into the operator's language; the words follow with the next figures."""
+        """Set the names in the operator's language; the words follow with the next values."""
         for key, name in (
             ("motor_temperature", self.tr("Motor temperature of joint {joint}")),
             ("driver_temperature", self.tr("Driver temperature of joint {joint}")),

@@ -1,4 +1,4 @@
-"""What every panel of the operation area has: a title, parts below one another, a message."""
+"""The base of every panel of the operation area: a title, parts below one another, a message."""
 
 from __future__ import annotations
 
@@ -34,28 +34,30 @@ _LEVELS: Final = {
 }
 _GAP_PX: Final = 10
 _HEAD_PX: Final = 36
-"""A title alone is as high as one with buttons beside it: what is below keeps its place."""
+"""The height of a head with or without buttons, so that the content keeps its place."""
 _SAID_ONLY_HERE: Final = UNHINDERED | {StepKind.STATUS_UNKNOWN}
-"""Steps whose line does not say why: nothing is wrong, or the panel names what is silent."""
+"""The steps whose line does not give the reason: nothing is wrong, or the panel names what is
+silent.
+"""
 
 
 def level_of(refusal: Refusal) -> Level:
-    """Return how much a reason against an action matters; the operator can mend most."""
+    """Return the severity of a reason against an action; the operator can remedy most."""
     return _LEVELS.get(refusal.reason, Level.WARNING)
 
 
 class Panel(Translated, QWidget):
-    """Shows what is new while it is seen, and catches up when it is shown again.
+    """Shows news while it is visible, and is updated when it is shown again.
 
-    A panel of its own makes its widgets, lays them out with :meth:`_stack`, listens with
-    :meth:`_listen`, and calls :meth:`retranslate_ui` as the last step of being made.
+    A subclass creates its widgets, lays them out with :meth:`_stack`, connects with
+    :meth:`_listen`, and calls :meth:`retranslate_ui` at the end of its constructor.
 
     Args:
-        controller: Whom to ask and to tell.
+        controller: The controller of the arm.
         message_name: The object name of the message.
 
     Attributes:
-        commands: What the command palette offers of it.
+        commands: Its commands for the command palette.
     """
 
     commands: Sequence[Command] = ()
@@ -75,7 +77,7 @@ class Panel(Translated, QWidget):
     # -- what a panel of its own adds ---------------------------------------------------------
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         raise NotImplementedError
 
     def _show_all(self) -> None:
@@ -93,7 +95,7 @@ class Panel(Translated, QWidget):
         """Drop what was said, if the operating state that is left explains it no more."""
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each of its commands, by the command's name."""
+        """Return the target of each of its commands, by the command's name."""
         return {}
 
     # -- what it finds here -------------------------------------------------------------------
@@ -178,7 +180,7 @@ class Panel(Translated, QWidget):
         message.setVisible(bool(message.text()) or wanted_px <= room_px)
 
     def _accepted(self, answer: Started | Refusal | None) -> bool:
-        """Show the controller's answer; whether it was a yes."""
+        """Show the controller's answer and return whether it was a yes."""
         self._refusal = refusal_of(answer)
         self._show_message()
         return self._refusal is None
@@ -223,12 +225,12 @@ class Panel(Translated, QWidget):
         )
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Catch up with what went by while the panel was hidden."""
+        """Update everything that changed while the panel was hidden."""
         super().showEvent(event)
         self._show_all()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Share the new room."""
+        """Distribute the new space."""
         super().resizeEvent(event)
         layout = self.layout()
         if layout is not None:

@@ -65,8 +65,9 @@ _NUMBER: Final[Mapping[StepKind, int]] = {
     StepKind.MOTORS_OFF: 4,
     StepKind.MOTORS_MIXED: 4,
 }
-"""Which of the four steps is due. The steps are taken in the line above the panels, where the arm's
-own word leads from one to the next."""
+"""The number of the step that is due. The steps are taken in the line above the panels, where the
+arm's feedback leads from one to the next.
+"""
 
 _OVER: Final = UNHINDERED | {StepKind.NO_DEVICE, StepKind.OPENING}
 _PHASES: Final = Texts("TeachingPhase") | {
@@ -79,7 +80,7 @@ _PHASES: Final = Texts("TeachingPhase") | {
 
 
 class TeachingExitSteps(QFrame):
-    """Four lines, the one that is due marked; hidden when there is nothing to leave."""
+    """Four lines with the step that is due marked; hidden outside of drag teaching."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -102,11 +103,11 @@ class TeachingExitSteps(QFrame):
 
     @property
     def due(self) -> int:
-        """The step that is due, 1–4; 0 when there is nothing to leave."""
+        """The step that is due, 1–4; 0 outside of drag teaching."""
         return self._due if self._leaving else 0
 
     def show_step(self, phase: TeachingPhase | None, step: Step) -> None:
-        """Follow the arm: the steps begin with drag teaching and end with a ready arm."""
+        """Show the arm's progress: the steps begin with drag teaching and end with a ready arm."""
         if phase is not None and phase is not TeachingPhase.OFF:
             self._leaving = True
         elif step.kind in _OVER:
@@ -133,7 +134,7 @@ class TeachingExitSteps(QFrame):
         )
 
     def retranslate_ui(self) -> None:
-        """Put its words into the operator's language."""
+        """Set its texts in the operator's language."""
         self._title.setText(
             self.tr("To leave drag teaching, take the steps in the line at the top:")
         )
@@ -151,7 +152,7 @@ _TEACHING_TITLES: Final = (
     (TeachingState.CONTINUE, Text("TeachingCommand", "Continue"), True),
     (TeachingState.ABORT, Text("TeachingCommand", "Terminate"), False),
 )
-"""Each command, its title, and whether it sets the arm moving: then it is shown first."""
+"""Each command with its title, and whether it moves the arm: then the page is shown first."""
 _PLAN_TITLES: Final = (
     (TrajectoryCommand.PAUSE, Text("Action", "Pause the planned motion")),
     (TrajectoryCommand.CONTINUE, Text("Action", "Continue the held motion")),
@@ -162,7 +163,7 @@ _PLAN_TITLES: Final = (
 
 
 class TeachingPanel(Panel):
-    """Offers the commands that make sense now; the others say why they do not."""
+    """The commands that make sense now; the others show why they do not."""
 
     commands = (
         *(
@@ -210,7 +211,7 @@ class TeachingPanel(Panel):
         self.retranslate_ui()
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
+        """Return the target of each command, by the command's name."""
         return {
             **{f"teaching.{each.name.lower()}": button for each, button in self._buttons.items()},
             **{
@@ -417,7 +418,7 @@ class TeachingPanel(Panel):
             self._message.show_message("")
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._title.setText(self.tr("Drag teaching"))
         self._state_label.setText(self.tr("Teaching state"))
         self._note.setText(

@@ -1,4 +1,4 @@
-"""Brings together the picture, what is chosen of it, and what the operator works at beside it."""
+"""Connects the picture, the choices for it, and the operator's work beside it."""
 
 from __future__ import annotations
 
@@ -42,13 +42,13 @@ if TYPE_CHECKING:
 
 
 class PictureExport(FileExport):
-    """Writes what is on the screen; where the picture is old, or not there, it says so instead.
+    """Exports the picture on the screen, unless it is missing or too old.
 
     Args:
-        controller: Whom the stop button of the file chooser tells.
+        controller: Receives the stop of the file chooser.
         view: Shows the picture.
         background: Writes files.
-        window: Whose the file chooser is.
+        window: The parent of the file chooser.
     """
 
     def __init__(
@@ -58,20 +58,20 @@ class PictureExport(FileExport):
         self._view = view
 
     def copy(self) -> None:
-        """Put the picture into the clipboard."""
+        """Copy the picture to the clipboard."""
         image = self._taken()
         if image is not None:
             QGuiApplication.clipboard().setImage(image)
             self.said.emit(self.tr("Picture copied"), Level.DONE)
 
     def save(self) -> None:
-        """Let the operator say where to, and write it there: as it was when it was asked for."""
+        """Let the operator choose a file for the picture as it is now."""
         image = self._taken()
         if image is not None:
             self._choose(self.tr("Save picture"), "armui", "png", partial(self.write, image))
 
     def write(self, image: QImage, path: Path) -> None:
-        """Write a picture to a file, out of the window's way."""
+        """Write a picture to a file in the background."""
         self._background.begin_here(self._job(path), _write, image, path)
 
     def _taken(self) -> QImage | None:
@@ -98,19 +98,19 @@ def _write(image: QImage, path: Path) -> None:
 
 _MM_PER_M: Final = 1000.0
 _BETWEEN_S: Final = 0.1
-"""A trail that grows is handed over this often: it is copied and drawn as a whole."""
+"""The period of updating a growing trail, which is copied and drawn as a whole."""
 
 
 class TrailKeeper:
-    """Follows the arm while the picture is seen; what went by hidden is not made up.
+    """Records the tool's way while the picture is visible.
 
-    The place is the one of the figures, the frame and the planned path in the picture: the tool
-    centre point, which is the flange where no tool is set.
+    The point is the same as for the figures, the frame and the planned path in the picture: the
+    tool centre point, which is the flange if no tool is set.
 
     Args:
-        controller: Knows the arm and what was sent to it.
+        controller: Gives the arm's state and the last setpoints.
         view: Shows the trail.
-        length_s: How many seconds of motion are shown.
+        length_s: The seconds of motion shown.
     """
 
     def __init__(self, controller: ArmController, view: ArmView, length_s: float) -> None:
@@ -123,19 +123,19 @@ class TrailKeeper:
         self._handed_over_s = 0.0
 
     def set_length(self, length_s: float) -> None:
-        """Show so many seconds of motion; 0: nothing."""
+        """Set the seconds of motion shown; 0 for none."""
         self._trail.set_length(length_s)
         if length_s <= 0:
             self._trail.clear()
         self._view.set_trail(self._trail.trail)
 
     def clear(self) -> None:
-        """Begin anew: the tool is another one."""
+        """Start again, because the tool is another one."""
         self._trail.clear()
         self._view.set_trail(None)
 
     def follow(self, state: ArmState) -> None:
-        """Take the newest state."""
+        """Add the place in the newest state."""
         operating_state = self._controller.operating_state
         if operating_state.device != self._device:
             self._device = operating_state.device
@@ -173,12 +173,12 @@ class TrailKeeper:
 _LONG_MS: Final = 6000
 _WIDEST_PX: Final = 420
 _NARROW_PX: Final = 240
-"""So wide a line stands beside the buttons at the lower right."""
+"""The width of a line beside the buttons at the lower right."""
 _NOTE_RIM_PX: Final = 11
 
 
 class PictureNote(QLabel):
-    """Stands at the lower left of the picture; the mouse goes through it."""
+    """A note at the lower left of the picture, transparent for the mouse."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -201,12 +201,12 @@ class PictureNote(QLabel):
         *,
         stays: bool = False,
     ) -> None:
-        """Say something; an empty text says nothing.
+        """Show a text; an empty text hides the note.
 
         Args:
-            words: What; something to be called has words in whichever language is chosen.
-            level: How much it matters.
-            stays: Whether it stands until something else is said.
+            words: The text, or a function that returns it in the present language.
+            level: Its severity.
+            stays: True if it stays until another text.
         """
         self._end.stop()
         self._words, self._level = words, level
@@ -226,7 +226,7 @@ class PictureNote(QLabel):
         self.setMinimumWidth(min(line_px, _NARROW_PX) if text else 0)
 
     def changeEvent(self, event: QEvent) -> None:
-        """Follow the language and the colours."""
+        """Update text and colours after a change of language or theme."""
         if event.type() == QEvent.Type.LanguageChange and not isinstance(self._words, str):
             self._write(self._words())
         elif event.type() == QEvent.Type.PaletteChange and self.text():
@@ -251,22 +251,24 @@ _M_PER_MM: Final = 0.001
 
 
 class PictureWork(QObject):
-    """Shows around the arm what the operator wants to see of it. It sends nothing to any arm.
+    """Shows around the arm what the operator has chosen.
 
-    A simulated arm of this process that is in drag teaching is led by the mouse, as by a hand.
+    It sends nothing to a real arm.
+
+    The mouse can lead a simulated arm of this process in drag teaching, as a hand would.
 
     Args:
-        controller: Knows the limits and the tool.
+        controller: Gives the limits and the tool.
         view: Shows the arm.
-        preferences: What was chosen of the picture.
+        preferences: The settings of the picture.
         background: Writes files.
         preview: Shows the path of a trajectory.
         window: The main window.
-        hand: Finds the hand that leads the simulated arm of this process.
+        hand: Gives access to the hand that leads the simulated arm of this process.
 
     Attributes:
         bar: Buttons and menu for the picture.
-        note: Says over the picture what became of something.
+        note: Shows results over the picture.
     """
 
     def __init__(
@@ -314,17 +316,17 @@ class PictureWork(QObject):
             application.focusChanged.connect(self._on_focus)
 
     def link(self, link: PreviewLink) -> None:
-        """The library is open: what is edited in it can be clicked and dragged."""
+        """Connect the picture to the library: points edited there can be clicked and dragged."""
         self._link = link
         self._view.mark_picked.connect(link.on_mark_picked)
         self._view.finding_picked.connect(link.on_finding_picked)
 
     def follow_panels(self, panel: Callable[[], QWidget | None]) -> None:
-        """Say which panel is shown: its target can be dragged."""
+        """Set the function that returns the visible panel, whose target can be dragged."""
         self._panel = panel
 
     def look(self) -> None:
-        """Stand ghost and handles where the target is now."""
+        """Move ghost and handles to the present target."""
         self._drag.look()
 
     def _target(self) -> DragTarget | None:

@@ -1,4 +1,4 @@
-"""Targets in the picture: a ghost stands at one that was typed or dragged; the arm stays."""
+"""Targets in the picture: a ghost shows one that was typed or dragged; the arm does not move."""
 
 from __future__ import annotations
 
@@ -39,9 +39,9 @@ DRAG_GIVEN_UP = Reason(
 
 
 COARSE: Final = {GripKind.AXIS: 10.0, GripKind.RING: 15.0, GripKind.JOINT: 5.0}
-"""Steps with Ctrl held: mm along an axis, degrees about one."""
+"""The steps with Ctrl held: mm along an axis, degrees about one."""
 FINE: Final = {GripKind.AXIS: 1.0, GripKind.RING: 1.0, GripKind.JOINT: 1.0}
-"""Steps with Shift held."""
+"""The steps with Shift held."""
 
 
 @dataclass(frozen=True)
@@ -49,11 +49,11 @@ class DragBase:
     """The state at the beginning of a drag.
 
     Attributes:
-        angles_deg: Of the arm, or of its ghost.
-        kind: Which handles.
+        angles_deg: The joint angles of the arm, or of its ghost.
+        kind: The kind of handles.
         tool: The tool centre point in the flange, mm and degrees.
-        kinematics: Of the arm.
-        limits: Of its joints.
+        kinematics: The arm's kinematics.
+        limits: The limits of its joints.
     """
 
     angles_deg: tuple[float, ...]
@@ -71,18 +71,18 @@ def dragged_to(
     coarse: bool = False,
     fine: bool = False,
 ) -> tuple[float, ...] | Refusal:
-    """The six angles with the handle where it was carried.
+    """Return the six joint angles with the handle at the place it was dragged to.
 
     Args:
-        base: At the beginning of the drag.
-        dragged: The handle, and how far.
-        near_deg: The angles before: of several ways the nearest is taken.
-        coarse: Only in the steps of `COARSE`: to whole coordinates of the base and whole angles of
-            a joint, of the tool's own axes to whole steps from where it was.
-        fine: Likewise, in those of `FINE`.
+        base: The state at the beginning of the drag.
+        dragged: The handle, and its distance or angle.
+        near_deg: The angles before; the nearest solution is taken.
+        coarse: True for the steps of `COARSE`: to multiples in the base's coordinates and in a
+            joint's angle, but along the tool's own axes in steps from where it was.
+        fine: Likewise, for the steps of `FINE`.
 
     Returns:
-        The angles as they can be sent, or why the arm can't stand there.
+        The angles as they can be sent, or why the arm can't reach them.
     """
     grip = dragged.grip
     steps = COARSE if coarse else FINE if fine else {}
@@ -118,40 +118,40 @@ def _rounded(angle_deg: float) -> float:
 
 
 class DragTarget(Protocol):
-    """Something that stands for a pose of the arm, and can be given another one."""
+    """A target pose of the arm that can be dragged."""
 
     def angles_deg(self) -> tuple[float, ...] | None:
-        """The six angles it stands for now; None: it stands for none."""
+        """Return the six angles of the target, or None if it has none."""
 
     def typed_deg(self) -> tuple[float, ...] | Refusal | None:
-        """Return the angles of a target that was given and not sent, or why there are none.
+        """Return the angles of a target that was given but not sent, or why there are none.
 
         Returns:
-            None: nothing was given, or somebody else shows it.
+            The angles or the reason; None if nothing was given, or another part shows it.
         """
 
     def begin(self) -> None:
-        """Begin a drag: a handle of it was taken."""
+        """Begin a drag: one of its handles was grabbed."""
 
     def is_as_begun(self) -> bool:
-        """Tell whether it still is what was taken hold of."""
+        """Return whether the target is still the one that was grabbed."""
 
     def carry(self, angles_deg: tuple[float, ...]) -> None:
-        """Show that it is being dragged there; nothing is sent."""
+        """Show the target at these angles during the drag; nothing is sent."""
 
     def drop(self, angles_deg: tuple[float, ...]) -> Refusal | None:
-        """The drag has ended there: keep it; or why it can't be kept."""
+        """End the drag at these angles; return the reason if they can't be kept."""
 
     def give_up(self, angles_deg: tuple[float, ...]) -> None:
-        """The drag was given up: stand where it stood before."""
+        """Cancel the drag, and restore the target from before it."""
 
 
 class MotionTarget:
-    """The target fields of 运动控制; 发送 sends them.
+    """The target fields of 运动控制, which 发送 sends.
 
     Args:
         panel: The panel.
-        controller: Knows the limits of the joints.
+        controller: Gives the limits of the joints.
     """
 
     def __init__(self, panel: MotionPanel, controller: ArmController) -> None:
@@ -164,7 +164,7 @@ class MotionTarget:
         self._given = self._panel.given()
 
     def is_as_begun(self) -> bool:
-        """Tell that the fields are the same; see `DragTarget`."""
+        """Return true: the fields are always the same ones; see `DragTarget`."""
         return True
 
     def angles_deg(self) -> tuple[float, ...] | None:
@@ -172,31 +172,31 @@ class MotionTarget:
         return self._panel.targets()
 
     def typed_deg(self) -> tuple[float, ...] | Refusal | None:
-        """Return the angles in the fields, or which of them is beyond its limits."""
+        """Return the angles in the fields, or the one that is beyond its limits."""
         typed = self._panel.typed()
         limits = self._controller.operating_state.limits
         return None if typed is None else check_joints(typed, limits) or typed
 
     def carry(self, angles_deg: tuple[float, ...]) -> None:
-        """Into the fields."""
+        """Put the angles into the fields."""
         self._panel.take_targets(angles_deg)
 
     def drop(self, angles_deg: tuple[float, ...]) -> Refusal | None:
-        """Leave it in the fields."""
+        """Leave the angles in the fields."""
         self._panel.take_targets(angles_deg)
         return None
 
     def give_up(self, angles_deg: tuple[float, ...]) -> None:
-        """Back into the fields; those that followed the arm go on."""
+        """Restore the fields; those that followed the arm follow it again."""
         self._panel.take_targets(angles_deg, self._given)
 
 
 class CartesianTarget:
-    """The target fields of 末端控制; MOVE P and MOVE L send them.
+    """The target fields of 末端控制, which MOVE P and MOVE L send.
 
     Args:
         panel: The panel.
-        controller: Knows the arm and its kinematics.
+        controller: Gives the arm's state and its kinematics.
     """
 
     def __init__(self, panel: CartesianPanel, controller: ArmController) -> None:
@@ -207,27 +207,27 @@ class CartesianTarget:
         self._pose = panel.targets()
 
     def begin(self) -> None:
-        """Note which fields follow the arm, and what stands in them."""
+        """Note which fields follow the arm, and their contents."""
         self._given = self._panel.given()
         self._pose = self._panel.targets()
 
     def is_as_begun(self) -> bool:
-        """Tell that the fields are the same; see `DragTarget`."""
+        """Return true: the fields are always the same ones; see `DragTarget`."""
         return True
 
     def angles_deg(self) -> tuple[float, ...] | None:
-        """Return angles for what stands in the six fields, near to where the arm is, if any."""
+        """Return angles for the pose in the fields, near the arm's own, or None if it has none."""
         pose = self._panel.targets()
         answer = None if pose is None else self._solve(pose)
         return None if isinstance(answer, Refusal) else answer
 
     def typed_deg(self) -> tuple[float, ...] | Refusal | None:
-        """Return angles for what stands in the six fields, or why the arm can't stand there."""
+        """Return angles for the pose in the fields, or why the arm can't reach it."""
         pose = self._panel.typed()
         return None if pose is None else self._solve(pose)
 
     def carry(self, angles_deg: tuple[float, ...]) -> None:
-        """Into the fields, as the pose of the tool centre point."""
+        """Put the pose of the tool centre point into the fields."""
         cartesian = self._controller.cartesian
         tool_point = poses.tool_matrix(cartesian.kinematics().matrix(angles_deg), cartesian.tool)
         self._panel.take_targets(poses.matrix_to_pose(tool_point))
@@ -237,12 +237,12 @@ class CartesianTarget:
             self._solved = (self._key(pose), angles_deg)
 
     def drop(self, angles_deg: tuple[float, ...]) -> Refusal | None:
-        """It stands there already."""
+        """Leave the pose in the fields."""
         self.carry(angles_deg)
         return None
 
     def give_up(self, _angles_deg: tuple[float, ...]) -> None:
-        """Back into the fields; those that followed the arm go on."""
+        """Restore the fields; those that followed the arm follow it again."""
         if self._pose is not None:
             self._panel.take_targets(self._pose, self._given)
 
@@ -268,28 +268,28 @@ class CartesianTarget:
 
 
 class HandGuide(Protocol):
-    """The hand that leads a simulated arm where it gives way (`armui.sim`)."""
+    """The hand that leads a simulated arm which gives way (`armui.sim`)."""
 
     def lead_to(self, joints_deg: Sequence[float], speed_deg_s: float = ...) -> None:
-        """Lead all joints to six angles; the one with the longest way turns at this speed."""
+        """Lead all joints to six angles; the joint with the longest way turns at this speed."""
 
     def let_go(self) -> None:
-        """Leave the arm where it is."""
+        """Release the arm, which stays in place."""
 
 
 _LEAD_DEG_S: Final = 30.0
-"""As a careful hand does: far below the speed at which drag teaching gives up."""
+"""The speed of a careful hand: far below the one at which drag teaching ends."""
 
 
 class LedArm:
     """A simulated arm in drag teaching, led by the mouse as a real one is by the hand.
 
-    No frame is sent for it: only the simulator in this process is told, and only of an arm that
-    gives way. A real arm is never moved by it.
+    No frame is sent for it: it only calls the simulator in this process, and only if its arm gives
+    way. It never moves a real arm.
 
     Args:
-        controller: Knows which arm is connected, and what it says of drag teaching.
-        hand: Finds the hand of the simulated arm in this process; None: there is none.
+        controller: Gives the connected arm and its state of drag teaching.
+        hand: Returns the hand of the simulated arm in this process, or None.
     """
 
     def __init__(self, controller: ArmController, hand: Callable[[], HandGuide | None]) -> None:
@@ -298,7 +298,7 @@ class LedArm:
         self._held: HandGuide | None = None
 
     def gives_way(self) -> bool:
-        """Tell whether the connected arm is the simulated one, and says that it gives way."""
+        """Return whether the simulated arm is connected and reports that it gives way."""
         now = self._controller.operating_state
         device, status = now.device, now.status
         if device is None or not device.simulated or now.link is not LinkState.ONLINE:
@@ -311,27 +311,27 @@ class LedArm:
         return self._controller.state.angles_deg()
 
     def typed_deg(self) -> None:
-        """Nothing is typed: what is led is the arm itself."""
+        """Return None: the arm itself is led, so no target is typed."""
 
     def begin(self) -> None:
-        """Take the arm by the hand."""
+        """Grab the arm."""
         self._held = self._hand()
 
     def is_as_begun(self) -> bool:
-        """Tell whether it is the same arm, and still gives way."""
+        """Return whether it is still the same arm, and gives way."""
         return self._held is not None and self._held is self._hand() and self.gives_way()
 
     def carry(self, angles_deg: tuple[float, ...]) -> None:
-        """Lead the arm there."""
+        """Lead the arm to these angles."""
         if self._held is not None:
             self._held.lead_to(angles_deg, _LEAD_DEG_S)
 
     def drop(self, angles_deg: tuple[float, ...]) -> None:
-        """Let go: the arm stays where it has come to."""
+        """Release the arm, which stays where it is."""
         self.give_up(angles_deg)
 
     def give_up(self, _angles_deg: tuple[float, ...]) -> None:
-        """Let go; an arm is not led back."""
+        """Release the arm; it is not led back."""
         if self._held is not None:
             self._held.let_go()
         self._held = None
@@ -339,18 +339,18 @@ class LedArm:
 
 _LOOK_MS: Final = 100
 _ELSEWHERE_DEG: Final = 0.05
-"""A ghost nearer to the arm than this would be one with it."""
+"""A ghost nearer to the arm than this would coincide with it."""
 
 
 class TargetDrag(QObject):
-    """Shows the target of the moment: a ghost where it was given, and handles where wanted.
+    """Shows the present target: a ghost at its pose, and handles if wanted.
 
     Args:
-        controller: Knows the arm; it is told nothing.
+        controller: Gives the arm's state; nothing is sent.
         view: Shows the handles.
         preview: Shows the ghost.
-        note: Says why something can't be reached.
-        target: What would be dragged now; None: nothing.
+        note: Shows the reason why something can't be reached.
+        target: Returns the target that can be dragged now, or None.
     """
 
     def __init__(
@@ -382,7 +382,7 @@ class TargetDrag(QObject):
         view.handle_left.connect(self._on_left)
 
     def set_kind(self, kind: HandleKind | None) -> None:
-        """Offer other handles; None: none."""
+        """Show handles of another kind, or none with None."""
         if kind is not self.kind:
             self._view.give_up_drag()
         self.kind = kind
@@ -390,7 +390,7 @@ class TargetDrag(QObject):
         self.look()
 
     def look(self) -> None:
-        """Stand ghost and handles where the target is now; unseen it costs nothing."""
+        """Move ghost and handles to the present target; does nothing while hidden."""
         if self._held is not None:
             if not self._is_as_begun(self._held):
                 self._view.give_up_drag()
@@ -429,7 +429,7 @@ class TargetDrag(QObject):
         )
 
     def _is_elsewhere(self, angles_deg: Sequence[float] | None) -> bool:
-        """Tell whether a ghost there would not be one with the arm."""
+        """Return whether a ghost there would not be one with the arm."""
         measured_deg = self._controller.state.angles_deg()
         if angles_deg is None or measured_deg is None:
             return angles_deg is not None
@@ -475,7 +475,7 @@ class TargetDrag(QObject):
         return state.link, state.model_fit.geometry, state.limits, tool
 
     def _is_as_begun(self, held: DragTarget) -> bool:
-        """Tell whether the arm and what is dragged are still the same."""
+        """Return whether the arm and what is dragged are still the same."""
         same_target = self._target() is held and held.is_as_begun()
         return same_target and self._basis() == self._began_with
 

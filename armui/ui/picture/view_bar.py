@@ -1,4 +1,4 @@
-"""The strip beside the picture: from where the arm is seen, and what is drawn around it."""
+"""The strip beside the picture: the directions of the view, and the overlays."""
 
 from __future__ import annotations
 
@@ -75,21 +75,21 @@ _HANDLE_TITLES: Final = {
     HandleKind.TOOL_FRAME: Text("Action", "Handles at the tool, along its own axes"),
     HandleKind.JOINTS: Text("Action", "Handles at the joints"),
 }
-"""Their titles in the command palette."""
+"""The titles of the handles in the command palette."""
 
 
 class ViewBar(Translated, QFrame):
-    """Buttons for the views, and a menu with everything that can be chosen of the picture.
+    """Buttons for the views, and a menu with all choices for the picture.
 
     Signals:
-        handles_wanted: Which handles are to be dragged in the picture, a `HandleKind` or None.
+        handles_wanted: The handles to show in the picture, a `HandleKind` or None.
 
     Args:
         view: Shows the arm.
         preferences: Keep the direction, the perspective, the tool's frame and the trail's length.
 
     Attributes:
-        view_actions: By name, for menus and lists of shortcuts.
+        view_actions: The actions by name, for menus and lists of shortcuts.
     """
 
     commands = (
@@ -164,7 +164,7 @@ class ViewBar(Translated, QFrame):
         return result
 
     def choose_handles(self, kind: HandleKind | None) -> None:
-        """Have other handles in the picture; None: none."""
+        """Show handles of another kind in the picture, or none with None."""
         self._handles[kind].setChecked(True)
         self._handles_button.setChecked(kind is not None)
         if kind is not None:
@@ -172,7 +172,7 @@ class ViewBar(Translated, QFrame):
         self.handles_wanted.emit(kind)
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
+        """Return the target of each command, by the command's name."""
         return {
             **{f"view.{name}": action for name, action in self.view_actions.items()},
             "view.handles": self._toggle_handles,
@@ -243,7 +243,7 @@ class ViewBar(Translated, QFrame):
         self.view_actions["follow"].setChecked(self._view.mode is ViewMode.FOLLOW)
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         for name, action in self.view_actions.items():
             shortcut = SHORTCUTS[f"view.{name}"]
             action.setText(shortcut.title.text())

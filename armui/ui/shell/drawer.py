@@ -99,7 +99,7 @@ class Drawer(Translated, QWidget):
             self.take_out_wanted.emit(self.current)
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         for entry in self._entries:
             caption(self._tabs[entry.key], entry.title.text(), tip=entry.tip.text())
         tip = self.tr("Moves this page into its own window, for a second screen.")

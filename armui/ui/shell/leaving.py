@@ -98,7 +98,7 @@ class UnsavedQuestion(SaveQuestion):
     """Save to the arm, discard, or stay; withdrawn once there is nothing left to lose.
 
     Args:
-        controller: Whom the emergency stop tells.
+        controller: Receives the emergency stop.
         parent: The window that asks.
         panels: Those in which something is not saved.
     """

@@ -80,7 +80,7 @@ class PageBar(Translated, QWidget):
         describe(self._back, self.tr("Back"), self.tr("Back to {where} (Esc)").format(where=to))
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._describe_back()
         self._take_out.setText(self.tr("Own window"))
         tip = self.tr("Moves this page into its own window, for a second screen.")

@@ -117,7 +117,7 @@ class RecoveryLine(Translated, QWidget):
 
     @property
     def _asks(self) -> bool:
-        """Whether a question about a run is the next step: nothing else stands in the way."""
+        """True if a question about a run is the next step: nothing else stands in the way."""
         return bool(self._asking) and self._step.kind is StepKind.READY
 
     @property
@@ -223,7 +223,7 @@ class RecoveryLine(Translated, QWidget):
         self._icon.setPixmap(icons.pixmap(name, ink, _ICON_PX, ratio))
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._show_step()
 
     def hasHeightForWidth(self) -> bool:  # noqa: N802 - the name Qt calls

@@ -174,11 +174,11 @@ class WatchMenu(Translated, QWidget):
         self.retranslate_ui()
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
+        """Return the target of each command, by the command's name."""
         return {entry.command.name: button for entry, button in self._buttons}
 
     def retranslate_ui(self) -> None:
-        """Put the names into the operator's language."""
+        """Set the names in the operator's language."""
         for entry, button in self._buttons:
             title = entry.title.text()
             button.setText(f" {title}")
@@ -277,7 +277,7 @@ class SideMenu(Translated, QWidget):
         self.choose(0)
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
+        """Return the target of each command, by the command's name."""
         names = (command.name for command in self.commands)
         return dict(zip(names, self._buttons, strict=True))
 

@@ -153,7 +153,7 @@ class ModelMark(Translated, QToolButton):
         self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._show(self._controller.operating_state)
 
     def _recolor(self) -> None:

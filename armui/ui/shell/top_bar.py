@@ -122,7 +122,7 @@ class SpeedControl(Translated, QWidget):
             widget.setToolTip(self.tr("The speed percentage the arm reports"))
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._label.setText(self.tr("Speed"))
         self._arm_label.setText(self.tr("Arm"))
         for widget in (self._slider, self.field):
@@ -152,7 +152,7 @@ class EnableButton(Translated, QAbstractButton):
 
     @property
     def turns_off(self) -> bool:
-        """Whether a click would disable: all six are enabled."""
+        """True if a click would disable: all six are enabled."""
         return all(self._enabled)
 
     def show_operating_state(self, operating_state: OperatingState) -> None:
@@ -427,7 +427,7 @@ class TopBar(Translated, QWidget):
         self._show_operating_state(controller.operating_state)
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
+        """Return the target of each command, by the command's name."""
         return {
             "window.connect": self._communication,
             "window.enable": self._enable,
@@ -481,5 +481,5 @@ class TopBar(Translated, QWidget):
         )
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._describe_enable(self._controller.operating_state)

@@ -83,7 +83,7 @@ class ViewRegion(Translated, QWidget):
         self._recolor()
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
+        """Return the target of each command, by the command's name."""
         return {
             "window.settings": self._settings,
             "window.reset_view": self._reset,
@@ -101,7 +101,7 @@ class ViewRegion(Translated, QWidget):
         self._view.set_covered((corner.width(), corner.height()), strip_px)
 
     def retranslate_ui(self) -> None:
-        """Put the words into the operator's language."""
+        """Set the texts in the operator's language."""
         for button, text, tip in (
             (self._help, self.tr("Help"), self.tr("How to use the 3D view")),
             (self._reset, self.tr("Reset view"), self.tr("Restores the initial view")),

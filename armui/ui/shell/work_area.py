@@ -107,7 +107,7 @@ class WorkArea(QSplitter):
 
     @property
     def shows_pages(self) -> bool:
-        """Whether a page stands in the place of the panels."""
+        """True if a page stands in the place of the panels."""
         return not self._pages.isHidden()
 
     def show_pages(self) -> None:

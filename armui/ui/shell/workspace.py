@@ -107,7 +107,7 @@ class PageWindow(ArmDialog):
             self.set_title(self._page.title)
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._name()
         self._put_back.setText(self.tr("Put back"))
         tip = self.tr("Puts this page back beside the 3D picture.")
@@ -203,7 +203,7 @@ class Workspace(QObject):
         return next((page for page in found if page.isVisible()), found[0] if found else None)
 
     def is_taken_out(self, page: Page) -> bool:
-        """Whether it stands in a window of its own now."""
+        """Return whether it stands in a window of its own now."""
         return page in self._windows
 
     def take_out(self, page: Page) -> None:

@@ -80,7 +80,7 @@ def bucket_exponent(span_s: float, width_px: int) -> int:
 
 
 def is_dense(series: Series, begin_s: float, end_s: float, width_px: int) -> bool:
-    """Whether there are too many samples to draw each of them."""
+    """Return whether there are too many samples to draw each of them."""
     return series.count_between(begin_s, end_s) > _SAMPLES_PER_PX * max(width_px, 50)
 
 

@@ -253,7 +253,7 @@ class ExportForm(Translated, QWidget):
             button.setAutoDefault(False)
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         texts = (
             self.tr("Recording"),
             self.tr("Format"),
@@ -322,7 +322,7 @@ class ExportForm(Translated, QWidget):
         return ""
 
     def has_log(self) -> bool:
-        """Whether a recording is chosen."""
+        """Return whether a recording is chosen."""
         return self._log is not None
 
     def request(self) -> ExportRequest | None:
@@ -427,7 +427,7 @@ class ExportDialog(ArmDialog):
     The export runs in a process of its own; the window goes on. Closing the dialog cancels it.
 
     Args:
-        controller: Whom the emergency stop tells.
+        controller: Receives the emergency stop.
         parent: The main window.
         begin: Begins an export.
     """
@@ -471,7 +471,7 @@ class ExportDialog(ArmDialog):
         fill(self.footer, STRETCH, self.export_button, self.close_button)
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.set_title(self.tr("Export a recording"))
         self.export_button.setText(self.tr("Export"))
         self._refresh()

@@ -107,7 +107,7 @@ class PlotBar(Translated, QWidget):
         self.spans.setCurrentIndex(place)
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.sets.clear()
         for name in SETS:
             self.sets.addItem(_SETS.text(name), name)

@@ -212,7 +212,7 @@ class PlotBoard(QWidget):
 
     @property
     def built(self) -> bool:
-        """Whether every plot is there."""
+        """True if every plot is there."""
         return len(self.panes) == len(self.plot_layout.plots)
 
     def _build_next(self) -> None:
@@ -313,7 +313,7 @@ class PlotBoard(QWidget):
 
     @property
     def has_cursors(self) -> bool:
-        """Whether any is shown."""
+        """True if any is shown."""
         return any(each is not None for each in self.cursors_s)
 
     def show_cursors(self, *, wanted: bool) -> None:
@@ -354,7 +354,7 @@ class PlotBoard(QWidget):
 
     @property
     def draws(self) -> bool:
-        """Whether it is drawing now."""
+        """True if it is drawing now."""
         return self._timer.isActive()
 
     def draw_soon(self) -> None:

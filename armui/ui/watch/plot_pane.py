@@ -440,7 +440,7 @@ class PlotPane(QWidget):
 
     @property
     def chosen(self) -> bool:
-        """Whether it is the one that is added to."""
+        """True if it is the one that is added to."""
         return self._chosen
 
     def set_chosen(self, *, wanted: bool) -> None:

@@ -172,7 +172,7 @@ class PlotPage(Page):
         self._read()
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
+        """Return the target of each command, by the command's name."""
         return {
             "plots.pause": self.bar.pause,
             "plots.undo": self.bar.undo,
@@ -250,5 +250,5 @@ class PlotPage(Page):
         self.area.say(text, level)
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.set_title(self.tr("Curves"))

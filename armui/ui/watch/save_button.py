@@ -42,7 +42,7 @@ class SaveButton(Translated, QToolButton):
         self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.setText(self.tr("Save"))
         for name, action in self.saves.items():
             action.setText(self._kinds.text(name))

@@ -64,12 +64,12 @@ class TimeFrame:
 
     @property
     def live(self) -> bool:
-        """Whether it runs with the present."""
+        """True if it runs with the present."""
         return self._shown.edge_s is None
 
     @property
     def can_undo(self) -> bool:
-        """Whether there is a zoom to be undone."""
+        """True if there is a zoom to be undone."""
         return bool(self._before)
 
     def edge_s(self, now_s: float) -> float:

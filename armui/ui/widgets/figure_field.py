@@ -67,7 +67,7 @@ class FigureField(QLineEdit):
         return True
 
     def is_nonsense(self) -> bool:
-        """Tell whether there is text that is no figure."""
+        """Return whether there is text that is no figure."""
         return bool(self.text().strip()) and self.value is None
 
     def show_attention(self, *, wanted: bool) -> None:

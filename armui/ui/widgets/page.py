@@ -74,7 +74,7 @@ class Page(Translated, QWidget):
         return {}
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each of its commands, by the command's name."""
+        """Return the target of each of its commands, by the command's name."""
         return {}
 
     # Coming and going -------------------------------------------------------------------------
@@ -106,7 +106,7 @@ class Page(Translated, QWidget):
             super().keyPressEvent(event)
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        """A figure can be shown as a curve."""
+        """Offer to show the figure as a curve."""
         offer_curves(self, event)
 
     def retranslate_ui(self) -> None:
@@ -190,7 +190,7 @@ class PageStack(StackArea):
         return page if isinstance(page, Page) else None
 
     def holds(self, page: Page) -> bool:
-        """Tell whether a page is one of these."""
+        """Return whether a page is one of these."""
         return self._stack.indexOf(page) >= 0
 
     def show_page(self, page: Page) -> None:

@@ -41,7 +41,7 @@ class ValueLabel(QWidget):
         return self._text
 
     def is_stale(self) -> bool:
-        """Tell whether the figure is too old to stand for the present."""
+        """Return whether the figure is too old to stand for the present."""
         return self._stale
 
     def show_text(self, text: str, *, stale: bool = False) -> None:

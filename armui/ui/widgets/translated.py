@@ -16,7 +16,7 @@ class Translated(_Base):
     """Of a widget that stands before its Qt class: words and colours follow what is chosen."""
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         raise NotImplementedError
 
     def _recolor(self) -> None:

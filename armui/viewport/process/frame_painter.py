@@ -1,4 +1,4 @@
-"""Draws what the view should show, and no more often than it changes."""
+"""Draws the state of the view, and no more often than it changes."""
 
 from __future__ import annotations
 
@@ -30,23 +30,23 @@ URDF_NO_MEMORY = Reason(
 
 
 _LOADING_BYTES: Final = 2 << 30
-"""More than any description within the limits of `urdf_file` takes."""
+"""More memory than any description within the limits of `urdf_file` takes."""
 _CHEAP_FRAME_S = 0.010
-"""A smooth frame that takes less is drawn while the arm moves, too."""
+"""Smooth frames that take less are drawn even while the arm moves."""
 
 
 class FramePainter:
-    """Owns the scene; lives and dies in one thread.
+    """Owns the scene; used in one thread only.
 
     Smooth edges cost little on a graphics card, but more than double the time of a frame drawn by
-    the processor. So something that moves is drawn with rough edges where smoothing was measured to
-    be slow, and `refine` draws it once more when it has come to rest.
+    the processor. So while the arm moves, edges stay rough if smoothing was measured to be slow,
+    and `refine` draws the picture again when the arm has come to rest.
 
     Args:
-        on_load_failed: told why a robot can't be shown; the one before stays.
-        on_picked: told the joint number seen at a pick, or None.
-        on_mark_picked: told the row of the mark that was clicked.
-        on_phase: told what is being done, when it takes long.
+        on_load_failed: called with the reason why a robot can't be shown; the one before stays.
+        on_picked: called with the joint number at a picked place, or None.
+        on_mark_picked: called with the row of the mark that was clicked.
+        on_phase: called with the phase of long work.
     """
 
     def __init__(
@@ -67,7 +67,7 @@ class FramePainter:
 
     @property
     def is_rough(self) -> bool:
-        """Tell whether the last picture would look better refined."""
+        """True if the last picture would look better after `refine`."""
         return self._is_rough or (self._scene is not None and self._scene.is_unfinished)
 
     @property
@@ -77,18 +77,18 @@ class FramePainter:
 
     @property
     def pixel_ratio(self) -> float:
-        """Device pixels a logical pixel of the last picture."""
+        """Device pixels for each logical pixel of the last picture."""
         return 1.0 if self._shown is None else self._shown.pixel_ratio
 
     def open(self) -> None:
-        """Import VTK, which takes a second; what reads files follows when it is needed."""
+        """Import VTK, which takes a second; the readers of files are imported when needed."""
         from armui.viewport.process import scene  # noqa: F401, PLC0415 - see above
 
     def paint(self, state: ViewState, known: Robot | None = None) -> Pixels | None:
-        """Draw a state; None when the picture is still the same.
+        """Draw a state; return None if the picture is still the same.
 
         Args:
-            state: what to show.
+            state: the state.
             known: its robot, if it was read before: the file is not read again.
 
         Raises:
@@ -112,10 +112,10 @@ class FramePainter:
         return self._render(scene, smooth=self._smooth_frame_s < _CHEAP_FRAME_S)
 
     def refine(self) -> Pixels | None:
-        """Draw the last state with smooth edges and what was being worked out.
+        """Draw the last state with smooth edges and with results that have become ready.
 
         Returns:
-            None when that is done already, or there is nothing new yet.
+            The image, or None if there is nothing to improve.
         """
         if self._scene is None:
             return None
@@ -125,7 +125,7 @@ class FramePainter:
         return self._render(self._scene, smooth=True)
 
     def close(self) -> None:
-        """Give the scene back."""
+        """Release the scene."""
         if self._scene is not None:
             self._scene.close()
             self._scene = None
@@ -173,10 +173,10 @@ class FramePainter:
 
 @contextlib.contextmanager
 def limited_memory(more_bytes: int) -> Iterator[None]:
-    """Let this process take only so much more memory meanwhile; beyond it MemoryError is raised.
+    """Limit the memory that this process may add; beyond it MemoryError is raised.
 
-    Counted from what it has now, as graphics drivers claim addresses by the gigabyte. Linux only:
-    Windows hands out no more than there is, macOS keeps no such limit.
+    It is counted from the present use, because graphics drivers reserve gigabytes of addresses.
+    Linux only: Windows allocates no more than there is, and macOS ignores such limits.
     """
     if sys.platform != "linux":
         yield

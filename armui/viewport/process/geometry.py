@@ -1,6 +1,6 @@
 """Shapes for the picture: smooth surfaces, the floor and the axes.
 
-Slow to import (VTK).
+It is slow to import (VTK).
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ _SMOOTH_BELOW_DEG = 35.0
 
 
 def smooth(surface: Surface) -> pv.PolyData:
-    """Return the same triangles with normals that run smoothly over all but sharp edges."""
+    """Return the same triangles with normals that are smooth except at sharp edges."""
     faces = np.asarray(surface.faces, int)
     triangles: pv.PolyData = pv.PolyData.from_regular_faces(surface.vertices, faces)
     # Only merged corners let normals run over from one triangle to the next.
@@ -29,9 +29,9 @@ def smooth(surface: Surface) -> pv.PolyData:
 
 
 def is_closed(surface: Surface) -> bool:
-    """Tell whether a surface bounds a body and all its triangles look outwards.
+    """Return whether a surface encloses a body and all its triangles face outwards.
 
-    Of such a body the triangles that look away from the eye are never seen: they need not be drawn.
+    The triangles of such a body that face away from the eye need not be drawn.
     """
     corners, places = np.unique(surface.vertices, axis=0, return_inverse=True)
     faces = places.reshape(-1)[np.asarray(surface.faces, np.int64)]
@@ -47,10 +47,10 @@ def is_closed(surface: Surface) -> bool:
 
 
 def floor_lines(radius_m: float, step_m: float) -> tuple[pv.PolyData, np.ndarray]:
-    """Return a square grid on the floor, cut out round.
+    """Return a round grid on the floor, made of squares.
 
     Returns:
-        The lines, in short pieces, and for each of their points how far out it lies (0 centre, 1
+        The lines in short pieces, and for each point its distance from the centre (0 centre, 1
         rim).
     """
     offsets = np.arange(-np.floor(radius_m / step_m), np.floor(radius_m / step_m) + 1) * step_m
@@ -84,7 +84,7 @@ def axis_arrow(direction: tuple[float, float, float], length_m: float) -> pv.Pol
 
 
 def actor_of(surface: pv.PolyData) -> vtkActor:
-    """Something to put into a renderer."""
+    """Return an actor for a renderer."""
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(surface)
     actor = vtkActor()
@@ -93,5 +93,5 @@ def actor_of(surface: pv.PolyData) -> vtkActor:
 
 
 def flat(matrix: Matrix) -> list[float]:
-    """Return the sixteen numbers of a 4×4 matrix, row by row, as VTK takes them."""
+    """Return the sixteen numbers of a 4×4 matrix, row by row, for VTK."""
     return [float(number) for number in matrix.ravel()]

@@ -1,4 +1,4 @@
-"""The render process: it takes one request after another and draws."""
+"""The render process: it answers one request after another with a picture."""
 
 from __future__ import annotations
 
@@ -47,14 +47,14 @@ if TYPE_CHECKING:
 
 
 _NICER_BY: Final = 5
-"""The window, the bus and the stop go first where there are too few cores for all."""
+"""The nice value's increase, so that window, bus and stop come first if there are too few cores."""
 
 _FIRST_TO_GO: Final = b"800"
 _PR_SET_PDEATHSIG: Final = 1
 
 
 def configure_process() -> None:
-    """Leave Ctrl-C to the program, do not outlive it, say where a crash was."""
+    """Set up the process: ignore Ctrl-C, end with the program, report the place of a crash."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     if sys.stderr is not None:
         faulthandler.enable()
@@ -70,10 +70,10 @@ def configure_process() -> None:
 
 
 def lower_priority() -> None:
-    """Draw behind the others, once the picture stands: to begin with, it is waited for.
+    """Lower the priority once the first picture is drawn, which is waited for.
 
-    Linux counts it for each thread by itself, and those that a driver has begun, which do most of
-    the drawing in software, are no threads of Python's.
+    Linux has a priority for each thread, and the driver's own threads, which do most of the drawing
+    in software, are not threads of Python.
     """
     if sys.platform == "linux":
         for thread in Path("/proc/self/task").iterdir():
@@ -95,7 +95,7 @@ _BEAT_S: Final = 0.2
 
 
 class Heartbeat:
-    """Sends for two threads: the one that draws, and its own, which sleeps while nothing is drawn.
+    """Sends messages for two threads: the one that draws, and its own, which sends signs of life.
 
     Args:
         connection: The pipe to the program.
@@ -113,11 +113,11 @@ class Heartbeat:
 
     @property
     def thread_id(self) -> int | None:
-        """Its own thread, as the system numbers it."""
+        """The system's number of its own thread."""
         return self._thread.native_id
 
     def send(self, message: Answer) -> None:
-        """Tell the program something.
+        """Send a message to the program.
 
         Raises:
             OSError: it has ended.
@@ -127,7 +127,7 @@ class Heartbeat:
 
     @contextmanager
     def beating(self, phase: PicturePhase) -> Iterator[None]:
-        """Give signs of life while something is done."""
+        """Send signs of life within a ``with`` block."""
         self._cpu_began_s = time.process_time()
         self._phase = phase
         self._awake.set()
@@ -137,7 +137,7 @@ class Heartbeat:
             self._phase = None
 
     def enter(self, phase: PicturePhase) -> None:
-        """Something else is done from now on: the program has other limits for it."""
+        """Change the phase, which has other time limits in the program."""
         self._cpu_began_s = time.process_time()
         self._phase = phase
         self._tell(phase)

@@ -1,11 +1,10 @@
 """A window without a screen: opens it safely and reads its pixels.
 
-VTK looks for a way to draw by itself (EGL, X, OSMesa, or Windows' own) and ends the whole process
-if it finds none. A host program of an arm must not die of a missing graphics library, so that case
-is found out before the first drawing call.
+VTK chooses a way to draw by itself (EGL, X, OSMesa, or Windows' own) and ends the whole process if
+it finds none. So this is checked before the first drawing call.
 
 Windows, actors and lights are VTK's own, not those of pyvista's plotter: that takes 0.7 s to
-import, most of it for charts and matplotlib, which the picture of an arm has no use for.
+import, most of it for charts and matplotlib, which this picture does not need.
 """
 
 from __future__ import annotations
@@ -41,7 +40,7 @@ class Pixels:
 
     @property
     def nbytes(self) -> int:
-        """The number of bytes that a copy needs."""
+        """The number of bytes of a copy."""
         return self._rows.nbytes
 
     def top_down(self) -> NDArray[np.uint8]:
@@ -49,7 +48,7 @@ class Pixels:
         return np.ascontiguousarray(self._rows[::-1])
 
     def copy_to(self, target: memoryview) -> tuple[int, int]:
-        """Write a copy as windows are painted: blue, green, red, unused, the top row first.
+        """Write a copy in the windows' format: blue, green, red, unused, the top row first.
 
         Args:
             target: `nbytes` bytes.
@@ -78,7 +77,7 @@ def _quiet_vtk() -> Iterator[None]:
 
 
 class Canvas:
-    """An off-screen window that can draw.
+    """An off-screen window for drawing.
 
     Attributes:
         renderer: where actors and lights go.
@@ -111,7 +110,7 @@ class Canvas:
         self._window.SetSize(max(width_px, 1), max(height_px, 1))
 
     def draw(self) -> Pixels:
-        """Draw.
+        """Draw the picture.
 
         Returns:
             The image, valid until the next one is drawn.
@@ -122,7 +121,7 @@ class Canvas:
         return Pixels(np.asarray(self._raw).reshape(height, width, 4))
 
     def close(self) -> None:
-        """Give the graphics memory back."""
+        """Free the graphics memory."""
         self._window.Finalize()
 
 

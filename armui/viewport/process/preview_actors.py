@@ -23,11 +23,11 @@ _MARK_PX = 11.0
 _SELECTED_PX = 17.0
 _LIT_PX = 23.0
 _NEAR_PX = 12.0
-"""How near to a mark a click counts as one on it."""
+"""The distance from a mark at which a click counts as one on it."""
 
 
 class PreviewActors:
-    """Keeps the actors of a preview in a renderer."""
+    """The actors of a preview in a renderer."""
 
     def __init__(self, renderer: vtkRenderer) -> None:
         self._renderer = renderer
@@ -39,7 +39,7 @@ class PreviewActors:
         self._pixel_ratio = 1.0
 
     def show(self, preview: Preview, palette: ScenePalette, pixel_ratio: float) -> None:
-        """Build the actors anew."""
+        """Rebuild the actors."""
         for actor in self._actors:
             self._renderer.RemoveActor(actor)
         self._actors.clear()
@@ -56,7 +56,7 @@ class PreviewActors:
         self.light(preview.current_row)
 
     def select(self, row: int | None) -> None:
-        """Let the mark of a row stand out, and none else."""
+        """Make the mark of a row stand out, and no other."""
         if self._selected is not None:
             self._renderer.RemoveActor(self._selected)
             self._selected = None
@@ -66,7 +66,7 @@ class PreviewActors:
             self._selected = self._marks(place_mm, self._palette.text, _SELECTED_PX)
 
     def light(self, row: int | None) -> None:
-        """Light the mark of the row that the arm is on its way to, and no other."""
+        """Light the mark of the row to which the arm moves, and no other."""
         for actor in self._lit:
             self._renderer.RemoveActor(actor)
         self._lit = ()
@@ -77,7 +77,7 @@ class PreviewActors:
             self._lit = (ring, self._marks(place_mm, palette.text, _MARK_PX))
 
     def row_at(self, x_px: float, y_px: float, pixel_ratio: float) -> int | None:
-        """Return the row of the mark next to a pixel from the top left; None: no mark."""
+        """Return the row of the mark next to a pixel from the top left, or None."""
         path = self._path
         if path is None or not len(path.rows):
             return None

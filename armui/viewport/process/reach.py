@@ -1,4 +1,4 @@
-"""The reach of the tool: a translucent border, and an inner one around what is out of reach."""
+"""The reach of the tool: a translucent border, and an inner one around unreachable places."""
 
 from __future__ import annotations
 
@@ -30,9 +30,9 @@ _FLOOR_OPACITY: Final = 0.6
 
 
 class ReachActor:
-    """Keeps the border in a renderer.
+    """The border in a renderer.
 
-    It is worked out beside the drawing, in a thread: pictures go on meanwhile, without it.
+    A thread computes it while pictures without it are drawn.
     """
 
     def __init__(self, renderer: vtkRenderer) -> None:
@@ -43,11 +43,11 @@ class ReachActor:
 
     @property
     def is_unfinished(self) -> bool:
-        """Tell whether what was asked for is not in the picture yet, and may come."""
+        """True if the requested border is not in the picture yet, and may come."""
         return self._job is not None and not self._actors and not self._job.has_failed
 
     def show(self, reach: Reach | None, robot: Robot, palette: ScenePalette) -> None:
-        """Show the reach of a robot as soon as it is known, or nothing."""
+        """Show the reach of a robot as soon as it is computed, or nothing."""
         job = self._job
         if reach is None:
             self._job = None
@@ -61,7 +61,7 @@ class ReachActor:
         self.catch_up()
 
     def catch_up(self) -> bool:
-        """Take what has been worked out meanwhile into the picture; whether there was anything."""
+        """Add results that are ready to the picture, and return whether there were any."""
         job, palette = self._job, self._palette
         if job is None or palette is None or self._actors or not job.is_done:
             return False
@@ -119,16 +119,16 @@ Shares = NDArray[np.float32]
 
 VOXEL_M: Final = 0.02
 _STEP_M: Final = 0.016
-"""So close together are the places that are tried of joints 3 to 6."""
+"""The distance between the places tried for joints 3 to 6."""
 _CELL_M: Final = 0.014
 _ROUND_SHOULDER: Final = 240
 _ROUND_BASE: Final = 120
-"""Cells around the axes of joints 2 and 1."""
+"""The number of cells around the axes of joints 2 and 1."""
 _SHARES: Final = (0.2, 0.5, 0.8)
 _LONGEST_M: Final = 4.0
-"""Of an arm from its base to the tool: the voxels grow with the third power."""
+"""The longest arm from base to tool: the voxels grow with the third power."""
 _POINT_M: Final = 0.001
-"""What a turn moves by less than this stays where it is."""
+"""A turn that moves a point by less than this is neglected."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -136,9 +136,9 @@ class ReachVolume:
     """A box of voxels along the axes of the base frame.
 
     Attributes:
-        shares: (nx, ny, nz) how much of each voxel can be reached, 0 to 1.
+        shares: (nx, ny, nz) the reachable share of each voxel, 0 to 1.
         origin: Centre of the first voxel, metres.
-        shoulder: Where joint 2 is at zero, metres.
+        shoulder: The place of joint 2 at zero, metres.
     """
 
     shares: Shares
@@ -146,7 +146,7 @@ class ReachVolume:
     shoulder: Array
 
     def share_at(self, places: Array) -> Array:
-        """(n,) the share of the voxels that (n, 3) places are in; 0 outside of the box."""
+        """Return (n,) the share of the voxels at (n, 3) places; 0 outside of the box."""
         at = np.rint((places - self.origin) / VOXEL_M).astype(int)
         inside = ((at >= 0) & (at < self.shares.shape)).all(axis=1)
         found = np.zeros(len(places))
@@ -167,12 +167,12 @@ class _Axis:
     rows: Array
 
     def cylindrical(self, places: Array) -> tuple[Array, Array, Array]:
-        """Angle (degrees, 0 to 360), distance and height of (n, 3) places."""
+        """Return angle (degrees, 0 to 360), distance and height of (n, 3) places."""
         out, aside, height = ((places - self.place) @ self.rows.T).T
         return np.degrees(np.arctan2(aside, out)) % 360.0, np.hypot(out, aside), height
 
     def turned(self, places: Array, angles_deg: Array) -> Array:
-        """(m × n, 3) the places after each turn about the axis."""
+        """Return (m × n, 3) the places after each turn about the axis."""
         turns = [rotation_about(self.rows[2], math.radians(each))[:3, :3] for each in angles_deg]
         spokes = places - self.place
         return np.concatenate([spokes @ turn.T for turn in turns]) + self.place
@@ -193,7 +193,7 @@ class _Grid:
     cells: Shares
 
     def share_at(self, places: Array) -> Shares:
-        """(n,) the share of the cells that (n, 3) places are in."""
+        """Return (n,) the share of the cells at (n, 3) places."""
         angles, far, heights = self.axis.cylindrical(places)
         count_angle, count_far, count_height = self.cells.shape
         at_angle = (angles * (count_angle / 360.0)).astype(int) % count_angle
@@ -205,7 +205,7 @@ class _Grid:
         return found
 
     def swept(self, limits_deg: tuple[float, float]) -> _Grid:
-        """Return the volume reached after every turn within limits."""
+        """Return the volume covered by all turns within limits."""
         count = len(self.cells)
         first, last = (round(limit * count / 360.0) for limit in limits_deg)
         wide = min(last - first + 1, count)
@@ -221,19 +221,19 @@ class _Grid:
         return replace(self, cells=cells)
 
     def soft(self) -> _Grid:
-        """Return the same volume with a border that is not a staircase."""
+        """Return the same volume with a smoothed border."""
         return replace(self, cells=_softened(self.cells, round_axis=0))
 
 
 def reached(robot: Robot, reach: Reach) -> ReachVolume:
-    """Work it out.
+    """Return the volume that the tool can reach.
 
     Args:
         robot: The arm.
         reach: Limits of its joints, and the tool.
 
     Raises:
-        ValueError: it is so long that its voxels would fill the memory.
+        ValueError: the arm is so long that its voxels would fill the memory.
     """
     axes, cloud = _at_zero(robot, reach)
     places = np.concatenate([*(axis.place[np.newaxis] for axis in axes), cloud])
@@ -348,21 +348,21 @@ def _softened(shares: Shares, round_axis: int | None = None) -> Shares:
 
 _HALF: Final = 0.5
 _LEFT_OUT: Final = 0.88
-"""Of the triangles: the border is smooth, and is drawn in every picture."""
+"""The share of the triangles removed: the border is smooth, and drawn in every picture."""
 _DIRECTIONS: Final = 400
 _DEEP_M: Final = 0.09
-"""What lies so far within counts as the border of something inside."""
+"""A border this far within the reach belongs to an inner region."""
 _SMOOTHINGS: Final = 20
 
 
 @dataclass(frozen=True, slots=True)
 class ReachShell:
-    """Surfaces in the base frame, metres.
+    """The border's surfaces in the base frame, metres.
 
     Attributes:
-        outer: What bounds the reach from without.
-        inner: What bounds places within it that can't be reached.
-        floor: Where both meet the floor, as lines.
+        outer: The outer border of the reach.
+        inner: The border of unreachable regions within.
+        floor: The lines where both meet the floor.
     """
 
     outer: pv.PolyData
@@ -371,7 +371,7 @@ class ReachShell:
 
 
 def shell_of(robot: Robot, reach: Reach) -> ReachShell:
-    """Work the border out; takes some tenths of a second."""
+    """Return the border of the reach; takes some tenths of a second."""
     volume = reached(robot, reach)
     border = _border(volume)
     border.point_data["depth"] = _depths(border.points)

@@ -1,12 +1,12 @@
-"""A six-joint arm as a URDF file describes it, and where its links are.
+"""A six-joint arm described by a URDF file, and the poses of its links.
 
 Pure data and numpy: nothing is drawn here, and nothing is imported that would slow the program's
-start. Lengths are metres and angles radians as in URDF; the joint angles handed in are the arm's
-own, in degrees, and the gripper opening in millimetres.
+start. Lengths are metres and angles radians as in URDF; the joint angles given are the arm's own,
+in degrees, and the gripper opening in millimetres.
 
-The poses are worked out here, though yourdfpy can do it too: it takes 0.60 ms for the arm's
-twelve links, this takes 0.05 ms, and the arm is posed for every picture while Python's lock keeps
-the bus thread waiting. A test compares the two.
+The poses are computed here, although yourdfpy can do it, too: it takes 0.60 ms for the arm's twelve
+links, this takes 0.05 ms, and the arm is posed for every picture while Python's lock keeps the bus
+thread waiting. A test compares the two.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ HINGES = frozenset({"revolute", "continuous"})
 
 @dataclass(frozen=True, eq=False)
 class Surface:
-    """Triangles, without the library that read them: importing it takes a second.
+    """Triangles as arrays, independent of the library that read them, whose import takes a second.
 
     Attributes:
         vertices: (n, 3) metres.
@@ -89,7 +89,7 @@ class Mimic:
 
 @dataclass(frozen=True)
 class Joint:
-    """One joint; `lower` and `upper` are radians (hinges) or metres (sliders), `axis` is a unit."""
+    """One joint; `lower` and `upper` are rad (hinges) or m (sliders), `axis` is a unit vector."""
 
     name: str
     kind: str
@@ -102,7 +102,7 @@ class Joint:
     mimic: Mimic | None
 
     def pose(self, value: float) -> Matrix:
-        """4×4 pose of the child in the parent's frame at a joint value (rad or m)."""
+        """Return the 4×4 pose of the child in the parent's frame at a joint value (rad or m)."""
         if self.kind in HINGES:
             return self.origin @ rotation_about(self.axis, value)
         if self.kind == "prismatic":
@@ -112,7 +112,7 @@ class Joint:
         return self.origin
 
     def opened(self, travel_m: float) -> float:
-        """Value of a slider this far from its closed end (zero), but within its limit."""
+        """Return the value of a slider this far from its closed end (zero), within its limit."""
         if abs(self.lower) > abs(self.upper):
             return -min(travel_m, -self.lower)
         return min(travel_m, self.upper)
@@ -123,7 +123,7 @@ class Robot:
     """Links and joints of one arm.
 
     Attributes:
-        root: name of the link everything stands on.
+        root: name of the base link.
         joints: every joint, parents before children.
         arm_joints: names of the six hinges of the arm, base first.
         parts: the shapes of all links.
@@ -135,7 +135,7 @@ class Robot:
     parts: tuple[RobotPart, ...]
 
     def link_poses(self, angles_deg: Sequence[float], opening_mm: float) -> dict[str, Matrix]:
-        """Poses of all links in the root's frame.
+        """Return the poses of all links in the root's frame.
 
         Args:
             angles_deg: six joint angles as on the bus, joint 1 first.
@@ -162,9 +162,9 @@ class Robot:
         return poses
 
     def joint_numbers(self) -> dict[str, int]:
-        """By link name, the number (1–6) of the arm joint that moves it last.
+        """Return by link name the number (1–6) of the last arm joint that moves it.
 
-        The links before joint 1 are absent.
+        The links before joint 1 are not included.
         """
         numbers: dict[str, int] = {}
         for joint in self.joints:
@@ -176,7 +176,7 @@ class Robot:
 
 
 def rotation_about(axis: NDArray[np.float64], angle_rad: float) -> Matrix:
-    """4×4 rotation about a unit axis (Rodrigues)."""
+    """Return the 4×4 rotation about a unit axis (Rodrigues)."""
     x, y, z = axis
     c, s = math.cos(angle_rad), math.sin(angle_rad)
     t = 1.0 - c
@@ -193,11 +193,11 @@ def rotation_about(axis: NDArray[np.float64], angle_rad: float) -> Matrix:
 _WAYS: Final = np.array(
     [way for way in itertools.product((-1.0, 0.0, 1.0), repeat=3) if any(way)], dtype=np.float64
 )
-"""The 26 directions in which the outermost point of a link is looked for."""
+"""The 26 directions in which the outermost point of a link is searched."""
 
 
 def shape_of(robot: Robot) -> RobotShape:
-    """Return the robot without its surfaces."""
+    """Return the shape of a robot, without its surfaces."""
     names = [robot.root, *(joint.child for joint in robot.joints)]
     places = {name: place for place, name in enumerate(names)}
     by_name = {joint.name: place for place, joint in enumerate(robot.joints)}
@@ -226,7 +226,7 @@ def _joint(
 
 
 _WIDE_M: Final = 1.0
-"""No gripper opens so far: a finger stands at its end."""
+"""More than any gripper opens, so that a finger is at its end."""
 
 
 def _rows(matrix: Matrix) -> tuple[float, ...]:

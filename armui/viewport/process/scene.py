@@ -1,6 +1,6 @@
 """The 3D picture of one arm, drawn off screen. No Qt here.
 
-A scene belongs to the thread that made it: OpenGL contexts don't travel.
+A scene belongs to the thread that created it, because OpenGL contexts cannot change threads.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ _AXES = (("X", (1.0, 0.0, 0.0)), ("Y", (0.0, 1.0, 0.0)), ("Z", (0.0, 0.0, 1.0)))
 
 
 class Stage:
-    """Floor grid, labelled axes and lights of one renderer."""
+    """The floor grid, labelled axes and lights of one renderer."""
 
     def __init__(self, renderer: vtkRenderer) -> None:
         self._renderer = renderer
@@ -71,7 +71,7 @@ class Stage:
         self._light()
 
     def paint(self, palette: ScenePalette) -> None:
-        """Take the colours of a theme."""
+        """Apply the colours of a theme."""
         background, grid = rgb(palette.background), rgb(palette.grid)
         self._renderer.SetBackground(background)
         shares = self._outward[:, np.newaxis] ** 2
@@ -84,7 +84,7 @@ class Stage:
             letter.GetProperty().SetColor(*mix(rgb(color), rgb(palette.text), 0.15))
 
     def scale_lines(self, pixel_ratio: float) -> None:
-        """Keep the floor lines as wide to the eye on screens with small pixels."""
+        """Keep the apparent width of the floor lines on screens with small pixels."""
         self._grid.GetProperty().SetLineWidth(pixel_ratio)
 
     def _unlit(self, surface: pv.PolyData) -> vtkActor:
@@ -130,11 +130,11 @@ _FADED_SHARE = 0.6
 _HIGHLIGHT_SHARE = 0.55
 _GHOST_OPACITY = 0.3
 _SAME = 1e-3
-"""Poses that differ by less, in metres and in the figures of their rotation, are one."""
+"""Poses that differ by less, in metres and in the elements of their rotation, are equal."""
 
 
 class RobotActors:
-    """Builds the actors of a robot and moves and colours them."""
+    """Builds, moves and colours the actors of a robot."""
 
     def __init__(self, robot: Robot) -> None:
         self._robot = robot
@@ -154,7 +154,7 @@ class RobotActors:
 
     @property
     def actors(self) -> list[vtkActor]:
-        """All actors, to be put into a renderer or taken out of it."""
+        """All actors, for adding them to a renderer or removing them."""
         return [actor for _, actor, _ in self._parts]
 
     def pose(self, angles_deg: Sequence[float], opening_mm: float) -> None:
@@ -164,7 +164,7 @@ class RobotActors:
             matrix.DeepCopy(flat(poses[link]))
 
     def leave_out_what_stands_on(self, other: RobotActors) -> None:
-        """Hide the links that are where another robot's are: two surfaces in one place flicker."""
+        """Hide the links that coincide with those of another robot: they would flicker."""
         for link, actor, _ in self._parts:
             own, its = self._poses.get(link), other._poses.get(link)
             is_same = own is not None and its is not None and np.abs(own - its).max() < _SAME
@@ -177,7 +177,7 @@ class RobotActors:
             palette: the theme.
             fresh: False fades the arm into the background: this pose is not what the arm reports
                 now.
-            highlighted_joint: its links take the accent colour.
+            highlighted_joint: the joint whose links have the accent colour.
         """
         for link, actor, own_color in self._parts:
             color = own_color
@@ -195,7 +195,7 @@ class RobotActors:
             look.SetSpecular(specular)
 
     def make_ghost(self, palette: ScenePalette) -> None:
-        """Let the robot shine through, in the accent colour: it is where no arm is."""
+        """Make the robot transparent, in the accent colour: no real arm is there."""
         for _, actor, _ in self._parts:
             actor.PickableOff()
             look = actor.GetProperty()
@@ -205,7 +205,7 @@ class RobotActors:
             look.SetSpecular(0.0)
 
     def joint_of(self, picked: object) -> int | None:
-        """Number (1–6) of the joint that moves an actor; None for the base and the unknown."""
+        """Return the number (1–6) of the joint that moves an actor, or None for base and others."""
         for link, actor, _ in self._parts:
             if actor is picked:
                 return self._joint_numbers.get(link)
@@ -215,11 +215,11 @@ class RobotActors:
 _MM = 0.001
 _DRIVEN_PX, _COMMANDED_PX = 7.0, 2.0
 _OLDEST_SHARE = 0.12
-"""Of its colour is left to the oldest place; the rest is the background's."""
+"""The share of its colour at the oldest place; the rest is the background's."""
 
 
 class TrailActors:
-    """Keeps the lines of a trail in a renderer."""
+    """The lines of a trail in a renderer."""
 
     def __init__(self, renderer: vtkRenderer) -> None:
         self._driven = _FadingLine(renderer, _DRIVEN_PX)
@@ -227,7 +227,7 @@ class TrailActors:
         self._shown: tuple[Trail | None, ScenePalette, float] | None = None
 
     def show(self, trail: Trail | None, palette: ScenePalette, pixel_ratio: float) -> None:
-        """Show a trail; nothing is done where it is the same as before."""
+        """Show a trail; do nothing if it is the same as before."""
         wanted = (trail, palette, pixel_ratio)
         if wanted == self._shown:
             return
@@ -251,7 +251,7 @@ class _FadingLine:
         self._colors_of: tuple[int, str, str] | None = None
 
     def show(self, places: bytes, color: str, ground: str, pixel_ratio: float) -> None:
-        """Go through places, three 32-bit floats each, mm; fewer than two are no line."""
+        """Show a line through places, three 32-bit floats each, mm; fewer than two make no line."""
         points = np.frombuffer(places, np.float32).reshape(-1, 3) * np.float32(_MM)
         is_there = len(points) > 1
         if is_there:
@@ -277,15 +277,15 @@ def _fading(count: int, color: str, ground: str) -> np.ndarray:
 
 _FAR_BEHIND_FOCUS_M = 5.0
 _FAR_BEFORE_FOCUS_M = 3.0
-"""Without perspective nothing is too near to be seen, however small the picture's scale."""
+"""Without perspective nothing is too near to be seen, at any scale."""
 _ZERO_DEG = (0.0,) * 6
 
 
 class Scene:
-    """Floor, axes, lights and a robot, seen by a camera.
+    """The floor, axes, lights and a robot, seen by a camera.
 
     Attributes:
-        camera: where the picture is taken from; assign the result of its `orbit`, `pan` or `zoom`.
+        camera: the camera; assign the result of its `orbit`, `pan` or `zoom`.
 
     Raises:
         SceneError: this computer can't draw.
@@ -320,14 +320,14 @@ class Scene:
 
     @property
     def robot(self) -> Robot | None:
-        """The robot that is shown."""
+        """The robot in the picture."""
         return self._description
 
     def load(self, path: Path) -> None:
-        """Show the robot of a URDF file instead of the one before, in the same pose.
+        """Show the robot of a URDF file instead of the present one, in the same pose.
 
         Raises:
-            SceneError: the file is no arm this program can show; the old robot stays.
+            SceneError: the file has no arm that this program can show; the old robot stays.
         """
         from armui.viewport.process.urdf_file import load_robot  # noqa: PLC0415 - slow to import
 
@@ -349,7 +349,7 @@ class Scene:
         self._paint_robot()
 
     def show(self, state: ViewState) -> None:
-        """Take over all of a state but its robot and its question."""
+        """Apply all of a state but its robot and its pick request."""
         self.camera = state.camera
         if state.palette != self._palette:
             self.set_palette(state.palette)
@@ -396,7 +396,7 @@ class Scene:
             self._show_ghost(preview.ghost_deg)
 
     def set_palette(self, palette: ScenePalette) -> None:
-        """Take the colours of another theme."""
+        """Apply the colours of another theme."""
         self._palette = palette
         self._stage.paint(palette)
         self._paint_robot()
@@ -405,17 +405,17 @@ class Scene:
         self._show_ghost(self._preview.ghost_deg)
 
     def highlight_joint(self, number: int | None) -> None:
-        """Give the links moved by joint 1–6 the accent colour; None takes it away."""
+        """Give the links moved by joint 1–6 the accent colour; None removes it."""
         self._highlighted_joint = number
         self._paint_robot()
 
     @property
     def is_unfinished(self) -> bool:
-        """Tell whether something that is asked for is still being worked out."""
+        """True if something requested is still being computed."""
         return self._reach.is_unfinished
 
     def catch_up(self) -> bool:
-        """Show what has been worked out meanwhile; whether there was anything."""
+        """Show results that are ready, and return whether there were any."""
         return self._reach.catch_up()
 
     def resize(self, width_px: int, height_px: int, pixel_ratio: float) -> None:
@@ -427,7 +427,7 @@ class Scene:
             self._preview_actors.show(self._preview, self._palette, pixel_ratio)
 
     def render(self, *, smooth: bool = True) -> Pixels:
-        """Draw.
+        """Draw the picture.
 
         Args:
             smooth: soften the edges (FXAA); cheap on a graphics card, 15 ms of a 24 ms frame on a
@@ -441,7 +441,10 @@ class Scene:
         return self._canvas.draw()
 
     def pick(self, x_px: float, y_px: float) -> int | None:
-        """Number (1–6) of the joint whose link is seen at a pixel from the top left, else None."""
+        """Return the number (1–6) of the joint whose link is at a pixel from the top left.
+
+        None for the base, other surfaces and the background.
+        """
         self._aim()
         _, height_px = self._canvas.size_px
         hit = self._picker.Pick(x_px, height_px - 1 - y_px, 0.0, self._canvas.renderer)
@@ -450,12 +453,12 @@ class Scene:
         return self._robot.joint_of(self._picker.GetActor())
 
     def pick_mark(self, x_px: float, y_px: float) -> int | None:
-        """Row of the previewed path's mark next to a pixel from the top left, else None."""
+        """Return the row of the preview's mark next to a pixel from the top left, or None."""
         self._aim()
         return self._preview_actors.row_at(x_px, y_px, self._pixel_ratio)
 
     def close(self) -> None:
-        """Give the graphics memory back; call it in the thread that made the scene."""
+        """Free the graphics memory; to be called in the thread that created the scene."""
         self._canvas.close()
 
     def _aim(self) -> None:

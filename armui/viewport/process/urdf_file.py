@@ -1,7 +1,7 @@
-"""Makes a `Robot` of a URDF file: any file of the arm's kind, six hinges in a row.
+"""Makes a `Robot` of a URDF file with an arm of six hinges in a row.
 
-yourdfpy reads the file and trimesh its meshes; what stands here is whether that is an arm, and
-which joints are the arm's. Slow to import.
+yourdfpy reads the file and trimesh its meshes; this module checks that it is an arm, and finds its
+joints. It is slow to import.
 """
 
 from __future__ import annotations
@@ -105,11 +105,11 @@ MESH_MISSING = Reason(
 _MOST_BYTES: Final = 32_000_000
 _MOST_MESH_BYTES: Final = 100_000_000
 _MOST_TRIANGLES: Final = 1_000_000
-"""Of all meshes together: a picture of a million takes 2 s to draw by the processor and 1 GB."""
+"""The most triangles of all meshes: a million take 2 s to draw by the processor, and 1 GB."""
 _LARGEST_M: Final = 100.0
-"""No arm is larger; one drawn in millimetres is."""
+"""No arm is larger; a file in millimetres would be."""
 _MESH_KINDS: Final = frozenset({".stl", ".dae", ".obj", ".ply", ".glb", ".gltf", ".off"})
-"""No archives: how large what lies in them is, nobody knows before it was unpacked."""
+"""The suffixes of meshes. Archives are excluded: their size is unknown before unpacking."""
 
 _KINDS = HINGES | {"prismatic", "fixed", "floating", "planar"}
 
@@ -286,7 +286,7 @@ class _FilesBeside(FilePathResolver):
     """Finds what a mesh refers to: materials, pictures, binary parts."""
 
     def get(self, name: str) -> bytes:
-        """Return what a file holds."""
+        """Return the content of a file."""
         check_file(self.absolute(name))
         data: bytes = super().get(name)
         return data

@@ -1,7 +1,7 @@
 """ROS 2 messages as bytes: CDR, the encoding of DDS (OMG, XCDR version 1), little-endian.
 
-Most messages of a log differ in their figures only. So the bytes of one are put together once, and
-the figures of thousands are then written over copies of it, column by column: 0.3 µs for a
+Most messages of a log differ only in their numbers. So the bytes of one are built once, and the
+numbers of thousands are then written into copies of it, column by column: 0.3 µs for a
 `sensor_msgs/JointState`, for which mcap-ros2-support takes 31 µs.
 """
 
@@ -18,14 +18,14 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 _HEADER: Final = bytes((0, 1, 0, 0))
-"""Plain CDR, little-endian; places are aligned to what comes behind it."""
+"""The header of plain CDR, little-endian; alignment counts from its end."""
 
 
 class CdrWriter:
-    """Puts the fields of one message behind one another.
+    """Writes the fields of one message one after another.
 
     Attributes:
-        places: Where fields that were given a name begin, in bytes.
+        places: The byte offsets of named fields.
     """
 
     def __init__(self) -> None:
@@ -47,38 +47,38 @@ class CdrWriter:
         self._bytes.extend(struct.pack(f"<{len(values)}{kind}", *values))
 
     def int8(self, value: int) -> None:
-        """An octet."""
+        """Write an octet."""
         self._put("b", value)
 
     def count(self, value: int) -> None:
-        """The length of a sequence, before its parts."""
+        """Write the length of a sequence, before its elements."""
         self._put("I", value)
 
     def text(self, value: str) -> None:
-        """A string."""
+        """Write a string."""
         encoded = value.encode()
         self._put("I", len(encoded) + 1)
         self._bytes.extend(encoded)
         self._bytes.append(0)
 
     def texts(self, values: Sequence[str]) -> None:
-        """A sequence of strings."""
+        """Write a sequence of strings."""
         self.count(len(values))
         for value in values:
             self.text(value)
 
     def floats(self, values: Sequence[float], name: str = "") -> None:
-        """Double-precision figures that stand without a length."""
+        """Write double-precision numbers without a length."""
         self._put("d", *values, name=name)
 
     def float_sequence(self, values: Sequence[float], name: str = "") -> None:
-        """A sequence of double-precision figures; an empty one is its length alone."""
+        """Write a sequence of double-precision numbers; an empty one is its length alone."""
         self.count(len(values))
         if values:
             self.floats(values, name)
 
     def header(self, time_ns: int, frame_id: str, name: str = "stamp") -> None:
-        """A std_msgs/Header."""
+        """Write a std_msgs/Header."""
         seconds, rest = divmod(time_ns, 1_000_000_000)
         self._put("i", seconds, name=name)
         self._put("I", rest)
@@ -86,10 +86,10 @@ class CdrWriter:
 
 
 class CdrTemplate:
-    """Makes many messages of one whose fields have names.
+    """Makes many messages from one whose fields have names.
 
     Args:
-        writer: Holds it.
+        writer: The writer that holds the message.
     """
 
     def __init__(self, writer: CdrWriter) -> None:
@@ -99,11 +99,11 @@ class CdrTemplate:
     def fill(
         self, times_ns: NDArray[np.int64], figures: Mapping[str, NDArray[np.float64]]
     ) -> list[bytes]:
-        """Return the bytes of some messages.
+        """Return the bytes of many messages.
 
         Args:
-            times_ns: Of each; goes into every place whose name begins with "stamp".
-            figures: By the names of their places, one row a message.
+            times_ns: The time of each message, for every field whose name begins with "stamp".
+            figures: The numbers by the names of their fields, one row for each message.
         """
         count, size = len(times_ns), len(self._data)
         if not count:

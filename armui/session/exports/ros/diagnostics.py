@@ -1,6 +1,6 @@
-"""What the arm, its joints and its gripper report, as `diagnostic_msgs/DiagnosticArray`.
+"""The status of the arm, its joints and its gripper as `diagnostic_msgs/DiagnosticArray`.
 
-A message is written at each change of a code or a fault, and one of everything each second.
+A message is written at each change of a code or a fault, and one with everything every second.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ OK, WARN, ERROR, STALE = range(4)
 _STATUS: Final = "ArmStatus"
 _GRIPPER: Final = "GripperFeedback"
 _COUNTERS: Final = frozenset({"SpeedPercent", "TrajectoryPoint"})
-"""What goes on changing although nothing has happened."""
+"""Signals that change all the time, which does not count as a change."""
 _SILENT: Final = "Not heard for half a second"
 
 
@@ -67,10 +67,10 @@ class _Heard:
 
 
 class DiagnosticStream:
-    """Makes the messages of the topic, see `Stream`.
+    """Makes the messages of the topic; see `Stream`.
 
     Args:
-        facts: Of the arm.
+        facts: The facts on the arm.
     """
 
     topic = "/diagnostics"
@@ -90,7 +90,7 @@ class DiagnosticStream:
         self._second = np.iinfo(np.int64).min
 
     def messages(self, history: History, span: TimeSpan) -> TimedMessages | None:
-        """Return what a piece of the log adds, see `Stream`."""
+        """Return the messages that a piece of the log adds; see `Stream`."""
         frames = history.frames
         affected: dict[int, set[_Part]] = defaultdict(set)
         for part in self._parts:

@@ -1,4 +1,4 @@
-"""The MCAP file."""
+"""Writes the MCAP file."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def definition(name: str) -> str:
     """Return the definition of a message type, followed by those of the types in it.
 
     Args:
-        name: As ``sensor_msgs/JointState``.
+        name: The type's name, as ``sensor_msgs/JointState``.
     """
     parts = [f"{_LINE}\nMSG: {needed}\n{_FIELDS[needed]}\n" for needed in _needed(name)]
     return f"{_FIELDS[name]}\n{''.join(parts)}"
@@ -81,19 +81,19 @@ def _needed(name: str) -> dict[str, None]:
 
 
 _LATEST_S: Final = float(2**31 - 1)
-"""Of a ROS time stamp, whose seconds have 32 bits; before 0 there is none."""
+"""The last second of a ROS time stamp, whose seconds have 32 bits; none is before 0."""
 
 
 class McapFile:
     """Writes the messages as they come.
 
     Args:
-        stream: Where to.
-        facts: Of the recorded arm.
+        stream: The output.
+        facts: The facts on the recorded arm.
 
     Attributes:
-        items: Messages written so far.
-        without_stamp: Frames of the log whose time no ROS time stamp can tell.
+        items: The number of messages written so far.
+        without_stamp: The number of frames whose time no ROS time stamp can hold.
     """
 
     def __init__(self, stream: BinaryIO, facts: ExportFacts) -> None:
@@ -108,7 +108,7 @@ class McapFile:
         self.without_stamp = 0
 
     def write_span(self, history: History, span: TimeSpan) -> None:
-        """Write what a piece of the log adds, see `Sink`."""
+        """Write the messages that a piece of the log adds; see `Sink`."""
         span = TimeSpan(max(span.begin_s, 0.0), min(span.end_s, _LATEST_S))
         in_ros = TimeSpan(0.0, _LATEST_S).holds(history.frames.times_s)
         self.without_stamp += int(np.count_nonzero(~in_ros))
@@ -135,7 +135,7 @@ class McapFile:
         self._writer.finish()  # type: ignore[no-untyped-call]
 
     def abandon(self) -> None:
-        """Nothing is held but memory."""
+        """Do nothing: only memory is held."""
 
     def _channel(self, stream: Stream) -> int:
         if stream.topic not in self._channels:

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 BASE: Final = "base_link"
 FLANGE: Final = "flange"
 LINKS: Final = tuple(f"link{joint}" for joint in range(1, 7))
-"""What each joint turns."""
+"""The names of the links that the joints turn."""
 JOINT_NAMES: Final = tuple(f"joint{joint}" for joint in range(1, 7))
 FINGERS: Final = ("finger_left", "finger_right")
 FINGER_JOINTS: Final = ("gripper_left", "gripper_right")
@@ -38,10 +38,10 @@ _MM_PER_M: Final = 1000.0
 
 
 def link_transforms(geometry: Geometry, joints_deg: NDArray[np.float64]) -> NDArray[np.float64]:
-    """(n, 6, 7): for each link x, y, z in m and the quaternion x, y, z, w in the link before.
+    """Return (n, 6, 7): each link's x, y, z in m and quaternion x, y, z, w in the link before.
 
     Args:
-        geometry: Of the arm.
+        geometry: The arm's geometry.
         joints_deg: (n, 6) joint angles.
     """
     along_x, turns_deg, along_z, zeros_deg = np.array(geometry.rows).T
@@ -62,7 +62,7 @@ def link_transforms(geometry: Geometry, joints_deg: NDArray[np.float64]) -> NDAr
 
 
 def mounted_transforms(gripper_turned_deg: float) -> NDArray[np.float64]:
-    """(1, 2, 7): the flange in link 6, and the gripper in the flange, turned about its Z axis."""
+    """Return (1, 2, 7): the flange in link 6, and the gripper in the flange, turned about its Z."""
     result = np.zeros((1, 2, 7))
     result[..., 6] = 1.0
     half_rad = np.radians(gripper_turned_deg) / 2.0
@@ -71,7 +71,7 @@ def mounted_transforms(gripper_turned_deg: float) -> NDArray[np.float64]:
 
 
 def finger_transforms(openings_mm: NDArray[np.float64]) -> NDArray[np.float64]:
-    """(n, 2, 7): the fingers in the gripper's base, each half of the opening from its middle."""
+    """Return (n, 2, 7): the fingers in the gripper, each half the opening from its middle."""
     result = np.zeros((len(openings_mm), 2, 7))
     result[:, 0, 1] = openings_mm / 2.0 / _MM_PER_M
     result[:, 1, 1] = -result[:, 0, 1]
@@ -80,7 +80,7 @@ def finger_transforms(openings_mm: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def pose_figures(poses: NDArray[np.float64]) -> NDArray[np.float64]:
-    """(n, 7): x, y, z in m and the quaternion of (n, 6) poses in mm and degrees, R = Rz·Ry·Rx."""
+    """Return (n, 7): x, y, z in m and the quaternion of (n, 6) poses in mm and °, R = Rz·Ry·Rx."""
     half = np.radians(poses[:, 3:]) / 2.0
     (cx, cy, cz), (sx, sy, sz) = np.cos(half).T, np.sin(half).T
     result = np.empty((len(poses), 7))
@@ -100,9 +100,9 @@ class TimedMessages(NamedTuple):
     """Messages of one topic.
 
     Attributes:
-        rows: The frame within the log that each goes back to, ascending.
-        times_ns: Its time as recorded.
-        data: The messages, as CDR.
+        rows: The number of the frame from which each was made, ascending.
+        times_ns: The frame's time as recorded.
+        data: The messages as CDR.
     """
 
     rows: list[int]
@@ -122,18 +122,18 @@ class Stream(Protocol):
     schema: str
 
     def messages(self, history: History, span: TimeSpan) -> TimedMessages | None:
-        """Return what a piece of the log adds, see `Sink.write_span`; ``None`` if nothing."""
+        """Return the messages that a piece of the log adds, or ``None``; see `Sink.write_span`."""
 
 
 def nanoseconds(times_s: NDArray[np.float64]) -> NDArray[np.int64]:
-    """Times as whole nanoseconds, rounded to microseconds: no log's clock knows more."""
+    """Return times in whole nanoseconds, rounded to microseconds: no log's clock is finer."""
     return np.rint(times_s * _US_PER_S).astype(np.int64) * _NS_PER_US
 
 
 def signals_at(
     history: History, at: RowTimes, wanted: Sequence[tuple[str, str]]
 ) -> NDArray[np.float64]:
-    """(n, m) values of m signals as last heard at n frames; NaN where that is too long ago."""
+    """Return (n, m) values of m signals as last heard at n frames; NaN for values too old."""
     values = np.full((len(at.rows), len(wanted)), np.nan)
     for place, (message, signal) in enumerate(wanted):
         samples = history.samples(message)
@@ -164,12 +164,12 @@ def _timed(
 class JointStream:
     """`sensor_msgs/JointState` of the six joints, at each full set of angles.
 
-    Measured: positions and, of drivers that have told it within half a second, velocities.
-    Commanded: positions. Efforts stay empty: the protocol tells motor currents, no torques.
+    Measured values are positions and, from drivers heard within half a second, velocities;
+    commanded values are positions. Efforts stay empty: the protocol has motor currents, no torques.
 
     Args:
-        codec: Of the arm.
-        commanded: The targets instead of what was measured.
+        codec: The arm's codec.
+        commanded: True for the targets instead of the measured values.
     """
 
     schema = "sensor_msgs/JointState"
@@ -186,7 +186,7 @@ class JointStream:
         self._moving = _joint_template(JOINT_NAMES, with_speeds=True)
 
     def messages(self, history: History, span: TimeSpan) -> TimedMessages | None:
-        """Return what a piece of the log adds, see `Stream`."""
+        """Return the messages that a piece of the log adds; see `Stream`."""
         at = table_rows(history, span, self._base)
         if at is None:
             return None
@@ -213,7 +213,7 @@ class GripperStream:
         self._template = _joint_template(FINGER_JOINTS, with_speeds=False)
 
     def messages(self, history: History, span: TimeSpan) -> TimedMessages | None:
-        """Return what a piece of the log adds, see `Stream`."""
+        """Return the messages that a piece of the log adds; see `Stream`."""
         found = _openings(history, span)
         if found is None:
             return None
@@ -223,7 +223,7 @@ class GripperStream:
 
 
 class EndPoseStream:
-    """`geometry_msgs/PoseStamped` of the flange as the arm itself tells it (0x2A2–0x2A4)."""
+    """`geometry_msgs/PoseStamped` of the flange as reported by the arm (0x2A2–0x2A4)."""
 
     topic = "/end_pose"
     schema = "geometry_msgs/PoseStamped"
@@ -235,7 +235,7 @@ class EndPoseStream:
         self._template = CdrTemplate(writer)
 
     def messages(self, history: History, span: TimeSpan) -> TimedMessages | None:
-        """Return what a piece of the log adds, see `Stream`."""
+        """Return the messages that a piece of the log adds; see `Stream`."""
         at = table_rows(history, span, "EndPose3")
         if at is None:
             return None
@@ -246,10 +246,10 @@ class EndPoseStream:
 
 
 class LinkStream:
-    """`tf2_msgs/TFMessage` of the six links, worked out from the measured angles.
+    """`tf2_msgs/TFMessage` of the six links, computed from the measured angles.
 
     Args:
-        facts: Of the arm.
+        facts: The facts on the arm.
     """
 
     topic = "/tf"
@@ -261,7 +261,7 @@ class LinkStream:
         self._template = _transform_template(list(zip(parents, LINKS, strict=False)))
 
     def messages(self, history: History, span: TimeSpan) -> TimedMessages | None:
-        """Return what a piece of the log adds, see `Stream`."""
+        """Return the messages that a piece of the log adds; see `Stream`."""
         at = table_rows(history, span)
         if at is None:
             return None
@@ -281,7 +281,7 @@ class FingerStream:
         self._template = _transform_template([(GRIPPER_BASE, each) for each in FINGERS])
 
     def messages(self, history: History, span: TimeSpan) -> TimedMessages | None:
-        """Return what a piece of the log adds, see `Stream`."""
+        """Return the messages that a piece of the log adds; see `Stream`."""
         found = _openings(history, span)
         if found is None:
             return None
@@ -290,10 +290,10 @@ class FingerStream:
 
 
 class FixedStream:
-    """One `tf2_msgs/TFMessage` at the first frame: what is mounted on link 6 stays as it is.
+    """One `tf2_msgs/TFMessage` at the first frame: the parts mounted on link 6 never move.
 
     Args:
-        facts: Of the arm.
+        facts: The facts on the arm.
     """
 
     topic = "/tf_static"
@@ -306,7 +306,7 @@ class FixedStream:
         self._written = False
 
     def messages(self, history: History, span: TimeSpan) -> TimedMessages | None:
-        """Return what a piece of the log adds, see `Stream`."""
+        """Return the messages that a piece of the log adds; see `Stream`."""
         frames = history.frames
         inside = np.flatnonzero(span.holds(frames.times_s))[:1]
         if self._written or not len(inside) or history.samples(TIME_BASE) is None:

@@ -1,1 +1,1 @@
-"""Panels that move the arm: joints, end pose and held jogging."""
+"""The panels that move the arm: joints, end pose and held jogging."""

@@ -1,4 +1,4 @@
-"""末端控制: the tool is sent to a pose, on a line or an arc, stepped and jogged (0x152–0x154)."""
+"""末端控制: sends the tool to a pose, on a line or an arc, steps and jogs it (0x152–0x154)."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ POSE_NOT_A_NUMBER = Reason(
 _OWN_REFUSALS: Final = frozenset(
     {ArmStatusCode.NO_SOLUTION, ArmStatusCode.SINGULARITY, ArmStatusCode.TARGET_BEYOND_LIMIT}
 )
-"""What 0x2A1 says of a target the arm itself refuses."""
+"""The statuses of 0x2A1 with which the arm itself refuses a target."""
 _KEYS: Final = (
     ("X", "↑", "↓"),
     ("Y", "←", "→"),
@@ -71,7 +71,7 @@ _NAME_PX: Final = 34
 
 
 class PoseRow(TargetRow):
-    """The controls of one axis; its signals carry the axis' place.
+    """The controls of one axis; its signals carry the axis' index.
 
     Args:
         place: 0–5 for X, Y, Z, RX, RY, RZ.
@@ -94,10 +94,10 @@ class PoseRow(TargetRow):
         self.retranslate_ui()
 
     def name_curves(self, *, of_tool: bool) -> None:
-        """Say which curves it shows; targets on the bus are those of the flange.
+        """Set the curves of the row; targets on the bus are those of the flange.
 
         Args:
-            of_tool: The figures are those of the tool centre point, not of the flange.
+            of_tool: True if the figures are those of the tool centre point, not of the flange.
         """
         axis = self.name.lower()
         of_flange = (f"{source}.pose_{axis}" for source in ("arm", "own", "other"))
@@ -118,7 +118,7 @@ class PoseRow(TargetRow):
         return minus, plus
 
     def retranslate_ui(self) -> None:
-        """Put names and tooltips into the operator's language."""
+        """Set names and tooltips in the operator's language."""
         self.minus.setAccessibleName(self.tr("{axis} minus").format(axis=self.name))
         self.plus.setAccessibleName(self.tr("{axis} plus").format(axis=self.name))
         target = self.tr("Target {axis}").format(axis=self.name)
@@ -127,7 +127,7 @@ class PoseRow(TargetRow):
 
 
 class FrameChoice(Translated, QWidget):
-    """One button a frame; one of them is chosen."""
+    """A button for each frame, one of them chosen."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -149,11 +149,11 @@ class FrameChoice(Translated, QWidget):
 
     @property
     def frame(self) -> JogFrame:
-        """The chosen one."""
+        """The chosen frame."""
         return tuple(JogFrame)[self._buttons.checkedId()]
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._label.setText(self.tr("− and + along"))
         for number, text in enumerate((self.tr("Base frame"), self.tr("Tool frame"))):
             caption(self._buttons.button(number), text)
@@ -165,11 +165,11 @@ _MOVE_ARC: Final = operation_of(Cartesian.move_arc)
 
 
 class CartesianPanel(JogPanel):
-    """Targets and measured pose of one point: the tool centre point, or the flange without a tool.
+    """Targets and measured pose of the tool centre point, or of the flange without a tool.
 
     Args:
-        controller: Whom to ask for motion.
-        preferences: Keep the tool.
+        controller: Sends the motions.
+        preferences: The settings, which keep the tool.
     """
 
     commands = (
@@ -244,7 +244,7 @@ class CartesianPanel(JogPanel):
         self._move_l.clicked.connect(lambda: self._send(MoveMode.MOVE_L))
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
+        """Return the target of each command, by the command's name."""
         base, tool = self._frame.buttons
         arc, tool_centre = self._extras.buttons
         start, middle, end = self._arc.captures
@@ -362,7 +362,7 @@ class CartesianPanel(JogPanel):
             self._accepted(self._controller.cartesian.move_arc(*points))
 
     def typed(self) -> tuple[float, ...] | None:
-        """As of any such panel; what was sent stays in the fields until the arm is there."""
+        """Return the typed target; a sent one stays in the fields until the arm is there."""
         return None if self._sent else super().typed()
 
     def _on_edited(self) -> None:
@@ -449,7 +449,7 @@ class CartesianPanel(JogPanel):
         )
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._name_point()
         self._measured_head.setText(self.tr("Measured"))
         self._title.setText(self.tr("Tool control"))

@@ -1,4 +1,4 @@
-"""运动控制 and 末端控制 in the room of a hand: jogging beside the points that are being made."""
+"""运动控制 and 末端控制 in a small box: jogging beside the points that are being edited."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ _NAME_PX: Final = 24
 
 
 class JogCell(JogRow):
-    """Can stand for a joint now and for an axis then; its signals carry its place.
+    """A cell for a joint or an axis in turn; its signals carry its index.
 
     Args:
         place: 0–5.
@@ -74,7 +74,7 @@ class JogCell(JogRow):
         self.stand_for("", "°")
 
     def stand_for(self, name: str, unit: str) -> None:
-        """Be the cell of a joint or an axis.
+        """Set the joint or axis of the cell.
 
         Args:
             name: ``J1`` or ``RX``.
@@ -90,7 +90,7 @@ class JogCell(JogRow):
         self.measured.show_text(fmt.with_unit(value, self._unit), stale=stale)
 
     def retranslate_ui(self) -> None:
-        """Put the names into the operator's language."""
+        """Set the names in the operator's language."""
         name = self._name.text()
         self.minus.setAccessibleName(self.tr("{name} minus").format(name=name))
         self.plus.setAccessibleName(self.tr("{name} plus").format(name=name))
@@ -101,13 +101,13 @@ class GripperLine(Translated, QWidget):
     """The measured opening of the gripper, and buttons for the ends of its stroke.
 
     Args:
-        controller: Moves it.
+        controller: Moves the gripper.
 
     Signals:
-        refused: A :class:`Refusal`, or ``None`` when it is on its way.
+        refused: A :class:`Refusal`, or ``None`` when the motion was sent.
 
     Attributes:
-        inserted: Whether a point that is inserted takes the measured opening along.
+        inserted: The choice whether inserted points include the measured opening.
     """
 
     refused = Signal(object)
@@ -131,7 +131,7 @@ class GripperLine(Translated, QWidget):
         self.refused.emit(refusal_of(self._controller.gripper.move_to_end(opened=opened)))
 
     def show_gripper(self) -> None:
-        """Show what it says, and whether it may be moved."""
+        """Show the gripper's state, and whether it may be moved."""
         state, gripper = self._controller.state, self._controller.gripper
         heard = state.gripper
         stale = is_stale(heard, state, self._controller.operating_state)
@@ -147,11 +147,11 @@ class GripperLine(Translated, QWidget):
             enable_or_explain(button, why_not, use)
 
     def learn(self) -> None:
-        """Have the stroke limit read, where it is not known."""
+        """Read the stroke limit, if it is not known."""
         self._controller.gripper.learn_stroke()
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._name.setText(self.tr("Gripper"))
         describe(self._measured, self.tr("Measured: gripper"), self.tr("Measured by the gripper"))
         caption(self._close, self.tr("Close fully"), whose=self._name.text())
@@ -167,24 +167,24 @@ class GripperLine(Translated, QWidget):
 
 
 class JogKind(enum.Enum):
-    """What − and + move."""
+    """The objects that − and + can move."""
 
     JOINTS = "joints"
     BASE = "base"
     TOOL = "tool"
     GRIPPER = "gripper"
-    """Its own buttons stand in the place of − and +: there is no room for both."""
+    """The gripper's own buttons replace − and +: there is no room for both."""
 
 
 _FRAMES: Final = {JogKind.BASE: JogFrame.BASE, JogKind.TOOL: JogFrame.TOOL}
 
 
 class JogBox(Translated, QFrame):
-    """Jogs as the panels do, by the same parts of the controller; it holds no targets.
+    """Jogs like the panels, by the same parts of the controller; it holds no targets.
 
     Args:
-        controller: Whom to ask for motion.
-        more: What else is to be in reach while jogging, at the end of its first line.
+        controller: Sends the motions.
+        more: Further widgets needed while jogging, at the end of its first line.
 
     Signals:
         refused: A :class:`Refusal`, or ``None`` when something was done.
@@ -243,7 +243,7 @@ class JogBox(Translated, QFrame):
 
     @property
     def kind(self) -> JogKind:
-        """What − and + move now."""
+        """The object that − and + move now."""
         return tuple(JogKind)[self._kinds.checkedId()]
 
     @property
@@ -349,17 +349,17 @@ class JogBox(Translated, QFrame):
     # Appearance -------------------------------------------------------------------------------
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Catch up."""
+        """Update everything that is shown."""
         super().showEvent(event)
         self._show_all()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Nothing is jogged by what is not seen; the buttons have let go by now."""
+        """End jogging, because the buttons are hidden now."""
         self._on_let_go()
         super().hideEvent(event)
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         texts = (self.tr("Joints"), self.tr("Base"), self.tr("Tool"), self.tr("Gripper"))
         for button, text in zip(self._choices.values(), texts, strict=True):
             caption(button, text)

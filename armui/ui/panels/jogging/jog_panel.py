@@ -31,10 +31,10 @@ from armui.ui.widgets.translated import Translated
 _BUTTON_PX: Final = 38
 _FOLLOW_S: Final = 0.1
 DEAD_MAN_KEY: Final = Qt.Key.Key_Space
-"""Under the thumb of either hand, no letter, and none of the keys that stop the arm."""
+"""A key under the thumb of either hand, no letter, and none of the keys that stop the arm."""
 
 Keys = Sequence[tuple[str, str, str]]
-"""Of each place, in order: its name, the key for + and the key for −, as on the keyboard."""
+"""For each index in order: the name, the key for + and the key for −, as on the keyboard."""
 
 _KEYS: Final = {
     "↑": Qt.Key.Key_Up,
@@ -48,29 +48,31 @@ _COLUMNS: Final = 3
 STEPS: Final = (0.1, 1.0, 5.0, 10.0)
 _CONTINUOUS: Final = 0.0
 _SAME: Final = 0.0005
-"""Half of the last decimal: less is not seen in a field."""
+"""Half of the last decimal: a smaller difference is invisible in a field."""
 _WRITTEN_ALIKE: Final = 0.0006
-"""Two figures that are written alike are the same, however they were rounded."""
+"""Two figures that are displayed alike are equal, however they were rounded."""
 
 
 class JogRow(Translated, QWidget):
-    """− and + of one joint or axis; says by its number what the operator wants moved.
+    """− and + of one joint or axis, which emit its number.
 
     Args:
-        kind: For the names of the buttons: ``<kind>_minus_<name>``.
-        name: Of the joint or axis, in these names.
-        number: Goes with the signals.
+        kind: The first part of the buttons' names: ``<kind>_minus_<name>``.
+        name: The joint or axis in these names.
+        number: The number in the signals.
     """
 
     stepped = Signal(int, int)
-    """Jog by one step."""
+    """Emitted to jog by one step: the number, −1 or +1."""
     repeated = Signal(int, int)
-    """The same, from a button that is still held."""
+    """Emitted as :attr:`stepped`, by a button that is still held."""
     held = Signal(int, int)
-    """Jog until :attr:`let_go`."""
+    """Emitted to jog until :attr:`let_go`: the number, −1 or +1."""
     let_go = Signal()
     unattended = Signal()
-    """A held button was let go by itself: the operator gave no sign for too long."""
+    """Emitted when a held button was released automatically, because the operator gave no sign for
+    too long.
+    """
 
     def __init__(self, kind: str, name: object, number: int) -> None:
         super().__init__()
@@ -84,12 +86,12 @@ class JogRow(Translated, QWidget):
             button.unattended.connect(self.unattended)
 
     def set_continuous(self, wanted: bool) -> None:
-        """Whether − and + go on while they are held, or go by a step."""
+        """Set whether − and + move while they are held, or by a step."""
         for button in (self.minus, self.plus):
             button.continuous = wanted
 
     def allow_jog(self, why_not: str) -> None:
-        """Enable − and +, or disable them and say why."""
+        """Enable − and +, or disable them with the reason."""
         for button, tip in zip((self.minus, self.plus), self._tips(), strict=True):
             button.setEnabled(not why_not)
             button.setToolTip(why_not or tip)
@@ -100,22 +102,22 @@ class JogRow(Translated, QWidget):
 
 
 class TargetRow(JogRow):
-    """A joint or axis with a field for its target, beside what is measured.
+    """A joint or axis with a field for its target, beside the measured value.
 
-    The target follows the arm until the operator gives another: sending the fields never takes
-    anything back to where it was some time ago.
+    The target follows the arm until the operator enters another one, so that sending the fields
+    never moves anything back to a former position.
 
     Args:
         kind, name, number: As those of a `JogRow`.
-        field: Holds the target.
-        measured: Shows what is measured.
+        field: The field of the target.
+        measured: Shows the measured value.
 
     Attributes:
-        own: Whether the target was given by the operator, and so stands still.
+        own: True if the operator has set the target, so that it no longer follows the arm.
     """
 
     edited = Signal()
-    """The operator changed the target; nothing is sent."""
+    """Emitted when the operator has changed the target; nothing is sent."""
 
     def __init__(
         self, kind: str, name: object, number: int, field: FigureField, measured: ValueLabel
@@ -128,29 +130,29 @@ class TargetRow(JogRow):
         self.field.value_edited.connect(self._on_field_edited)
 
     def show_target(self, value: float | None) -> None:
-        """Give a target; ``None`` empties the field."""
+        """Set a target; ``None`` empties the field."""
         self.own = value is not None
         self.field.show_value(value)
         self._after_target()
 
     def take_target(self, value: float) -> None:
-        """Give a target; one that does not differ goes on to follow the arm."""
+        """Set a target; if it equals the present one, the field goes on following the arm."""
         before = self.field.value
         if before is None or abs(value - before) > _SAME:
             self.show_target(value)
 
     def follow(self, value: float) -> None:
-        """Have a target that nobody gave be where the arm is, or is sent to."""
+        """Set a target that is not the operator's own to the arm's position or last target."""
         if not self.own and self.field.follow(value):
             self._after_target()
 
     def differs_from(self, value: float) -> bool:
-        """Tell whether the operator has given a target, and it is another figure than this."""
+        """Return whether the operator has set a target that differs from this one."""
         target = self.field.value
         return self.own and (target is None or abs(target - value) > _WRITTEN_ALIKE)
 
     def set_step(self, step: float, *, continuous: bool) -> None:
-        """How far one press of − or + goes, or whether it goes on while they are held."""
+        """Set the step of − and +, or that they move while they are held."""
         self.field.step = step
         self.set_continuous(continuous)
 
@@ -165,14 +167,14 @@ class TargetRow(JogRow):
 
 
 class StepBox(QComboBox):
-    """The usual steps, one more if asked for, and «Continuous».
+    """The usual steps, one more if needed, and «Continuous».
 
     Args:
-        write: A step as text.
+        write: Returns a step as text.
     """
 
     chosen = Signal()
-    """Another entry was chosen."""
+    """Emitted when another entry was chosen."""
 
     def __init__(self, write: Callable[[float], str]) -> None:
         super().__init__()
@@ -184,16 +186,16 @@ class StepBox(QComboBox):
 
     @property
     def step(self) -> float:
-        """The step chosen last; it stays that of the arrow keys in the fields."""
+        """The step chosen last; it also applies to the arrow keys in the fields."""
         return self._step
 
     @property
     def continuous(self) -> bool:
-        """Whether − and + move for as long as they are held."""
+        """True if − and + move for as long as they are held."""
         return bool(self.currentData() == _CONTINUOUS)
 
     def set_step(self, step: float) -> None:
-        """Choose a step; one that is not usual becomes an entry too."""
+        """Choose a step; an unusual one becomes a further entry."""
         blocked = self.blockSignals(True)
         self._step = step
         self._fill(sorted({*STEPS, step}))
@@ -212,29 +214,29 @@ class StepBox(QComboBox):
         self.chosen.emit()
 
     def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
+        """Update the text after a change of language."""
         if event.type() == QEvent.Type.LanguageChange:
             self.setItemText(self.count() - 1, self.tr("Continuous"))
         super().changeEvent(event)
 
 
 class KeyPad(Translated, QFrame):
-    """Takes keys only while it has the focus, and says on itself which key does what.
+    """Accepts keys only while it has the focus, and shows the function of each key.
 
-    Releasing either key, a second key of a direction, the loss of the focus and all that
-    :class:`HoldGuard` watches for end the motion. It takes a new press to begin again.
+    Motion ends when either key is released, a second direction key is pressed, the focus is lost,
+    or :class:`HoldGuard` detects a reason. A new press is needed to begin again.
 
     Args:
-        keys: What can be moved, and by which keys.
-        name: Of the widget in the program.
+        keys: The things that can be moved, with their keys.
+        name: The name of the widget.
     """
 
     pressed = Signal(int, int)
-    """A key of a direction went down: the place in ``keys``, and +1 or −1."""
+    """Emitted when a direction key was pressed: the index in ``keys``, and +1 or −1."""
     let_go = Signal()
-    """The hold is over; comes once after each :attr:`pressed`."""
+    """Emitted once after each :attr:`pressed`, when the hold is over."""
     unattended = Signal()
-    """It ended because the operator gave no sign for too long."""
+    """Emitted when the hold ended because the operator gave no sign for too long."""
 
     def __init__(self, keys: Keys, name: str) -> None:
         super().__init__()
@@ -262,19 +264,19 @@ class KeyPad(Translated, QFrame):
         self.retranslate_ui()
 
     def set_continuous(self, wanted: bool) -> None:
-        """Whether a key moves until it is let go, or by one step a press."""
+        """Set whether a key moves until it is released, or by one step for each press."""
         self._continuous = wanted
         self.retranslate_ui()
 
     def allow(self, why_not: str) -> None:
-        """Take keys, or none and say why."""
+        """Accept keys, or reject them with the reason."""
         self._why_not = why_not
         if why_not:
             self._forget()
         self.retranslate_ui()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Begin with the one key of a direction that goes down while the dead-man key is held."""
+        """Begin with the single direction key that is pressed while the dead-man key is held."""
         key = event.key()
         if key != DEAD_MAN_KEY and key not in self._moves:
             super().keyPressEvent(event)
@@ -292,7 +294,7 @@ class KeyPad(Translated, QFrame):
             self.pressed.emit(*self._moves[key])
 
     def keyReleaseEvent(self, event: QKeyEvent) -> None:
-        """Either key that comes up ends it."""
+        """End the hold when either key is released."""
         key = event.key()
         if key != DEAD_MAN_KEY and key not in self._moves:
             super().keyReleaseEvent(event)
@@ -305,18 +307,18 @@ class KeyPad(Translated, QFrame):
         self._end()
 
     def focusInEvent(self, event: QFocusEvent) -> None:
-        """Show that keys are taken now."""
+        """Show that keys are accepted now."""
         super().focusInEvent(event)
         self.retranslate_ui()
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
-        """No key that is released elsewhere is heard of: none counts as held."""
+        """Drop all keys: their release elsewhere would not be noticed."""
         self._forget()
         super().focusOutEvent(event)
         self.retranslate_ui()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """What is not seen is not held."""
+        """End the hold, because the pad is hidden."""
         self._forget()
         super().hideEvent(event)
 
@@ -333,7 +335,7 @@ class KeyPad(Translated, QFrame):
         self._guard.release()
 
     def retranslate_ui(self) -> None:
-        """Say what the keys do, or what is missing."""
+        """Show the function of the keys, or the reason why they are disabled."""
         self.setAccessibleName(self.tr("Keyboard jogging"))
         self.setToolTip(self._why_not)
         if self._why_not:
@@ -357,16 +359,16 @@ def _key(text: str) -> int:
 class JogPanel(Panel):
     """A card of targets, and two ways to jog: − and + beside them, and keys.
 
-    Targets are void when another arm is connected. What is jogged goes by numbers: those of the
-    joints, or the places in a pose. A key of the pad does what the button of the same number does.
+    Targets are cleared when another arm is connected. Joints go by their numbers, axes by their
+    index in a pose. A key of the pad has the same effect as the button of the same number.
 
     Args:
-        controller: Whom to ask for motion.
-        name: For the names of its widgets: ``<name>_step``, ``<name>_keys_button``.
+        controller: Sends the motions.
+        name: The first part of its widgets' names: ``<name>_step``, ``<name>_keys_button``.
         message_name: The object name of the message.
-        keys: Of each number in order, the keys that jog it.
-        numbers: By which the rows go, in the order of the keys.
-        write_step: A step as text.
+        keys: The keys that jog each number, in order.
+        numbers: The numbers of the rows, in the order of the keys.
+        write_step: Returns a step as text.
     """
 
     _rows: Sequence[TargetRow]
@@ -441,26 +443,26 @@ class JogPanel(Panel):
     # -- targets ------------------------------------------------------------------------------
 
     def targets(self) -> tuple[float, ...] | None:
-        """Return the figures in the fields; ``None`` while one of them is none."""
+        """Return the figures in the fields, or ``None`` if one of them is invalid."""
         values = tuple(row.field.value for row in self._rows)
         known = tuple(value for value in values if value is not None)
         return known if len(known) == len(values) else None
 
     def typed(self) -> tuple[float, ...] | None:
-        """Return the figures in the fields, if one of them was given and is not sent yet."""
+        """Return the figures in the fields, if one of them was entered and not sent yet."""
         return self.targets() if any(self.given()) else None
 
     def given(self) -> tuple[bool, ...]:
-        """Of each field, whether its target was given; else it follows the arm."""
+        """Return for each field whether its target was entered; else it follows the arm."""
         return tuple(row.own for row in self._rows)
 
     def take_targets(self, values: Sequence[float], given: Sequence[bool] | None = None) -> None:
-        """Put figures into the fields, as if those that differ were typed; nothing is sent.
+        """Set the fields as if the differing figures were typed; nothing is sent.
 
         Args:
-            values: One a row.
-            given: Which of them stand still from now on; by default those that were given before,
-                and those that differ.
+            values: One for each row.
+            given: Those that no longer follow the arm; by default those entered before, and those
+                that differ.
         """
         for row, value in zip(self._rows, values, strict=True):
             row.take_target(value)
@@ -475,7 +477,7 @@ class JogPanel(Panel):
             row.show_target(value)
 
     def _differ_from(self, values: Sequence[float]) -> bool:
-        """Tell whether a target was given that is none of these."""
+        """Return whether a target was given that is none of these."""
         return any(row.differs_from(value) for row, value in zip(self._rows, values, strict=True))
 
     def _follow(self, values: Sequence[float]) -> None:
@@ -579,7 +581,7 @@ class JogPanel(Panel):
         self._say(self._refusal or standing or self._first_wrong())
 
     def retranslate_ui(self) -> None:
-        """Put the words of the head into the operator's language."""
+        """Set the texts of the head in the operator's language."""
         self._step_label.setText(self.tr("Step"))
         self._step_box.setAccessibleName(self.tr("Step of − and +"))
         self._keys.setText(self.tr("Keys"))

@@ -63,7 +63,7 @@ class JointRow(TargetRow):
 
     Args:
         joint: Its number, 1–6.
-        limits: Its range until the arm tells another.
+        limits: Its range until the arm's own was read.
     """
 
     def __init__(self, joint: int, limits: JointLimits) -> None:
@@ -128,16 +128,16 @@ class JointRow(TargetRow):
     # -- what the arm says --------------------------------------------------------------------
 
     def show_measured(self, angle_deg: float | None, *, stale: bool) -> None:
-        """Show the measured angle as figure and as mark on the slider."""
+        """Show the measured angle as a figure and as a mark on the slider."""
         self.measured.show_text(fmt.angle(angle_deg), stale=stale)
         self.slider.show_measured(None if stale else angle_deg)
 
     def set_limits(self, limits: JointLimits, *, read: bool) -> None:
-        """Take other limits.
+        """Set other limits.
 
         Args:
             limits: The range.
-            read: Whether the arm told it; otherwise it is the factory's.
+            read: Whether it was read from the arm; otherwise it is the factory's.
         """
         if (limits, read) == (self._limits, self._limits_read):
             return
@@ -174,7 +174,7 @@ class JointRow(TargetRow):
         return minus, plus
 
     def retranslate_ui(self) -> None:
-        """Put names and tooltips into the operator's language."""
+        """Set names and tooltips in the operator's language."""
         joint = self.joint
         self.minus.setAccessibleName(self.tr("Joint {joint} minus").format(joint=joint))
         self.plus.setAccessibleName(self.tr("Joint {joint} plus").format(joint=joint))
@@ -205,14 +205,14 @@ _KEYBOARD: Final = also("keyboard teach 键盘")
 
 
 class MotionPanel(JogPanel):
-    """Targets on the left, measured angles on the right; says why if the arm can't move.
+    """Targets on the left, measured angles on the right, and the reason if the arm can't move.
 
-    The fields follow the arm until the operator types something else, so that sending them never
-    moves a joint nobody touched. 发送 is lit while there is something to be sent.
+    The fields follow the arm until the operator types something else, so that sending them moves
+    only the joints that were changed. 发送 is highlighted while there is something to send.
 
     Args:
-        controller: Whom to ask for motion.
-        preferences: Keep the step of − and + to begin with, and the operator's own home pose.
+        controller: Sends the motions.
+        preferences: The settings, with the first step of − and +, and the operator's own home pose.
     """
 
     commands = (
@@ -275,7 +275,7 @@ class MotionPanel(JogPanel):
         self._send.clicked.connect(self._on_send)
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
+        """Return the target of each command, by the command's name."""
         return {
             "motion.home": self._home,
             "motion.own_home": self._own_home.go,
@@ -294,7 +294,7 @@ class MotionPanel(JogPanel):
 
     @property
     def jog_step_deg(self) -> float:
-        """How far one press of − or + goes."""
+        """The step of − and +."""
         return self._step_box.step
 
     @property
@@ -303,12 +303,12 @@ class MotionPanel(JogPanel):
         return self._rows[0].plus
 
     def set_jog_step(self, step_deg: float) -> None:
-        """Take the step of the settings; the usual ones can still be chosen."""
+        """Set the step of the settings; the usual ones can still be chosen."""
         self._step_box.set_step(step_deg)
         self._on_step_chosen()
 
     def focus_joint(self, joint: int) -> None:
-        """Bring the operator to the target field of a joint."""
+        """Focus the target field of a joint."""
         field = self._rows[joint - 1].field
         field.setFocus(Qt.FocusReason.OtherFocusReason)
         field.selectAll()
@@ -449,7 +449,7 @@ class MotionPanel(JogPanel):
         return None
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._title.setText(self.tr("Motion control"))
         self._step_box.setToolTip(self.tr("How far one press of − or + moves a joint"))
         self._target_head.setText(self.tr("Target"))

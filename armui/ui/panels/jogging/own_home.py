@@ -39,30 +39,31 @@ NO_OWN_HOME = Reason(
 
 
 _NO_NUMBER: Final = "?"
-"""Of an arm of generation 2; those of generation 1 are known by their adapter alone."""
+"""Stands for the node number of arms of generation 1, which are known by their adapter alone."""
 _MOST: Final = 200
-"""So many arms are remembered."""
+"""The most arms remembered."""
 
 Angles = tuple[float, ...]
 
 
 class OwnHome(Translated, QWidget):
-    """Goes to the operator's home pose of the arm that is connected, and sets it.
+    """Moves to the operator's home pose of the connected arm, and sets it.
 
-    Setting it moves nothing. It is reached like any other target: by MOVE J, with the same checks.
+    Setting it moves nothing. The arm moves there like to any other target: by MOVE J, with the same
+    checks.
 
     Args:
-        controller: Moves the arm, and knows where it is.
-        preferences: Keeps the pose of each arm.
-        typed: Returns the six angles that stand in the panel; ``None``: one is no figure.
+        controller: Moves the arm, and gives its state.
+        preferences: The settings with the pose of each arm.
+        typed: Returns the six angles in the panel, or ``None`` if one is invalid.
 
     Signals:
         refused: A :class:`Refusal`, or ``None`` when it was done.
-        sent: The arm is on its way.
+        sent: The motion was sent.
 
     Attributes:
-        go: Moves there.
-        set_measured, set_typed: Set it.
+        go: The button that moves there.
+        set_measured, set_typed: The buttons that set it.
     """
 
     refused = Signal(object)
@@ -108,7 +109,7 @@ class OwnHome(Translated, QWidget):
 
     @property
     def angles_deg(self) -> Angles | None:
-        """Six angles, ``None`` while none are kept for this arm."""
+        """The six angles, or ``None`` if none are stored for this arm."""
         kept = self._preferences.settings.home_poses.get(self._arm or "")
         return None if kept is None else tuple(kept)
 
@@ -149,7 +150,7 @@ class OwnHome(Translated, QWidget):
         return self._preferences.change(home_poses=dict(list(kept.items())[-_MOST:]))
 
     def show_possible(self) -> None:
-        """Offer it, or say why not; where it leads stands in its tooltip."""
+        """Enable it, or show why not; the tooltip contains the pose."""
         angles_deg = self.angles_deg
         if angles_deg is None:
             reason, use = words.refusal(NO_OWN_HOME()), ""
@@ -176,7 +177,7 @@ class OwnHome(Translated, QWidget):
         )
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         caption(self.go, self.tr("Own home"))
         caption(self._set, self.tr("Set own home"))
         self.set_measured.setText(self.tr("The measured angles"))

@@ -1,4 +1,4 @@
-"""Below the figures of a pose: an arc by three poses, or the tool centre point, one at a time."""
+"""The part below a pose: an arc by three poses, or the tool centre point, one at a time."""
 
 from __future__ import annotations
 
@@ -31,10 +31,10 @@ _TEXT_SCALE: Final = 0.85
 
 
 class ToolBox(Translated, QWidget):
-    """Six small fields; what they hold counts as soon as a field is left."""
+    """Six small fields, which take effect as soon as a field is left."""
 
     changed = Signal(object)
-    """Six figures as they were typed; one that is none stands as its text."""
+    """Emitted with the six figures as typed; an invalid one as its text."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -53,13 +53,13 @@ class ToolBox(Translated, QWidget):
         self.retranslate_ui()
 
     def show_tool(self, tool: Sequence[float]) -> None:
-        """Put the figures in force into the fields."""
+        """Set the fields to the figures in force."""
         for field, value in zip(self._fields, tool, strict=True):
             field.show_value(value)
             field.show_attention(wanted=False)
 
     def mark(self, *, wrong: bool) -> None:
-        """Mark the fields that hold something else than a figure, or all that was refused."""
+        """Mark the invalid fields, or those that were refused."""
         for field in self._fields:
             field.show_attention(wanted=wrong and (field.value is None or abs(field.value) > 180))
 
@@ -72,7 +72,7 @@ class ToolBox(Translated, QWidget):
         )
 
     def retranslate_ui(self) -> None:
-        """Put names into the operator's language."""
+        """Set the names in the operator's language."""
         self._title.setText(
             self.tr("Tool centre point relative to the flange (mm, °), saved on this PC")
         )
@@ -81,12 +81,12 @@ class ToolBox(Translated, QWidget):
 
 
 class ArcBox(Translated, QWidget):
-    """Three poses, each captured where the arm stands, and the two buttons that use them."""
+    """Three poses, each captured from the arm, and the two buttons that use them."""
 
     capture_wanted = Signal(int)
-    """The place of a pose, 0–2, is to be taken from where the arm is."""
+    """Emitted to capture a pose from the arm, with its index 0–2."""
     start_wanted = Signal()
-    """Go to the start of the arc."""
+    """Emitted to move to the start of the arc."""
     send_wanted = Signal()
 
     def __init__(self) -> None:
@@ -113,12 +113,12 @@ class ArcBox(Translated, QWidget):
         self.retranslate_ui()
 
     def take(self, place: int, pose: Pose) -> None:
-        """A pose was captured."""
+        """Set a captured pose."""
         self.poses[place] = pose
         self._show_poses()
 
     def clear(self) -> None:
-        """The poses stand for nothing any more."""
+        """Clear all poses."""
         self.poses = [None, None, None]
         self._show_poses()
 
@@ -130,7 +130,7 @@ class ArcBox(Translated, QWidget):
         )
 
     def allow(self, why_no_capture: str, why_no_move: str) -> None:
-        """Enable the buttons, or disable them and say why."""
+        """Enable the buttons, or disable them with the reasons."""
         for button in self.captures:
             use = self.tr("Captures the arm's present pose; nothing moves.")
             enable_or_explain(button, why_no_capture, use)
@@ -152,7 +152,7 @@ class ArcBox(Translated, QWidget):
             text.setToolTip(f"X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°")
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         names = (self.tr("Capture start"), self.tr("Capture middle"), self.tr("Capture end"))
         for button, text in zip(self.captures, names, strict=True):
             caption(button, text)
@@ -162,10 +162,10 @@ class ArcBox(Translated, QWidget):
 
 
 class PoseExtras(Translated, QWidget):
-    """Two buttons, and what the chosen one stands for: both fit on a low screen so.
+    """Two buttons, of which the chosen one shows its part: so both fit on a low screen.
 
     Args:
-        arc, tool: What is shown.
+        arc, tool: The parts to show.
     """
 
     def __init__(self, arc: ArcBox, tool: ToolBox) -> None:
@@ -190,6 +190,6 @@ class PoseExtras(Translated, QWidget):
         return self._group.buttons()
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         for place, text in enumerate((self.tr("Arc by three poses"), self.tr("Tool centre point"))):
             caption(self._group.button(place), text)

@@ -1,1 +1,1 @@
-"""Panels for the parameters the arm keeps: joints, end, collision levels, gripper, load."""
+"""The panels of the arm's parameters: joints, end, collision levels, gripper, load."""

@@ -1,4 +1,4 @@
-"""末端负载: what the arm carries, and how fast each joint's end moves (0x477, 0x481–0x486)."""
+"""末端负载: the arm's load and mounting, and the speed of each joint's end (0x477, 0x481–0x486)."""
 
 from __future__ import annotations
 
@@ -65,18 +65,18 @@ _CHOICES: Final[dict[Mounting, MountingName]] = {
     Mounting.UPSIDE_DOWN: "upside_down",
 }
 _MOST: Final = 200
-"""Arms that are remembered; those told longest ago are forgotten."""
+"""The most arms remembered; those set longest ago are dropped."""
 
 
 class MountingCard(QFrame):
-    """Chooses a mounting; who owns it asks the operator before it is told.
+    """The choice of a mounting; its owner asks the operator before it is sent.
 
     Args:
-        controller: Tells the arm.
-        preferences: Keeps what each arm was told last.
+        controller: Sends the mounting.
+        preferences: The settings with the last mounting of each arm.
 
     Attributes:
-        send: The button that tells it.
+        send: The button that sends it.
     """
 
     def __init__(self, controller: ArmController, preferences: SettingsStore) -> None:
@@ -103,7 +103,7 @@ class MountingCard(QFrame):
 
     @property
     def chosen(self) -> Mounting | None:
-        """What the operator has chosen."""
+        """The mounting chosen by the operator."""
         code = self._choices.checkedId()
         return None if code < 0 else Mounting(code)
 
@@ -113,7 +113,7 @@ class MountingCard(QFrame):
         return {name: self._choices.button(int(each)) for each, name in _CHOICES.items()}
 
     def tell(self) -> Refusal | None:
-        """Tell the arm what is chosen, and keep it: ``None``, or why not."""
+        """Send the chosen mounting and store it; return ``None``, or why it was refused."""
         mounting = self.chosen
         if mounting is None:
             return None
@@ -125,7 +125,7 @@ class MountingCard(QFrame):
         return refusal
 
     def follow_arm(self) -> None:
-        """Show what the arm that is connected was told; it is another one, or has named itself."""
+        """Show the last mounting of the connected arm, after it has changed or named itself."""
         device = self._controller.operating_state.device
         identity = self._controller.state.identity
         node = "" if identity is None else identity.node_number
@@ -152,7 +152,7 @@ class MountingCard(QFrame):
         return self._preferences.change(mountings=dict(list(kept.items())[-_MOST:]))
 
     def question(self) -> tuple[str, str]:
-        """Title and text of the question before it is told."""
+        """Return title and text of the question before it is sent."""
         how = "" if self.chosen is None else words.mounting(self.chosen)
         return (
             self.tr("Tell the arm its mounting: {mounting}").format(mounting=how),
@@ -165,7 +165,7 @@ class MountingCard(QFrame):
         )
 
     def show_possible(self) -> None:
-        """What can be chosen and told now; the others say why not."""
+        """Enable the possible choices; the others show their reasons."""
         self.follow_arm()
         control = self._controller.mounting
         for mounting in _CHOICES:
@@ -196,7 +196,7 @@ class MountingCard(QFrame):
         self._told.setText(text.format(mounting=words.mounting(told)))
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._heading.setText(self.tr("Mounting of the arm"))
         for mounting in _CHOICES:
             button = self._choices.button(int(mounting))
@@ -263,7 +263,7 @@ class EndLoadPanel(Panel):
         self.retranslate_ui()
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
+        """Return the target of each command, by the command's name."""
         return {
             **{f"end_load.{each.name.lower()}": self._loads.button(int(each)) for each in _LOADS},
             **{f"end_load.{name}": button for name, button in self._mounting.buttons.items()},
@@ -366,7 +366,7 @@ class EndLoadPanel(Panel):
         self._say(self._refusal or standing, self._event)
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._title.setText(self.tr("End load"))
         for load in _LOADS:
             button = self._loads.button(int(load))

@@ -31,7 +31,7 @@ _JOINTS_CARD_PX: Final = 420
 
 
 class JointSettingsPanel(ParameterPanel):
-    """Six joints by four limits; the Tab key goes down the columns."""
+    """Four limits of six joints; the Tab key goes down the columns."""
 
     commands = parameter_commands("joint_settings", operation_of(ArmSettings.reset_joint_limits))
 
@@ -62,11 +62,11 @@ class JointSettingsPanel(ParameterPanel):
         self.finish(card, tallest_px=_JOINTS_CARD_PX)
 
     def title(self) -> str:
-        """关节设置."""
+        """Return 关节设置 in the operator's language."""
         return self.tr("Joint settings")
 
     def reset_question(self) -> tuple[str, str]:
-        """Before all six joints get the factory's limits."""
+        """Return the question before all six joints get the factory's limits."""
         return (
             self.tr("Factory limits for all joints"),
             self.tr(
@@ -77,7 +77,7 @@ class JointSettingsPanel(ParameterPanel):
         )
 
     def why_no_reset(self) -> str:
-        """Generation 1 has no command for it."""
+        """Return why 【初始化】 is missing: generation 1 has no command for it."""
         if self._controller.operating_state.generation is Generation.ONE:
             return self.tr(
                 "This arm's protocol (generation 1) has no command for it. Enter the values, or "
@@ -86,11 +86,11 @@ class JointSettingsPanel(ParameterPanel):
         return ""
 
     def reset_to_factory(self) -> Refusal | None:
-        """Ask the arm for its factory values."""
+        """Have the arm restore its factory values."""
         return refusal_of(self._settings.reset_joint_limits())
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         for name, head in self._heads.items():
             head.setText(parameter_name(name))
         super().retranslate_ui()
@@ -100,13 +100,13 @@ class ListedParameters(ParameterPanel):
     """A name and a field with its unit for each parameter of a group.
 
     Args:
-        controller: Whom to ask.
+        controller: The controller of the arm.
         open_backup: Opens 参数备份.
 
     Attributes:
-        name: For the names of the buttons.
-        group: What is listed.
-        can_reset: Whether there is a 【初始化】.
+        name: The first part of the buttons' names.
+        group: The parameters listed.
+        can_reset: True if there is a 【初始化】.
     """
 
     name: ClassVar[str]
@@ -132,7 +132,7 @@ class ListedParameters(ParameterPanel):
         self.finish(card, tallest_px=_TALLEST_CARD_PX)
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         for name, label in self._labels.items():
             label.setText(parameter_name(name))
         super().retranslate_ui()
@@ -147,11 +147,11 @@ class EndLimitsPanel(ListedParameters):
     can_reset = True
 
     def title(self) -> str:
-        """配速设置."""
+        """Return 配速设置 in the operator's language."""
         return self.tr("End speed limits")
 
     def reset_question(self) -> tuple[str, str]:
-        """Before the end gets the factory's limits."""
+        """Return the question before the end gets the factory's limits."""
         return (
             self.tr("Factory limits for the end"),
             self.tr(
@@ -161,7 +161,7 @@ class EndLimitsPanel(ListedParameters):
         )
 
     def reset_to_factory(self) -> Refusal | None:
-        """Ask the arm for its factory values."""
+        """Have the arm restore its factory values."""
         return refusal_of(self._settings.reset_end_limits())
 
 
@@ -174,11 +174,11 @@ class GripperSettingsPanel(ListedParameters):
     can_reset = False
 
     def title(self) -> str:
-        """夹爪设置."""
+        """Return 夹爪设置 in the operator's language."""
         return self.tr("Gripper settings")
 
     def remark(self, cell: SettingCell) -> str:
-        """Return what can be chosen where there are few values."""
+        """Return the possible values, if they are few."""
         kind = cell.parameter.kind
         if not kind.choices:
             return ""

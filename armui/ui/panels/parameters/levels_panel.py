@@ -1,4 +1,4 @@
-"""Panels of a level for each joint, 碰撞等级 and 拖动助力, and one click for all of them."""
+"""The panels 碰撞等级 and 拖动助力: a level for each joint, and one click for all of them."""
 
 from __future__ import annotations
 
@@ -29,11 +29,11 @@ _DIALOG_HEIGHT_PX: Final = 700
 
 
 class LevelRow(QWidget):
-    """Whole levels side by side; the chosen one stands out, or none.
+    """Levels side by side, of which one or none is chosen.
 
     Args:
-        levels: From left to right.
-        name: For the names of the buttons: ``<name>_level_<level>``.
+        levels: The levels from left to right.
+        name: The first part of the buttons' names: ``<name>_level_<level>``.
 
     Signals:
         chosen: The operator chose a level.
@@ -61,7 +61,7 @@ class LevelRow(QWidget):
         return None if level < 0 else level
 
     def show_level(self, level: int | None) -> None:
-        """Choose a level, or none, without telling anyone."""
+        """Choose a level, or none, without emitting a signal."""
         with QSignalBlocker(self._group):
             self._group.setExclusive(False)
             for button in self._group.buttons():
@@ -69,25 +69,25 @@ class LevelRow(QWidget):
             self._group.setExclusive(True)
 
     def set_locked(self, *, locked: bool) -> None:
-        """Show the level and let no other be chosen, or let it again."""
+        """Lock or unlock the choice."""
         for button in self._group.buttons():
             button.setEnabled(not locked)
 
     def first(self) -> QWidget:
-        """Return where the Tab key enters."""
+        """Return the widget that the Tab key enters."""
         return self._group.checkedButton() or self._group.buttons()[0]
 
     def describe(self, name: str) -> None:
-        """Name the buttons: whose levels they are."""
+        """Set the accessible names of the buttons."""
         for button in self._group.buttons():
             button.setAccessibleName(f"{name} {self._group.id(button)}")
 
 
 class LevelCell(SettingCell):
-    """A parameter of whole levels; the row is named as the parameter, ``collision_level_3``.
+    """A parameter with few levels; the row is named as the parameter, ``collision_level_3``.
 
     Attributes:
-        levels: From left to right.
+        levels: The levels from left to right.
     """
 
     def __init__(self, parameter: Parameter) -> None:
@@ -100,7 +100,7 @@ class LevelCell(SettingCell):
 
     @property
     def text(self) -> str:
-        """The chosen level."""
+        """The chosen level as text."""
         return "" if self._row.level is None else str(self._row.level)
 
     @property
@@ -114,20 +114,20 @@ class LevelCell(SettingCell):
         return self._row.first()
 
     def show_value(self, value: float | None) -> None:
-        """Choose what the arm holds; a level there is no button for chooses none."""
+        """Choose the arm's value; a level without a button chooses none."""
         self._row.show_level(None if value is None else round(value))
 
     def choose(self, level: int) -> None:
-        """Enter a level as if its button had been pressed."""
+        """Choose a level as if its button had been pressed."""
         self._row.show_level(level)
         self.edited.emit()
 
     def set_locked(self, *, locked: bool) -> None:
-        """Let no other level be chosen, or let it again."""
+        """Lock or unlock the choice."""
         self._row.set_locked(locked=locked)
 
     def describe(self, name: str, tip: str) -> None:
-        """Name the levels, and say in full how it stands."""
+        """Set the names of the levels, and the full state as tooltip."""
         self._row.describe(name)
         self.setToolTip(tip)
 
@@ -137,9 +137,9 @@ class LevelsPanel(ParameterPanel):
 
     Args:
         controller: Reads and saves them.
-        group: Whose levels; ``<group>_all`` and ``<group>_note`` are the names of what is below.
+        group: The group; the widgets below are named ``<group>_all`` and ``<group>_note``.
         open_backup: Opens the window in which parameters are backed up.
-        tallest_px: The card grows no taller.
+        tallest_px: The largest height of the card.
     """
 
     def __init__(
@@ -172,7 +172,7 @@ class LevelsPanel(ParameterPanel):
         self.finish(card, tallest_px=tallest_px)
 
     def note(self) -> str:
-        """Return what the levels mean, in the operator's language."""
+        """Return the meaning of the levels, in the operator's language."""
         raise NotImplementedError
 
     def _on_all_chosen(self, level: int) -> None:
@@ -185,7 +185,7 @@ class LevelsPanel(ParameterPanel):
         self._all.set_locked(locked=not self._draft.editing or self._saving.running)
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._all_label.setText(self.tr("All"))
         self._all.describe(self.tr("All joints: level"))
         self._note.setText(self.note())
@@ -193,7 +193,7 @@ class LevelsPanel(ParameterPanel):
 
 
 class CollisionPanel(LevelsPanel):
-    """Warns of joints without detection."""
+    """The collision levels; warns of joints without detection."""
 
     commands = parameter_commands("collision")
 
@@ -201,7 +201,7 @@ class CollisionPanel(LevelsPanel):
         super().__init__(controller, Group.COLLISION, open_backup, tallest_px=_COLLISION_CARD_PX)
 
     def title(self) -> str:
-        """碰撞等级."""
+        """Return 碰撞等级 in the operator's language."""
         return self.tr("Collision level")
 
     def note(self) -> str:
@@ -212,7 +212,7 @@ class CollisionPanel(LevelsPanel):
         )
 
     def danger(self) -> str:
-        """Joints that would not notice, or do not notice, what they hit."""
+        """Return the joints that do not detect collisions, or would not."""
         blind = [cell.parameter.joint for cell in self._levels if cell.value == _NO_DETECTION]
         if not blind:
             return ""
@@ -222,7 +222,7 @@ class CollisionPanel(LevelsPanel):
         ).format(joints=fmt.joints(blind))
 
     def danger_of_saving(self) -> str:
-        """Joints whose detection would be switched off now."""
+        """Return the joints whose detection would be switched off."""
         state = self._controller.state
         blind = [
             parameter.joint
@@ -238,23 +238,23 @@ class CollisionPanel(LevelsPanel):
         ).format(joints=fmt.joints(blind))
 
     def remark(self, cell: SettingCell) -> str:
-        """A joint without detection says so, beside its number."""
+        """Return the remark beside a joint without detection."""
         return self.tr("no detection") if cell.value == _NO_DETECTION else ""
 
 
 class DragAssistancePanel(LevelsPanel):
-    """Levels from no help at all to the most."""
+    """The levels of assistance, from none to the most."""
 
     def __init__(self, controller: ArmController, open_backup: Callable[[], object]) -> None:
         group = Group.DRAG_ASSISTANCE
         super().__init__(controller, group, open_backup, tallest_px=_DRAG_ASSISTANCE_CARD_PX)
 
     def title(self) -> str:
-        """拖动助力."""
+        """Return 拖动助力 in the operator's language."""
         return self.tr("Drag assistance")
 
     def stand_in_dialog(self) -> None:
-        """The dialog has the title and the margins."""
+        """Remove title and margins, which the dialog has."""
         layout = self.layout()
         if layout is not None:
             layout.setContentsMargins(0, 0, 0, 0)
@@ -264,7 +264,7 @@ class DragAssistancePanel(LevelsPanel):
         self._title.hide()
 
     def note(self) -> str:
-        """Return what the levels do."""
+        """Return the effect of the levels."""
         return self.tr(
             "0: the joint does not help the hand; 10: it helps most. Read and set with the arm "
             "at rest; keep a hand on it when you lead it for the first time afterwards."
@@ -272,10 +272,10 @@ class DragAssistancePanel(LevelsPanel):
 
 
 class DragAssistanceDialog(ArmDialog):
-    """What was entered and not saved is still there when it is opened again.
+    """The panel in a window; unsaved entries are kept until it is opened again.
 
     Args:
-        controller: Whom to ask.
+        controller: The controller of the arm.
         open_backup: Opens 参数备份.
         parent: The window it belongs to.
     """
@@ -295,5 +295,5 @@ class DragAssistanceDialog(ArmDialog):
         self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.set_title(self.panel.title())

@@ -48,7 +48,7 @@ from armui.ui.words.parameters import (
 from armui.ui.words.text import Text, listed
 
 SAVE_KEY: Final = keys_of("parameters.save")
-"""Of 【保存】, to be said in its tooltip."""
+"""The shortcut of 【保存】, for its tooltip."""
 CANCEL_KEY: Final = keys_of("parameters.cancel")
 _HEIGHT_PX: Final = 38
 _GAP_PX: Final = 10
@@ -68,11 +68,11 @@ class _Said:
 
 
 class ParameterButtons(QWidget):
-    """【编辑】 and 【取消】 share a place: only one of them makes sense at a time.
+    """The buttons; 【编辑】 and 【取消】 share a place, because only one makes sense at a time.
 
     Args:
-        name: For the names of the buttons: ``<name>_save_button``.
-        can_reset: Whether there is a 【初始化】.
+        name: The first part of the buttons' names: ``<name>_save_button``.
+        can_reset: True if there is a 【初始化】.
     """
 
     def __init__(self, name: str, *, can_reset: bool) -> None:
@@ -104,7 +104,7 @@ class ParameterButtons(QWidget):
         coming.show()
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         caption(self.read, self.tr("Read"))
         caption(self.reset, self.tr("Initialise"))
         caption(self.edit, self.tr("Edit"))
@@ -117,7 +117,7 @@ def parameter_commands(place: str, reset: Operation | None = None) -> tuple[Comm
 
     Args:
         place: The key of the panel.
-        reset: Has the arm take its factory values; ``None``: there is no 【初始化】.
+        reset: The operation that restores the factory values; ``None`` without 【初始化】.
     """
     read, save = operation_of(ArmSettings.read), operation_of(ArmSettings.save)
     initialise = Text("ParameterButtons", "Initialise")
@@ -132,17 +132,17 @@ def parameter_commands(place: str, reset: Operation | None = None) -> tuple[Comm
 
 
 class ParameterPanel(Panel):
-    """Shows parameters as the arm holds them, and lets the operator enter others and save them.
+    """Shows the arm's parameters, and lets the operator enter others and save them.
 
     They are read whenever the panel is shown, and when the arm comes online meanwhile. Fields are
-    locked until 【编辑】; what was entered stays until it is in the arm, or given up.
+    locked until 【编辑】; entries stay until the arm holds them, or they are discarded.
 
     Args:
-        controller: Whom to ask.
-        name: For the names of the buttons: ``<name>_save_button``.
-        cells: One a parameter, in the order of the Tab key.
+        controller: The controller of the arm.
+        name: The first part of the buttons' names: ``<name>_save_button``.
+        cells: A cell for each parameter, in the order of the Tab key.
         open_backup: Opens 参数备份.
-        can_reset: Whether there is a 【初始化】.
+        can_reset: True if there is a 【初始化】.
     """
 
     def __init__(
@@ -168,11 +168,11 @@ class ParameterPanel(Panel):
         self._buttons = ParameterButtons(name, can_reset=can_reset)
 
     def finish(self, card: QFrame, *, tallest_px: int) -> None:
-        """Lay the panel out around its card; the last step of making one.
+        """Lay the panel out around its card; the last step of the constructor.
 
         Args:
             card: Holds the cells.
-            tallest_px: It grows no higher.
+            tallest_px: The largest height of the card.
         """
         head = in_row((self._title, 1), self._backup)
         self._stack(scrolled(card, tallest_px), self._buttons, head=head)
@@ -195,7 +195,7 @@ class ParameterPanel(Panel):
         self._controller.step_changed.connect(self._on_step_changed)
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
+        """Return the target of each command, by the command's name."""
         return {
             command.name: self._buttons.by_act[command.name.partition(".")[2]]
             for command in self.commands
@@ -204,27 +204,27 @@ class ParameterPanel(Panel):
     # -- what a panel of its own adds ---------------------------------------------------------
 
     def title(self) -> str:
-        """Return what the panel is called."""
+        """Return the title of the panel."""
         raise NotImplementedError
 
     def reset_question(self) -> tuple[str, str]:
-        """Title and text of the question before 【初始化】."""
+        """Return title and text of the question before 【初始化】."""
         return "", ""
 
     def why_no_reset(self) -> str:
-        """Tell why 【初始化】 is not there for this arm; empty: it is."""
+        """Return why 【初始化】 is missing for this arm; empty if it is not."""
         return ""
 
     def reset_to_factory(self) -> Refusal | None:
-        """Ask the arm for its factory values."""
+        """Have the arm restore its factory values."""
         return None
 
     def danger(self) -> str:
-        """Return what in the figures shown is dangerous, in plain words; empty: nothing."""
+        """Return the text on dangerous values; empty if there are none."""
         return self._beyond()
 
     def danger_of_saving(self) -> str:
-        """Return what saving would make dangerous, to be agreed to before; empty: nothing."""
+        """Return the text on dangers of saving, for a confirmation; empty if there are none."""
         beyond = self._beyond()
         return f"{beyond}\n{beyond_danger()}" if beyond else ""
 
@@ -243,11 +243,11 @@ class ParameterPanel(Panel):
     # -- leaving ------------------------------------------------------------------------------
 
     def has_unsaved_changes(self) -> bool:
-        """Tell whether something was entered that is not in the arm."""
+        """Return whether there are entries that the arm does not hold."""
         return self._draft.changed
 
     def discard_changes(self) -> None:
-        """Forget what was entered."""
+        """Discard the entries."""
         self._draft.end_editing()
         self._saving.forget_outcome()
         self._then = None
@@ -256,20 +256,20 @@ class ParameterPanel(Panel):
         self._show_all()
 
     def why_no_saving(self) -> str:
-        """Tell why what was entered cannot be saved now; empty: it can."""
+        """Return why the entries cannot be saved now; empty if they can."""
         wrong = self._draft.first_wrong(self._controller.state)
         return self._no_way() or words.why_not(self._controller.operating_state.occupied or wrong)
 
     def save_changes(self, then: Callable[[], object]) -> None:
-        """Save what was entered as 【保存】 does, and go on once all of it has been read back.
+        """Save the entries as 【保存】 does, and go on once all of them have been read back.
 
-        What the arm does not take stays entered, with the reason below it, and ``then`` is not
+        Entries that the arm does not accept stay, with the reason below, and ``then`` is not
         called.
         """
         self._save(then)
 
     def focus_joint(self, joint: int) -> None:
-        """Bring the operator to the first value of a joint."""
+        """Focus the first value of a joint."""
         for parameter, cell in self._cells.items():
             if parameter.joint == joint:
                 cell.focus_widget.setFocus(Qt.FocusReason.OtherFocusReason)
@@ -362,7 +362,7 @@ class ParameterPanel(Panel):
         self._show_all()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Escape gives up what was entered."""
+        """Discard the entries at Escape."""
         if event.key() == Qt.Key.Key_Escape and self._draft.editing:
             self._buttons.cancel.click()
         else:
@@ -442,7 +442,7 @@ class ParameterPanel(Panel):
         return self.tr("was {held}").format(held=fmt.number(held, decimals))
 
     def remark(self, _cell: SettingCell) -> str:
-        """Return what stands below a value of which there is nothing else to say."""
+        """Return the text below a value that has no other state."""
         return ""
 
     def _show_possible(self) -> None:
@@ -520,7 +520,7 @@ class ParameterPanel(Panel):
         return _Said(text.format(values=listed(nearest)), Level.DONE)
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._title.setText(self.title())
         tip = self.tr("All parameters of the arm: save them to a file, compare, restore.")
         caption(self._backup, self.tr("Backup…"), tip=tip)
@@ -528,12 +528,12 @@ class ParameterPanel(Panel):
         self._show_all()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Read what the arm holds now."""
+        """Read the arm's values."""
         self._read_anew()
         super().showEvent(event)
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """How the last saving ended was seen."""
+        """Clear the result of the last saving."""
         super().hideEvent(event)
         if not self._draft.changed:
             self.discard_changes()

@@ -1,4 +1,4 @@
-"""One parameter of the arm in a panel: its value, and a line that says how it stands."""
+"""One parameter of the arm in a panel: its value, and a line with its state."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ _MARKS: Final = {
 
 
 class CellNote(QWidget):
-    """Keeps its room when there is nothing to say."""
+    """The line with a cell's state; it keeps its room when empty."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -45,34 +45,34 @@ class CellNote(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
 
     def text(self) -> str:
-        """Return the word."""
+        """Return the text."""
         return self._text
 
     @property
     def status(self) -> CellStatus:
-        """What the mark tells."""
+        """The state shown by the mark."""
         return self._status
 
     def show_status(self, status: CellStatus, text: str) -> None:
-        """Show another mark and word."""
+        """Show another mark and text."""
         if (status, text) != (self._status, self._text):
             self._status, self._text = status, text
             self.setAccessibleName(text)
             self.update()
 
     def sizeHint(self) -> QSize:
-        """One line of small text."""
+        """Return the size of one line of small text."""
         return QSize(0, QFontMetrics(self._font()).height())
 
     def minimumSizeHint(self) -> QSize:
-        """Its width is that of the value above."""
+        """Return the same: the width is that of the value above."""
         return self.sizeHint()
 
     def _font(self) -> QFont:
         return scaled_font(self, _FONT_SCALE)
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw the mark and, at its right, the word; both towards the right edge."""
+        """Draw the mark and the text to its right, aligned to the right edge."""
         mark = _MARKS.get(self._status)
         if mark is None and not self._text:
             return
@@ -95,18 +95,18 @@ class CellNote(QWidget):
 
 
 def cell_name(parameter: Parameter) -> str:
-    """Return what the cell of a parameter is called in the window: ``max_angle_deg_2``."""
+    """Return the name of a parameter's cell: ``max_angle_deg_2``."""
     return f"{parameter.name}_{parameter.joint}" if parameter.joint else parameter.name
 
 
 class SettingCell(QWidget):
-    """What every kind of cell can do; the panel knows no more of them.
+    """The interface of all cells to the panel.
 
     Args:
-        parameter: What it shows.
+        parameter: The parameter shown.
 
     Signals:
-        edited: The operator entered something.
+        edited: The operator has changed the value.
     """
 
     edited = Signal()
@@ -118,29 +118,29 @@ class SettingCell(QWidget):
 
     @property
     def text(self) -> str:
-        """What is entered."""
+        """The entry as text."""
         raise NotImplementedError
 
     @property
     def value(self) -> float | None:
-        """The figure that is entered, or ``None`` if it is none."""
+        """The entry as a figure, or ``None`` if it is none."""
         raise NotImplementedError
 
     @property
     def focus_widget(self) -> QWidget:
-        """What the Tab key leads to."""
+        """The widget that the Tab key leads to."""
         raise NotImplementedError
 
     def show_value(self, value: float | None) -> None:
-        """Show what the arm holds; ``None``: it is not known."""
+        """Show the arm's value, or ``None`` if it is not known."""
         raise NotImplementedError
 
     def set_locked(self, *, locked: bool) -> None:
-        """Let nothing be entered, or again."""
+        """Lock or unlock the entry."""
         raise NotImplementedError
 
     def describe(self, name: str, tip: str) -> None:
-        """Name it, and say in full how it stands."""
+        """Set the name, and the full state as tooltip."""
         raise NotImplementedError
 
     def show_status(
@@ -150,12 +150,12 @@ class SettingCell(QWidget):
         *,
         beyond: bool = False,  # noqa: ARG002 - what has a field marks it
     ) -> None:
-        """Say how it stands.
+        """Show the state.
 
         Args:
-            status: How.
-            text: The same in a word.
-            beyond: It goes beyond the factory's value: it may be saved, and is looked at twice.
+            status: The state.
+            text: The state in a word.
+            beyond: True if it exceeds the factory's value: it may be saved, but is marked.
         """
         self.note.show_status(status, text)
 
@@ -172,12 +172,12 @@ class FigureCell(SettingCell):
 
     @property
     def text(self) -> str:
-        """What stands in the field."""
+        """The field's text."""
         return self.field.text()
 
     @property
     def value(self) -> float | None:
-        """The figure in it."""
+        """The figure in the field."""
         return self.field.value
 
     @property
@@ -186,21 +186,21 @@ class FigureCell(SettingCell):
         return self.field
 
     def show_value(self, value: float | None) -> None:
-        """Show what the arm holds; the same figure typed otherwise is left as it is."""
+        """Show the arm's value; the same figure typed in another form is left."""
         shown = None if value is None else shown_as(self.parameter, value)
         if shown is None or self.field.value != shown:
             self.field.show_value(shown)
 
     def set_locked(self, *, locked: bool) -> None:
-        """A locked field can still be read and copied from."""
+        """Make the field read-only or not; it can still be read and copied from."""
         self.field.setReadOnly(locked)
 
     def describe(self, name: str, tip: str) -> None:
-        """Name it, and say in full how it stands."""
+        """Set the name, and the full state as tooltip."""
         describe(self.field, name, tip)
         self.note.setToolTip(tip)
 
     def show_status(self, status: CellStatus, text: str, *, beyond: bool = False) -> None:
-        """Say how it stands; what cannot be saved, or not unasked, is marked in the field too."""
+        """Show the state; invalid or unusual values are marked in the field, too."""
         super().show_status(status, text, beyond=beyond)
         self.field.show_attention(wanted=status is CellStatus.WRONG or beyond)

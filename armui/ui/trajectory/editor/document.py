@@ -60,7 +60,7 @@ class Document(QObject):
 
     @property
     def saved(self) -> bool:
-        """Whether everything is saved."""
+        """True if everything is saved."""
         return self.stack.isClean()
 
     def trajectory(self) -> Trajectory:

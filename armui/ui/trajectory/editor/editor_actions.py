@@ -168,7 +168,7 @@ class EditorHint(TableHint):
         self.setVisible(self._table.model().rowCount() == 0)
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         texts = (self.tr("Insert current pose"), self.tr("Enter a point"))
         for button, name, text in zip(self._buttons, _HINT_NAMES, texts, strict=True):
             keys = self._actions.keys(name)

@@ -82,11 +82,11 @@ class EditorJog(Translated, QWidget):
 
     @property
     def with_gripper(self) -> bool:
-        """Whether a point that is inserted takes the measured opening of the gripper along."""
+        """True if a point that is inserted takes the measured opening of the gripper along."""
         return self._box is not None and self._box.gripper.inserted.isChecked()
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         text = self.tr("Insert current pose")
         self._insert.setText(text)
         tip = self.tr("Inserts the arm's present pose as a point after the selected row.")
@@ -181,7 +181,7 @@ class EditorPage(Page):
         self.table.setFocus()
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
+        """Return the target of each command, by the command's name."""
         return {
             **{f"editor.{name}": target for name, target in self._actions.targets().items()},
             **self._run_bar.command_targets("editor"),
@@ -495,7 +495,7 @@ class EditorPage(Page):
         self._actions["save"].setEnabled(not self.document.saved)
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._actions.retranslate()
         self._actions.show_step("undo", self.document.stack.undoText())
         self._actions.show_step("redo", self.document.stack.redoText())

@@ -112,7 +112,7 @@ class FindBar(Translated, QWidget):
     # Words and keys ---------------------------------------------------------------------------
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._field.setItemText(0, self.tr("Note"))
         self._field.setItemText(len(_FIELDS) - 2, self.tr("Speed"))
         self._field.setItemText(len(_FIELDS) - 1, self.tr("Dwell"))

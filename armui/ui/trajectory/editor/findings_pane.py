@@ -152,7 +152,7 @@ class FindingsPane(Translated, QWidget):
         self.dismissed.emit()
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._close_button.setText(self.tr("Close"))
         self._fill()
 

@@ -45,7 +45,7 @@ class OtherArmLine(Translated, QWidget):
             self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         other = self._taught_on not in {"", self._fit.kind}
         text = self.tr("This was taught on another arm: {taught}. Chosen is {arm}.")
         text = text.format(

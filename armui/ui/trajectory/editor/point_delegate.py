@@ -116,7 +116,7 @@ class _Row(Translated, QWidget):
         return label
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
 
 
 class GripperEditor(_Row):

@@ -247,7 +247,7 @@ class PointsModel(TableModel):
         return self._current
 
     def fault(self, row: int) -> bool | None:
-        """Tell whether an error was found in a row; ``False``: a warning, ``None``: nothing."""
+        """Return whether an error was found in a row; ``False``: a warning, ``None``: nothing."""
         return self._faults.get(row)
 
     def show_current(self, row: int) -> None:

@@ -102,7 +102,7 @@ class BinDialog(ArmDialog):
         self._text.setText(text.format(days=days))
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.set_title(self.tr("Recently deleted"))
         self._table.setHorizontalHeaderLabels(
             [self.tr("Name"), self.tr("Deleted"), self.tr("Kept until")]
@@ -158,5 +158,5 @@ class BinButton(Translated, QPushButton):
             self._dialog.say(text, Level.FAULT)
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.setText(self.tr("Recently deleted…"))

@@ -139,7 +139,7 @@ class LibraryActions(QObject):
         )
 
     def _refuse_open(self, names: Sequence[str]) -> bool:
-        """Tell whether one of these is open; then that is said."""
+        """Return whether one of these is open; then that is said."""
         name = next(filter(self._is_open, names), None)
         if name is None:
             return False
@@ -227,5 +227,5 @@ class UndoButton(Translated, QPushButton):
         self.setVisible(bool(text))
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.show_step()

@@ -139,7 +139,7 @@ class LibraryBar(QWidget):
     # Words ------------------------------------------------------------------------------------
 
     def retranslate(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         for name, button in self._buttons.items():
             button.setText(_BUTTONS.text(name))
         self.search.setPlaceholderText(self.tr("Search"))

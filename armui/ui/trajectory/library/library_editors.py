@@ -71,7 +71,7 @@ class LibraryEditors(QObject):
         self._recorder: RecordingPage | None = None
 
     def __contains__(self, name: str) -> bool:
-        """Tell whether a trajectory is open."""
+        """Return whether a trajectory is open."""
         return name in self._editors
 
     @property

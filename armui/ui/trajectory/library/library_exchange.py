@@ -172,7 +172,7 @@ class ImportReport(ArmDialog):
     """A line for each file, those that were not imported first.
 
     Args:
-        controller: Whom the emergency stop tells.
+        controller: Receives the emergency stop.
         results: Of all files, as they were imported.
         parent: The window it belongs to.
     """
@@ -193,7 +193,7 @@ class ImportReport(ArmDialog):
         self.resize(_SIZE)
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.set_title(self.tr("Import results"))
         taken = sum(not result.problem for result in self._results)
         text = self.tr("{taken} imported, {left} not imported.")
@@ -245,7 +245,7 @@ class ReportButton(Translated, QPushButton):
         report.open()
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.setText(self.tr("Results…"))
 
 

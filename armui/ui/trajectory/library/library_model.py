@@ -59,7 +59,7 @@ class LibraryModel(TableModel):
         self._sort_keys: dict[tuple[int, int], tuple[Any, ...]] = {}
 
     def is_unsaved(self, name: str) -> bool:
-        """Tell whether nothing is known of a trajectory but changes that are not saved."""
+        """Return whether nothing is known of a trajectory but changes that are not saved."""
         return any(entry.name == name and entry.kind == "draft" for entry in self._rows)
 
     def show(self, entries: Sequence[IndexEntry], drafts: Sequence[str]) -> bool:
@@ -210,7 +210,7 @@ class LibraryFilter(QSortFilterProxyModel):
         self.setFilterCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
 
     def filterAcceptsRow(self, row: int, parent: Index) -> bool:  # noqa: N802 - Qt's name
-        """Tell whether the text is in the name or the note."""
+        """Return whether the text is in the name or the note."""
         entry: IndexEntry = self.sourceModel().index(row, 0, parent).data(ENTRY_ROLE)
         wanted = self.filterRegularExpression()
         return any(wanted.match(text).hasMatch() for text in (entry.name, entry.note))

@@ -121,7 +121,7 @@ class LibraryPage(Page):
         self._table.setFocus()
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
+        """Return the target of each command, by the command's name."""
         return {
             **{f"library.{name}": button for name, button in self._bar.buttons.items()},
             "library.bin": self._bin_button,
@@ -424,7 +424,7 @@ class LibraryPage(Page):
         return {"library": self._table.horizontalHeader()}
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.set_title(self.tr("Trajectory library"))
         self._bar.retranslate()
         self._table.setAccessibleName(self.tr("Trajectory library"))

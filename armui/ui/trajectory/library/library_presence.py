@@ -79,7 +79,7 @@ class SharedUseBanner(Translated, MessageLine):
             self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.setVisible(bool(self._others))
         if not self._others:
             self.show_message("")

@@ -79,7 +79,7 @@ class LibraryTable(QTableView):
 
     @property
     def is_editing(self) -> bool:
-        """Whether a name is being typed."""
+        """True if a name is being typed."""
         return self.state() == QAbstractItemView.State.EditingState
 
     def edit_name(self) -> None:
@@ -122,7 +122,7 @@ class LibraryHint(TableHint):
         self.setVisible(shown == 0)
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._clear.setText(self.tr("Show all"))
         self._clear.setVisible(bool(self._searched))
         if self._searched:

@@ -58,7 +58,7 @@ class PreviewBar(Translated, QFrame):
         self.retranslate_ui()
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
+        """Return the target of each command, by the command's name."""
         return {"view.close_preview": self._close}
 
     @property
@@ -68,7 +68,7 @@ class PreviewBar(Translated, QFrame):
 
     @property
     def is_playing(self) -> bool:
-        """Whether the ghost goes through the motion by itself."""
+        """True if the ghost goes through the motion by itself."""
         return self._play.isChecked()
 
     @property
@@ -123,7 +123,7 @@ class PreviewBar(Translated, QFrame):
         caption(self._play, text, tip=tip)
 
     def retranslate_ui(self) -> None:
-        """Put the words into the operator's language."""
+        """Set the texts in the operator's language."""
         self._label.setText(self.tr("Preview"))
         tip = self.tr("Moves the ghost arm through the motion.")
         describe(self._slider, self.tr("Time of the preview"), tip)

@@ -168,7 +168,7 @@ class PointTarget:
 
     @property
     def is_seen(self) -> bool:
-        """Whether the operator is at it."""
+        """True if the operator is at it."""
         return self.editor.isVisible()
 
     def angles_deg(self) -> tuple[float, ...] | None:
@@ -189,7 +189,7 @@ class PointTarget:
         self._begun = self._at()
 
     def is_as_begun(self) -> bool:
-        """Tell whether the same row of the same points is still the current one."""
+        """Return whether the same row of the same points is still the current one."""
         points, row = self._at()
         return points is self._begun[0] and row == self._begun[1]
 

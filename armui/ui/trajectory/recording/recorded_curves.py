@@ -249,7 +249,7 @@ class RecordedCurves(Translated, QWidget):
     # Words ------------------------------------------------------------------------------------
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._nothing = self.tr("What is recorded appears here")
         self.setAccessibleName(self.tr("Recorded angles of the joints"))
         self.setToolTip(self.tr("Drag the handles: what lies between them is kept"))

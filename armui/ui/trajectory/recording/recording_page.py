@@ -190,7 +190,7 @@ class RecordingPage(Page):
         self._record.setFocus()
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
+        """Return the target of each command, by the command's name."""
         record = "stop" if self._controller.recorder.recording else "record"
         return {
             f"recording.{record}": self._record,
@@ -244,7 +244,7 @@ class RecordingPage(Page):
 
     @property
     def in_use(self) -> bool:
-        """Whether it records, or holds what is not saved."""
+        """True if it records, or holds what is not saved."""
         return self._controller.recorder.recording or self._joining or self._unsaved
 
     # Recording --------------------------------------------------------------------------------
@@ -545,7 +545,7 @@ class RecordingPage(Page):
         self._message.show_message(text, level)
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.set_title(self.tr("Trim samples") if self._is_kept else self.tr("Record"))
         texts = (self.tr("Name"), self.tr("From"), self.tr("To"), self.tr("Tolerance"))
         for label, text in zip(self._labels, texts, strict=True):

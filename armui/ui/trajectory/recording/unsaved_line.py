@@ -92,7 +92,7 @@ class UnsavedRecordingLine(Translated, QWidget):
         self.look()  # another program may have decided meanwhile
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.setVisible(bool(self._found))
         self._keep.setText(self.tr("Keep"))
         self._discard.setText(self.tr("Discard"))

@@ -92,7 +92,7 @@ class RunChoices(QObject):
         return self._options.get(name, RunOptions(speed_factor=FIRST_RUN_FACTOR))
 
     def has_run(self, name: str) -> bool:
-        """Tell whether a trajectory is known to have run."""
+        """Return whether a trajectory is known to have run."""
         return name in self._ran
 
     def choose(self, name: str, options: RunOptions) -> None:
@@ -431,7 +431,7 @@ class RunBar(Translated, QWidget):
         return replace(options, first=self._runner.progress.index)
 
     def _may_resume(self, name: str) -> bool:
-        """Tell whether what ran last, wherever it was begun, is what was begun here."""
+        """Return whether what ran last, wherever it was begun, is what was begun here."""
         progress = self._runner.progress
         begun_here = self._again is not None and self._again.name == progress.name == name
         return begun_here and ended_early(progress)
@@ -489,7 +489,7 @@ class RunBar(Translated, QWidget):
     # Words ------------------------------------------------------------------------------------
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._send.setText(self.tr("Send"))
         self._call_off.setText(self.tr("Call off"))
         for place, text in enumerate((self.tr("Once"), self.tr("Times"), self.tr("Loop"))):

@@ -76,7 +76,7 @@ class OverrideControl(Translated, QWidget):
             self._input.follow_value()
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._label.setText(self.tr("Override"))
         tip = self.tr(
             "Share of the run's own speed; can be changed while it runs, 0 % pauses it. Slower "
@@ -153,7 +153,7 @@ class RunStrip(Translated, QWidget):
         self.hide()
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
+        """Return the target of each command, by the command's name."""
         stop: dict[str, Target] = {"run.stop": self._stop, "run.override": self._override.field}
         if can_pause(self._runner.progress):
             return {**stop, "run.pause": self._pause}
@@ -226,7 +226,7 @@ class RunStrip(Translated, QWidget):
         }[phase]
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._next.setText(self.tr("Next step"))
         self._pause.setText(self.tr("Pause"))
         self._stop.setText(self.tr("End run"))

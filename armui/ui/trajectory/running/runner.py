@@ -39,7 +39,7 @@ class Runner(QObject):
 
     @property
     def running(self) -> bool:
-        """Whether something moves the arm, or will."""
+        """True if something moves the arm, or will."""
         return self._controller.player.running or self._controller.replayer.running
 
     @property
@@ -83,10 +83,10 @@ class Runner(QObject):
 
 
 def can_pause(progress: Progress) -> bool:
-    """Tell whether there is a motion, or a dwell, to hold."""
+    """Return whether there is a motion, or a dwell, to hold."""
     return progress.phase in {RunPhase.MOVING, RunPhase.DWELLING}
 
 
 def ended_early(progress: Progress) -> bool:
-    """Tell whether a run of points ended before its end, so that it can be taken up again."""
+    """Return whether a run of points ended before its end, so that it can be taken up again."""
     return progress.phase in OVER - {RunPhase.IDLE, RunPhase.DONE} and progress.count > 0

@@ -273,7 +273,7 @@ class ColumnsPage(Page):
 
     @property
     def busy(self) -> bool:
-        """Whether the table is being imported."""
+        """True if the table is being imported."""
         return self._work is not None
 
     def _import(self) -> None:
@@ -328,7 +328,7 @@ class ColumnsPage(Page):
     # Words ------------------------------------------------------------------------------------
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.set_title(self.tr("Import by columns"))
         self._source.setText(self._describe())
         self._name_label.setText(self.tr("Name"))
@@ -433,6 +433,6 @@ class ColumnsOffer(Translated, QPushButton):
             self._page = None
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.setText(self.tr("Import by columns…"))
         self.setToolTip("\n".join(path.name for path in self._paths))

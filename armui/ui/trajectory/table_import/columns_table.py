@@ -91,22 +91,22 @@ class ColumnPicker(Translated, QWidget):
 
     @property
     def guessed(self) -> bool:
-        """Whether its unit, or what it holds, is neither the title's word nor the operator's."""
+        """True if its unit, or what it holds, is neither the title's word nor the operator's."""
         return self._guessed
 
     @property
     def looks_like_radians(self) -> bool:
-        """Whether its figures may be radians."""
+        """True if its figures may be radians."""
         return looks_like_radians(self._guess.figures)
 
     @property
     def exceeds_radians(self) -> bool:
-        """Whether a figure of it is more than any joint turns in radians."""
+        """True if a figure of it is more than any joint turns in radians."""
         return exceeds_radians(self._guess.figures)
 
     @property
     def is_titled(self) -> bool:
-        """Whether its title names its unit."""
+        """True if its title names its unit."""
         column = self.column
         return column is not None and column.unit == self._guess.titled_unit
 
@@ -170,7 +170,7 @@ class ColumnPicker(Translated, QWidget):
         self._origin.show_text(self.tr("Guessed: check it") if self._guessed else "")
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         column = self.tr("Column {number}").format(number=self._number)
         titled = f"{self._number}. {self._title_text}"
         self._title.show_text(titled if self._title_text else column)

@@ -81,7 +81,7 @@ class DialectBar(Translated, QWidget):
         self.changed.emit()
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         texts = (
             self.tr("Encoding"),
             self.tr("Delimiter"),

@@ -296,7 +296,7 @@ class BusSummary(Translated, QWidget):
             self.message.setVisible(bool(found))
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         texts = (
             self.tr("Bus load"),
             self.tr("Frames"),
@@ -377,7 +377,7 @@ class BusPage(Page):
         self.retranslate_ui()
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
+        """Return the target of each command, by the command's name."""
         bar, box = self.filter_bar, self.send_box
         return {
             "bus.by_id": bar.by_id,
@@ -594,7 +594,7 @@ class BusPage(Page):
         super().hideEvent(event)
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.set_title(self.tr("Bus monitor"))
         self.tree.setAccessibleName(self.tr("Frames by identifier"))
         self.trace.setAccessibleName(self.tr("Frames in order of time"))

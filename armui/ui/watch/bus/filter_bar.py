@@ -137,7 +137,7 @@ class FilterBar(Translated, QWidget):
         self.pause.setShortcut(QKeySequence(keys_of("bus.pause")))  # other text takes it away
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.by_id.setText(self.tr("By identifier"))
         self.in_order.setText(self.tr("In order of time"))
         for button in (self.by_id, self.in_order):  # the chosen one is written bolder

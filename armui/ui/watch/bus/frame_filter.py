@@ -33,7 +33,7 @@ class IdFilter:
     masked: tuple[tuple[int, int], ...] = ()
 
     def accepts(self, arbitration_id: int) -> bool:
-        """Whether an identifier is one of them; all are where none is named."""
+        """Return whether an identifier is one of them; all are where none is named."""
         if not (self.ranges or self.masked):
             return True
         return any(low <= arbitration_id <= high for low, high in self.ranges) or any(
@@ -84,7 +84,7 @@ class FrameFilter:
     changed_since_s: float | None = None
 
     def accepts(self, row: FrameRow, words: Callable[[FrameRow], str]) -> bool:
-        """Whether a row is shown.
+        """Return whether a row is shown.
 
         Args:
             row: Of the statistics.

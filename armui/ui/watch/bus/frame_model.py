@@ -73,7 +73,7 @@ class FrameTexts:
         self._words: dict[tuple[int, int], str] = {}
 
     def speak(self, codec: Codec | None) -> bool:
-        """Read frames as another codec does; whether it differs from the one before."""
+        """Read frames as another codec does and return whether it differs from the one before."""
         known, wanted = _spoken(self.codec), _spoken(codec)
         if known == wanted:
             return False

@@ -102,7 +102,7 @@ class SendBox(Translated, QWidget):
 
     @property
     def is_open(self) -> bool:
-        """Whether a frame can be sent."""
+        """True if a frame can be sent."""
         return self._timer.isActive()
 
     def close_lock(self) -> None:
@@ -217,7 +217,7 @@ class SendBox(Translated, QWidget):
         )
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.unlock.setText(self.tr("Hold to send frames by hand"))
         self.lock.setText(self.tr("Lock"))
         self.lock.setToolTip(self.tr("Send nothing more; it also locks by itself after a minute"))

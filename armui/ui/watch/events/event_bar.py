@@ -243,7 +243,7 @@ class EventBar(Translated, QWidget):
             self.filter_changed.emit(self.wanted)
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         level, who = self.levels.currentIndex(), self.askers.currentIndex()
         self.search.setPlaceholderText(self.tr("Search"))
         self.search.setAccessibleName(self.tr("Search"))

@@ -37,11 +37,11 @@ class EventFilter:
 
     @property
     def everything(self) -> bool:
-        """Whether nothing is kept out."""
+        """True if nothing is kept out."""
         return self == _EVERYTHING
 
     def passes(self, entry: EventEntry, text: Callable[[EventEntry], str]) -> bool:
-        """Whether an event is shown.
+        """Return whether an event is shown.
 
         Args:
             entry: It.

@@ -81,7 +81,7 @@ class EventPage(Page):
         self.retranslate_ui()
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
+        """Return the target of each command, by the command's name."""
         return {
             "events.follow": self.bar.follow,
             "events.save": self.bar.save,
@@ -213,7 +213,7 @@ class EventPage(Page):
     # Appearance -------------------------------------------------------------------------------
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.set_title(self.tr("Events"))
         self.table.setAccessibleName(self.tr("Events"))
         self.table.setToolTip(self.tr("Double-click: show the moment in the curves"))

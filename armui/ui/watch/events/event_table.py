@@ -208,7 +208,7 @@ class EventModel(TableModel):
 
     @property
     def searching(self) -> bool:
-        """Whether entries are looked through for words: the rows are those of before."""
+        """True if entries are looked through for words: the rows are those of before."""
         return self._search is not None
 
     @property
@@ -248,7 +248,7 @@ class EventModel(TableModel):
         self._rebuild()
 
     def follow(self) -> bool:
-        """Take in what is new; whether anything was."""
+        """Take in what is new and return whether anything was."""
         if self._search is not None or self._log.revision == self._revision:
             return False
         self._revision, changed = self._log.since(self._revision)

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 
 from armui.arm.refusal import Refusal
 from armui.control.sessions.session_recorder import KEPT_S
-from armui.session.recording.kinds import MF4_SUFFIX, SESSION_NO_MF4
+from armui.session.recording.kinds import MF4_SUFFIX, no_mf4
 from armui.setting_checks import ROTATE_MAX_MB, ROTATE_MIN_MB
 from armui.system.clock import local_time
 from armui.ui import format as fmt
@@ -158,7 +158,7 @@ class RingCard(Translated, QFrame):
         self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._title.setText(self.tr("The last minutes, in memory"))
         self.at_faults_box.setText(self.tr("Save by itself at a fault or a stop"))
         self.at_faults_box.setToolTip(
@@ -273,7 +273,7 @@ class RecordingCard(Translated, QFrame):
         in_column(self._title, head, grid, STRETCH, on=self, spacing=12, margins=(16, 12, 16, 14))
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self._title.setText(self.tr("Record to the disk"))
         self._format_label.setText(self.tr("Format"))
         self._size_label.setText(self.tr("New file at"))
@@ -322,7 +322,7 @@ class RecordingCard(Translated, QFrame):
 
     def _show_mf4(self) -> None:
         """Offer the format, or say what it needs; where it is chosen, say what it is."""
-        reason = words.refusal(SESSION_NO_MF4())
+        reason = words.refusal(no_mf4())
         model, row = self.format_box.model(), self.format_box.findData(MF4_SUFFIX)
         if isinstance(model, QStandardItemModel):
             model.item(row).setEnabled(self._can_write_mf4)
@@ -415,7 +415,7 @@ class RecordingMark(Translated, QToolButton):
         self._on_changed()
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.setAccessibleName(self.tr("Recording of the session"))
         self.setToolTip(self.tr("The session is being recorded. Click for the recordings."))
         self._show_time()

@@ -32,7 +32,7 @@ def listing(folder: Path) -> list[RecordingEntry] | Refusal:
 
 
 def can_write_mf4() -> bool:
-    """Whether the package for that format is installed."""
+    """Return whether the package for that format is installed."""
     from armui.session.recording.mf4 import can_write  # noqa: PLC0415 - python-can
 
     return can_write()

@@ -147,7 +147,7 @@ class SessionsModel(TableModel):
         return True
 
     def is_written(self, name: str) -> bool:
-        """Whether a recording is still being written."""
+        """Return whether a recording is still being written."""
         return name in self._written
 
     # What Qt asks -----------------------------------------------------------------------------
@@ -340,7 +340,7 @@ class SessionsWindow(ArmDialog):
         self.resize(_SIZE.boundedTo(self.screen().availableSize()))
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
+        """Return the target of each command, by the command's name."""
         return {
             "sessions.record": self.recording.record_button,
             "sessions.folder": self.recording.folder_button,
@@ -375,7 +375,7 @@ class SessionsWindow(ArmDialog):
         fill(self.footer, *of_chosen, STRETCH, self.other_button, self.folder_button)
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.set_title(self.tr("Session recordings"))
         self.table.setAccessibleName(self.tr("Session recordings"))
         self.open_button.setText(self.tr("Replay"))

@@ -14,7 +14,7 @@ _BEGINNING: Final = datetime(1970, 1, 1, tzinfo=UTC)
 
 
 def has_date(start_s: float) -> bool:
-    """Whether a log says when it was recorded, or only since when."""
+    """Return whether a log says when it was recorded, or only since when."""
     return start_s > _SINCE_1970_S
 
 

@@ -35,7 +35,7 @@ class ReplayEventBar(EventBar):
     """What is followed here is the replay."""
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         super().retranslate_ui()
         self.follow.setText(self.tr("Follow the replay"))
         self._fit_toggles()
@@ -172,7 +172,7 @@ class ReplayEvents(Translated, QWidget):
     # Appearance -------------------------------------------------------------------------------
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.table.setAccessibleName(self.tr("Events of the recording"))
         self.table.setToolTip(self.tr("Click: show this moment"))
         self.model.retranslate()

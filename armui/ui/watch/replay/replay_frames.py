@@ -123,7 +123,7 @@ class ReplayFrames(Translated, QWidget):
         self.show_position(self._replay.position_s)
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.table.setAccessibleName(self.tr("Frames around the moment that is shown"))
         self.table.setToolTip(self.tr("Click: show this moment"))
         self._texts.retranslate()

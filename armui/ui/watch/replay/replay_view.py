@@ -106,7 +106,7 @@ class ReplayFrame(Translated, QWidget):
         self._recolor()
 
     def retranslate_ui(self) -> None:
-        """Put the words into the operator's language."""
+        """Set the texts in the operator's language."""
         words = self.tr("REPLAY · NOT LIVE")
         self.word.setText(words if words.startswith("回放") else f"回放  {words}")
         self.name.setToolTip(self.tr("Nothing can be sent from here: there is no bus behind it."))
@@ -173,7 +173,7 @@ class JointTable(Translated, QWidget):
             self.model.refresh()
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.table.setAccessibleName(self.tr("Joint status in the recording"))
         self.model.retranslate()
         metrics = self.table.fontMetrics()
@@ -407,7 +407,7 @@ class ReplayView(Translated, QWidget):
         self.frames.end()
 
     def retranslate_ui(self) -> None:
-        """Put the words into the operator's language."""
+        """Set the texts in the operator's language."""
         titles = (
             *(self.tr("Joint status"), self.tr("Curves"), self.tr("Events")),
             *(self.tr("Whole recording"), self.tr("Frames")),

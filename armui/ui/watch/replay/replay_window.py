@@ -104,7 +104,7 @@ class LiveStrip(Translated, QWidget):
         self.update()
 
     def retranslate_ui(self) -> None:
-        """Put the words into the operator's language."""
+        """Set the texts in the operator's language."""
         self._heading.setText(self.tr("The arm that is connected now:"))
         self._show_step()
 
@@ -448,7 +448,7 @@ class ReplayWindow(ArmDialog):
             session.close()
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         title = self.tr("Replay")
         if self._path is not None and self.view is not None:
             title = self.tr("Replay – {name}").format(name=self._path.name)

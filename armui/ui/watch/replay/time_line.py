@@ -134,7 +134,7 @@ class TimeLine(Translated, QWidget):
         return found
 
     def retranslate_ui(self) -> None:
-        """Put the words into the operator's language."""
+        """Set the texts in the operator's language."""
         self.setAccessibleName(self.tr("Timeline of the recording"))
         self.update()
 

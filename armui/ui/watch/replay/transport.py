@@ -94,7 +94,7 @@ class Transport(Translated, QWidget):
         self.buttons["next_fault"].setEnabled(after)
 
     def retranslate_ui(self) -> None:
-        """Put the words into the operator's language."""
+        """Set the texts in the operator's language."""
         self.buttons["previous_fault"].setText(self.tr("Previous fault"))
         self.buttons["next_fault"].setText(self.tr("Next fault"))
         self._tell("previous_fault", self.tr("To the previous fault or stop"))

@@ -55,7 +55,7 @@ class WholeCurves(QWidget):
 
     @property
     def is_loading(self) -> bool:
-        """Whether some of them are not there yet."""
+        """True if some of them are not there yet."""
         history = self._replay.whole
         return history is not None and not history.is_over
 
