@@ -46,7 +46,7 @@ _MARKS: Final = {
 
 
 class JointStatusButton(Translated, QAbstractButton):
-    """A mark, the name of the window, and in words how the joints are.
+    """A mark, the name of the page, and in words how the joints are.
 
     Args:
         monitor: Knows the joints.
@@ -129,25 +129,25 @@ class JointStatusButton(Translated, QAbstractButton):
 
 @dataclass(frozen=True, slots=True)
 class WatchEntry:
-    """A window that watches the arm or the bus.
+    """A page that watches the arm or the bus.
 
     Attributes:
         key: Its icon's name; the button is called ``<key>_button``.
         title: What the button says.
-        tip: What the window is for.
-        open_window: Shows it.
+        tip: The purpose of the page.
+        open_page: Shows it.
         command: Opens it from the command palette.
     """
 
     key: str
     title: Text
     tip: Text
-    open_window: Callable[[], object]
+    open_page: Callable[[], object]
     command: Command
 
 
 class WatchMenu(Translated, QWidget):
-    """A button a window, two in a row; a single one is as wide as the menu.
+    """A button a page, two in a row; a single one is as wide as the menu.
 
     Args:
         entries: Row by row.
@@ -164,7 +164,7 @@ class WatchMenu(Translated, QWidget):
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
             button.setIconSize(QSize(18, 18))
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-            button.clicked.connect(lambda _on=False, entry=entry: entry.open_window())
+            button.clicked.connect(lambda _on=False, entry=entry: entry.open_page())
             row, column = divmod(place, _COLUMNS)
             alone = column == 0 and place == len(entries) - 1
             layout.addWidget(button, row, column, 1, _COLUMNS if alone else 1)

@@ -23,7 +23,7 @@ _ICON_PX: Final = 20
 _SIDE_PX: Final = 12
 _TOP_PX: Final = 8
 _GAP_PX: Final = 10
-_TWO_LINES: Final = "急\n急"
+_LINE: Final = "急"
 """Chinese glyphs may stand higher than the others."""
 _LEAST_PX: Final = 200
 _UNBOUNDED_PX: Final = 10_000
@@ -44,10 +44,14 @@ class MessageLine(QWidget):
         parent: Qt's.
         keeps_room: Whether its room stays empty when there is nothing to say. Below a table it
             takes none: what it needs is taken from the table's lower end, and nothing else moves.
+        lines: So many lines have room at least.
     """
 
-    def __init__(self, parent: QWidget | None = None, *, keeps_room: bool = True) -> None:
+    def __init__(
+        self, parent: QWidget | None = None, *, keeps_room: bool = True, lines: int = 2
+    ) -> None:
         super().__init__(parent)
+        self._room = "\n".join([_LINE] * lines)
         self._keeps_room = keeps_room
         self._level = Level.INFO
         self._words: Words = ""
@@ -92,12 +96,12 @@ class MessageLine(QWidget):
         return False
 
     def sizeHint(self) -> QSize:
-        """Room for two lines, and for more where the message needs them."""
+        """Room for its lines, and for more where the message needs them."""
         metrics = self.fontMetrics()
         width = max(1, self.width() - 2 * _SIDE_PX - _GAP_PX - _ICON_PX)
         wrap = int(Qt.TextFlag.TextWordWrap)
         room = QRect(0, 0, width, _UNBOUNDED_PX)
-        texts = (self.text(), _TWO_LINES)
+        texts = (self.text(), self._room)
         height = max(metrics.boundingRect(room, wrap, text).height() for text in texts)
         return QSize(_LEAST_PX if self._keeps_room else self._natural_px(), height + 2 * _TOP_PX)
 

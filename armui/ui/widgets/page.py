@@ -28,6 +28,7 @@ class Page(Translated, QWidget):
 
     Attributes:
         above: The page that leads to it, and to which the way back leads.
+        first: The widget that gets the keys at first; ``None``: the page itself.
         body: Where its content goes.
         footer: Where its last buttons go, from left to right.
         commands: What the command palette offers of it.
@@ -47,6 +48,7 @@ class Page(Translated, QWidget):
         super().__init__(parent)
         self.key: Final = key
         self.above: Page | None = None
+        self.first: QWidget | None = None
         self._title = ""
         self.body = in_column(spacing=_GAP_PX)
         self.footer = in_row(spacing=_GAP_PX // 2)
@@ -89,8 +91,8 @@ class Page(Translated, QWidget):
 
     def take_focus(self) -> None:
         """The operator has come here: the keys go to what is worked with."""
-        inside = self.focusWidget()
-        (self if inside is None else inside).setFocus(Qt.FocusReason.OtherFocusReason)
+        found = (each for each in (self.focusWidget(), self.first) if each is not None)
+        next(found, self).setFocus(Qt.FocusReason.OtherFocusReason)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """To close it is to leave it."""
