@@ -3,6 +3,7 @@
 import pytest
 
 from armui.protocol.codes import ControlMode
+from tests.accepted import accepted
 from tests.company import OtherArm
 from tests.sim.talk import ENABLE, mode, target, tell, text
 
@@ -62,7 +63,7 @@ def test_a_host_in_mit_and_its_speed_without_it(rig, other_host):
 def test_a_second_arm_has_its_own_feedback_and_obeys_its_own_targets(rig, second_arm):
     rig.ready()
     assert second_arm.firmware.enabled == (True,) * 6  # 0x471 has no offset
-    assert rig.controller.motion.send_joints(THERE) is None
+    accepted(rig.controller.motion.send_joints(THERE))
     rig.run(1.5)
     assert rig.firmware.joints_deg == pytest.approx(THERE, abs=0.01)
     assert second_arm.firmware.joints_deg == (0.0,) * 6
@@ -97,7 +98,7 @@ def test_the_drivers_of_a_leader_may_go_on_sending(rig, leader):
 def test_one_frame_of_a_command_gets_lost_on_demand(rig):
     rig.ready()
     rig.node.link.lose_to_arm(0x156)
-    assert rig.controller.motion.send_joints(THERE) is None
+    accepted(rig.controller.motion.send_joints(THERE))
     rig.run(0.2)
     assert 0x156 not in {each.arbitration_id for each in rig.node.heard}
     assert 0x155 in {each.arbitration_id for each in rig.node.heard}

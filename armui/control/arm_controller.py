@@ -72,8 +72,8 @@ _END_S: Final = 1.0
 class ArmController(ControllerParts):
     """What the windows talk to.
 
-    Every command answers at once: ``None``, it is under way, or a :class:`Refusal`, nothing was
-    sent. What becomes of it is told by the signals.
+    Every operation answers at once: its :class:`Started`, it is under way, or a :class:`Refusal`,
+    nothing was sent. What becomes of it stands in that record, and is told by the signals.
 
     Args:
         opener: Opens a device; see :data:`armui.bus.worker.Opener`.
@@ -272,21 +272,14 @@ class ArmController(ControllerParts):
             **named: Those of its method that have names.
 
         Returns:
-            The record of the command, or why it was refused; ``None`` for a question
-            (``settings.read``), whose answer stands in what was asked for.
+            The record of the command, or why it was refused; ``None`` where nothing began: a
+            question (``settings.read``), what is so already, a run that takes its next step.
 
         Raises:
             KeyError: No operation has the id.
         """
-        carry_out = self.operations[name].carry_out
-        told: list[Event] = []
-        listening = self.noticed.connect(told.append)  # each command tells that it has begun
-        try:
-            refusal: Refusal | None = carry_out(*arguments, **named)
-        finally:
-            self.noticed.disconnect(listening)
-        begun = (each.started for each in told if each.started is not None)
-        return refusal or next((each for each in begun if each.operation == name), None)
+        answer: Started | Refusal | None = self.operations[name].carry_out(*arguments, **named)
+        return answer
 
     def _tell(self, notice: Notice, started: Started | None = None, /, **params: object) -> None:
         self.noticed.emit(Event(self._wall(self._clock()), notice, params, started))

@@ -20,6 +20,7 @@ from PySide6.QtCore import QCoreApplication
 import armui.bus.worker
 from armui.arm.parameters import Parameter
 from armui.control.motion.jog_path import JointJog
+from armui.control.operations.started import Started
 from armui.protocol.generation import Generation
 from armui.system.helper_process import FileThread
 from tests.app_driver import AppDriver
@@ -66,7 +67,7 @@ def round_of(driver, number):
     controller.motion.set_speed_percent(50)
     controller.motion.send_joints(PLACES[number % 2])
     driver.run(5.0)
-    if controller.jogging.start(JointJog(1, 1)) is None:
+    if isinstance(controller.jogging.start(JointJog(1, 1)), Started):
         driver.run(0.6)
         controller.jogging.stop()
     driver.run(2.0)

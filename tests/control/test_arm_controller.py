@@ -22,6 +22,7 @@ from armui.protocol.codes import ControlMode
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.trajectory.files.errors import SPEED_OUT_OF_RANGE
+from tests.accepted import accepted
 from tests.moments import now
 
 STOP = Frame(0x150, bytes.fromhex("01 00 00 00 00 00 00 00"))
@@ -65,12 +66,12 @@ def test_enable_and_disable_are_over_when_the_drivers_say_so(any_rig):
     rig = any_rig
     rig.connect()
     assert rig.controller.operating_state.enabled == (False,) * 6
-    assert rig.controller.motors.enable() is None
+    accepted(rig.controller.motors.enable())
     assert rig.controller.motion.jog(1, 1.0).reason == BUSY
     rig.run_until(lambda: "enabled" in rig.codes())
     assert rig.controller.operating_state.enabled == (True,) * 6
     assert rig.heard()[0] == ENABLE
-    assert rig.controller.motors.disable() is None
+    accepted(rig.controller.motors.disable())
     rig.run_until(lambda: "disabled" in rig.codes())
     assert rig.heard()[0] == DISABLE
     assert rig.controller.motion.jog(1, 1.0).reason == NOT_ENABLED
@@ -80,7 +81,7 @@ def test_six_angles_are_sent_as_the_protocol_says_and_reached(any_rig):
     rig = any_rig
     rig.ready()
     rig.heard()
-    assert rig.controller.motion.send_joints([12, 30, -20, 5, -5, 60]) is None
+    accepted(rig.controller.motion.send_joints([12, 30, -20, 5, -5, 60]))
     rig.step()
     assert rig.heard() == [
         Frame(0x155, bytes.fromhex("00002EE0 00007530")),  # 12000, 30000
@@ -98,17 +99,17 @@ def test_home_is_all_zeros(rig):
     rig.ready()
     rig.controller.motion.send_joints([10, 20, -20, 0, 0, 0])
     rig.run_until(lambda: angles(rig)[0] == 10)
-    assert rig.controller.motion.go_home() is None
+    accepted(rig.controller.motion.go_home())
     rig.run_until(lambda: angles(rig) == [0] * 6)
     assert "went_home" in rig.codes()
 
 
 def test_a_jog_moves_one_joint_by_one_step(rig):
     rig.ready()
-    assert rig.controller.motion.jog(2, 1.0) is None
+    accepted(rig.controller.motion.jog(2, 1.0))
     rig.run_until(lambda: angles(rig)[1] == 1)
     rig.run(0.2)
-    assert rig.controller.motion.jog(2, 0.5) is None
+    accepted(rig.controller.motion.jog(2, 0.5))
     rig.run_until(lambda: angles(rig)[1] == 1.5)
     assert angles(rig) == [0, 1.5, 0, 0, 0, 0]
 
@@ -116,7 +117,7 @@ def test_a_jog_moves_one_joint_by_one_step(rig):
 def test_steps_add_up_while_the_arm_is_still_moving(rig):
     rig.ready()
     for _ in range(5):
-        assert rig.controller.motion.jog(1, 2.0) is None
+        accepted(rig.controller.motion.jog(1, 2.0))
         rig.step()
     rig.run_until(lambda: angles(rig)[0] == 10)
     assert angles(rig) == [10, 0, 0, 0, 0, 0]
@@ -158,7 +159,7 @@ def test_angles_beyond_the_limits_are_refused_and_nothing_is_sent(rig):
 def test_the_speed_goes_to_the_arm_in_the_mode_it_is_in(rig):
     rig.ready()
     rig.heard()
-    assert rig.controller.motion.set_speed_percent(55) is None
+    accepted(rig.controller.motion.set_speed_percent(55))
     rig.step()
     assert rig.heard() == [Frame(0x151, bytes.fromhex("00 00 37 00 00 00 00 00"))]  # standby
     rig.controller.motion.jog(1, 1.0)
@@ -199,7 +200,7 @@ def test_stop_resume_enable_and_on(any_rig):
     assert rig.controller.motion.jog(1, 1.0).reason == STOPPED
     assert rig.controller.motors.enable().reason == STOPPED
 
-    assert rig.controller.motors.resume() is None
+    accepted(rig.controller.motors.resume())
     rig.run_until(lambda: rig.controller.operating_state.stop is StopState.RUNNING)
     assert rig.heard()[0] == RESUME
     assert not rig.firmware.stopped
@@ -207,7 +208,7 @@ def test_stop_resume_enable_and_on(any_rig):
     assert rig.controller.motion.jog(1, 1.0).reason == NOT_ENABLED
 
     before = angles(rig)
-    assert rig.controller.motors.enable() is None
+    accepted(rig.controller.motors.enable())
     rig.run_until(lambda: rig.controller.operating_state.cannot_move is None)
     rig.run(0.5)
     assert angles(rig)[0] == before[0]  # the old target is forgotten

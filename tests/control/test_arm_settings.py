@@ -17,6 +17,7 @@ from armui.control.parameters.setting_checks import (
 )
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from tests.accepted import accepted
 from tests.family import FACTORY_LIMITS
 from tests.faulty_arm import HardOfHearing
 
@@ -65,7 +66,7 @@ def settings_heard(rig):
 
 
 def saved(rig, changes):
-    assert rig.controller.settings.save(changes) is None
+    accepted(rig.controller.settings.save(changes))
     settled(rig)
 
 
@@ -235,7 +236,7 @@ def test_the_ends_limits_go_back_to_the_factorys(arm):
     arm.controller.settings.read([END])
     settled(arm)
     saved(arm, {LINEAR_SPEED: 0.5})
-    assert arm.controller.settings.reset_end_limits() is None
+    accepted(arm.controller.settings.reset_end_limits())
     settled(arm)
     assert frame(0x477, "00 01 00 00 00 00 00 00") in arm.ear.heard
     assert heard(arm.controller.state, LINEAR_SPEED).value == 1.0

@@ -14,9 +14,11 @@ from armui.control.devices.gripper_ranges import (
     figures_of,
 )
 from armui.control.operating_state import LINK_LOST, NOT_CONNECTED, OFFLINE
+from armui.control.operations.started import refusal_of
 from armui.control.safety.interlocks import OTHER_CONTROL, STOPPED
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from tests.accepted import accepted
 from tests.faulty_arm import FaultyDrivers, HardOfHearing
 
 ONE, TWO = Generation.ONE, Generation.TWO
@@ -51,7 +53,7 @@ def told(arm, code):
 
 
 def test_opened(arm, generation):
-    assert arm.gripper.move(42.5, 1.5) is None
+    accepted(arm.gripper.move(42.5, 1.5))
     arm.run_until(lambda: told(arm, "gripper_there"))
     # 42.5 = 42500 = A604; 1.5 N·m or rad/s = 1500 = 05DC; byte 6: enable
     assert sent(arm) == [command("0000A604 05DC 01 00")]
@@ -64,14 +66,14 @@ def test_opened(arm, generation):
 def test_power_without_a_motion(arm):
     arm.firmware.gripper.travel = arm.firmware.gripper._target = 12.0
     arm.run(0.1)
-    assert arm.gripper.enable(1.0) is None
+    accepted(arm.gripper.enable(1.0))
     arm.run_until(lambda: told(arm, "gripper_act_done"))
     # 12 = 12000 = 2EE0: where it is; 1 = 1000 = 03E8
     assert sent(arm) == [command("00002EE0 03E8 01 00")]
     assert arm.firmware.gripper.enabled
     arm.run(0.5)
     assert arm.firmware.gripper.travel == 12.0
-    assert arm.gripper.disable() is None
+    accepted(arm.gripper.disable())
     arm.run_until(lambda: len(told(arm, "gripper_act_done")) == 2)
     assert sent(arm)[1:] == [command("00000000 0000 00 00")]
     assert not arm.firmware.gripper.enabled
@@ -82,7 +84,7 @@ def test_an_error_is_told_and_cleared(arm2):
     arm2.firmware.gripper.fail(GripperFault.OVERCURRENT)
     arm2.run(0.1)
     assert arm2.controller.state.gripper.value.faults == {GripperFault.OVERCURRENT}
-    assert arm2.gripper.clear_error() is None
+    accepted(arm2.gripper.clear_error())
     arm2.run_until(lambda: told(arm2, "gripper_act_done"))
     assert sent(arm2) == [command("00000000 0000 02 00")]
     assert arm2.controller.state.gripper.value.faults == frozenset()
@@ -91,7 +93,7 @@ def test_an_error_is_told_and_cleared(arm2):
 def test_its_zero(arm2):
     arm2.firmware.gripper.travel = arm2.firmware.gripper._target = 7.0
     arm2.run(0.1)
-    assert arm2.gripper.set_zero() is None
+    accepted(arm2.gripper.set_zero())
     arm2.run_until(lambda: told(arm2, "gripper_act_done"))
     assert sent(arm2) == [command("00000000 0000 00 AE")]
     assert arm2.firmware.gripper.travel == 0.0
@@ -99,7 +101,7 @@ def test_its_zero(arm2):
 
 def test_generation_1_has_no_zero(any_rig, generation):
     any_rig.connect()
-    refusal = any_rig.controller.gripper.set_zero()
+    refusal = refusal_of(any_rig.controller.gripper.set_zero())
     assert (None if refusal is None else refusal.code) == (
         "gripper_no_zero" if generation is ONE else None
     )
@@ -152,7 +154,7 @@ def test_not_beyond_the_stroke(arm2):
     assert arm2.gripper.move(float("nan"), 1.0).reason == GRIPPER_NOT_A_NUMBER
     arm2.step()
     assert sent(arm2) == []
-    assert arm2.gripper.move(70.0, 5.0) is None
+    accepted(arm2.gripper.move(70.0, 5.0))
 
 
 def test_not_in_a_stop_and_a_stop_ends_it(arm):
@@ -170,7 +172,7 @@ def test_not_while_the_arm_is_led_by_hand(arm):
     arm.firmware.condition.control_mode = 2
     arm.run(0.1)
     assert arm.gripper.move(5.0, 1.0).reason == OTHER_CONTROL
-    assert arm.gripper.disable() is None
+    accepted(arm.gripper.disable())
 
 
 def test_not_where_no_gripper_is_heard(arm):
@@ -181,7 +183,7 @@ def test_not_where_no_gripper_is_heard(arm):
     assert arm.gripper.disable().reason == GRIPPER_SILENT
     feedback.mend()
     arm.run(0.1)
-    assert arm.gripper.move(5.0, 1.0) is None
+    accepted(arm.gripper.move(5.0, 1.0))
 
 
 def test_a_link_lost_half_way(arm):

@@ -16,6 +16,7 @@ from armui.kinematics.axes import AXES, JogFrame
 from armui.kinematics.poses import matrix_to_pose, shifted, tool_matrix
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from tests.accepted import accepted
 from tests.control.jogger import (
     BENT_DEG,
     LOSSES,
@@ -62,7 +63,7 @@ def test_the_arm_rests_within_100_ms_of_any_loss(any_rig, loss, job, percent, re
     rig = any_rig
     bend(rig)
     rig.controller.motion.set_speed_percent(percent)
-    assert rig.controller.jogging.start(job) is None
+    accepted(rig.controller.jogging.start(job))
     hold(rig, 0.5)
     assert rig.controller.jogging.active
     assert angles(rig) != list(BENT_DEG)
@@ -121,7 +122,7 @@ def test_the_first_setpoint_enters_move_j_and_the_rest_are_targets(any_rig):
     rig.controller.motion.set_speed_percent(100)
     rig.run(0.1)
     rig.heard()
-    assert rig.controller.jogging.start(JointJog(1, 1)) is None
+    accepted(rig.controller.jogging.start(JointJog(1, 1)))
     assert rig.codes()[-1] == "jogging_joint"
     hold(rig, 0.03)
     frames = rig.heard()
@@ -323,7 +324,7 @@ def test_an_arm_in_motion_is_not_jogged(rig):
     rig.controller.motion.send_joints((100.0, *BENT_DEG[1:]))
     hold(rig, 0.2)
     rig.heard()
-    assert rig.controller.jogging.start(JointJog(2, 1)) is None
+    accepted(rig.controller.jogging.start(JointJog(2, 1)))
     hold(rig, 0.5)
     assert rig.events[-1].params["reason"].code == "still_moving"
     assert rig.heard() == []
@@ -360,7 +361,7 @@ def test_a_record_that_cannot_be_closed_holds_no_jog(rig, monkeypatch):
     monkeypatch.setattr(Started, "close", fail)
     jogging = rig.controller.jogging
     for let_go in (jogging.stop, jogging.halt, lambda: jogging.end_jog(BUSY())):
-        assert jogging.start(JointJog(1, 1)) is None
+        accepted(jogging.start(JointJog(1, 1)))
         with suppress(RuntimeError):
             let_go()
         assert not jogging.active

@@ -6,6 +6,7 @@ from armui.control.devices.lights import LIGHT_OUT_OF_RANGE, check_light
 from armui.control.operating_state import NOT_CONNECTED, OFFLINE
 from armui.protocol.codes import ALL_LAMPS
 from armui.protocol.frame import Frame
+from tests.accepted import accepted
 
 
 def light(payload):
@@ -16,7 +17,7 @@ def test_a_lamp_is_coloured_as_the_protocol_says(any_rig):
     rig = any_rig
     rig.connect()
     rig.heard()
-    assert rig.controller.lights.set_light(2, 7, 255, 128, 1) is None
+    accepted(rig.controller.lights.set_light(2, 7, 255, 128, 1))
     rig.step()
     # enable, joint, lamp, red, green, blue, reserved, counter
     assert rig.heard() == [light("01 02 07 FF 80 01 00 00")]
@@ -29,7 +30,7 @@ def test_all_lamps_are_lamp_0xff(any_rig):
     rig = any_rig
     rig.connect()
     rig.heard()
-    assert rig.controller.lights.set_light(6, ALL_LAMPS, 0, 0, 16) is None
+    accepted(rig.controller.lights.set_light(6, ALL_LAMPS, 0, 0, 16))
     rig.step()
     assert rig.heard() == [light("01 06 FF 00 00 10 00 00")]
     assert rig.codes()[-1] == "sent_lamps"
@@ -39,7 +40,7 @@ def test_the_counter_goes_round(rig):
     rig.connect()
     rig.heard()
     for _ in range(258):
-        assert rig.controller.lights.set_light(1, 0, 0, 0, 0) is None
+        accepted(rig.controller.lights.set_light(1, 0, 0, 0, 0))
     rig.step()
     counted = [frame.data[7] for frame in rig.heard()]
     assert counted == [*range(256), 0, 1]
@@ -51,7 +52,7 @@ def test_what_was_refused_is_not_counted(rig):
     lights = rig.controller.lights
     assert lights.set_light(1, 0, 256, 0, 0).reason == LIGHT_OUT_OF_RANGE
     assert rig.codes()[-1] == "refused"
-    assert lights.set_light(1, 0, 1, 2, 3) is None
+    accepted(lights.set_light(1, 0, 1, 2, 3))
     rig.step()
     assert rig.heard() == [light("01 01 00 01 02 03 00 00")]
 
@@ -86,7 +87,7 @@ def test_a_stopped_arm_can_be_lit(rig):
     rig.controller.emergency_stop()
     rig.run_until(lambda: "stop_confirmed" in rig.codes())
     rig.heard()
-    assert rig.controller.lights.set_light(1, ALL_LAMPS, 255, 0, 0) is None
+    accepted(rig.controller.lights.set_light(1, ALL_LAMPS, 255, 0, 0))
     rig.step()
     assert rig.heard() == [light("01 01 FF FF 00 00 00 00")]
 

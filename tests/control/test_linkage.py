@@ -13,6 +13,7 @@ from armui.protocol.codes import LinkageRole
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.sim.parameters.settings import LinkageSettings
+from tests.accepted import accepted
 from tests.faulty_arm import HardOfHearing
 
 OUTPUT, INPUT = LinkageRole.MOTION_OUTPUT, LinkageRole.TEACHING_INPUT
@@ -44,7 +45,7 @@ def with_id(arm, arbitration_id):
 
 
 def test_both_offsets(arm, generation):
-    assert arm.linkage.set(OUTPUT, feedback_offset=0x10, control_offset=0x20) is None
+    accepted(arm.linkage.set(OUTPUT, feedback_offset=0x10, control_offset=0x20))
     wait_for(arm, Addressing(0x10, 0x20))
     padding = "" if generation is Generation.ONE else "00 00 00 00"
     assert with_id(arm, 0x470) == [Frame(0x470, bytes.fromhex("FC 10 20 00" + padding))]
@@ -56,10 +57,10 @@ def test_both_offsets(arm, generation):
 def test_it_moves_under_the_new_identifiers(arm):
     arm.linkage.set(OUTPUT, feedback_offset=0x20, control_offset=0x10)
     wait_for(arm, Addressing(0x20, 0x10))
-    assert arm.controller.motors.enable() is None
+    accepted(arm.controller.motors.enable())
     arm.run_until(lambda: arm.controller.operating_state.cannot_move is None)
     arm.ear.heard.clear()
-    assert arm.controller.motion.send_joints((5.0, 0.0, 0.0, 0.0, 0.0, 0.0)) is None
+    accepted(arm.controller.motion.send_joints((5.0, 0.0, 0.0, 0.0, 0.0, 0.0)))
     arm.run_until(lambda: arm.controller.operating_state.moving)
     ids = {frame.arbitration_id for frame in arm.ear.heard}
     assert {0x161, 0x165, 0x166, 0x167} <= ids
@@ -106,7 +107,7 @@ def test_an_arm_left_with_offsets_is_found(any_rig):
     assert used(arm).feedback_offset == 0x10
     assert not arm.controller.operating_state.control_certain
     arm.run_until(lambda: "limits_read" in arm.codes())
-    assert arm.controller.motors.enable() is None
+    accepted(arm.controller.motors.enable())
     arm.run_until(lambda: all(arm.controller.operating_state.enabled))
     assert arm.controller.operating_state.cannot_move.reason == CONTROL_OFFSET_UNKNOWN
     arm.controller.emergency_stop()
@@ -119,7 +120,7 @@ def test_a_teaching_input_and_the_way_back(arm):
     assert arm.firmware.leads
     assert "linkage_answered_input" in arm.codes()
     assert arm.controller.operating_state.link is LinkState.OFFLINE
-    assert arm.linkage.release() is None
+    accepted(arm.linkage.release())
     wait_for(arm, Addressing())
     assert not arm.firmware.leads
     assert with_id(arm, 0x470)[-1].data[:4] == bytes.fromhex("FC 00 00 00")

@@ -12,6 +12,7 @@ from armui.kinematics.axes import JogFrame
 from armui.kinematics.poses import Pose, apart
 from armui.protocol.codes import MoveMode
 from armui.trajectory.planning.collision import collisions
+from tests.accepted import accepted
 from tests.family import MODELS, ranges
 
 READY_DEG = (10.0, 80.0, -80.0, 10.0, 35.0, 5.0)
@@ -36,7 +37,7 @@ def version(request):
 def standing(rig, model, version):
     rig.lie(READY_DEG, model, version=version)
     rig.connect(model)
-    assert rig.controller.motors.enable() is None
+    accepted(rig.controller.motors.enable())
     rig.run_until(lambda: rig.controller.operating_state.cannot_move is None)
     rig.controller.motion.set_speed_percent(60)
     return rig
@@ -57,7 +58,7 @@ def arrived(rig):
 def test_a_step_of_the_tool_goes_where_it_was_asked(standing, model, axis, amount):
     before = place(standing, model)
 
-    assert standing.controller.cartesian.step(axis, amount, JogFrame.BASE) is None
+    accepted(standing.controller.cartesian.step(axis, amount, JogFrame.BASE))
     arrived(standing)
 
     after = place(standing, model)
@@ -76,7 +77,7 @@ def test_a_pose_a_line_and_an_arc(standing, model):
         ((x, y + 40, z - 30, rx, ry, rz), MoveMode.MOVE_P),
         ((x + 10, y - 20, z, rx, ry, rz), MoveMode.MOVE_L),
     ):
-        assert cartesian.move(target, move) is None
+        accepted(cartesian.move(target, move))
         arrived(standing)
         off_mm, off_deg = apart(place(standing, model), Pose(*target))
         assert (off_mm, off_deg) == pytest.approx((0.0, 0.0), abs=0.05)
@@ -84,7 +85,7 @@ def test_a_pose_a_line_and_an_arc(standing, model):
     start = place(standing, model)
     middle = (start[0] - 15, start[1] + 15, *start[2:])
     end = (start[0] - 30, start[1], *start[2:])
-    assert cartesian.move_arc(start, middle, end) is None
+    accepted(cartesian.move_arc(start, middle, end))
     arrived(standing)
     assert math.dist(place(standing, model)[:3], end[:3]) < 0.05
 
@@ -92,7 +93,7 @@ def test_a_pose_a_line_and_an_arc(standing, model):
 def test_a_held_axis_moves_the_tool_straight(standing, model):
     before = place(standing, model)
     jogging = standing.controller.jogging
-    assert jogging.start(ToolJog(2, -1, JogFrame.BASE)) is None
+    accepted(jogging.start(ToolJog(2, -1, JogFrame.BASE)))
     for _ in range(50):
         jogging.tick()
         standing.step(0.01)

@@ -22,6 +22,7 @@ from armui.trajectory.points.program import (
     LightAction,
     Waypoint,
 )
+from tests.accepted import accepted
 from tests.family import PIPER
 from tests.faulty_arm import HardOfHearing
 
@@ -76,7 +77,7 @@ def over(rig):
 
 def test_every_point_is_passed_in_order(ready):
     journey = Journey(ready)
-    assert ready.controller.player.start(run_of(to(OUT), to(BACK), to(UP))) is None
+    accepted(ready.controller.player.start(run_of(to(OUT), to(BACK), to(UP))))
     journey.until(over(ready))
     assert phase(ready) is RunPhase.DONE
     first, second, third = (journey.times_at(each)[0] for each in (OUT, BACK, UP))
@@ -127,7 +128,7 @@ def test_a_pause_holds_the_arm_and_the_rest_follows(ready):
     player = ready.controller.player
     player.start(run_of(to(OUT), to(BACK)))
     ready.run(0.4)
-    assert player.pause() is None
+    accepted(player.pause())
     ready.run(1.0)
     at = tuple(ready.firmware.joints_deg)
     remaining_s = player.progress.remaining_s
@@ -135,7 +136,7 @@ def test_a_pause_holds_the_arm_and_the_rest_follows(ready):
     assert tuple(ready.firmware.joints_deg) == at
     assert phase(ready) is RunPhase.PAUSED
     assert player.progress.remaining_s == remaining_s
-    assert player.go_on() is None
+    accepted(player.go_on())
     ready.run_until(over(ready))
     assert phase(ready) is RunPhase.DONE
     assert _near(ready.firmware.joints_deg, BACK)
@@ -161,7 +162,7 @@ def test_step_by_step_waits_for_the_operator(ready):
     ready.run_until(lambda: phase(ready) is RunPhase.WAITING)
     ready.run(2.0)
     assert _near(ready.firmware.joints_deg, OUT)
-    assert player.go_on() is None
+    assert player.go_on() is None  # a step is no command of its own
     ready.run_until(over(ready))
     assert _near(ready.firmware.joints_deg, BACK)
 

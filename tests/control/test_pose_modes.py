@@ -4,6 +4,7 @@ import pytest
 
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codes import MoveMode
+from tests.accepted import accepted
 from tests.family import PIPER
 
 FIRST, SECOND, THIRD = (
@@ -21,7 +22,7 @@ def ready(any_rig):
     any_rig.ready()
     any_rig.controller.motion.set_speed_percent(100)
     any_rig.controller.cartesian.prepare()
-    assert any_rig.controller.motion.send_joints((20.0, 40.0, -40.0, 10.0, 20.0, 15.0)) is None
+    accepted(any_rig.controller.motion.send_joints((20.0, 40.0, -40.0, 10.0, 20.0, 15.0)))
     arrived(any_rig, FIRST)
     return any_rig
 
@@ -40,17 +41,17 @@ def test_lines_and_point_to_point_may_follow_one_another(ready):
         (MoveMode.MOVE_P, SECOND),
         (MoveMode.MOVE_L, FIRST),
     ):
-        assert cartesian.move(pose, move_mode) is None
+        accepted(cartesian.move(pose, move_mode))
         arrived(ready, pose)
 
 
 def test_an_arc_may_follow_a_line_and_a_line_an_arc(ready):
     cartesian = ready.controller.cartesian
-    assert cartesian.move(SECOND, MoveMode.MOVE_L) is None
+    accepted(cartesian.move(SECOND, MoveMode.MOVE_L))
     arrived(ready, SECOND)
-    assert cartesian.move(FIRST, MoveMode.MOVE_L) is None
+    accepted(cartesian.move(FIRST, MoveMode.MOVE_L))
     arrived(ready, FIRST)
-    assert cartesian.move_arc(FIRST, SECOND, THIRD) is None
+    accepted(cartesian.move_arc(FIRST, SECOND, THIRD))
     arrived(ready, THIRD)
-    assert cartesian.move(SECOND, MoveMode.MOVE_L) is None
+    accepted(cartesian.move(SECOND, MoveMode.MOVE_L))
     arrived(ready, SECOND)

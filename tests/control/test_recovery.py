@@ -12,6 +12,7 @@ from armui.control.safety.recovery_steps import Action, StepKind
 from armui.protocol.codes import ControlMode, TeachingState
 from armui.protocol.frame import Frame
 from armui.sim.faults.schedule import FAULTS, fault
+from tests.accepted import accepted
 from tests.arm_rig import ArmRig
 
 REST_DEG = (0.0,) * 6
@@ -52,7 +53,7 @@ def until(rig: ArmRig, kind: StepKind) -> None:
 
 
 def move(rig: ArmRig, angles_deg) -> None:
-    assert rig.controller.motion.send_joints(angles_deg) is None
+    accepted(rig.controller.motion.send_joints(angles_deg))
     rig.run_until(lambda: rig.firmware.joints_deg == pytest.approx(angles_deg))
 
 
@@ -63,7 +64,7 @@ def test_no_fault_is_a_dead_end(any_rig, name):
     broken = fault(name)
     rig.node.faults.start(broken)
     if name == "stall":
-        assert rig.controller.motion.send_joints((30.0, *REST_DEG[1:])) is None
+        accepted(rig.controller.motion.send_joints((30.0, *REST_DEG[1:])))
     rig.run(1.0)
     if name not in UNSEEN:
         assert step_of(rig).kind is not StepKind.READY
@@ -163,9 +164,9 @@ def test_left_over_drag_teaching_far_from_rest_is_left_by_hand_and_reset(any_rig
     rig = any_rig
     rig.ready()
     move(rig, AWAY_DEG)
-    assert rig.controller.teaching.command(TeachingState.START_RECORDING) is None
+    accepted(rig.controller.teaching.command(TeachingState.START_RECORDING))
     rig.run(0.5)
-    assert rig.controller.teaching.command(TeachingState.STOP_RECORDING) is None
+    accepted(rig.controller.teaching.command(TeachingState.STOP_RECORDING))
     until(rig, StepKind.DRAG_MODE)
     kinds = obey(rig)
     assert kinds[:5] == [

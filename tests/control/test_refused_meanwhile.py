@@ -3,8 +3,10 @@
 import pytest
 
 from armui.arm.parameters import Batch, Group
+from armui.arm.refusal import Refusal
 from armui.control.devices.gripper import RUN_LET_GO
 from armui.control.devices.lights import RUN_SETS_LAMPS
+from armui.control.operations.started import refusal_of
 from armui.control.run.player import RUN_TOO_SLOW
 from armui.control.run.progress import RunPhase
 from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN
@@ -12,6 +14,7 @@ from armui.control.safety.standstill import JOINTS_MOVING
 from armui.protocol.codes import TeachingState, TrajectoryCommand
 from armui.protocol.frame import Frame
 from armui.trajectory.points.program import LightAction
+from tests.accepted import accepted
 from tests.control.under_way import (
     BACK,
     BESIDE_A_RUN,
@@ -55,7 +58,7 @@ def refused(rig, *tables):
     for table in tables:
         for name, command in table.items():
             told = rig.codes().count("refused")
-            refusal = command(rig)
+            refusal = refusal_of(command(rig))
             codes[name] = refusal and refusal.code
             assert refusal is None or rig.codes().count("refused") == told + 1, name
     return codes
@@ -70,7 +73,7 @@ def test_a_run_in_any_phase_is_all_that_the_arm_hears(ready, begin):
     assert set(codes.values()) == {"run_under_way"}
     for command in TeachingState:
         if command is not TeachingState.OFF:
-            assert ready.controller.teaching.command(command) is not None
+            assert isinstance(ready.controller.teaching.command(command), Refusal)
     ready.run(0.06)
     assert ids(ready) <= (STREAM if streams else set())
     assert ready.controller.player.running or ready.controller.replayer.running
@@ -90,7 +93,7 @@ def test_what_a_held_jog_was_begun_with_stays(any_rig, begin):
 def test_the_speed_set_during_a_jog_reaches_the_arm_by_the_jog(any_rig):
     joint_jog(any_rig)
     any_rig.ear = HardOfHearing(any_rig.firmware)
-    assert any_rig.controller.motion.set_speed_percent(50) is None
+    accepted(any_rig.controller.motion.set_speed_percent(50))
     any_rig.step()
     assert 0x151 not in ids(any_rig)
     any_rig.run(0.1)
@@ -105,8 +108,8 @@ def test_a_paused_motion_is_not_met_by_anything_new(ready):
     assert set(codes.values()) == {"plan_paused"}
     ready.run(0.1)
     assert ready.ear.heard == []
-    assert ready.controller.planned_motion.command(TrajectoryCommand.CLEAR_ALL) is None
-    assert ready.controller.motion.send_joints(BACK) is None
+    accepted(ready.controller.planned_motion.command(TrajectoryCommand.CLEAR_ALL))
+    accepted(ready.controller.motion.send_joints(BACK))
 
 
 @pytest.mark.parametrize("begin", RUNS.values(), ids=RUNS)
@@ -114,8 +117,8 @@ def test_reading_and_recording_are_fine_at_any_time(ready, begin):
     begin(ready)
     ready.ear.heard.clear()
     assert ready.controller.settings.read([Batch(Group.COLLISION)]) is None
-    assert ready.controller.recorder.start() is None
-    assert ready.controller.lights.set_light(1, 0, 1, 2, 3) is None
+    accepted(ready.controller.recorder.start())
+    accepted(ready.controller.lights.set_light(1, 0, 1, 2, 3))
     ready.run(0.1)
     assert ready.controller.player.running or ready.controller.replayer.running
     assert ids(ready) <= STREAM | QUESTIONS | {0x121}
@@ -127,7 +130,7 @@ def test_lamps_that_a_run_speaks_by_are_left_to_it(ready):
     assert ready.controller.lights.set_light(1, 0, 1, 2, 3).reason == RUN_SETS_LAMPS
     ready.controller.player.stop()
     ready.run_until(lambda: not ready.controller.player.running)
-    assert ready.controller.lights.set_light(1, 0, 1, 2, 3) is None
+    accepted(ready.controller.lights.set_light(1, 0, 1, 2, 3))
 
 
 @pytest.mark.parametrize("name", ["limit", "load", "clear error", "linkage"])
@@ -135,7 +138,7 @@ def test_nothing_moves_while_something_is_being_set(ready, name):
     ready.ear.mute_on = {0x476}
     ready.controller.settings.read([Batch(Group.JOINT_LIMITS, 2)])
     ready.run_until(lambda: not ready.controller.settings.busy)
-    assert SETTINGS[name](ready) is None
+    accepted(SETTINGS[name](ready))
     ready.ear.heard.clear()
     codes = refused(ready, MOTIONS, {"run": SETTINGS["run"], "replay": SETTINGS["replay"]})
     assert set(codes.values()) <= {"busy", "control_offset_unknown"}
@@ -153,7 +156,7 @@ def test_settings_wait_until_no_joint_turns(ready):
     assert ready.ear.heard == []
     ready.run_until(lambda: not ready.controller.operating_state.moving)
     ready.run(0.2)
-    assert SETTINGS["factory end limits"](ready) is None
+    accepted(SETTINGS["factory end limits"](ready))
 
 
 def test_no_zero_in_the_middle_of_a_recording(ready):
@@ -167,7 +170,7 @@ def test_no_zero_in_the_middle_of_a_recording(ready):
 def test_motors_can_always_be_disabled_and_the_run_says_so(ready, begin, joint):
     begin(ready)
     ready.ear.heard.clear()
-    assert ready.controller.motors.disable(joint) is None
+    accepted(ready.controller.motors.disable(joint))
     ready.step()
     assert [ready.ear.heard[0], ready.ear.heard[1].arbitration_id] == [ABORT, DISABLE]
     progress = ready.controller.player.progress
@@ -181,7 +184,7 @@ def test_motors_can_always_be_disabled_and_the_run_says_so(ready, begin, joint):
 def test_the_gripper_can_always_let_go_and_the_run_says_so(ready):
     run_dwelling(ready)
     ready.ear.heard.clear()
-    assert ready.controller.gripper.disable() is None
+    accepted(ready.controller.gripper.disable())
     ready.step()
     assert [frame.arbitration_id for frame in ready.ear.heard][:2] == [0x150, 0x159]
     assert ready.controller.player.progress.refusal.reason == RUN_LET_GO
@@ -191,7 +194,7 @@ def test_the_gripper_can_always_let_go_and_the_run_says_so(ready):
 @pytest.mark.parametrize("plan", [TrajectoryCommand.ABORT, TrajectoryCommand.CLEAR_ALL])
 def test_what_ends_motions_ends_a_run_too(ready, begin, plan):
     begin(ready)
-    assert ready.controller.planned_motion.command(plan) is None
+    accepted(ready.controller.planned_motion.command(plan))
     running = (ready.controller.player, ready.controller.replayer)
     ready.run_until(lambda: not any(each.running for each in running))
     assert RunPhase.STOPPED in {each.progress.phase for each in running}
@@ -270,7 +273,7 @@ def test_a_tool_step_after_another_motion_begins_where_the_arm_is(ready):
     ready.controller.motion.send_joints(OUT)
     ready.run_until(lambda: ready.controller.operating_state.moving)
     ready.run_until(lambda: not ready.controller.operating_state.moving)
-    assert MOTIONS["tool step"](ready) is None
+    accepted(MOTIONS["tool step"](ready))
     assert authority.tool_base() is not None
     ready.controller.motion.send_joints(BACK)
     assert authority.tool_base() is None
@@ -293,7 +296,7 @@ def test_nothing_that_moves_or_hands_over_is_sent_to_an_arm_nobody_knows(uncerta
     codes = refused(uncertain, MOTIONS, PLANS)
     drag = uncertain.controller.teaching.command(TeachingState.START_RECORDING)
     assert {*codes.values(), drag.code} == {"control_offset_unknown"}
-    assert uncertain.controller.motion.set_speed_percent(5) is None
+    accepted(uncertain.controller.motion.set_speed_percent(5))
     uncertain.run(0.1)
     assert uncertain.ear.heard == []
 

@@ -16,6 +16,7 @@ from armui.control.motion.steered_path import SteeredJog, SteeredToolPath
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.kinematics.axes import JogFrame
 from armui.kinematics.poses import matrix_to_pose, moved, pose_to_matrix, rotation, shifted
+from tests.accepted import accepted
 from tests.control.jogger import BENT_DEG, TICK_S, bend, hold, rest_s
 from tests.family import FACTORY_ACCELERATION_DEG_S2, FACTORY_LIMITS, PIPER
 
@@ -147,7 +148,7 @@ def test_another_way_begins_where_the_setpoint_is():
 )
 def test_the_arm_rests_within_100_ms_of_the_last_word(rig, jog):
     bend(rig)
-    assert rig.controller.jogging.start(jog) is None
+    accepted(rig.controller.jogging.start(jog))
     for tick in range(60):
         # a hand never holds still
         wave = 1.0 - 0.3 * math.sin(tick / 5) ** 2
@@ -161,7 +162,7 @@ def test_the_arm_rests_within_100_ms_of_the_last_word(rig, jog):
 
 def test_a_reversed_stick_turns_the_arm_about_and_it_still_rests_in_time(rig):
     bend(rig)
-    assert rig.controller.jogging.start(joints(1.0)) is None
+    accepted(rig.controller.jogging.start(joints(1.0)))
     places = []
     for tick in range(80):
         assert rig.controller.jogging.steer(joints(1.0 if tick < 40 else -1.0))
@@ -177,7 +178,7 @@ def test_the_tool_goes_where_it_is_steered_and_does_not_turn(rig):
     bend(rig)
     kinematics = Kinematics(PIPER)
     before = kinematics.matrix(rig.firmware.joints_deg)
-    assert rig.controller.jogging.start(tool(0, 0, 1.0)) is None
+    accepted(rig.controller.jogging.start(tool(0, 0, 1.0)))
     for tick in range(80):
         assert rig.controller.jogging.steer(tool(0, 0, 1.0) if tick < 40 else tool(0, -1.0))
         hold(rig, TICK_S)
@@ -196,7 +197,7 @@ def test_nobody_steers_what_has_ended_or_is_another_hold(rig):
     bend(rig)
     jogging = rig.controller.jogging
     assert not jogging.steer(joints(1.0))
-    assert jogging.start(joints(1.0)) is None
+    accepted(jogging.start(joints(1.0)))
     assert not jogging.steer(tool(1.0))  # another frame is another jog
     assert jogging.steered == joints(1.0)
     jogging.stop()

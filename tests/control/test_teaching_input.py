@@ -4,6 +4,7 @@ import can
 
 from armui.control.operating_state import LinkState
 from armui.protocol.frame import Frame
+from tests.accepted import accepted
 
 SET_AS_TEACHING_INPUT = Frame(0x470, bytes.fromhex("FA 00 00 00"))
 
@@ -22,7 +23,7 @@ def test_an_arm_that_leads_is_told_apart_from_an_arm_that_is_silent(any_rig):
 def test_the_programs_own_targets_make_no_teaching_input(any_rig):
     rig = any_rig
     rig.ready()
-    assert rig.controller.motion.send_joints([5.0] * 2 + [-5.0] * 4) is None
+    accepted(rig.controller.motion.send_joints([5.0] * 2 + [-5.0] * 4))
     rig.step()
     rig.powered = False
     rig.run_until(lambda: rig.controller.operating_state.link is LinkState.OFFLINE)

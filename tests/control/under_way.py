@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from armui.arm.parameters import Parameter
 from armui.arm.refusal import Refusal
 from armui.control.motion.jog_path import JointJog, ToolJog
+from armui.control.operations.started import Started
 from armui.control.run.progress import Run, RunPhase
 from armui.control.run.replay import Replay
 from armui.kinematics.axes import JogFrame
@@ -18,6 +19,7 @@ from armui.protocol.codes import (
     TrajectoryCommand,
 )
 from armui.trajectory.points.program import Waypoint
+from tests.accepted import accepted
 from tests.arm_rig import ArmRig
 from tests.control.jogger import bend
 from tests.control.test_replayer import wave
@@ -43,7 +45,7 @@ def phase(rig: ArmRig) -> RunPhase:
 
 
 def run_moving(rig: ArmRig) -> None:
-    assert rig.controller.player.start(run_of(to(OUT), to(BACK))) is None
+    accepted(rig.controller.player.start(run_of(to(OUT), to(BACK))))
     rig.run(0.4)
     assert phase(rig) is RunPhase.MOVING
 
@@ -56,7 +58,7 @@ def run_dwelling(rig: ArmRig) -> None:
 
 def run_paused(rig: ArmRig) -> None:
     run_moving(rig)
-    assert rig.controller.player.pause() is None
+    accepted(rig.controller.player.pause())
     rig.run(1.0)
 
 
@@ -68,13 +70,13 @@ def run_waiting(rig: ArmRig) -> None:
 
 def replay_moving(rig: ArmRig) -> None:
     replayer = rig.controller.replayer
-    assert replayer.start(Replay(wave())) is None
+    accepted(replayer.start(Replay(wave())))
     rig.run_until(lambda: replayer.progress.done > 0.2)
 
 
 def replay_paused(rig: ArmRig) -> None:
     replay_moving(rig)
-    assert rig.controller.replayer.pause() is None
+    accepted(rig.controller.replayer.pause())
     rig.run(0.5)
 
 
@@ -94,26 +96,26 @@ RUNS: Mapping[str, Callable[[ArmRig], None]] = {
 
 def joint_jog(rig: ArmRig) -> None:
     bend(rig)
-    assert rig.controller.jogging.start(JointJog(1, 1)) is None
+    accepted(rig.controller.jogging.start(JointJog(1, 1)))
     rig.run(0.2)
 
 
 def tool_jog(rig: ArmRig) -> None:
     bend(rig)
-    assert rig.controller.jogging.start(ToolJog(2, 1, JogFrame.BASE)) is None
+    accepted(rig.controller.jogging.start(ToolJog(2, 1, JogFrame.BASE)))
     rig.run(0.2)
 
 
 def motion_paused(rig: ArmRig) -> None:
     """Not by a run, but from 示教: the arm keeps its target."""
     controller = rig.controller
-    assert controller.motion.send_joints(OUT) is None
+    accepted(controller.motion.send_joints(OUT))
     rig.run_until(lambda: controller.operating_state.moving)
-    assert controller.planned_motion.command(TrajectoryCommand.PAUSE) is None
+    accepted(controller.planned_motion.command(TrajectoryCommand.PAUSE))
     rig.run(1.0)
 
 
-Command = Callable[[ArmRig], Refusal | None]
+Command = Callable[[ArmRig], Started | Refusal | None]
 
 SETTINGS: Mapping[str, Command] = {
     "enable all": lambda b: b.controller.motors.enable(),

@@ -13,6 +13,7 @@ from armui.protocol.codes import MoveMode
 from armui.sim.faults.schedule import fault
 from armui.trajectory.points.program import Waypoint
 from armui.ui.shell.operation_area import OperationArea
+from tests.accepted import accepted
 from tests.app_driver import AppDriver
 from tests.gallery_scenes.scene import settled
 
@@ -100,8 +101,7 @@ def run(app_driver: AppDriver) -> None:
     reached_out(app_driver)
     point = Waypoint(MoveMode.MOVE_J, tuple(app_driver.firmware.joints_deg), dwell_s=600.0)
     player = app_driver.controller.player
-    refusal = player.start(Run("Pick up", (point,), (600.0,)))
-    assert refusal is None, refusal
+    accepted(player.start(Run("Pick up", (point,), (600.0,))))
     app_driver.run_until(lambda: player.progress.phase is RunPhase.DWELLING)
     app_driver.click("menu_motor")
 

@@ -10,6 +10,7 @@ from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.viewport.camera import ViewDirection
 from armui.viewport.grips import GripKind
 from armui.viewport.handles import Dragged, HandleKind
+from tests.accepted import accepted
 from tests.app_driver import AppDriver
 from tests.gallery_scenes import arm
 from tests.gallery_scenes.trajectories import library
@@ -68,8 +69,7 @@ def trail(app_driver: AppDriver) -> None:
     window = _checked(app_driver, "Pick and place")
     points = window.document.points
     player = app_driver.controller.player
-    refusal = player.start(Run("Pick and place", points, (3.0,) * len(points)))
-    assert refusal is None, refusal
+    accepted(player.start(Run("Pick and place", points, (3.0,) * len(points))))
     app_driver.run_until(lambda: player.progress.index == len(points) - 2)
     app_driver.run(0.5)
 

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QDialog
 from armui.protocol.generation import Generation
 from armui.sim.faults.schedule import Fault
 from armui.ui.watch.replay.replay_window import ReplayWindow
+from tests.accepted import accepted
 from tests.app_driver import AppDriver, AtOnce
 from tests.gallery_scenes.events import act
 from tests.session.recordings import START_S, frames, moving, write
@@ -145,7 +146,7 @@ def _own_recording(app_driver: AppDriver) -> Path:
     folder = Path(tempfile.mkdtemp(prefix="armui-gallery-"))
     app_driver.store.change(session_folder=str(folder))
     assert sessions.start("cell 3") is None
-    assert controller.motors.enable() is None
+    accepted(controller.motors.enable())
     app_driver.run_until(lambda: controller.operating_state.cannot_move is None)
     act(app_driver)
     assert sessions.stop() is None

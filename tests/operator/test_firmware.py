@@ -13,6 +13,7 @@ from armui.protocol.frame import Frame
 from armui.settings import SettingsStore
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.panels.parameters.levels_panel import DragAssistanceDialog
+from tests.accepted import accepted
 from tests.company import OtherHost
 from tests.faulty_arm import HardOfHearing
 from tests.named_version import name_version
@@ -135,7 +136,7 @@ def test_power_is_given_in_the_measure_the_gripper_tells(gripper):
     gripper.click("gripper_by_opening")
     gripper.run(0.1)
     assert gripper.read("gripper_opening_measured") == "—"  # it tells an angle now
-    assert gripper.controller.gripper.enable(1.0) is None
+    accepted(gripper.controller.gripper.enable(1.0))
     gripper.run(0.02)
     assert sent(gripper, 0x159)[-1] == frame(0x159, "00 00 75 30 03 E8 05 00")
 
@@ -160,7 +161,7 @@ def test_older_firmware_would_take_it_for_an_opening(gripper, version):
     gripper.controller.gripper.by_angle = True
     assert not gripper.find("gripper_by_angle").isEnabled()
     assert "S-V1.8-8" in gripper.find("gripper_by_angle").toolTip()
-    assert gripper.controller.gripper.move(30.0, 1.0) is None
+    accepted(gripper.controller.gripper.move(30.0, 1.0))
     gripper.run(0.02)
     assert sent(gripper, 0x159) == [frame(0x159, "00 00 75 30 03 E8 01 00")]  # 30 mm
 
@@ -302,7 +303,7 @@ def test_no_mounting_is_told_in_high_follow(mounting):
     ],
 )
 def test_the_mode_of_another_host_is_told_in_words(arm, word, said):
-    assert arm.controller.motors.enable() is None
+    accepted(arm.controller.motors.enable())
     arm.run(1.0)
     host = OtherHost(arm)
     host.say(word)

@@ -4,6 +4,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
+from armui.arm.refusal import Refusal
 from armui.arm.state import GripperFault
 from armui.control.run.progress import Run
 from armui.protocol.codes import MoveMode
@@ -11,6 +12,7 @@ from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.trajectory.points.program import Waypoint
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
+from tests.accepted import accepted
 from tests.faulty_arm import FaultyDrivers, HardOfHearing
 from tests.generations import ONE_IS_ENOUGH
 
@@ -237,9 +239,9 @@ def test_it_is_not_moved_in_a_run(grip2):
     grip2.controller.motors.enable()
     grip2.run(1.0)
     run = Run("run", [Waypoint(MoveMode.MOVE_J, (60.0, 0, 0, 0, 0, 0))], [3.0])
-    assert grip2.controller.player.start(run) is None
+    accepted(grip2.controller.player.start(run))
     grip2.run(0.2)
     for name in ("gripper_open_fully_button", "gripper_close_fully_button"):
         assert not grip2.find(name).isEnabled()
-    assert grip2.controller.gripper.move_to_end(opened=True) is not None
+    assert isinstance(grip2.controller.gripper.move_to_end(opened=True), Refusal)
     assert sent(grip2) == []

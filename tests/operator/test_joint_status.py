@@ -11,6 +11,7 @@ from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.ui.watch.joint_status_page import JointStatusPage
 from armui.ui.widgets.message_line import MessageLine
+from tests.accepted import accepted
 from tests.faulty_arm import FaultyDrivers
 from tests.generations import ONE_IS_ENOUGH
 
@@ -320,7 +321,7 @@ def test_one_error_at_a_time(ready):
 def test_a_stopped_arm_may_be_asked_too(ready):
     ready.controller.emergency_stop()
     ready.run_until(lambda: "stop_confirmed" in ready.codes())
-    assert ready.controller.joint_errors.clear(1) is None
+    accepted(ready.controller.joint_errors.clear(1))
     ready.step()
     assert ready.codes()[-1] == "clear_error_answered"
 
@@ -332,7 +333,7 @@ def test_an_answer_to_nothing_is_no_answer(ready):
 
 @ONE_IS_ENOUGH
 def test_after_disconnecting_no_answer_is_missed(ready):
-    assert ready.controller.joint_errors.clear(1) is None
+    accepted(ready.controller.joint_errors.clear(1))
     ready.controller.disconnect_device()
     ready.connect()
     ready.run(1.2)

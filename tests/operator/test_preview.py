@@ -21,6 +21,7 @@ from armui.viewport.path_picture import NOTHING
 from armui.viewport.process.robot import shape_of
 from armui.viewport.process.urdf_file import load_robot
 from armui.viewport.robot_shape import composed
+from tests.accepted import accepted
 from tests.control.jogger import hold
 from tests.family import PIPER
 
@@ -163,7 +164,7 @@ def test_figures_frame_trail_path_and_points_are_of_one_point(app_driver, tool):
     assert path.marks_mm[0] == pytest.approx(point(OUT), abs=0.5)
     assert path.marks_mm[1] == pytest.approx(point(BACK), abs=0.5)
     assert path.places_mm[0] == pytest.approx(point((0.0,) * 6), abs=0.5)
-    assert app_driver.controller.motion.send_joints(OUT) is None
+    accepted(app_driver.controller.motion.send_joints(OUT))
     app_driver.run(0.5)
     app_driver.run_until(lambda: not app_driver.controller.operating_state.moving, seconds=30.0)
     app_driver.run(0.3)
@@ -183,7 +184,7 @@ def test_the_point_under_way_is_lit_and_the_ghost_steps_aside(at):
     at.check()
     points = at.editor.document.points
     player = app_driver.controller.player
-    assert player.start(Run("Test", points, (3.0, 3.0))) is None
+    accepted(player.start(Run("Test", points, (3.0, 3.0))))
     app_driver.run_until(lambda: player.progress.index == 1)
     app_driver.run(0.1)
     assert at.shown.current_row == 1
@@ -197,7 +198,7 @@ def test_the_point_under_way_is_lit_and_the_ghost_steps_aside(at):
 def test_a_run_of_another_trajectory_lights_nothing(at):
     at.check()
     player = at.app_driver.controller.player
-    assert player.start(Run("Other", at.editor.document.points, (3.0, 3.0))) is None
+    accepted(player.start(Run("Other", at.editor.document.points, (3.0, 3.0))))
     at.app_driver.run(0.5)
     assert at.shown.current_row is None
 
@@ -267,7 +268,7 @@ def test_the_path_of_a_run_under_way_stays_when_the_page_is_left(at):
     app_driver = at.app_driver
     at.check()
     player = app_driver.controller.player
-    assert player.start(Run("Test", at.editor.document.points, (3.0, 3.0))) is None
+    accepted(player.start(Run("Test", at.editor.document.points, (3.0, 3.0))))
     app_driver.run_until(lambda: player.progress.index == 1)
     app_driver.run(0.1)
     app_driver.click("menu_motion")
@@ -302,11 +303,11 @@ def test_setpoints_that_are_streamed_are_a_line_beside_the_driven_one(app_driver
     view = SeenView()
     keeper = TrailKeeper(app_driver.controller, cast("ArmView", view), 60.0)
     app_driver.controller.state_changed.connect(keeper.follow)
-    assert app_driver.controller.motion.send_joints(OUT) is None
+    accepted(app_driver.controller.motion.send_joints(OUT))
     app_driver.run(0.5)
     app_driver.run_until(lambda: not app_driver.controller.operating_state.moving, seconds=30.0)
     assert view.trails[-1].commanded == b""  # a target is no way
-    assert app_driver.controller.jogging.start(JointJog(1, 1)) is None
+    accepted(app_driver.controller.jogging.start(JointJog(1, 1)))
     hold(app_driver, 0.6)
     app_driver.controller.state_changed.disconnect(keeper.follow)
     app_driver.controller.jogging.stop()
@@ -330,7 +331,7 @@ def test_the_trail_is_where_the_arm_was_measured(app_driver):
         flanges_mm.append(flange[:3, 3])
 
     app_driver.controller.state_changed.connect(follow)
-    assert app_driver.controller.motion.send_joints(OUT) is None
+    accepted(app_driver.controller.motion.send_joints(OUT))
     app_driver.run(0.5)
     app_driver.run_until(lambda: not app_driver.controller.operating_state.moving, seconds=30.0)
     app_driver.run(0.2)  # a trail is handed over now and then
@@ -341,7 +342,7 @@ def test_the_trail_is_where_the_arm_was_measured(app_driver):
     app_driver.run(1.0)
     assert len(view.trails) == told  # an arm at rest costs nothing
     view.seen = False
-    assert app_driver.controller.motion.send_joints(BACK) is None
+    accepted(app_driver.controller.motion.send_joints(BACK))
     app_driver.run(1.0)
     assert len(view.trails) == told  # nor does a picture that nobody sees
     app_driver.controller.state_changed.disconnect(follow)

@@ -13,6 +13,7 @@ from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.library.library_page import LibraryPage
+from tests.accepted import accepted
 from tests.generations import ONE_IS_ENOUGH
 
 OUT = (20.0, 40.0, -40.0, 10.0, 20.0, 15.0)
@@ -243,7 +244,7 @@ def test_points_that_change_take_the_findings_away(app_driver):
 
 def test_motors_that_are_off_keep_it_from_being_sent(app_driver):
     operator = Operator(app_driver, to(OUT))
-    assert app_driver.controller.motors.disable() is None
+    accepted(app_driver.controller.motors.disable())
     app_driver.run_until(lambda: app_driver.controller.operating_state.cannot_run is not None)
     app_driver.run(0.2)
     assert not operator.child("run_send").isEnabled()

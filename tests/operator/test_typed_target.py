@@ -9,6 +9,7 @@ from armui.viewport.palette import LIGHT
 from armui.viewport.process.robot import shape_of
 from armui.viewport.process.urdf_file import load_robot
 from armui.viewport.strokes import joint_range
+from tests.accepted import accepted
 from tests.picture_hand import Hand
 
 OUT = (20.0, 60.0, -70.0, 10.0, 35.0, 15.0)
@@ -167,7 +168,7 @@ def test_a_pose_that_was_sent_is_no_preview_and_a_new_one_is_again(at):
 
 
 def test_an_arm_that_moves_by_itself_has_no_ghost(at):
-    assert at.app_driver.controller.motion.send_joints(OUT) is None
+    accepted(at.app_driver.controller.motion.send_joints(OUT))
     for _ in range(5):
         at.app_driver.run(0.3)
         assert nothing_is_previewed(at)

@@ -20,6 +20,7 @@ def main() -> None:
 
     from armui import app
     from armui.arm.device import Device
+    from armui.control.operations.started import Started
     from armui.start import StartOptions
 
     port, group, state = int(sys.argv[1]), sys.argv[2], sys.argv[3]
@@ -76,7 +77,7 @@ def main() -> None:
             controller = self.controller
             now = controller.operating_state
             if now.cannot_enable is None and None not in now.enabled and not self.enabling:
-                self.enabling = controller.motors.enable() is None
+                self.enabling = isinstance(controller.motors.enable(), Started)
             elif now.cannot_move is None and not now.moving and self.view.is_settled:
                 controller.motion.set_speed_percent(20)
                 controller.motion.send_joints(far)

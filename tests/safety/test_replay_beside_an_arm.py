@@ -9,6 +9,7 @@ from armui.protocol.generation import Generation
 from armui.ui.widgets.halt_button import HaltButton
 from armui.ui.widgets.stop_button import StopButton
 from armui.ui.widgets.stop_shortcut import HALT_KEY
+from tests.accepted import accepted
 from tests.operator.replay_actions import Replay
 from tests.session.recordings import START_S, frames, greeting, write
 
@@ -26,7 +27,7 @@ def log(tmp_path_factory):
 def replay(app_driver, monkeypatch, log):
     """An arm under way to a far target, and a log that plays in a window in front."""
     app_driver.ready()
-    assert app_driver.controller.motion.send_joints((60.0, 0.0, 0.0, 0.0, 0.0, 0.0)) is None
+    accepted(app_driver.controller.motion.send_joints((60.0, 0.0, 0.0, 0.0, 0.0, 0.0)))
     app_driver.run(0.5)
     replay = Replay(app_driver, monkeypatch)
     replay.open(log)

@@ -8,6 +8,7 @@ from armui.protocol.addressing import Addressing
 from armui.protocol.codes import LinkageRole
 from armui.protocol.frame import Frame
 from armui.sim.parameters.settings import LinkageSettings
+from tests.accepted import accepted
 from tests.faulty_arm import HardOfHearing
 
 OUTPUT = LinkageRole.MOTION_OUTPUT
@@ -64,13 +65,13 @@ def test_a_linkage_change_the_arm_never_heard_is_not_told_as_in_use(any_rig):
     rig.connect()
     ear = HardOfHearing(rig.firmware)
     ear.deaf_to = {0x470}
-    assert rig.controller.linkage.set(OUTPUT, control_offset=0x10) is None
+    accepted(rig.controller.linkage.set(OUTPUT, control_offset=0x10))
     rig.run_until(lambda: "linkage_failed" in rig.codes())
     rig.run(1.0)
     operating_state = rig.controller.operating_state
     assert "linkage_in_use" not in rig.codes()
     assert operating_state.addressing == Addressing()
-    assert rig.controller.motors.enable() is None
+    accepted(rig.controller.motors.enable())
     rig.run_until(lambda: all(rig.controller.operating_state.enabled))
     assert rig.controller.operating_state.cannot_move.reason == CONTROL_OFFSET_UNKNOWN
     rig.controller.emergency_stop()
@@ -81,7 +82,7 @@ def test_a_linkage_change_the_arm_never_heard_is_not_told_as_in_use(any_rig):
 def test_an_answer_proves_it(any_rig):
     rig = any_rig
     rig.connect()
-    assert rig.controller.linkage.set(OUTPUT, control_offset=0x10) is None
+    accepted(rig.controller.linkage.set(OUTPUT, control_offset=0x10))
     rig.run_until(lambda: "linkage_in_use" in rig.codes())
     assert rig.codes().index("linkage_answered") < rig.codes().index("linkage_in_use")
     assert rig.controller.operating_state.control_certain

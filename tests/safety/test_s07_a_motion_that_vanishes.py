@@ -10,6 +10,7 @@ from armui.kinematics.axes import JogFrame
 from armui.protocol.codes import LinkageRole, MoveMode
 from armui.protocol.frame import Frame
 from armui.sim.parameters.settings import LinkageSettings
+from tests.accepted import accepted
 
 HERE = (10.0, 60.0, -70.0, 0.0, 40.0, 0.0)
 TO_JOINTS = (20.0, 70.0, -60.0, 5.0, 30.0, 0.0)
@@ -23,9 +24,9 @@ def ready(rig, offset):
     rig.firmware.settings.linkage = LinkageSettings(LinkageRole.MOTION_OUTPUT, 0x00, offset)
     rig.firmware._linkage.take_effect()
     rig.connect()
-    assert rig.controller.motors.enable() is None
+    accepted(rig.controller.motors.enable())
     rig.run_until(lambda: all(rig.controller.operating_state.enabled))
-    assert rig.controller.motion.set_speed_percent(20) is None
+    accepted(rig.controller.motion.set_speed_percent(20))
     rig.run(0.5)
     return rig.controller
 
@@ -53,7 +54,7 @@ NOWHERE = {
 def test_it_is_said_of_an_arm_that_listens_elsewhere(any_rig, motion):
     rig = any_rig
     controller = ready(rig, 0x10)
-    assert motion(controller) is None
+    accepted(motion(controller))
     rig.run(2.0)
     assert rig.codes().count("motion_unheeded") == 1
     assert rig.firmware.joints_deg == pytest.approx(HERE, abs=0.01)
@@ -64,14 +65,14 @@ def test_also_where_the_mode_of_before_looks_like_ours(rig, motion):
     controller = ready(rig, 0x10)
     rig.firmware.on_frame(TAKE_COMMAND)
     rig.run(0.5)
-    assert motion(controller) is None
+    accepted(motion(controller))
     rig.run(2.0)
     assert rig.codes().count("motion_unheeded") == 1
 
 
 def test_a_held_jog_that_moves_nothing_is_said_to_move_nothing(rig):
     controller = ready(rig, 0x10)
-    assert controller.jogging.start(JointJog(1, 1)) is None
+    accepted(controller.jogging.start(JointJog(1, 1)))
     rig.run(2.0)
     controller.jogging.stop()
     rig.run(1.0)
@@ -81,7 +82,7 @@ def test_a_held_jog_that_moves_nothing_is_said_to_move_nothing(rig):
 @pytest.mark.parametrize("motion", MOTIONS.values(), ids=MOTIONS)
 def test_nothing_is_said_of_a_motion_that_is_taken(any_rig, motion):
     controller = ready(any_rig, 0x00)
-    assert motion(controller) is None
+    accepted(motion(controller))
     any_rig.run(4.0)
     assert "motion_unheeded" not in any_rig.codes()
 
@@ -89,15 +90,15 @@ def test_nothing_is_said_of_a_motion_that_is_taken(any_rig, motion):
 @pytest.mark.parametrize("motion", NOWHERE.values(), ids=NOWHERE)
 def test_nothing_is_said_of_a_motion_that_leads_nowhere(rig, motion):
     controller = ready(rig, 0x00)
-    assert motion(controller) is None
+    accepted(motion(controller))
     rig.run(2.0)
     assert "motion_unheeded" not in rig.codes()
 
 
 def test_nothing_is_said_of_the_slowest_motion(rig):
     controller = ready(rig, 0x00)
-    assert controller.motion.set_speed_percent(1) is None
-    assert controller.motion.send_joints(TO_JOINTS) is None
+    accepted(controller.motion.set_speed_percent(1))
+    accepted(controller.motion.send_joints(TO_JOINTS))
     rig.run(3.0)
     assert "motion_unheeded" not in rig.codes()
 

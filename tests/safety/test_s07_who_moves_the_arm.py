@@ -4,6 +4,7 @@ import pytest
 
 from armui.control.motion.motion_command import Mover
 from armui.protocol.codes import TeachingState
+from tests.accepted import accepted
 from tests.sim.talk import frame, mode, target
 
 A = (40.0, 30.0, -30.0, 0.0, 0.0, 0.0)
@@ -19,7 +20,7 @@ def test_nobody_then_gravity_then_nobody(any_rig):
     rig.connect()
     rig.run(0.5)
     assert mover(rig) is Mover.GRAVITY
-    assert rig.controller.motors.enable() is None
+    accepted(rig.controller.motors.enable())
     rig.run(1.0)
     assert mover(rig) is Mover.NOBODY
 
@@ -27,7 +28,7 @@ def test_nobody_then_gravity_then_nobody(any_rig):
 def test_ours_while_it_is_under_way(any_rig):
     rig = any_rig
     rig.ready()
-    assert rig.controller.motion.send_joints(A) is None
+    accepted(rig.controller.motion.send_joints(A))
     rig.run(0.4)
     assert mover(rig) is Mover.OURS
     rig.run(5.0)
@@ -37,7 +38,7 @@ def test_ours_while_it_is_under_way(any_rig):
 def test_a_hand_in_drag_teaching(any_rig):
     rig = any_rig
     rig.ready()
-    assert rig.controller.teaching.command(TeachingState.START_RECORDING) is None
+    accepted(rig.controller.teaching.command(TeachingState.START_RECORDING))
     rig.run(0.5)
     assert mover(rig) is Mover.HAND
 
@@ -66,8 +67,8 @@ def test_frames_of_a_command_that_is_over_are_dropped(rig):
     rig.heard()
     port = rig.controller._connection._worker._outbox._port
     with port.driver:
-        assert rig.controller.motion.send_joints(A) is None
-        assert rig.controller.motion.send_joints(B) is None
+        accepted(rig.controller.motion.send_joints(A))
+        accepted(rig.controller.motion.send_joints(B))
     rig.run(0.2)
 
     assert [each.arbitration_id for each in rig.heard()] == [0x155, 0x156, 0x157, 0x151]
@@ -79,7 +80,7 @@ def test_what_waits_when_another_host_takes_the_arm_never_leaves(rig, other_host
     rig.ready()
     port = rig.controller._connection._worker._outbox._port
     with port.driver:
-        assert rig.controller.motion.send_joints(A) is None
+        accepted(rig.controller.motion.send_joints(A))
         rig.heard()
         other_host.say("155#0000000000000000")
         while not rig.controller._connection.traffic.series:

@@ -20,6 +20,7 @@ from armui.trajectory.planning.check import CheckRequest, check
 from armui.trajectory.points.program import Trajectory
 from armui.ui.trajectory.running.run_request import MODEL_CHANGED_SINCE_CHECK, CheckBasis, Preflight
 from armui.viewport.process.urdf_file import load_robot
+from tests.accepted import accepted
 from tests.arm_rig import ArmRig
 from tests.control.under_way import OUT, to
 from tests.family import MODELS
@@ -107,10 +108,10 @@ def test_the_zeros_stay_what_they_are_while_the_arm_moves_fast(rig):
     """Angles and pose are heard some milliseconds apart: a moving arm decides nothing."""
     rig.lie(LEANING_DEG, version=OLDER)
     rig.connect()
-    assert rig.controller.motors.enable() is None
+    accepted(rig.controller.motors.enable())
     rig.run_until(lambda: rig.controller.operating_state.cannot_move is None)
     rig.controller.motion.set_speed_percent(100)
-    assert rig.controller.motion.send_joints(OUT) is None
+    accepted(rig.controller.motion.send_joints(OUT))
     older = model_data().older_geometry
     for _ in range(40):
         rig.run(0.05)

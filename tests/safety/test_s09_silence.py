@@ -5,6 +5,7 @@ import pytest
 from armui.control.motion.jog_path import JointJog
 from armui.kinematics.axes import JogFrame
 from armui.protocol.codes import MoveMode
+from tests.accepted import accepted
 from tests.safety.talk import MOTION_IDS
 
 A = (30.0, 30.0, -30.0, 0.0, 0.0, 0.0)
@@ -13,7 +14,7 @@ A = (30.0, 30.0, -30.0, 0.0, 0.0, 0.0)
 @pytest.fixture
 def ready(any_rig):
     any_rig.ready()
-    assert any_rig.controller.motion.send_joints(A) is None
+    accepted(any_rig.controller.motion.send_joints(A))
     any_rig.run(4.0)
     any_rig.heard()
     return any_rig
@@ -43,7 +44,7 @@ def test_nothing_moves_an_arm_that_is_not_heard(ready, silent):
 
 def test_a_jog_ends_when_the_angles_fall_silent(ready):
     rig, controller = ready, ready.controller
-    assert controller.jogging.start(JointJog(6, 1)) is None
+    accepted(controller.jogging.start(JointJog(6, 1)))
     rig.run(0.3)
     rig.node.link.mute_on.update({0x2A5, 0x2A6, 0x2A7})
     rig.run(0.12)

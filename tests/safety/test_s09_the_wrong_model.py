@@ -13,6 +13,7 @@ from armui.control.motion.jog_path import ToolJog
 from armui.kinematics.axes import JogFrame
 from armui.protocol.codes import MoveMode
 from armui.protocol.generation import PiperModel
+from tests.accepted import accepted
 from tests.control.under_way import OUT, run_of, to
 from tests.family import MODELS
 from tests.moments import now
@@ -21,7 +22,7 @@ LEANING_DEG = (10.0, 60.0, -60.0, 5.0, 30.0, 0.0)
 
 
 def enable(rig):
-    assert rig.controller.motors.enable() is None
+    accepted(rig.controller.motors.enable())
     rig.run_until(lambda: rig.controller.operating_state.cannot_move is None)
 
 
@@ -91,7 +92,7 @@ def test_a_joint_still_moves_within_the_limits_the_arm_has_told(rig, true):
             PiperModel.PIPER_X: 89.0,
         }[true]
     )
-    assert rig.controller.motion.jog(1, 2.0) is None
+    accepted(rig.controller.motion.jog(1, 2.0))
     rig.run(2.0)
     assert rig.firmware.joints_deg[0] == pytest.approx(12.0, abs=0.01)
 

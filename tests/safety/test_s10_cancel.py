@@ -5,6 +5,7 @@ import pytest
 from armui.control.safety.recovery_steps import Action, StepKind
 from armui.kinematics.axes import JogFrame
 from armui.protocol.codes import TrajectoryCommand
+from tests.accepted import accepted
 
 FAR = (120.0, 60.0, -60.0, 0.0, 0.0, 0.0)
 
@@ -13,7 +14,7 @@ FAR = (120.0, 60.0, -60.0, 0.0, 0.0, 0.0)
 def moving(any_rig):
     any_rig.ready()
     any_rig.controller.motion.set_speed_percent(60)
-    assert any_rig.controller.motion.send_joints(FAR) is None
+    accepted(any_rig.controller.motion.send_joints(FAR))
     any_rig.run(0.6)
     return any_rig
 
@@ -32,7 +33,7 @@ def moving(any_rig):
 @pytest.mark.parametrize("pause_s", [0.02, 0.4])
 def test_nothing_revives_a_cancelled_target(moving, later, pause_s):
     rig, controller = moving, moving.controller
-    assert controller.planned_motion.command(TrajectoryCommand.ABORT) is None
+    accepted(controller.planned_motion.command(TrajectoryCommand.ABORT))
     rig.run(pause_s)
     later(controller)
     rig.run(2.5)
@@ -45,7 +46,7 @@ def test_an_arm_that_does_not_heed_a_cancel_is_said_and_the_stop_offered(moving)
     rig, controller = moving, moving.controller
     controller.motion.set_speed_percent(10)
     rig.node.link.lose_to_arm(0x150)
-    assert controller.planned_motion.command(TrajectoryCommand.ABORT) is None
+    accepted(controller.planned_motion.command(TrajectoryCommand.ABORT))
     rig.run(1.2)
 
     assert "cancel_unheeded" in rig.codes()
@@ -59,7 +60,7 @@ def test_an_arm_that_does_not_heed_a_cancel_is_said_and_the_stop_offered(moving)
 
 def test_an_arm_that_heeds_it_is_not_complained_of(moving):
     rig = moving
-    assert rig.controller.planned_motion.command(TrajectoryCommand.ABORT) is None
+    accepted(rig.controller.planned_motion.command(TrajectoryCommand.ABORT))
     rig.run(2.0)
 
     assert "cancel_unheeded" not in rig.codes()

@@ -2,10 +2,12 @@
 
 import pytest
 
+from armui.arm.refusal import Refusal
 from armui.control.motion.motion_command import Hold
 from armui.control.safety.interlocks import SPEED_ZERO
 from armui.control.safety.recovery_steps import Action, StepKind
 from armui.protocol.codes import TrajectoryCommand
+from tests.accepted import accepted
 
 FAR = (80.0, 40.0, -40.0, 0.0, 0.0, 0.0)
 
@@ -14,12 +16,12 @@ FAR = (80.0, 40.0, -40.0, 0.0, 0.0, 0.0)
 def held(request, any_rig):
     rig, controller = any_rig, any_rig.controller
     rig.ready()
-    assert controller.motion.send_joints(FAR) is None
+    accepted(controller.motion.send_joints(FAR))
     rig.run(0.6)
     if request.param == "speed":
         controller.motion.set_speed_percent(0)
     else:
-        assert controller.planned_motion.command(TrajectoryCommand.PAUSE) is None
+        accepted(controller.planned_motion.command(TrajectoryCommand.PAUSE))
     rig.run(1.5)
     assert not rig.firmware.mechanics.moving
     return rig
@@ -78,7 +80,7 @@ def test_it_is_dropped_for_good(held):
 def test_it_does_not_go_on_at_zero_percent(any_rig):
     rig, controller = any_rig, any_rig.controller
     rig.ready()
-    assert controller.motion.send_joints(FAR) is None
+    accepted(controller.motion.send_joints(FAR))
     rig.run(0.6)
     controller.motion.set_speed_percent(0)
     rig.run(1.0)
@@ -97,7 +99,7 @@ def test_it_is_not_forgotten_while_the_arm_is_silent(held):
     rig.run(0.5)
 
     assert controller.operating_state.holds
-    assert controller.motion.jog(6, 1.0) is not None
+    assert isinstance(controller.motion.jog(6, 1.0), Refusal)
 
 
 def test_it_is_not_forgotten_over_a_lost_cable(held):
@@ -121,14 +123,14 @@ def test_holding_back_a_single_motion_is_told_again_when_it_was_lost(any_rig, ho
     rig, controller = any_rig, any_rig.controller
     rig.ready()
     controller.motion.set_speed_percent(percent)
-    assert controller.motion.send_joints(FAR) is None
+    accepted(controller.motion.send_joints(FAR))
     rig.run(0.6)
     if how == "speed":
         rig.node.link.lose_to_arm(0x151)
         controller.motion.set_speed_percent(0)
     else:
         rig.node.link.lose_to_arm(0x150)
-        assert controller.planned_motion.command(TrajectoryCommand.PAUSE) is None
+        accepted(controller.planned_motion.command(TrajectoryCommand.PAUSE))
     rig.run(1.5)
     assert controller.operating_state.holds
     stood_deg = rig.firmware.mechanics.positions_deg
@@ -142,11 +144,11 @@ def test_a_pause_that_was_gone_on_with_or_dropped_is_not_told_again(any_rig):
     rig, controller = any_rig, any_rig.controller
     for after in (TrajectoryCommand.CONTINUE, TrajectoryCommand.ABORT):
         rig.ready()
-        assert controller.motion.send_joints(FAR) is None
+        accepted(controller.motion.send_joints(FAR))
         rig.run(0.6)
         rig.heard()
         for command in (TrajectoryCommand.PAUSE, after):
-            assert controller.planned_motion.command(command) is None
+            accepted(controller.planned_motion.command(command))
         rig.run(0.5)
         pauses = [one for one in rig.heard() if one.arbitration_id == 0x150 and one.data[1] == 1]
         assert len(pauses) <= 1  # an end drops what still waits

@@ -5,6 +5,7 @@ from typing import Any
 
 import pytest
 
+from armui.control.operations.started import Started
 from armui.control.run.progress import RunPhase
 from armui.protocol.codes import EndLoad
 from armui.protocol.generation import PiperModel
@@ -155,7 +156,7 @@ def tool(driver):
 
 
 def load(driver):
-    assert driver.controller.end_reports.set_load(EndLoad.FULL) is None
+    assert isinstance(driver.controller.end_reports.set_load(EndLoad.FULL), Started)
     driver.run(0.5)
 
 

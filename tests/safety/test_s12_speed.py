@@ -17,6 +17,7 @@ from armui.protocol.generation import Generation, PiperModel
 from armui.trajectory.planning.check import CheckRequest, check
 from armui.trajectory.planning.findings import Severity
 from armui.trajectory.points.program import Waypoint
+from tests.accepted import accepted
 from tests.family import MODELS
 from tests.safety.ways import STREAM_S, Driver, Ways
 from tests.trajectory.arms import ARM, pose_near
@@ -30,7 +31,7 @@ FAR = (140.0, 30.0, -30.0, 0.0, 0.0, 0.0)
 def ready(any_rig):
     any_rig.ready()
     any_rig.controller.motion.set_speed_percent(100)
-    assert any_rig.controller.motion.send_joints(HERE) is None
+    accepted(any_rig.controller.motion.send_joints(HERE))
     any_rig.run(2.5)
     any_rig.heard()
     return any_rig
@@ -48,7 +49,7 @@ def fastest_deg_s(rig, seconds):
 def test_a_lower_percentage_goes_out_before_the_targets(ready):
     rig = ready
     rig.controller.motion.speed_percent = 5  # chosen while it could not be told
-    assert rig.controller.motion.send_joints(FAR) is None
+    accepted(rig.controller.motion.send_joints(FAR))
     rig.step()
 
     assert [frame.arbitration_id for frame in rig.heard()] == [0x151, 0x155, 0x156, 0x157, 0x151]
@@ -60,7 +61,7 @@ def test_a_higher_percentage_goes_out_after_the_targets(ready):
     rig.step()
     rig.heard()
     rig.controller.motion.speed_percent = 100
-    assert rig.controller.motion.send_joints(FAR) is None
+    accepted(rig.controller.motion.send_joints(FAR))
     rig.step()
 
     assert [frame.arbitration_id for frame in rig.heard()] == [0x155, 0x156, 0x157, 0x151]
@@ -70,7 +71,7 @@ def test_a_motion_whose_mode_word_is_lost_is_as_slow_as_shown(ready):
     rig = ready
     rig.controller.motion.speed_percent = 5
     rig.node.link.lose_to_arm(0x151)  # one of the two
-    assert rig.controller.motion.send_joints(FAR) is None
+    accepted(rig.controller.motion.send_joints(FAR))
 
     assert fastest_deg_s(rig, 3.0) < 1.5 * 0.05 * 172.0
 
@@ -79,7 +80,7 @@ def test_a_motion_that_is_measured_too_fast_is_ended_and_said(ready):
     rig = ready
     rig.controller.motion.speed_percent = 5
     rig.node.link.lose_to_arm(0x151, 2)  # both
-    assert rig.controller.motion.send_joints(FAR) is None
+    accepted(rig.controller.motion.send_joints(FAR))
     rig.run(2.0)
 
     assert "motion_too_fast" in rig.codes()
@@ -91,7 +92,7 @@ def test_a_motion_at_its_own_speed_is_left_alone(ready):
     rig = ready
     for percent, target in ((100, FAR), (30, HERE), (100, FAR), (5, HERE)):
         rig.controller.motion.set_speed_percent(percent)
-        assert rig.controller.motion.send_joints(target) is None
+        accepted(rig.controller.motion.send_joints(target))
         rig.run(1.2)  # the next motion replaces one under way
 
     assert "motion_too_fast" not in rig.codes()
@@ -103,7 +104,7 @@ def gentle(any_rig):
     any_rig.firmware.settings.accelerations_deg_s2[0] = 30.0
     any_rig.ready()
     any_rig.controller.motion.set_speed_percent(30)
-    assert any_rig.controller.motion.send_joints(FAR) is None
+    accepted(any_rig.controller.motion.send_joints(FAR))
     any_rig.run(1.85)
     assert 51.0 < any_rig.firmware.mechanics.speeds_deg_s[0] < 53.0
     return any_rig
@@ -126,7 +127,7 @@ def test_a_joint_of_low_acceleration_is_given_the_time_to_slow_down(gentle, perc
 def test_a_motion_that_takes_the_place_of_a_faster_one_is_given_it_too(gentle):
     rig = gentle
     rig.controller.motion.speed_percent = 5
-    assert rig.controller.motion.send_joints(FAR) is None
+    accepted(rig.controller.motion.send_joints(FAR))
     rig.run(2.5)
 
     assert "motion_too_fast" not in rig.codes()
@@ -144,7 +145,7 @@ def test_a_joint_of_low_acceleration_that_is_not_slowed_down_is_ended(gentle):
 
 def test_after_a_jog_the_operators_speed_is_back_in_the_arm(ready):
     rig = ready
-    assert rig.controller.jogging.start(JointJog(6, 1)) is None
+    accepted(rig.controller.jogging.start(JointJog(6, 1)))
     rig.run(0.5)
     assert rig.firmware.condition.speed_percent < 100
     rig.controller.jogging.stop()
@@ -155,7 +156,7 @@ def test_after_a_jog_the_operators_speed_is_back_in_the_arm(ready):
 
 def test_it_is_not_given_back_while_another_host_has_set_its_own(rig, other_host):
     rig.ready()
-    assert rig.controller.jogging.start(JointJog(6, 1)) is None
+    accepted(rig.controller.jogging.start(JointJog(6, 1)))
     rig.run(0.5)
     rig.controller.jogging.stop()
     other_host.speed(70)
@@ -208,7 +209,7 @@ def lost_mode_word(percent, by_mm, arc=False, generation=Generation.TWO, model=P
     )
     driver.step()
     driver.bus.lost = frozenset({0x151})
-    assert driver.player.start(Run("line", (point,), (10.0,))) is None
+    accepted(driver.player.start(Run("line", (point,), (10.0,))))
     shown_mm_s = driver.authority.command.pace.linear_mm_s * percent / 100.0
     places = [start[:3]] * 5
     while driver.player.running:
@@ -305,7 +306,7 @@ def test_a_line_slowed_on_its_way_is_given_the_time_to_brake(known, slower, monk
     driver = Driver(LINE_START, step_s=STREAM_S)
     end = driver.arm_model().kinematics.forward(LINE_START)
     point = Waypoint(MoveMode.MOVE_L, (end[0], end[1] + 250.0, *end[2:]), speed_percent=100)
-    assert driver.player.start(Run("line", (point,), (10.0,))) is None
+    accepted(driver.player.start(Run("line", (point,), (10.0,))))
     for _ in range(40):
         driver.step()
     for percent in slower:

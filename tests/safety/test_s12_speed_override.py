@@ -16,6 +16,7 @@ from armui.protocol.frame import Frame
 from armui.trajectory.files.errors import SPEED_OUT_OF_RANGE
 from armui.trajectory.points.program import Waypoint
 from armui.trajectory.samples.recording import Recording
+from tests.accepted import accepted
 from tests.arm_rig import STEP_S
 
 HERE = (0.0, 30.0, -30.0, 0.0, 0.0, 0.0)
@@ -27,7 +28,7 @@ HIGHEST_DEG_S = 180.0
 def made_ready(rig):
     rig.ready()
     rig.controller.motion.set_speed_percent(40)
-    assert rig.controller.motion.send_joints(HERE) is None
+    accepted(rig.controller.motion.send_joints(HERE))
     rig.run(3.0)
     rig.heard()
     return rig
@@ -43,7 +44,7 @@ def started(rig, *places, percent=80, dwell_s=0.0, **more):
         Waypoint(MoveMode.MOVE_J, each, speed_percent=percent, dwell_s=dwell_s) for each in places
     ]
     run = Run("run", points, [2.0] * len(points), **more)
-    assert rig.controller.player.start(run) is None
+    accepted(rig.controller.player.start(run))
     return rig.controller.player
 
 
@@ -59,7 +60,7 @@ def even_turn(seconds=20.0, speed_deg_s=12.0):
 
 def replaying(rig):
     replayer = rig.controller.replayer
-    assert replayer.start(Replay(even_turn())) is None
+    accepted(replayer.start(Replay(even_turn())))
     rig.run_until(lambda: replayer.progress.done > 0.05, seconds=60.0)
     rig.heard()
     return replayer
@@ -90,7 +91,7 @@ def test_in_a_run_it_is_on_the_bus_with_the_press(ready):
     player = started(ready, FAR)
     ready.run(0.6)
     ready.heard()
-    assert override(ready, 25) is None
+    accepted(override(ready, 25))
     ready.step()
 
     assert ready.heard() == [Frame(0x151, bytes.fromhex("01 01 14 00 00 00 00 00"))]  # 25 % of 80
@@ -140,7 +141,7 @@ def test_in_a_replay_the_recorded_time_slows_down_and_the_way_stays(ready):
 
 def test_on_the_way_to_the_first_sample_it_slows_down_too(ready):
     replayer = ready.controller.replayer
-    assert replayer.start(Replay(even_turn())) is None
+    accepted(replayer.start(Replay(even_turn())))
     ready.run(1.5)
     ready.heard()
     override(ready, 20)
@@ -155,14 +156,14 @@ def test_on_the_way_to_the_first_sample_it_slows_down_too(ready):
     override(ready, 100)
     ready.run(0.5)
     assert max(speeds_deg_s(ready, 0.5)) < 0.01
-    assert replayer.go_on() is None
+    accepted(replayer.go_on())
     ready.run_until(lambda: replayer.progress.done > 0.05, seconds=60.0)
     assert "motion_too_fast" not in ready.codes()
 
 
 def test_in_a_jog_the_operators_speed_counts_at_once(ready):
     ready.controller.motion.set_speed_percent(100)
-    assert ready.controller.jogging.start(JointJog(6, 1)) is None
+    accepted(ready.controller.jogging.start(JointJog(6, 1)))
     ready.run(0.5)
 
     def turned_deg(seconds):
@@ -182,7 +183,7 @@ def test_in_a_jog_the_operators_speed_counts_at_once(ready):
 
 def test_in_a_single_motion_the_operators_speed_counts_at_once(ready):
     ready.controller.motion.set_speed_percent(100)
-    assert ready.controller.motion.send_joints(FAR) is None
+    accepted(ready.controller.motion.send_joints(FAR))
     ready.run(0.4)
     ready.controller.speed_override.step(-95)
     assert max(speeds_deg_s(ready, 1.5)[40:]) < 1.02 * 0.05 * HIGHEST_DEG_S
@@ -192,7 +193,7 @@ def test_in_a_single_motion_the_operators_speed_counts_at_once(ready):
 
 def test_a_single_motion_that_was_not_heard_is_slowed_as_soon_as_it_is(ready):
     ready.controller.motion.set_speed_percent(60)
-    assert ready.controller.motion.send_joints(FAR) is None
+    accepted(ready.controller.motion.send_joints(FAR))
     ready.run(0.4)
     ready.node.link.mute_on.update({0x2A1, 0x2A5, 0x2A6, 0x2A7})
     ready.run(0.6)
@@ -216,7 +217,7 @@ def test_0_percent_holds_back_and_only_continue_goes_on(ready, what):
         ready.run(0.6)
     else:
         part = replaying(ready)
-    assert override(ready, 0) is None
+    accepted(override(ready, 0))
     assert part.progress.phase is RunPhase.PAUSED
     assert ready.controller.operating_state.running
     ready.run(1.5)
@@ -231,7 +232,7 @@ def test_0_percent_holds_back_and_only_continue_goes_on(ready, what):
     assert ready.firmware.joints_deg == pytest.approx(stood_deg, abs=0.01)
     assert part.progress.phase is RunPhase.PAUSED
 
-    assert part.go_on() is None
+    accepted(part.go_on())
     ready.run_until(lambda: not part.running, seconds=60.0)
     assert part.phase is RunPhase.DONE
     assert "motion_too_fast" not in ready.codes()
@@ -247,7 +248,7 @@ def test_0_percent_stays_a_pause_when_it_is_raised_before_the_arm_stands(ready, 
     ready.run(1.0)
     assert replayer.phase is RunPhase.PAUSED
     assert max(speeds_deg_s(ready, 0.5)) < 0.01
-    assert replayer.go_on() is None
+    accepted(replayer.go_on())
     assert speeds_deg_s(ready, 1.5)[-20:] == pytest.approx([7.2] * 20, abs=0.6)
 
 
@@ -258,7 +259,7 @@ def test_what_goes_on_is_told_a_lower_speed_before(ready):
     ready.run(1.0)
     override(ready, 10)
     ready.heard()
-    assert player.go_on() is None
+    accepted(player.go_on())
     ready.step()
     sent = [(frame.arbitration_id, frame.data[1:3].hex()) for frame in ready.heard()]
     assert sent == [(0x151, "0108"), (0x150, "0200")]
@@ -283,7 +284,7 @@ def test_step_by_step_does_not_go_on_at_0_percent(ready):
     ready.step()
     assert ready.heard() == []
     override(ready, 50)
-    assert player.go_on() is None
+    assert player.go_on() is None  # a step is no command of its own
 
 
 def test_it_is_there_for_a_run_and_stays_for_the_next(ready):
@@ -370,7 +371,7 @@ def test_a_pause_that_is_lost_is_told_again(ready, what, percent):
     else:
         part = ready.controller.replayer
         override(ready, percent)
-        assert part.start(Replay(even_turn())) is None
+        accepted(part.start(Replay(even_turn())))
     ready.run(0.5)
     ready.node.link.lose_to_arm(0x150)
     override(ready, 0)
@@ -386,7 +387,7 @@ def test_a_pause_that_was_gone_on_with_is_not_told_again(ready):
     player = started(ready, FAR)
     ready.run(0.5)
     player.pause()
-    assert player.go_on() is None
+    accepted(player.go_on())
     ready.run(0.5)
     assert [frame.data[1] for frame in ready.heard() if frame.arbitration_id == 0x150] == [1, 2]
     assert ready.firmware.mechanics.moving
@@ -433,9 +434,9 @@ def sent(ready):
 
 def test_a_driver_that_is_slow_for_a_moment_tells_the_lowest_last(ready):
     player = turning_fast(ready)
-    assert override(ready, 50) is None
+    accepted(override(ready, 50))
     ready.run(0.04)
-    assert override(ready, 25) is None
+    accepted(override(ready, 25))
     ready.run(0.04)
     assert sent(ready) == []
     ready.free_driver()
@@ -452,13 +453,13 @@ def test_a_lower_speed_that_the_driver_keeps_ends_the_run_and_nothing_late_follo
     ready, percent, held
 ):
     player = turning_fast(ready)
-    assert override(ready, percent) is None
+    accepted(override(ready, percent))
     ready.run_until(lambda: not player.running, seconds=3.0)
     assert "motion_too_fast" in ready.codes()
     assert player.phase is RunPhase.FAILED
     ready.run(1.0)
     assert "bus_blocked" in ready.codes()
-    assert ready.controller.speed_override.set_percent(10) is None
+    accepted(ready.controller.speed_override.set_percent(10))
     ready.run(2.0)
     assert sent(ready) == []
 
@@ -478,7 +479,7 @@ def test_a_replay_at_0_percent_ends_where_it_was_held_back_whatever_the_driver_k
     replayer = replaying(ready)
     ready.hold_driver()
     ready.run(0.04)
-    assert override(ready, 0) is None
+    accepted(override(ready, 0))
     ready.run(blocked_s)
     assert sent(ready) == []
     stood_deg = ready.firmware.joints_deg[0]
@@ -498,7 +499,7 @@ def test_a_replay_at_0_percent_ends_where_it_was_held_back_whatever_the_driver_k
 def test_a_replay_that_the_driver_keeps_from_the_arm_ends_and_nothing_late_follows(ready):
     replayer = replaying(ready)
     ready.hold_driver()
-    assert override(ready, 25) is None
+    accepted(override(ready, 25))
     ready.run_until(lambda: not replayer.running, seconds=5.0)
     assert replayer.phase is RunPhase.FAILED
     assert {"bus_blocked", "replay_failed"} <= set(ready.codes())
@@ -536,12 +537,12 @@ def test_joints_of_low_acceleration_are_given_their_time(any_rig, percents):
 
 def test_a_line_is_given_the_time_to_brake(ready):
     start = (0.0, 70.0, -60.0, 0.0, 30.0, 0.0)
-    assert ready.controller.motion.send_joints(start) is None
+    accepted(ready.controller.motion.send_joints(start))
     ready.run(4.0)
     pose = ready.firmware.kinematics.forward(start)
     end = (pose[0], pose[1] + 250.0, *pose[2:])
     run = Run("line", [Waypoint(MoveMode.MOVE_L, end, speed_percent=100)], [3.0])
-    assert ready.controller.player.start(run) is None
+    accepted(ready.controller.player.start(run))
     ready.run(0.7)
     override(ready, 0)
     ready.run(2.0)
@@ -575,5 +576,5 @@ def test_a_pause_of_the_program_ends_the_coming_to_a_stand(ready):
     assert not {0x155, 0x156, 0x157} & {frame.arbitration_id for frame in ready.heard()}
     assert replayer.phase is RunPhase.PAUSED
     override(ready, 100)
-    assert replayer.go_on() is None
+    accepted(replayer.go_on())
     assert speeds_deg_s(ready, 1.0)[-10:] == pytest.approx([12.0] * 10, abs=0.6)

@@ -11,6 +11,7 @@ from armui.control.safety.other_command import LEADER_ARM, OTHER_HOST, OTHER_HOS
 from armui.control.safety.recovery_steps import Action, StepKind
 from armui.protocol.codes import MoveMode
 from armui.trajectory.points.program import Waypoint
+from tests.accepted import accepted
 from tests.company import OtherArm
 
 A = (30.0, 30.0, -30.0, 0.0, 0.0, 0.0)
@@ -113,7 +114,7 @@ def test_it_is_taken_over_half_a_second_after_its_last_frame(ready, other_host):
     rig.step()
 
     assert controller.operating_state.cannot_move is None
-    assert controller.motion.send_joints(B) is None
+    accepted(controller.motion.send_joints(B))
     rig.run(8.0)
     assert rig.firmware.mechanics.positions_deg == pytest.approx(B, abs=0.05)
 
@@ -132,7 +133,7 @@ def test_it_goes_on_until_the_arm_rests(ready, other_host):
 def test_a_run_cut_off_by_another_host_leaves_its_motion_alone(ready, other_host):
     rig, controller = ready, ready.controller
     points = [Waypoint(MoveMode.MOVE_J, A), Waypoint(MoveMode.MOVE_J, B)]
-    assert controller.player.start(Run("r", points, [3.0, 3.0])) is None
+    accepted(controller.player.start(Run("r", points, [3.0, 3.0])))
     rig.run(0.5)
     rig.heard()
     other_host.move_to((60.0, *A[1:]), 50)
@@ -146,7 +147,7 @@ def test_a_run_cut_off_by_another_host_leaves_its_motion_alone(ready, other_host
 
 def test_a_jog_ends_and_sends_nothing_more(ready, other_host):
     rig, controller = ready, ready.controller
-    assert controller.jogging.start(JointJog(6, 1)) is None
+    accepted(controller.jogging.start(JointJog(6, 1)))
     rig.run(0.5)
     other_host.move_to(B, 30)
     rig.run(0.1)

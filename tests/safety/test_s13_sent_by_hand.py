@@ -15,6 +15,7 @@ from armui.control.safety.other_command import OTHER_HOST, OTHER_HOST_STREAMS, O
 from armui.control.safety.recovery_steps import StepKind
 from armui.protocol.codes import MoveMode
 from armui.trajectory.points.program import Waypoint
+from tests.accepted import accepted
 from tests.sim.talk import DISABLE, frame, mode, target
 
 A = (30.0, 30.0, -30.0, 0.0, 0.0, 0.0)
@@ -70,7 +71,7 @@ def test_it_is_noted_frame_by_frame(ready):
 
 def test_our_command_ends_before_the_frame_leaves(ready):
     rig, controller = ready, ready.controller
-    assert controller.motion.send_joints(A) is None
+    accepted(controller.motion.send_joints(A))
     rig.run(0.5)
     assert controller._authority.command is not None
     send(rig, mode(10))
@@ -84,7 +85,7 @@ def test_our_command_ends_before_the_frame_leaves(ready):
 def test_what_waits_of_ours_is_dropped(ready):
     rig, controller = ready, ready.controller
     with controller._connection._worker._outbox._port.driver:
-        assert controller.motion.send_joints(A) is None
+        accepted(controller.motion.send_joints(A))
         assert send(rig, mode(10)) == [None]
     rig.run(0.1)
 
@@ -94,7 +95,7 @@ def test_what_waits_of_ours_is_dropped(ready):
 def test_a_run_ends_and_cuts_nothing_off(ready):
     rig, controller = ready, ready.controller
     points = [Waypoint(MoveMode.MOVE_J, A), Waypoint(MoveMode.MOVE_J, B)]
-    assert controller.player.start(Run("r", points, [3.0, 3.0])) is None
+    accepted(controller.player.start(Run("r", points, [3.0, 3.0])))
     rig.run(0.5)
     rig.heard()
     move_by_hand(rig, (60.0, *A[1:]), 50)
@@ -108,7 +109,7 @@ def test_a_run_ends_and_cuts_nothing_off(ready):
 
 def test_a_jog_ends(ready):
     rig, controller = ready, ready.controller
-    assert controller.jogging.start(JointJog(6, 1)) is None
+    accepted(controller.jogging.start(JointJog(6, 1)))
     rig.run(0.3)
     move_by_hand(rig, A)
     rig.step()
@@ -129,7 +130,7 @@ def test_the_operator_may_take_the_arm_back(ready):
 
 def test_questions_and_lamps_change_nothing(ready):
     rig, controller = ready, ready.controller
-    assert controller.motion.send_joints(A) is None
+    accepted(controller.motion.send_joints(A))
     rig.run(0.3)
     assert send(rig, QUESTION, "121#0101FF10101000" + "00", held=False) == [None, None]
 
@@ -267,7 +268,7 @@ def test_no_motion_of_another_host_is_interfered_with(ready, other_host):
 def test_a_setting_waits_for_the_end_of_a_run(ready):
     rig, controller = ready, ready.controller
     points = [Waypoint(MoveMode.MOVE_J, A), Waypoint(MoveMode.MOVE_J, B)]
-    assert controller.player.start(Run("r", points, [3.0, 3.0])) is None
+    accepted(controller.player.start(Run("r", points, [3.0, 3.0])))
     rig.run(0.5)
 
     assert send(rig, "475#01AE000000000000", "422#0100000000000000") == ["run_under_way"] * 2

@@ -19,6 +19,7 @@ from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.widgets.hold_button import HoldButton
+from tests.accepted import accepted
 
 ASKING = {
     "ui/dialogs/backup.py": {"choose_file": 2, "confirm": 1},
@@ -120,7 +121,7 @@ def resume(driver):
 
 def move(driver):
     driver.controller.motion.set_speed_percent(5)
-    assert driver.controller.motion.send_joints((60.0, 40.0, -40.0, 0.0, 20.0, 0.0)) is None
+    accepted(driver.controller.motion.send_joints((60.0, 40.0, -40.0, 0.0, 20.0, 0.0)))
     driver.run(0.5)
 
 
@@ -262,7 +263,7 @@ def test_a_zero_is_of_the_place_that_was_asked_about(app_driver):
     app_driver.ready()
     QUESTIONS["zero of a joint"](app_driver)
     app_driver.controller.motion.set_speed_percent(50)
-    assert app_driver.controller.motion.jog(2, 5.0) is None
+    accepted(app_driver.controller.motion.jog(2, 5.0))
     app_driver.run(3.0)
     assert questions() == []
     assert 0x475 not in {each.arbitration_id for each in app_driver.node.heard}

@@ -8,6 +8,7 @@ from armui.control.operations.operation import Consent
 from armui.control.run.progress import RunPhase
 from armui.protocol.codes import TeachingState
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
+from tests.accepted import accepted
 from tests.app_driver import PANELS
 from tests.operator.test_palette import commands, open_palette, rows, targets
 from tests.operator.test_running import BACK, OUT, Operator, to
@@ -126,10 +127,10 @@ def test_a_paused_replay_of_drag_teaching_is_not_set_going(app_driver):
     app_driver.run(2.5)
     teach(TeachingState.STOP_RECORDING)
     app_driver.run(0.3)
-    assert teach(TeachingState.RUN_RECORDING) is None
+    accepted(teach(TeachingState.RUN_RECORDING))
     app_driver.run_until(lambda: app_driver.firmware.mechanics.moving)
     app_driver.run(0.3)
-    assert teach(TeachingState.PAUSE) is None
+    accepted(teach(TeachingState.PAUSE))
     app_driver.run_until(lambda: not app_driver.controller.operating_state.why_pending("teaching"))
     app_driver.run(0.5)
     app_driver.click("menu_light")

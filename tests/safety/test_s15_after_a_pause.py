@@ -12,6 +12,7 @@ from armui.control.motion.jog_path import JointJog
 from armui.control.operating_state import LinkState
 from armui.protocol.codec import Codec
 from armui.protocol.generation import Generation
+from tests.accepted import accepted
 
 ANGLES = can.Message(arbitration_id=0x2A5, data=bytes(8), is_extended_id=False)
 SLEEP_S = 7200.0
@@ -65,7 +66,7 @@ def test_frames_of_a_backlog_are_not_dated_now(qapp, clock):
 def test_after_a_sleep_nothing_of_before_goes_on(any_rig):
     rig = any_rig
     rig.ready()
-    assert rig.controller.jogging.start(JointJog(1, 1)) is None
+    accepted(rig.controller.jogging.start(JointJog(1, 1)))
     rig.run_until(lambda: rig.controller.operating_state.jogging)
     rig._settle()
     rig.time_s += SLEEP_S  # both clocks go on; nobody looks, nobody says a word

@@ -17,6 +17,7 @@ from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
+from tests.accepted import accepted
 from tests.arm_rig import ArmRig
 from tests.faulty_arm import FaultyDrivers, HardOfHearing
 from tests.moments import now
@@ -63,7 +64,7 @@ def test_another_arm_on_the_same_adapter_is_asked_anew(qapp, request, first):
     rig.controller.settings.read([END])
     settled(rig)
     before = heard(rig.controller.state, ANGULAR_SPEED).value
-    assert rig.controller.settings.save({LINEAR_SPEED: 0.25}) is None
+    accepted(rig.controller.settings.save({LINEAR_SPEED: 0.25}))
     settled(rig)
     assert heard(rig.controller.state, LINEAR_SPEED).value == 0.25
     assert heard(rig.controller.state, ANGULAR_SPEED).value == before == 1.0
@@ -101,7 +102,7 @@ def test_a_power_cycle_starts_from_nothing(any_rig):
 def test_after_a_power_cycle_the_offset_of_the_commands_is_proven_by_nothing(any_rig):
     rig = any_rig
     rig.connect()
-    assert rig.controller.linkage.set(LinkageRole.MOTION_OUTPUT, control_offset=0x10) is None
+    accepted(rig.controller.linkage.set(LinkageRole.MOTION_OUTPUT, control_offset=0x10))
     rig.run_until(lambda: rig.controller.operating_state.addressing.control_offset == 0x10)
     assert rig.controller.operating_state.control_certain
     rig.powered = False

@@ -10,6 +10,7 @@ from armui.gamepad.dead_man import HoldPhase
 from armui.gamepad.layout import JogMode
 from armui.telemetry.events import Asker
 from armui.ui.shell.workspace import PageWindow
+from tests.accepted import accepted
 from tests.control.jogger import bend
 from tests.gamepad.pads import MOUSE, PAD, switch_on
 from tests.gamepad.piloting import (
@@ -112,7 +113,7 @@ def test_what_takes_the_page_s_window_away_takes_the_hold_away(ready, pads, take
 
 
 def test_a_button_on_the_screen_that_is_held_goes_before(ready, pads):
-    assert ready.controller.jogging.start(JointJog(6, 1)) is None
+    accepted(ready.controller.jogging.start(JointJog(6, 1)))
     pads.push(left_x=-1.0)
     pass_time(ready, 0.05)
     assert ready.controller.jogging.active
@@ -126,7 +127,7 @@ def test_a_button_on_the_screen_that_is_held_goes_before(ready, pads):
 
 def test_a_button_on_the_screen_takes_over_and_keeps_what_it_took(ready, pads):
     drive(ready, pads)
-    assert ready.controller.jogging.start(JointJog(6, 1)) is None
+    accepted(ready.controller.jogging.start(JointJog(6, 1)))
     pass_time(ready, 0.5)
     assert ready.controller.jogging.active
     assert ready.controller.jogging.steered is None

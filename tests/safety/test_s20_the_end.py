@@ -15,6 +15,7 @@ from armui.control.motion.jogging import Jogging
 from armui.control.operating_state import LinkState
 from armui.protocol.frame import Frame
 from armui.ui.dialogs.confirm_dialog import CloseQuestion
+from tests.accepted import accepted
 from tests.arm_rig import TIMEOUT_MS
 from tests.failing import failing, functions_of
 
@@ -107,7 +108,7 @@ def test_the_end_waits_for_a_search_with_a_limit_and_ends_the_motion_before(qapp
     rig.controller._finder._find = find
     rig.controller.search_devices()
     assert searching.wait(TIMEOUT_MS / 1e3)
-    assert rig.controller.motion.send_joints(FAR) is None
+    accepted(rig.controller.motion.send_joints(FAR))
     rig.run(1.0)
     rig.heard()
     assert rig.controller.shutdown() is False
@@ -123,7 +124,7 @@ def frames(rig):
 def test_ending_the_program_ends_a_single_motion(any_rig):
     rig = any_rig
     rig.ready()
-    assert rig.controller.motion.send_joints(FAR) is None
+    accepted(rig.controller.motion.send_joints(FAR))
     rig.run(1.0)
     rig.heard()
     rig.controller.shutdown()
@@ -151,7 +152,7 @@ def test_an_end_that_the_arm_did_not_hear_is_told_again(any_rig, missed):
     rig = any_rig
     rig.ready()
     rig.controller.motion.set_speed_percent(20)
-    assert rig.controller.motion.send_joints(FAR) is None
+    accepted(rig.controller.motion.send_joints(FAR))
     rig.run(1.0)
     rig.heard()
     lost, began_s = lose_aborts(rig, missed), rig.time_s
@@ -165,7 +166,7 @@ def test_an_end_that_the_arm_did_not_hear_is_told_again(any_rig, missed):
 def test_an_arm_that_does_not_listen_is_told_for_half_a_second(rig):
     rig.ready()
     rig.controller.motion.set_speed_percent(20)
-    assert rig.controller.motion.send_joints(FAR) is None
+    accepted(rig.controller.motion.send_joints(FAR))
     rig.run(1.0)
     rig.heard()
     lost, began_s = lose_aborts(rig, 100), rig.time_s
@@ -176,7 +177,7 @@ def test_an_arm_that_does_not_listen_is_told_for_half_a_second(rig):
 
 def test_a_jog_that_cannot_be_ended_does_not_keep_the_program_open(rig):
     rig.ready()
-    assert rig.controller.jogging.start(JointJog(1, 1)) is None
+    accepted(rig.controller.jogging.start(JointJog(1, 1)))
     rig.run(0.5)
     with failing(*(each for each in functions_of(Jogging) if each.__name__ == "end_jog")):
         assert rig.controller.shutdown()
@@ -196,7 +197,7 @@ def test_at_rest_nothing_is_sent_at_the_end(any_rig):
 def moving(app_driver):
     app_driver.connect_by_hand()
     app_driver.enable_by_hand()
-    assert app_driver.controller.motion.send_joints(FAR) is None
+    accepted(app_driver.controller.motion.send_joints(FAR))
     app_driver.run_until(lambda: app_driver.controller.operating_state.moving)
     app_driver.run(0.5)
     app_driver.heard()

@@ -17,6 +17,7 @@ from armui.start import StartOptions
 from armui.system import failures
 from armui.system.helper_process import HelperProcess
 from armui.system.log_file import UnhurriedHandler, log_to
+from tests.accepted import accepted
 
 
 class Breaks(QObject):
@@ -139,7 +140,7 @@ def test_a_jog_whose_part_fails_ends_and_the_stop_still_stops(any_driver, told, 
     arm = any_driver
     arm.ready()
     jogging = arm.controller.jogging
-    assert jogging.start(JointJog(1, 1)) is None
+    accepted(jogging.start(JointJog(1, 1)))
     arm.run_until(lambda: arm.controller.operating_state.jogging)
     arm.run(0.5)
 

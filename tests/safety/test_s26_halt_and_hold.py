@@ -13,6 +13,7 @@ from armui.protocol.codes import LinkageRole, TeachingState
 from armui.protocol.frame import Frame
 from armui.sim.parameters.settings import LinkageSettings
 from armui.ui.widgets.halt_button import HaltButton
+from tests.accepted import accepted
 from tests.control.jogger import fastest_deg_s
 from tests.control.under_way import RUNS, joint_jog, motion_paused, tool_jog
 from tests.faulty_arm import HardOfHearing
@@ -24,7 +25,7 @@ STEP_S = 0.002
 
 def single_motion(rig):
     rig.controller.motion.set_speed_percent(100)
-    assert rig.controller.motion.send_joints((100.0, 0.0, 0.0, 0.0, 0.0, 0.0)) is None
+    accepted(rig.controller.motion.send_joints((100.0, 0.0, 0.0, 0.0, 0.0, 0.0)))
     rig.run(0.5)
     assert fastest_deg_s(rig) > 50
 
@@ -264,10 +265,10 @@ def test_a_gripper_under_way_ends_where_it_is(any_rig, way):
     rig = any_rig
     rig.ready()
     gripper, control = rig.firmware.gripper, rig.controller.gripper
-    assert control.move(60.0, 1.0) is None
+    accepted(control.move(60.0, 1.0))
     if way == "close":
         rig.run_until(lambda: "gripper_there" in rig.codes(), seconds=20.0)
-        assert control.move_to_end(opened=False) is None
+        accepted(control.move_to_end(opened=False))
     rig.run_until(lambda: 10.0 < gripper.travel < 40.0, seconds=10.0)
     assert rig.controller.halt_and_hold() is None
     at_halt = gripper.travel

@@ -14,6 +14,7 @@ from armui.trajectory.planning.findings import Approach
 from armui.ui import words
 from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.words import findings
+from tests.accepted import accepted
 from tests.control.jogger import BENT_DEG, bend, hold
 from tests.family import PIPER
 from tests.moments import now
@@ -46,7 +47,7 @@ def test_a_jog_ends_at_the_lowest_height(rig, jog):
     bend(rig)
     limit = round(tip_mm(BENT_DEG)) - 15
     rig.controller.jog_floor.lowest_mm = limit
-    assert rig.controller.jogging.start(jog) is None
+    accepted(rig.controller.jogging.start(jog))
     hold_down(rig, jog, 4.0)
     assert not rig.controller.jogging.active
     assert limit <= tip_mm(rig.firmware.joints_deg) < limit + 2.0
@@ -58,7 +59,7 @@ def test_a_jog_ends_at_the_lowest_height(rig, jog):
 
 def test_without_a_limit_it_goes_on(rig):
     bend(rig)
-    assert rig.controller.jogging.start(DOWN["tool"]) is None
+    accepted(rig.controller.jogging.start(DOWN["tool"]))
     hold(rig, 1.5)
     assert rig.controller.jogging.active
     assert tip_mm(rig.firmware.joints_deg) < tip_mm(BENT_DEG) - 40.0
@@ -70,7 +71,7 @@ def test_an_arm_below_its_limit_only_goes_up(rig):
     rig.controller.jogging.start(DOWN["tool"])
     hold(rig, 0.3)
     assert not rig.controller.jogging.active
-    assert rig.controller.jogging.start(ToolJog(2, 1, JogFrame.BASE)) is None
+    accepted(rig.controller.jogging.start(ToolJog(2, 1, JogFrame.BASE)))
     hold(rig, 0.5)
     assert rig.controller.jogging.active
     assert tip_mm(rig.firmware.joints_deg) > tip_mm(BENT_DEG) + 10.0
@@ -86,10 +87,9 @@ def test_single_steps_keep_to_it(rig):
     ):
         rig.heard()
         refusal = step()
-        assert refusal is not None
         assert refusal.reason == JOG_TOO_LOW
         assert rig.heard() == []
-    assert controller.motion.jog(2, -10.0) is None
+    accepted(controller.motion.jog(2, -10.0))
 
 
 def test_below_the_base_plane_is_amber_in_the_line(rig):

@@ -64,6 +64,7 @@ from armui.trajectory.points.program import (
 from armui.trajectory.samples.recording import Recording
 from armui.ui import words
 from armui.ui.words.findings import finding as finding_text
+from tests.accepted import accepted
 
 STEP_S: Final = 0.25
 """Between two looks at an arm that runs points by itself."""
@@ -211,20 +212,18 @@ class Driver:
         if isinstance(content, Recording):
             part = self.replayer
             replay = Replay(content, way.speed_factor, way.cycles, checked.profile)
-            refusal = self.replayer.start(replay)
+            accepted(self.replayer.start(replay))
         else:
-            refusal = self.player.start(
-                Run(
-                    content.name,
-                    content.points,
-                    checked.expected_s,
-                    way.cycles,
-                    way.first,
-                    way.speed_factor,
-                    way.step_by_step,
-                )
+            run = Run(
+                content.name,
+                content.points,
+                checked.expected_s,
+                way.cycles,
+                way.first,
+                way.speed_factor,
+                way.step_by_step,
             )
-        assert refusal is None, refusal
+            accepted(self.player.start(run))
         begun_s = self.now_s
         while part.progress.phase not in OVER:
             if part.progress.phase is RunPhase.WAITING:

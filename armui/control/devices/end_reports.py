@@ -94,7 +94,7 @@ class EndReports:
         self.busy = False
 
     @operation("end_load.set", "Set the end load", why_no_load)
-    def set_load(self, load: EndLoad) -> Refusal | None:
+    def set_load(self, load: EndLoad) -> Started | Refusal:
         """Tell the arm that it carries nothing, half or the full payload.
 
         The arm answers and cannot be asked for it: the answer is all there is to know.
@@ -117,10 +117,10 @@ class EndReports:
                 alters="end_reports",
             )
         )
-        return None
+        return started
 
     @operation("end_load.report", "Switch the end's motion feedback", why_not_switch)
-    def switch(self, *, on: bool) -> Refusal | None:
+    def switch(self, *, on: bool) -> Started | Refusal:
         """Switch the feedback of the end's speed and acceleration; the frames decide."""
         context = self._context
         refusal = why_not_switch(context.refresh())
@@ -140,7 +140,7 @@ class EndReports:
                 ),
             )
         )
-        return None
+        return started
 
     def _after_load(self, started: Started, load: EndLoad, refusal: Refusal | None) -> None:
         self.busy = False

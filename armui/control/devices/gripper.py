@@ -214,7 +214,7 @@ class GripperControl(ControllerPart):
     @operation(
         "gripper.move", "Move the gripper", why_not_move_gripper, moves=True, shown_first=True
     )
-    def move(self, travel: float, effort: float) -> Refusal | None:
+    def move(self, travel: float, effort: float) -> Started | Refusal:
         """Open or close it; the same frame enables it (0x159).
 
         Args:
@@ -223,7 +223,7 @@ class GripperControl(ControllerPart):
             effort: Torque in N·m (generation 2) or speed in rad/s (generation 1).
 
         Returns:
-            ``None`` if it is on its way, or why nothing was sent.
+            The record of the command, or why nothing was sent.
         """
         figures = self.figures
         refusal = (
@@ -241,7 +241,7 @@ class GripperControl(ControllerPart):
         unit, started = figures.travel.unit, record_start(self.move)
         self._travel = _Travel(travel, heard.travel, self._context.clock(), unit, effort, started)
         self._context.tell(GRIPPER_SENT, started, value=travel, unit=unit)
-        return None
+        return started
 
     def why_no_end(self, *, opened: bool) -> Refusal | None:
         """Tell why the gripper cannot be moved to an end of its stroke."""
@@ -250,7 +250,7 @@ class GripperControl(ControllerPart):
             return GRIPPER_RANGE_UNKNOWN()
         return refusal
 
-    def move_to_end(self, *, opened: bool, effort: float | None = None) -> Refusal | None:
+    def move_to_end(self, *, opened: bool, effort: float | None = None) -> Started | Refusal:
         """Open it as far as its stroke limit was read (0x47E), or close it to 0; see :meth:`move`.
 
         Args:
@@ -258,7 +258,7 @@ class GripperControl(ControllerPart):
             effort: Torque or speed; ``None``: what a command begins with, 1.
 
         Returns:
-            ``None`` if it is on its way, or why nothing was sent.
+            The record of the command, or why nothing was sent.
         """
         self._context.refresh()
         refusal = self.why_no_end(opened=opened)
@@ -269,7 +269,7 @@ class GripperControl(ControllerPart):
         return self.move(target, figures.effort.first if effort is None else effort)
 
     @operation("gripper.enable", "Enable the gripper", why_not_move_gripper)
-    def enable(self, effort: float) -> Refusal | None:
+    def enable(self, effort: float) -> Started | Refusal:
         """Give it power where it is."""
         refusal = why_not_move_gripper(self._context.refresh()) or check(
             self.figures.effort, effort
@@ -279,29 +279,26 @@ class GripperControl(ControllerPart):
             return self._context.refuse(refusal or GRIPPER_SILENT())
         # told as it tells itself: a number of another kind would move it
         frames = self._hold(heard.travel, effort, by_angle=heard.opening_mm is None)
-        self._start(self.enable, "enable", frames, lambda gripper: gripper.enabled)
-        return None
+        return self._start(self.enable, "enable", frames, lambda gripper: gripper.enabled)
 
     @operation("gripper.disable", "Disable the gripper", why_not_let_go, consent=Consent.PRESS)
-    def disable(self) -> Refusal | None:
+    def disable(self) -> Started | Refusal:
         """Take its power: it lets go of what it holds. A run under way ends."""
         refusal = why_not_let_go(self._context.refresh())
         if refusal is not None:
             return self._context.refuse(refusal)
         self._end_run(RUN_LET_GO())
         frames = commands.disable_gripper(self._context.connection.codec)
-        self._start(self.disable, "disable", frames, lambda gripper: not gripper.enabled)
-        return None
+        return self._start(self.disable, "disable", frames, lambda gripper: not gripper.enabled)
 
     @operation("gripper.clear_error", "Clear the gripper's error", why_not_gripper)
-    def clear_error(self) -> Refusal | None:
+    def clear_error(self) -> Started | Refusal:
         """Clear its driver's error; it stays without power until it is enabled or moved."""
         refusal = why_not_gripper(self._context.refresh())
         if refusal is not None:
             return self._context.refuse(refusal)
         frames = commands.clear_gripper_error(self._context.connection.codec)
-        self._start(self.clear_error, "clear", frames, lambda gripper: not gripper.faults)
-        return None
+        return self._start(self.clear_error, "clear", frames, lambda gripper: not gripper.faults)
 
     def stands_as(self, before: ArmState) -> bool:
         """Tell whether the gripper stands where it stood when its zero was spoken of."""
@@ -313,14 +310,15 @@ class GripperControl(ControllerPart):
     @operation(
         "gripper.set_zero", "Set the gripper's zero", why_not_set_zero, consent=Consent.PRESS
     )
-    def set_zero(self) -> Refusal | None:
+    def set_zero(self) -> Started | Refusal:
         """Make where it stands its zero, in generation 2; it has no power afterwards."""
         refusal = why_not_set_zero(self._context.refresh())
         if refusal is not None:
             return self._context.refuse(refusal)
         frames = commands.set_gripper_zero(self._context.connection.codec)
-        self._start(self.set_zero, "zero", frames, lambda gripper: abs(gripper.travel) <= _THERE)
-        return None
+        return self._start(
+            self.set_zero, "zero", frames, lambda gripper: abs(gripper.travel) <= _THERE
+        )
 
     # How it is carried out --------------------------------------------------------------------
 
@@ -342,7 +340,7 @@ class GripperControl(ControllerPart):
         action: str,
         frames: Sequence[Frame],
         seen: Callable[[GripperState], bool],
-    ) -> None:
+    ) -> Started:
         """Send something, again until the gripper shows it."""
         context = self._context
         since_s = context.clock()
@@ -352,10 +350,12 @@ class GripperControl(ControllerPart):
             return gripper is not None and gripper.at_s > since_s and seen(gripper.value)
 
         self._drop_request()
-        self._action, self._started = action, record_start(method)
+        self._action = action
+        started = self._started = record_start(method)
         self._request = Request(context, frames, shows)
-        context.tell(GRIPPER_ACT_SENT, self._started, act=action)
+        context.tell(GRIPPER_ACT_SENT, started, act=action)
         self._request.advance()
+        return started
 
     def note_travel(self, target: float, effort: float) -> None:
         """Note where a run has sent it: whether it moves must be known when the run is ended."""

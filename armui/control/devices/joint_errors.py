@@ -62,8 +62,8 @@ class JointErrors:
         return self._joint is not None
 
     @operation("joints.clear_error", "Clear errors of the drivers", why_not_clear)
-    def clear(self, joint: int) -> Refusal | None:
-        """Ask a joint (1–6, 7 all) to clear its error: ``None`` if it is on its way, or why not."""
+    def clear(self, joint: int) -> Started | Refusal:
+        """Ask a joint (1–6, 7 all) to clear its error."""
         context = self._context
         refusal = why_not_clear(context.refresh())
         if refusal is None and self._joint is not None:
@@ -83,7 +83,7 @@ class JointErrors:
                 alters="clearing_error",
             )
         )
-        return None
+        return started
 
     def _on_finished(self, started: Started, joint: int, refusal: Refusal | None) -> None:
         self._joint = None

@@ -11,7 +11,7 @@ from armui.control.context import Context
 from armui.control.events import Notice
 from armui.control.operating_state import LINK_LOST, OperatingState
 from armui.control.operations.operation import operation, record_start
-from armui.control.operations.started import Ending
+from armui.control.operations.started import Ending, Started
 from armui.protocol import commands
 from armui.protocol.codes import ALL_LAMPS
 from armui.telemetry.events import EventKind, Level
@@ -75,7 +75,9 @@ class Lights:
         self._counter = 0
 
     @operation("lamps.set", "Set the lamps of a joint", why_no_lamps)
-    def set_light(self, joint: int, lamp: int, red: int, green: int, blue: int) -> Refusal | None:
+    def set_light(
+        self, joint: int, lamp: int, red: int, green: int, blue: int
+    ) -> Started | Refusal:
         """Colour a lamp of a joint.
 
         Args:
@@ -86,7 +88,7 @@ class Lights:
             blue: Of the blue one.
 
         Returns:
-            ``None`` if it is on its way, or why nothing was sent.
+            The record of the command, or why nothing was sent.
         """
         refusal = why_no_lamps(self._context.refresh()) or check_light(
             joint=joint, lamp=lamp, red=red, green=green, blue=blue
@@ -109,7 +111,7 @@ class Lights:
         started.close(Ending.SENT)
         color = f"#{red:02X}{green:02X}{blue:02X}"
         self._context.tell(notice, started, joint=joint, lamp=lamp, color=color)
-        return None
+        return started
 
 
 def check_light(**figures: int) -> Refusal | None:

@@ -112,7 +112,7 @@ class LinkageControl(ControllerPart):
         feedback_offset: int = 0,
         control_offset: int = 0,
         target_offset: int = 0,
-    ) -> Refusal | None:
+    ) -> Started | Refusal:
         """Make the arm a teaching input or a motion output.
 
         An arm that is silent is asked too: a teaching input sends no feedback.
@@ -124,7 +124,7 @@ class LinkageControl(ControllerPart):
             target_offset: Added to the commands that a teaching input sends.
 
         Returns:
-            ``None`` if it is on its way, or why nothing was sent.
+            The record of the command, or why nothing was sent.
         """
         context = self._context
         refusal = why_not_link(context.refresh())
@@ -161,9 +161,9 @@ class LinkageControl(ControllerPart):
             )
         )
         context.refresh()
-        return None
+        return started
 
-    def release(self) -> Refusal | None:
+    def release(self) -> Started | Refusal:
         """Make the arm a motion output arm without offsets again (0xFC)."""
         return self.set(LinkageRole.MOTION_OUTPUT)
 

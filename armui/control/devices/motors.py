@@ -97,12 +97,12 @@ class Motors(ControllerPart):
         return self._busy
 
     @operation("motors.enable", "Enable motors", why_not_enable)
-    def enable(self, joint: int = ALL_JOINTS) -> Refusal | None:
+    def enable(self, joint: int = ALL_JOINTS) -> Started | Refusal:
         """Enable a motor, or all six with 7 (0x471), again until the drivers say that it is on."""
         return self._switch(joint, on=True)
 
     @operation("motors.disable", "Disable motors", why_not_disable, consent=Consent.PRESS)
-    def disable(self, joint: int = ALL_JOINTS) -> Refusal | None:
+    def disable(self, joint: int = ALL_JOINTS) -> Started | Refusal:
         """Disable a motor, or all six with 7 (0x471): the arm DROPS.
 
         It is never refused for what is under way: that ends.
@@ -112,7 +112,7 @@ class Motors(ControllerPart):
     @operation(
         "motors.resume", "Resume after the emergency stop", why_not_resume, consent=Consent.PRESS
     )
-    def resume(self) -> Refusal | None:
+    def resume(self) -> Started | Refusal:
         """End the emergency stop: power is cut at once, the arm DROPS; then it must be enabled."""
         context = self._context
         refusal = why_not_resume(context.refresh())
@@ -127,7 +127,7 @@ class Motors(ControllerPart):
             commands.resume(context.connection.codec),
             lambda state: state.status is not None and not is_stopped(state),
         )
-        return None
+        return started
 
     def follow_arm(self) -> None:
         """See whether the arm has done it, or time is up."""
@@ -166,7 +166,7 @@ class Motors(ControllerPart):
         if started is not None and switches and started.answer is None:
             started.answered(index, self._context.clock())
 
-    def _switch(self, joint: int, *, on: bool) -> Refusal | None:
+    def _switch(self, joint: int, *, on: bool) -> Started | Refusal:
         context = self._context
         operating_state = context.refresh()
         refusal = (why_not_enable if on else why_not_disable)(operating_state)
@@ -190,7 +190,7 @@ class Motors(ControllerPart):
             command(context.connection.codec, joint),
             lambda state: all(state.enabled()[number - 1] is on for number in joints),
         )
-        return None
+        return started
 
     def _start(
         self,

@@ -10,7 +10,7 @@ from armui.control.context import GENERATION_UNKNOWN
 from armui.control.events import Notice
 from armui.control.operating_state import LINK_LOST
 from armui.control.operations.operation import operation, record_start
-from armui.control.operations.started import Ending
+from armui.control.operations.started import Ending, Started
 from armui.control.parameters.arm_settings import SETTING_NOT_KEPT
 from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN
 from armui.control.safety.standstill import why_moving
@@ -66,8 +66,8 @@ class MountingControl:
         self._speed_percent = speed_percent
 
     @operation("mounting.tell", "Set the mounting", why_not_mount)
-    def tell(self, mounting: Mounting) -> Refusal | None:
-        """Tell it now: ``None``, or why nothing was sent. Whether it took it nobody can ask."""
+    def tell(self, mounting: Mounting) -> Started | Refusal:
+        """Tell it now. Whether it took it nobody can ask."""
         context = self._context
         context.refresh()
         refusal = self.why_not(mounting) or context.why_no_motion()
@@ -91,7 +91,7 @@ class MountingControl:
         started.close(Ending.SENT)
         context.tell(MOUNTING_SENT, started, mounting=int(mounting))
         context.refresh()
-        return None
+        return started
 
     def why_not(self, mounting: Mounting) -> Refusal | None:
         """Return the reason against telling it now, or ``None``."""

@@ -67,8 +67,8 @@ class TeachingControl(ControllerPart):
         return self._pending
 
     @operation("teaching.command", "Command drag teaching", why_not_teach, moves=True)
-    def command(self, command: TeachingState) -> Refusal | None:
-        """Give a command of 0x150 byte 2: ``None`` if it is on its way, or why it is not."""
+    def command(self, command: TeachingState) -> Started | Refusal:
+        """Give a command of 0x150 byte 2."""
         context = self._context
         refusal = why_not_teach(context.refresh(), command)
         if refusal is not None:
@@ -85,7 +85,7 @@ class TeachingControl(ControllerPart):
         )
         self._request.advance()
         context.refresh()
-        return None
+        return started
 
     def follow_arm(self) -> None:
         """See whether the arm does it, or time is up."""

@@ -118,11 +118,11 @@ class Zeroing:
         return _why_elsewhere(joints, before, self._context.connection.newest) is None
 
     @operation("joints.set_zero", "Set zeros", why_not_zero, consent=Consent.PRESS)
-    def set_zero(self, joint: int = ALL_JOINTS) -> Refusal | None:
+    def set_zero(self, joint: int = ALL_JOINTS) -> Started | Refusal:
         """Make the present position of a joint (1–6, 7 all) its zero.
 
         Returns:
-            ``None`` if it is on its way, or why nothing was sent.
+            The record of the command, or why nothing was sent.
         """
         context = self._context
         state = context.state()
@@ -158,7 +158,7 @@ class Zeroing:
             )
         )
         context.refresh()
-        return None
+        return started
 
     def _why_unheard(self, joints: Sequence[int]) -> Refusal | None:
         """Tell that the angles are not heard: what became of the zero could not be seen."""

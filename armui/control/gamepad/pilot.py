@@ -258,11 +258,11 @@ class GamepadPilot(QObject):
         elif jogging.active:
             self._take_away(JOG_UNDER_WAY())
         else:
-            refusal = jogging.start(jog)
-            if refusal is None:
-                self._driving = True
+            answer = jogging.start(jog)
+            if isinstance(answer, Refusal):
+                self._take_away(answer)
             else:
-                self._take_away(refusal)
+                self._driving = True
 
     # Ends -------------------------------------------------------------------------------------
 

@@ -196,14 +196,14 @@ class Cartesian(ControllerPart):
         return check_path(model, line, start_deg, limits)
 
     @operation("tool.move", "Move the tool to a pose", why_not_move, moves=True, shown_first=True)
-    def move(self, target: Sequence[float], move_mode: MoveMode) -> Refusal | None:
+    def move(self, target: Sequence[float], move_mode: MoveMode) -> Started | Refusal:
         """Send the tool centre point to a pose, with MOVE P or on a straight line with MOVE L."""
         notice = SENT_LINE if move_mode is MoveMode.MOVE_L else SENT_POSE
         figures: dict[str, object] = dict(zip(map(str.lower, AXES), target, strict=True))
         return self._move(record_start(self.move), target, move_mode, notice, figures)
 
     @operation("tool.step", "Move the tool by a step", why_not_move, moves=True)
-    def step(self, axis: int, amount: float, frame: JogFrame) -> Refusal | None:
+    def step(self, axis: int, amount: float, frame: JogFrame) -> Started | Refusal:
         """Move the tool centre point by a step, on a straight line.
 
         It is added to the target of the motion before, while that is ours and the tool is on its
@@ -233,7 +233,7 @@ class Cartesian(ControllerPart):
         return self._move(record_start(self.step), pose, MoveMode.MOVE_L, STEPPED_TOOL, figures)
 
     @operation("tool.arc", "Move the tool along an arc", why_not_move, moves=True, shown_first=True)
-    def move_arc(self, *points: Sequence[float]) -> Refusal | None:
+    def move_arc(self, *points: Sequence[float]) -> Started | Refusal:
         """Move on the arc through three poses of the tool centre point (MOVE C).
 
         The arm must stand at the first of them, so that it goes no way nobody has checked.
@@ -279,7 +279,7 @@ class Cartesian(ControllerPart):
         move_mode: MoveMode,
         notice: Notice,
         figures: dict[str, object],
-    ) -> Refusal | None:
+    ) -> Started | Refusal:
         context = self._context
         refusal = context.refresh().cannot_move or self.check(target, move_mode)
         if refusal is not None:
@@ -301,7 +301,7 @@ class Cartesian(ControllerPart):
         *,
         started: Started,
         way: Sequence[Sequence[float]],
-    ) -> Refusal | None:
+    ) -> Started | Refusal:
         context = self._context
         sent = context.send_motion(
             CommandKind.POSE,
@@ -316,7 +316,7 @@ class Cartesian(ControllerPart):
         if isinstance(sent, Refusal):
             return context.refuse(sent)
         context.tell(notice, started, **figures)
-        return None
+        return started
 
     def _leads_away(self, target: Sequence[float]) -> bool:
         """Tell whether the tool is measured elsewhere than at a pose."""

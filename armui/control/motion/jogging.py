@@ -153,15 +153,15 @@ class Jogging(ControllerPart):
         return hold.jog if hold is not None and isinstance(hold.jog, SteeredJog) else None
 
     @operation("jog.begin", "Jog", why_not_move, moves=True, consent=Consent.HELD)
-    def start(self, jog: Jog) -> Refusal | None:
+    def start(self, jog: Jog) -> Started | Refusal:
         """Begin to move, and go on until :meth:`stop`; a jog under way ends.
 
         A steered one ends as well if :meth:`steer` is not called for longer than a program may be
         stuck.
 
         Returns:
-            ``None``, or why it does not begin. What ends it later is told by the notice
-            ``jog_ended``.
+            The record of the jog, or why it does not begin. What ends it later is told by the
+            notice ``jog_ended``.
         """
         self.stop()
         context = self._context
@@ -176,7 +176,7 @@ class Jogging(ControllerPart):
         self._timer.start()
         context.refresh()
         self._tell_begun(started, jog)
-        return None
+        return started
 
     def _tell_begun(self, started: Started, jog: Jog) -> None:
         tell = self._context.tell

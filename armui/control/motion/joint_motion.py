@@ -100,7 +100,7 @@ class Motion(ControllerPart):
         return None if command is None else command.joints_deg
 
     @operation("motion.set_speed", "Set the motion speed", why_no_speed)
-    def set_speed_percent(self, percent: float) -> Refusal | None:
+    def set_speed_percent(self, percent: float) -> Started | Refusal:
         """Set the speed of motions, 0–100 % of the arm's maximum (0x151 byte 2).
 
         The arm is told at once, in the mode it is in; it keeps that mode. The next motion brings
@@ -130,14 +130,14 @@ class Motion(ControllerPart):
         elif context.authority.holds:
             context.tell(SPEED_WAITS, started, percent=self.speed_percent)
         context.refresh()
-        return None
+        return started
 
     def tell_speed(self) -> bool:
         """Send the speed in the mode the arm is in; whether that is possible now."""
         return self._context.tell_percent(self.speed_percent)
 
     @operation("motion.step", "Move a joint by a step", why_not_move, moves=True)
-    def jog(self, joint: int, delta_deg: float) -> Refusal | None:
+    def jog(self, joint: int, delta_deg: float) -> Started | Refusal:
         """Move one joint by a step at once; the other five stay where they are or were going."""
         context = self._context
         operating_state = context.refresh()
@@ -168,19 +168,19 @@ class Motion(ControllerPart):
     @operation(
         "motion.send", "Move the joints to angles", why_not_move, moves=True, shown_first=True
     )
-    def send_joints(self, angles_deg: Sequence[float]) -> Refusal | None:
+    def send_joints(self, angles_deg: Sequence[float]) -> Started | Refusal:
         """Move to six angles in degrees (MOVE J, 0x155–0x157 and 0x151)."""
         figures = reports.numbered(angles_deg)
         return self._move(record_start(self.send_joints), angles_deg, SENT_JOINTS, **figures)
 
     @operation("motion.home", "Move to the factory zero angles", why_not_move, moves=True)
-    def go_home(self) -> Refusal | None:
+    def go_home(self) -> Started | Refusal:
         """Move to the factory zero angles."""
         return self._move(record_start(self.go_home), _HOME_DEG, WENT_HOME)
 
     def _move(
         self, started: Started, angles_deg: Sequence[float], notice: Notice, **figures: object
-    ) -> Refusal | None:
+    ) -> Started | Refusal:
         """Send six angles if that may be, and tell so with a notice."""
         context = self._context
         operating_state = context.refresh()
@@ -200,7 +200,7 @@ class Motion(ControllerPart):
         if isinstance(sent, Refusal):
             return context.refuse(sent)
         context.tell(notice, started, **figures)
-        return None
+        return started
 
     def follow_arm(self) -> None:
         """A motion goes on by itself; afterwards the arm gets the operator's speed back.

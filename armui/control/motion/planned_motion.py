@@ -10,7 +10,7 @@ from armui.control.events import Notice
 from armui.control.motion.motion_command import Hold
 from armui.control.operating_state import LINK_LOST
 from armui.control.operations.operation import operation, record_start
-from armui.control.operations.started import Ending
+from armui.control.operations.started import Ending, Started
 from armui.control.safety import interlocks
 from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN, SPEED_ZERO
 from armui.protocol import commands
@@ -123,8 +123,8 @@ class PlannedMotion(ControllerPart):
         why_not_plan,
         moves=True,
     )
-    def command(self, command: TrajectoryCommand) -> Refusal | None:
-        """Give a command of 0x150 byte 1: ``None`` if it is on its way, or why it is not.
+    def command(self, command: TrajectoryCommand) -> Started | Refusal:
+        """Give a command of 0x150 byte 1.
 
         Raises:
             EncodeError: The command is one of the transfer of points.
@@ -146,7 +146,7 @@ class PlannedMotion(ControllerPart):
         started = record_start(self.command)
         started.close(Ending.SENT)
         context.tell(PLAN_SENT, started, plan=int(command))
-        return None
+        return started
 
     def _send(self, command: TrajectoryCommand, frames: Sequence[Frame]) -> bool:
         authority, connection = self._context.authority, self._context.connection

@@ -154,6 +154,11 @@ def close_and_tell(
     tell(notice, **params)
 
 
+def refusal_of(answer: Started | Refusal | None) -> Refusal | None:
+    """Return why an operation did not begin, or ``None``."""
+    return None if isinstance(answer, Started) else answer
+
+
 def ending_of(refusal: Refusal) -> Ending:
     """Return how a command ended that this is told of: cut off, in vain, or refused."""
     if refusal.reason in _CUT_OFF:

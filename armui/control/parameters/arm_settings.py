@@ -197,7 +197,7 @@ class ArmSettings(QObject, ControllerPart):
         return None
 
     @operation("settings.save", "Set parameters", why_no_settings, shown_first=True)
-    def save(self, changes: Changes) -> Refusal | None:
+    def save(self, changes: Changes) -> Started | Refusal:
         """Set parameters and see whether the arm has taken them.
 
         Only what is named is changed; what a frame carries beside it is marked «leave it»
@@ -207,7 +207,7 @@ class ArmSettings(QObject, ControllerPart):
             changes: New values in the operator's units.
 
         Returns:
-            ``None`` if they are on their way, or why nothing was sent.
+            The record of the command, or why nothing was sent.
         """
         codec = self._codec()
         if isinstance(codec, Refusal):
@@ -224,7 +224,7 @@ class ArmSettings(QObject, ControllerPart):
         batches = batches_of(changes)
         self._submit(*(self._save(started, codec, batch, changes) for batch in batches))
         self.changed.emit()
-        return None
+        return started
 
     @operation(
         "settings.reset_end_limits",
@@ -232,7 +232,7 @@ class ArmSettings(QObject, ControllerPart):
         why_no_settings,
         consent=Consent.PRESS,
     )
-    def reset_end_limits(self) -> Refusal | None:
+    def reset_end_limits(self) -> Started | Refusal:
         """【初始化】: the end's limits as they left the factory (0x477), then read back."""
         started = record_start(self.reset_end_limits)
         return self._reset(started, commands.reset_end_limits, [Batch(Group.END_LIMITS)])
@@ -243,7 +243,7 @@ class ArmSettings(QObject, ControllerPart):
         why_no_settings,
         consent=Consent.PRESS,
     )
-    def reset_joint_limits(self) -> Refusal | None:
+    def reset_joint_limits(self) -> Started | Refusal:
         """Limits, speeds and accelerations of all joints as they left the factory (0x477)."""
         started = record_start(self.reset_joint_limits)
         return self._reset(started, commands.reset_joint_limits, _JOINT_BATCHES)
@@ -303,7 +303,7 @@ class ArmSettings(QObject, ControllerPart):
         started: Started,
         command: Callable[[Codec], Sequence[Frame]],
         batches: Sequence[Batch],
-    ) -> Refusal | None:
+    ) -> Started | Refusal:
         codec = self._codec()
         if isinstance(codec, Refusal):
             return codec
@@ -321,7 +321,7 @@ class ArmSettings(QObject, ControllerPart):
             )
         )
         self.changed.emit()
-        return None
+        return started
 
     def _why_not_any_more(self) -> Refusal | None:
         """Return what has come up since the press against setting parameters."""

@@ -8,6 +8,7 @@ from typing import Protocol
 from armui.arm.parameters import Parameter
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
+from armui.control.operations.started import Started, refusal_of
 from armui.control.parameters.setting_cell import CellState, SettingCellState
 from armui.control.parameters.setting_checks import Changes
 from armui.control.parameters.setting_draft import SettingDraft
@@ -16,8 +17,8 @@ from armui.control.parameters.setting_draft import SettingDraft
 class Saves(Protocol):
     """The part of the controller that sets parameters and reads them back."""
 
-    def save(self, changes: Changes) -> Refusal | None:
-        """Set parameters: ``None`` if they are on their way, or why nothing was sent."""
+    def save(self, changes: Changes) -> Started | Refusal:
+        """Set parameters, or tell why nothing was sent."""
 
     def cell(self, parameter: Parameter) -> SettingCellState:
         """Return how a parameter stands between the program and the arm."""
@@ -60,7 +61,7 @@ class SettingSaving:
         changes = self._draft.changes()
         if refusal is None and changes:
             self._asked, self._running = changes, True
-            refusal = self._settings.save(changes)
+            refusal = refusal_of(self._settings.save(changes))
         if refusal is not None:
             self._running = False
             self.forget_outcome()

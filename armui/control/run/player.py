@@ -19,7 +19,7 @@ from armui.control.motion.point_frames import (
 )
 from armui.control.operating_state import LINK_LOST, OperatingState
 from armui.control.operations.operation import Consent, operation, record_start
-from armui.control.operations.started import Ending
+from armui.control.operations.started import Ending, Started
 from armui.control.run.arrival import Arrival, ArrivalWatch
 from armui.control.run.execution import RUN_DONE, RUN_STARTED, Execution
 from armui.control.run.progress import (
@@ -123,8 +123,8 @@ class Player(Execution):
     # What the operator wants ------------------------------------------------------------------
 
     @operation("run.start", "Run a trajectory", why_not_run, moves=True, shown_first=True)
-    def start(self, run: Run) -> Refusal | None:
-        """Begin a run: ``None`` if the arm is on its way, or why not."""
+    def start(self, run: Run) -> Started | Refusal:
+        """Begin a run: the arm goes to the first point."""
         context = self._context
         operating_state = context.refresh()
         refusal = why_not_run(operating_state) or _why_empty(run)
@@ -136,13 +136,13 @@ class Player(Execution):
         # once: the question is asked at every look at the arm, and there may be 10,000 points
         self._has_lights = any(point.light for point in run.points)
         self._index, self._cycle = run.first, 1
-        self._started = record_start(self.start)
-        context.tell(RUN_STARTED, self._started, name=run.name)
+        started = self._started = record_start(self.start)
+        context.tell(RUN_STARTED, started, name=run.name)
         self._send_point()
-        return None
+        return started
 
     @operation("run.pause", "Pause the run", why_not_pause)
-    def pause(self) -> Refusal | None:
+    def pause(self) -> Started | Refusal:
         """Have the arm hold where it is (0x150 byte 1 = 1)."""
         if self._phase not in {RunPhase.MOVING, RunPhase.DWELLING}:
             return self._context.refuse(NOT_RUNNING())
@@ -154,11 +154,11 @@ class Player(Execution):
         started.close(Ending.SENT)
         self._context.tell(RUN_PAUSED, started, row=self._index + 1)
         self._publish()
-        return None
+        return started
 
     @operation("run.go_on", "Continue the run", why_not_go_on, moves=True, consent=Consent.HELD)
-    def go_on(self) -> Refusal | None:
-        """End a pause (0x150 byte 1 = 2), or take the next step."""
+    def go_on(self) -> Started | Refusal | None:
+        """End a pause (0x150 byte 1 = 2), or take the next step, which has no record of its own."""
         waits = self._phase is RunPhase.WAITING
         if not waits and self._phase is not RunPhase.PAUSED:
             return self._context.refuse(NOT_PAUSED())
@@ -177,7 +177,7 @@ class Player(Execution):
         started.close(Ending.SENT)
         self._context.tell(RUN_CONTINUED, started, row=self._index + 1)
         self._publish()
-        return None
+        return started
 
     def set_override(self, percent: int) -> None:
         """Go at another share of the points' speeds: the arm is told at once, mid-motion, too."""

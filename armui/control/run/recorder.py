@@ -76,8 +76,8 @@ class Recorder(QObject, ControllerPart):
         return 0.0 if self._samples is None else self._samples.duration_s
 
     @operation("recorder.start", "Record the arm's motion", why_not_record)
-    def start(self) -> Refusal | None:
-        """Begin anew: ``None``, or why not."""
+    def start(self) -> Started | Refusal:
+        """Begin anew."""
         refusal = why_not_record(self._context.refresh())
         if refusal is not None:
             return self._context.refuse(refusal)
@@ -88,10 +88,10 @@ class Recorder(QObject, ControllerPart):
         ring.take_samples()
         ring.dropped = 0
         ring.wanted = self._recording = True
-        self._started = record_start(self.start)
-        self._context.tell(RECORDING_STARTED, self._started)
+        started = self._started = record_start(self.start)
+        self._context.tell(RECORDING_STARTED, started)
         self.changed.emit()
-        return None
+        return started
 
     def rows_from(self, first: int) -> Array | None:
         """Return a copy of the samples from an index on; ``None`` if there are none."""

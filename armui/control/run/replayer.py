@@ -12,7 +12,7 @@ from armui.control.events import Notice
 from armui.control.motion.motion_command import CommandKind, MotionCommand
 from armui.control.operating_state import LINK_LOST
 from armui.control.operations.operation import Consent, operation, record_start
-from armui.control.operations.started import Ending
+from armui.control.operations.started import Ending, Started
 from armui.control.run.arrival import Arrival, ArrivalWatch
 from armui.control.run.execution import RUN_DONE, RUN_STARTED, Execution
 from armui.control.run.player import (
@@ -103,8 +103,8 @@ class Replayer(Execution):
     # What the operator wants ------------------------------------------------------------------
 
     @operation("replay.start", "Replay a recording", why_not_run, moves=True, shown_first=True)
-    def start(self, replay: Replay) -> Refusal | None:
-        """Begin a replay: ``None`` if the arm is on its way to the first sample, or why not."""
+    def start(self, replay: Replay) -> Started | Refusal:
+        """Begin a replay: the arm goes to the first sample."""
         context = self._context
         operating_state = context.refresh()
         refusal = why_not_run(operating_state) or why_not(replay, operating_state)
@@ -112,22 +112,21 @@ class Replayer(Execution):
             return context.refuse(refusal)
         self._replay, self._cycle, self._at_s = replay, 1, 0.0
         self._gripper_mm = None
-        self._started = record_start(self.start)
-        context.tell(RUN_STARTED, self._started, name=replay.recording.name)
+        started = self._started = record_start(self.start)
+        context.tell(RUN_STARTED, started, name=replay.recording.name)
         self._timer.start()
         self._approach(replay)
-        return None
+        return started
 
     @operation("replay.pause", "Pause the replay", why_not_pause)
-    def pause(self) -> Refusal | None:
+    def pause(self) -> Started | Refusal:
         """Hold where the arm is: by 0x150 on the way to the first sample, later by silence."""
         if self._phase is not RunPhase.MOVING:
             return self._context.refuse(NOT_RUNNING())
         self._pace = 0.0
-        self._pause()
-        return None
+        return self._pause()
 
-    def _pause(self) -> None:
+    def _pause(self) -> Started:
         if self._watch is not None:
             self._hold.send()
         self._phase = RunPhase.PAUSED
@@ -135,11 +134,12 @@ class Replayer(Execution):
         started.close(Ending.SENT)
         self._context.tell(REPLAY_PAUSED, started)
         self._publish()
+        return started
 
     @operation(
         "replay.go_on", "Continue the replay", why_not_go_on, moves=True, consent=Consent.HELD
     )
-    def go_on(self) -> Refusal | None:
+    def go_on(self) -> Started | Refusal:
         """End a pause."""
         if self._phase is not RunPhase.PAUSED:
             return self._context.refuse(NOT_PAUSED())
@@ -154,7 +154,7 @@ class Replayer(Execution):
         started.close(Ending.SENT)
         self._context.tell(REPLAY_CONTINUED, started)
         self._publish()
-        return None
+        return started
 
     def set_override(self, percent: int) -> None:
         """Let the recorded time go by at another pace; at 0 % it comes to a stand: a pause."""

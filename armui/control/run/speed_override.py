@@ -8,7 +8,7 @@ from armui.arm.refusal import Refusal
 from armui.control.context import Context, ControllerPart
 from armui.control.events import Notice
 from armui.control.operations.operation import operation, record_start
-from armui.control.operations.started import Ending
+from armui.control.operations.started import Ending, Started
 from armui.control.run.player import NOT_RUNNING
 from armui.telemetry.events import EventKind, Level
 from armui.trajectory.files.errors import SPEED_OUT_OF_RANGE
@@ -64,7 +64,7 @@ class SpeedOverride(ControllerPart):
         self._before_zero = self.percent = FULL_PERCENT
 
     @operation("run.override", "Set the speed override of runs", why_no_override)
-    def set_percent(self, percent: float) -> Refusal | None:
+    def set_percent(self, percent: float) -> Started | Refusal | None:
         """Let runs and replays go at a share of their own speed, from this moment on.
 
         It may be lowered at once. At 0 % what runs is held back, and goes on by nothing but a held
@@ -72,6 +72,9 @@ class SpeedOverride(ControllerPart):
 
         Args:
             percent: 0–100.
+
+        Returns:
+            The record of the command, or why nothing was sent; ``None`` where it is so already.
         """
         context = self._context
         refusal = why_no_override(context.refresh(), percent)
@@ -90,9 +93,9 @@ class SpeedOverride(ControllerPart):
         for run in self._runs:
             run.set_override(wanted)
         context.refresh()
-        return None
+        return started
 
-    def step(self, by_percent: int) -> Refusal | None:
+    def step(self, by_percent: int) -> Started | Refusal | None:
         """Change the speed that counts now: of what runs, else of every other motion.
 
         Args:

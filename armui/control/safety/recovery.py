@@ -16,7 +16,7 @@ from armui.control.events import Notice
 from armui.control.motion.planned_motion import PlannedMotion
 from armui.control.operating_state import BUSY
 from armui.control.operations.operation import Operation, operation_of
-from armui.control.operations.started import ARM_CHANGED, Ending, Started
+from armui.control.operations.started import ARM_CHANGED, Ending, Started, refusal_of
 from armui.control.requests.reports import ONLINE
 from armui.control.requests.request import Request, RequestOutcome
 from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN
@@ -95,7 +95,7 @@ _AT_ONCE: Final = frozenset(
 )
 """Nothing is waited for: what comes of them is another step."""
 
-_Handler = Callable[[Step], Refusal | None]
+_Handler = Callable[[Step], Started | Refusal | None]
 
 
 @dataclass(slots=True)
@@ -210,7 +210,7 @@ class Recovery(ControllerPart):
             return self._context.refuse(refusal)
         self._give_up()
         with self._acting():
-            refusal = self._handlers[wanted](now)
+            refusal = refusal_of(self._handlers[wanted](now))
         if refusal is None and wanted not in _AT_ONCE:
             self._attempt = _PendingAction(now)
         self._context.refresh()

@@ -516,11 +516,11 @@ class BackupDialog(ArmDialog):
         self._drop_file()
         self._restoring = chosen
         self._model.follow(list(chosen))
-        refusal = self._settings.save(chosen)
-        if refusal is not None:
+        answer = self._settings.save(chosen)
+        if isinstance(answer, Refusal):
             self._restoring = {}
             self._model.follow([])
-            self._refuse(refusal)
+            self._refuse(answer)
 
     # What the arm says ------------------------------------------------------------------------
 

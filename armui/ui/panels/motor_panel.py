@@ -19,6 +19,7 @@ from armui.control.devices.motors import Motors, why_not_disable, why_not_enable
 from armui.control.devices.zeroing import Zeroing, why_not_zero
 from armui.control.operating_state import BUSY, OperatingState
 from armui.control.operations.operation import operation_of
+from armui.control.operations.started import Started
 from armui.protocol.codes import ALL_JOINTS
 from armui.ui import words
 from armui.ui.actions.command import Command, Target
@@ -142,11 +143,11 @@ class MotorPanel(Panel):
         still = partial(self._controller.zeroing.stands_as, self._controller.state, joint)
         self._ask_to_hold(title, f"{text}\n{danger}", self.tr("Set zero"), act, still=still)
 
-    def _accepted(self, refusal: Refusal | None) -> bool:
+    def _accepted(self, answer: Started | Refusal | None) -> bool:
         """A refusal by the controller is shown as an event is; it stays until the next command."""
-        if refusal is not None:
-            self._say(refusal)
-        return refusal is None
+        if isinstance(answer, Refusal):
+            self._say(answer)
+        return not isinstance(answer, Refusal)
 
     # -- what the arm says --------------------------------------------------------------------
 

@@ -13,6 +13,7 @@ from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
 from armui.control.events import Event, Level
 from armui.control.operating_state import LINK_LOST, NOT_CONNECTED, LinkState, OperatingState
+from armui.control.operations.started import Started, refusal_of
 from armui.control.safety.interlocks import ARM_FAULT, STOP_REQUESTED, STOPPED
 from armui.control.safety.recovery_steps import UNHINDERED, Step, StepKind
 from armui.ui import words
@@ -178,11 +179,11 @@ class Panel(Translated, QWidget):
         wanted_px = _least_height(card, area.viewport().width())
         message.setVisible(bool(message.text()) or wanted_px <= room_px)
 
-    def _accepted(self, refusal: Refusal | None) -> bool:
+    def _accepted(self, answer: Started | Refusal | None) -> bool:
         """Show the controller's answer and return whether it was a yes."""
-        self._refusal = refusal
+        self._refusal = refusal_of(answer)
         self._show_message()
-        return refusal is None
+        return self._refusal is None
 
     def _say(self, refusal: Refusal | None, event: Event | None = None) -> None:
         """Say what stands in the way; if nothing does, what was told last; or nothing."""
@@ -199,7 +200,7 @@ class Panel(Translated, QWidget):
         title: str,
         text: str,
         label: str,
-        act: Callable[[], Refusal | None],
+        act: Callable[[], Started | Refusal | None],
         *,
         still: Callable[[], bool] = lambda: True,
     ) -> None:

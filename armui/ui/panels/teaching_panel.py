@@ -16,6 +16,7 @@ from armui.control.events import Event, Level
 from armui.control.motion.planned_motion import PlannedMotion, why_not_plan
 from armui.control.operating_state import OperatingState
 from armui.control.operations.operation import operation_of
+from armui.control.operations.started import refusal_of
 from armui.control.safety.recovery_steps import UNHINDERED, Action, Step, StepKind
 from armui.protocol.codes import TeachingState, TrajectoryCommand
 from armui.ui import format as fmt
@@ -319,12 +320,12 @@ class TeachingPanel(Panel):
 
     def _command(self, command: TeachingState) -> None:
         self._unanswered = None
-        self._refusal = self._controller.teaching.command(command)
+        self._refusal = refusal_of(self._controller.teaching.command(command))
         self._show_all()
 
     def _on_plan(self, plan: TrajectoryCommand) -> None:
         self._unanswered = None
-        self._refusal = self._controller.planned_motion.command(plan)
+        self._refusal = refusal_of(self._controller.planned_motion.command(plan))
         self._show_all()
 
     # -- what comes from the arm --------------------------------------------------------------

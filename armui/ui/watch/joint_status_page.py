@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 
 from armui.arm.joint_status import UNITS, Item, StatusCell, Word, rows
 from armui.arm.limits import JOINTS
+from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
 from armui.control.devices.joint_errors import (
     CLEAR_ERROR_ANSWERED,
@@ -457,9 +458,9 @@ class JointStatusPage(Page):
 
     def _clear_error(self, joint: int) -> None:
         self._event = None
-        refusal = self._controller.joint_errors.clear(joint)
-        if refusal is not None:
-            self._say(words.refusal(refusal), Level.WARNING)
+        answer = self._controller.joint_errors.clear(joint)
+        if isinstance(answer, Refusal):
+            self._say(words.refusal(answer), Level.WARNING)
 
     def _on_noticed(self, event: Event) -> None:
         if event.notice in _OURS:

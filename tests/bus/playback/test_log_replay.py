@@ -11,6 +11,7 @@ from pytestqt.qtbot import QtBot
 
 import armui.bus.playback
 from armui.arm.device import RecordedArm
+from armui.arm.refusal import Refusal
 from armui.control.devices.linkage import why_not_link
 from armui.control.log_replay import LogReplay
 from armui.control.operating_state import REPLAYED_LOG, LinkState
@@ -141,7 +142,7 @@ def test_everything_that_would_be_sent_is_refused_with_words(
         why_not_link(controller.operating_state),
     ]
 
-    told = [each for each in refusals if each is not None]
+    told = [each for each in refusals if isinstance(each, Refusal)]
     assert len(told) >= 4
     assert REPLAYED_LOG in {each.reason for each in told}
     for each in told:

@@ -8,6 +8,7 @@ from functools import partial
 import pytest
 
 from armui.arm.device import RecordedArm
+from armui.arm.refusal import Refusal
 from armui.control.event_log.log_events import log_events
 from armui.control.sessions.choices import SessionChoices
 from armui.session.recording.folder import list_recordings
@@ -38,7 +39,7 @@ def eventful(rig):
     rig.run(0.5)
     rig.node.faults.end(broken)
     rig.run(0.5)
-    assert rig.controller.motors.resume() is not None
+    assert isinstance(rig.controller.motors.resume(), Refusal)
     rig.controller.emergency_stop()
     rig.run(1.0)
 

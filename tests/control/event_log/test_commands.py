@@ -8,10 +8,12 @@ from types import SimpleNamespace
 import pytest
 
 from armui.arm.parameters import Parameter
+from armui.arm.refusal import Refusal
 from armui.control.safety.recovery_steps import StepKind
 from armui.protocol.codes import EndLoad, MoveMode, TeachingState, TrajectoryCommand
 from armui.sim.faults.schedule import fault
 from armui.telemetry.events import Asker, EventKind, Level
+from tests.accepted import accepted
 from tests.control.jogger import bend
 from tests.control.under_way import (
     BACK,
@@ -114,7 +116,7 @@ def test_what_was_asked_what_was_answered_and_what_was_read_back(rig, name):
     bend(rig)
     rig.run(0.4)
     number, asked_s = rig.controller.events.newest, rig.time_s
-    assert act(rig) is None
+    assert not isinstance(act(rig), Refusal)
     (entry,) = commands(rig, number)
     assert (entry.code, entry.who) == (expected.code, expected.who)
     assert entry.at_s == pytest.approx(asked_s, abs=1e-6)
@@ -134,7 +136,7 @@ def test_what_was_asked_what_was_answered_and_what_was_read_back(rig, name):
 
 def test_what_was_set_is_told_with_its_values(rig):
     bend(rig)
-    assert setting("max_angle_deg", 2, 100.0)(rig) is None
+    accepted(setting("max_angle_deg", 2, 100.0)(rig))
     assert only(rig, "settings_sent").params["values"] == (("max_angle_deg", 2, 100.0),)
 
 
@@ -143,7 +145,7 @@ def test_what_was_set_is_told_with_its_values(rig):
 )
 def test_a_jog_ends_when_the_arm_has_come_to_rest(rig, name, code):
     bend(rig)
-    assert MOTIONS[name](rig) is None
+    accepted(MOTIONS[name](rig))
     rig.run(0.6)
     entry = only(rig, code)
     assert (entry.who, entry.result) == (JOG, None)
@@ -154,7 +156,7 @@ def test_a_jog_ends_when_the_arm_has_come_to_rest(rig, name, code):
 
 def test_a_held_button_that_sends_nothing_gets_no_result(rig):
     bend(rig)
-    assert MOTIONS["joint jog"](rig) is None
+    accepted(MOTIONS["joint jog"](rig))
     rig.controller.jogging.stop()  # at once, before the first setpoint
     rig.run(1.5)
     assert only(rig, "jogging_joint").result is None
@@ -162,7 +164,7 @@ def test_a_held_button_that_sends_nothing_gets_no_result(rig):
 
 def test_the_points_of_a_run_are_its_own(rig):
     bend(rig)
-    assert rig.controller.player.start(run_of(to(OUT), to(BACK))) is None
+    accepted(rig.controller.player.start(run_of(to(OUT), to(BACK))))
     rig.run_until(lambda: "run_done" in rig.codes())
     rig.run(0.2)
     (points,) = [each for each in commands(rig) if each.code == "run_point"]
@@ -181,13 +183,13 @@ def test_what_the_recovery_line_asks_is_its_own(rig):
     assert rig.controller.recovery.act(rig.controller.recovery.step) is None
     assert only(rig, "clear_error_sent").who is Asker.RECOVERY
     rig.run(1.0)
-    assert rig.controller.joint_errors.clear(3) is None
+    accepted(rig.controller.joint_errors.clear(3))
     assert only(rig, "clear_error_sent").who is OPERATOR
 
 
 def test_a_motion_that_is_stopped_says_by_what(rig):
     bend(rig)
-    assert rig.controller.motion.send_joints(BACK) is None
+    accepted(rig.controller.motion.send_joints(BACK))
     rig.run(0.2)
     rig.controller.emergency_stop()
     rig.run(0.3)
@@ -201,10 +203,10 @@ def test_a_motion_that_is_stopped_says_by_what(rig):
 
 def test_a_motion_that_another_takes_the_place_of(rig):
     bend(rig)
-    assert rig.controller.motion.send_joints(BACK) is None
+    accepted(rig.controller.motion.send_joints(BACK))
     first = only(rig, "sent_joints")
     rig.run(0.2)
-    assert rig.controller.motion.go_home() is None
+    accepted(rig.controller.motion.go_home())
     rig.run_until(lambda: only(rig, "went_home").result is not None)
     result = rig.controller.events.get(first.number).result
     assert (result.params, result.level) == ({"end": "REPLACED"}, Level.INFO)
@@ -213,7 +215,7 @@ def test_a_motion_that_another_takes_the_place_of(rig):
 
 def test_a_motion_cut_off_by_a_lost_cable(rig):
     bend(rig)
-    assert rig.controller.motion.send_joints(BACK) is None
+    accepted(rig.controller.motion.send_joints(BACK))
     rig.run(0.2)
     rig.controller.disconnect_device()
     assert only(rig, "sent_joints").result.code == "motion_cut"
@@ -223,7 +225,7 @@ def test_a_command_that_fails(rig):
     rig.connect()
     rig.node.faults.start(fault("overcurrent", 3))
     rig.run(0.5)
-    assert rig.controller.motors.enable() is None
+    accepted(rig.controller.motors.enable())
     rig.run_until(lambda: only(rig, "enable_sent").result is not None)
     result = only(rig, "enable_sent").result
     assert (result.code, result.level, result.params) == (
@@ -236,7 +238,7 @@ def test_a_command_that_fails(rig):
 def test_a_refusal_is_kept_with_its_reason_and_counted(rig):
     rig.connect()
     for _ in range(3):
-        assert rig.controller.motion.send_joints(OUT) is not None
+        assert isinstance(rig.controller.motion.send_joints(OUT), Refusal)
     refused = only(rig, "refused")
     assert (refused.kind, refused.count) == (EventKind.COMMAND, 3)
     assert refused.params["reason"] == rig.controller.operating_state.cannot_move
@@ -245,7 +247,7 @@ def test_a_refusal_is_kept_with_its_reason_and_counted(rig):
 def test_a_dragged_slider_is_one_line(rig):
     bend(rig)
     for percent in range(40, 60):
-        assert rig.controller.motion.set_speed_percent(percent) is None
+        accepted(rig.controller.motion.set_speed_percent(percent))
     speeds = [each for each in commands(rig) if each.code == "sent_speed"]
     assert len(speeds) == 1
     assert speeds[0].params == {"percent": 59}
@@ -255,7 +257,7 @@ def test_a_dragged_slider_is_one_line(rig):
 def test_two_steps_are_two_commands_each_with_its_end(rig):
     bend(rig)
     for _ in range(2):
-        assert rig.controller.motion.jog(1, 2.0) is None
+        accepted(rig.controller.motion.jog(1, 2.0))
         rig.run(1.5)
     steps = [each for each in commands(rig) if each.code == "jogged"]
     assert [each.params["target"] for each in steps] == [12.0, 14.0]
@@ -268,7 +270,7 @@ def test_the_order_is_that_of_time(rig):
     rig.run(0.5)
     rig.controller.emergency_stop()
     rig.run(0.5)
-    assert rig.controller.cartesian.move(POSE, MoveMode.MOVE_P) is not None
+    assert isinstance(rig.controller.cartesian.move(POSE, MoveMode.MOVE_P), Refusal)
     entries = rig.controller.events.entries()
     times = [each.at_s for each in entries]
     late = [b - a for a, b in pairwise(times) if b < a]

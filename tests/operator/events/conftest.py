@@ -4,6 +4,7 @@ import pytest
 from PySide6.QtWidgets import QApplication
 
 from armui.sim.faults.schedule import fault
+from tests.accepted import accepted
 from tests.operator.events.actions import Events
 
 
@@ -12,7 +13,7 @@ def eventful(app_driver):
     """The program after a motion, a fault that began and ended, and a stop."""
     app_driver.ready()
     app_driver.run(0.5)
-    assert app_driver.controller.motion.send_joints((20.0, 30.0, -30.0, 10.0, 5.0, 15.0)) is None
+    accepted(app_driver.controller.motion.send_joints((20.0, 30.0, -30.0, 10.0, 5.0, 15.0)))
     app_driver.run(2.0)
     hot = fault("motor-overtemperature", 3)
     app_driver.node.faults.start(hot)

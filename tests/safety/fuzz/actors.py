@@ -9,8 +9,10 @@ from typing import Any, Final
 import numpy as np
 
 from armui.arm.parameters import Parameter
+from armui.arm.refusal import Refusal
 from armui.control.motion.jog_path import JointJog, ToolJog
 from armui.control.operating_state import LinkState, StopState
+from armui.control.operations.started import Started
 from armui.control.run.progress import Run
 from armui.control.run.replay import Replay
 from armui.control.safety.recovery_steps import Action
@@ -63,9 +65,9 @@ class Actors:
 
     # The operator ------------------------------------------------------------------------------
 
-    def _ask(self, kind: Kind, refusal: object, **asked: Any) -> None:
+    def _ask(self, kind: Kind, answer: object, **asked: Any) -> None:
         """The operator has asked for something, and it was not refused."""
-        if refusal is None:
+        if not isinstance(answer, Refusal):
             self._oracle.ask(Asked(kind, self._world.time_s, **asked))
 
     def step(self, joint: int, delta_deg: float) -> None:
@@ -80,29 +82,29 @@ class Actors:
 
     def tool_step(self, axis: int, amount: float, frame: str) -> None:
         before = self._oracle.bases()
-        refusal = self._controller.cartesian.step(axis, amount, JogFrame(frame))
-        self._ask(Kind.TOOL_STEP, refusal, delta=amount, bases=before)
+        answer = self._controller.cartesian.step(axis, amount, JogFrame(frame))
+        self._ask(Kind.TOOL_STEP, answer, delta=amount, bases=before)
 
     def send_joints(self, joints_deg: tuple[float, ...]) -> None:
-        refusal = self._controller.motion.send_joints(joints_deg)
-        self._ask(Kind.JOINTS, refusal, goal_deg=joints_deg)
+        answer = self._controller.motion.send_joints(joints_deg)
+        self._ask(Kind.JOINTS, answer, goal_deg=joints_deg)
 
     def go_home(self) -> None:
         self._ask(Kind.JOINTS, self._controller.motion.go_home(), goal_deg=(0.0,) * 6)
 
     def move_tool(self, joints_deg: tuple[float, ...], move: int) -> None:
         pose = self._kinematics.forward(joints_deg)
-        refusal = self._controller.cartesian.move(pose, MoveMode(move))
-        self._ask(Kind.POSE, refusal, pose=flange_pose(pose, self._controller.cartesian.tool))
+        answer = self._controller.cartesian.move(pose, MoveMode(move))
+        self._ask(Kind.POSE, answer, pose=flange_pose(pose, self._controller.cartesian.tool))
 
     def hold_joint(self, joint: int, direction: int) -> None:
-        refusal = self._controller.jogging.start(JointJog(joint, direction))
-        self._ask(Kind.JOG, refusal, joint=joint, delta=direction)
+        answer = self._controller.jogging.start(JointJog(joint, direction))
+        self._ask(Kind.JOG, answer, joint=joint, delta=direction)
         self._world.still_timers()
 
     def hold_tool(self, axis: int, direction: int, frame: str) -> None:
-        refusal = self._controller.jogging.start(ToolJog(axis, direction, JogFrame(frame)))
-        self._ask(Kind.JOG, refusal, joint=None, delta=direction)
+        answer = self._controller.jogging.start(ToolJog(axis, direction, JogFrame(frame)))
+        self._ask(Kind.JOG, answer, joint=None, delta=direction)
         self._world.still_timers()
 
     def let_go(self) -> None:
@@ -124,7 +126,7 @@ class Actors:
         self._controller.speed_override.step(by_percent)
 
     def plan(self, command: int) -> None:
-        if self._controller.planned_motion.command(TrajectoryCommand(command)) is not None:
+        if isinstance(self._controller.planned_motion.command(TrajectoryCommand(command)), Refusal):
             return
         if command == TrajectoryCommand.CONTINUE:
             self._oracle.ask(Asked(Kind.CONTINUE, self._world.time_s))
@@ -135,7 +137,7 @@ class Actors:
         self._controller.motors.enable(joint)
 
     def disable(self, joint: int) -> None:
-        if self._controller.motors.disable(joint) is None:
+        if isinstance(self._controller.motors.disable(joint), Started):
             self._oracle.cancel("disable")
 
     def stop(self) -> None:
@@ -147,7 +149,7 @@ class Actors:
             self._oracle.cancel("stop")
 
     def resume(self) -> None:
-        if self._controller.motors.resume() is None:
+        if isinstance(self._controller.motors.resume(), Started):
             self._oracle.stop_lifted()
             self._oracle.cancel("resume")
 
@@ -203,7 +205,7 @@ class Actors:
             gripper.set_zero()
 
     def teach(self, command: int) -> None:
-        if self._controller.teaching.command(TeachingState(command)) is None:
+        if isinstance(self._controller.teaching.command(TeachingState(command)), Started):
             self._oracle.ask(Asked(Kind.TEACHING, self._world.time_s))
 
     def read_settings(self) -> None:
@@ -221,7 +223,7 @@ class Actors:
         self._controller.settings.save({Parameter("max_angle_deg", joint): float(max_deg)})
 
     def zero(self, joint: int) -> None:
-        if self._controller.zeroing.set_zero(joint) is None:
+        if isinstance(self._controller.zeroing.set_zero(joint), Started):
             self._oracle.cancel("zero")
 
     def link_as(self, linked: tuple[str, int]) -> None:

@@ -303,8 +303,7 @@ class CartesianPanel(JogPanel):
 
     def _on_stepped(self, place: int, direction: int) -> None:
         amount = direction * self._step_box.step
-        refusal = self._controller.cartesian.step(place, amount, self._frame.frame)
-        if self._accepted(refusal):
+        if self._accepted(self._controller.cartesian.step(place, amount, self._frame.frame)):
             self._release()
 
     def _on_repeated(self, place: int, direction: int) -> None:
@@ -314,8 +313,7 @@ class CartesianPanel(JogPanel):
 
     def _on_held(self, place: int, direction: int) -> None:
         jog = ToolJog(place, direction, self._frame.frame)
-        refusal = self._controller.jogging.start(jog)
-        if self._accepted(refusal):
+        if self._accepted(self._controller.jogging.start(jog)):
             self._release()
 
     # -- targets ------------------------------------------------------------------------------

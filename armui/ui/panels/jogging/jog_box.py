@@ -14,6 +14,7 @@ from armui.arm.refusal import Refusal
 from armui.control.events import Event
 from armui.control.motion.jog_path import JointJog, ToolJog
 from armui.control.motion.jogging import JOG_ENDED
+from armui.control.operations.started import refusal_of
 from armui.kinematics.axes import AXES, LINEAR_AXES, JogFrame
 from armui.ui import format as fmt
 from armui.ui import words
@@ -127,7 +128,7 @@ class GripperLine(Translated, QWidget):
         self.retranslate_ui()
 
     def _move(self, *, opened: bool) -> None:
-        self.refused.emit(self._controller.gripper.move_to_end(opened=opened))
+        self.refused.emit(refusal_of(self._controller.gripper.move_to_end(opened=opened)))
 
     def show_gripper(self) -> None:
         """Show the gripper's state, and whether it may be moved."""
@@ -278,9 +279,10 @@ class JogBox(Translated, QFrame):
     def _on_stepped(self, place: int, direction: int) -> None:
         amount, kind = direction * self._steps.step, self.kind
         if kind is JogKind.JOINTS:
-            self.refused.emit(self._controller.motion.jog(place + 1, amount))
+            self.refused.emit(refusal_of(self._controller.motion.jog(place + 1, amount)))
         else:
-            self.refused.emit(self._controller.cartesian.step(place, amount, _FRAMES[kind]))
+            answer = self._controller.cartesian.step(place, amount, _FRAMES[kind])
+            self.refused.emit(refusal_of(answer))
 
     def _on_repeated(self, place: int, direction: int) -> None:
         """A held button waits for an arm that does not keep up: letting go must end the motion."""
@@ -295,9 +297,10 @@ class JogBox(Translated, QFrame):
         kind = self.kind
         self._held = True  # whatever fails from here on: letting go ends the jog
         if kind is JogKind.JOINTS:
-            refusal = self._controller.jogging.start(JointJog(place + 1, direction))
+            answer = self._controller.jogging.start(JointJog(place + 1, direction))
         else:
-            refusal = self._controller.jogging.start(ToolJog(place, direction, _FRAMES[kind]))
+            answer = self._controller.jogging.start(ToolJog(place, direction, _FRAMES[kind]))
+        refusal = refusal_of(answer)
         self._held = refusal is None
         self.refused.emit(refusal)
 

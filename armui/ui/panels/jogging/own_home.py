@@ -12,6 +12,7 @@ from armui.arm.limits import check_joints
 from armui.arm.refusal import Reason, Refusal
 from armui.control.context import GENERATION_UNKNOWN
 from armui.control.operating_state import NOT_CONNECTED
+from armui.control.operations.started import refusal_of
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.protocol.generation import Generation
 from armui.ui import format as fmt
@@ -117,7 +118,7 @@ class OwnHome(Translated, QWidget):
         if angles_deg is None:
             self.refused.emit(NO_OWN_HOME())
             return
-        refusal = self._controller.motion.send_joints(angles_deg)
+        refusal = refusal_of(self._controller.motion.send_joints(angles_deg))
         self.refused.emit(refusal)
         if refusal is None:
             self.sent.emit()

@@ -23,6 +23,7 @@ from armui.control.devices.end_reports import EndReports, is_reporting, why_no_l
 from armui.control.devices.mounting import MountingControl
 from armui.control.operating_state import LinkState, OperatingState
 from armui.control.operations.operation import operation_of
+from armui.control.operations.started import refusal_of
 from armui.protocol.codes import EndLoad, Mounting
 from armui.ui import format as fmt
 from armui.ui import words
@@ -116,7 +117,7 @@ class MountingCard(QFrame):
         mounting = self.chosen
         if mounting is None:
             return None
-        refusal = self._controller.mounting.tell(mounting)
+        refusal = refusal_of(self._controller.mounting.tell(mounting))
         if refusal is None:
             refusal = self._keep(mounting)
             self._show_told()

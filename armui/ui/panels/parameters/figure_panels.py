@@ -13,6 +13,7 @@ from armui.arm.parameters import KINDS, Batch, Group, Parameter
 from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
 from armui.control.operations.operation import operation_of
+from armui.control.operations.started import refusal_of
 from armui.control.parameters.arm_settings import ArmSettings
 from armui.protocol.generation import Generation
 from armui.ui import format as fmt
@@ -86,7 +87,7 @@ class JointSettingsPanel(ParameterPanel):
 
     def reset_to_factory(self) -> Refusal | None:
         """Have the arm restore its factory values."""
-        return self._settings.reset_joint_limits()
+        return refusal_of(self._settings.reset_joint_limits())
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
@@ -161,7 +162,7 @@ class EndLimitsPanel(ListedParameters):
 
     def reset_to_factory(self) -> Refusal | None:
         """Have the arm restore its factory values."""
-        return self._settings.reset_end_limits()
+        return refusal_of(self._settings.reset_end_limits())
 
 
 class GripperSettingsPanel(ListedParameters):

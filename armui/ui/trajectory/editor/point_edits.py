@@ -11,6 +11,7 @@ from PySide6.QtGui import QGuiApplication
 
 from armui.arm.refusal import Reason, Refusal
 from armui.control.devices.gripper import GRIPPER_SILENT
+from armui.control.operations.started import refusal_of
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.kinematics.poses import tool_pose
 from armui.protocol.codes import MoveMode
@@ -286,11 +287,11 @@ class PointEdits(QObject):
             return _no_rows()
         point = self._document.points[row]
         if point.is_joint:
-            return self._controller.motion.send_joints(point.target)
+            return refusal_of(self._controller.motion.send_joints(point.target))
 
         cartesian = self._controller.cartesian
         move = MoveMode.MOVE_L if point.move is MoveMode.MOVE_L else MoveMode.MOVE_P
-        return cartesian.move(tool_pose(point.target, cartesian.tool), move)
+        return refusal_of(cartesian.move(tool_pose(point.target, cartesian.tool), move))
 
 
 def _arm_in_clipboard() -> str:

@@ -254,9 +254,9 @@ class RecordingPage(Page):
         if recorder.recording:
             self._take()
             return
-        refusal = recorder.start()
-        if refusal is not None:
-            self._say(words.refusal(refusal), Level.WARNING)
+        answer = recorder.start()
+        if isinstance(answer, Refusal):
+            self._say(words.refusal(answer), Level.WARNING)
         else:
             self._drop_work()
             self._recording = self._result = None

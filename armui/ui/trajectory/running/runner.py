@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 
 from armui.arm.refusal import Refusal
+from armui.control.operations.started import refusal_of
 from armui.control.run.progress import OVER, Progress, Run, RunPhase
 from armui.control.run.replay import Replay
 from armui.trajectory.samples.recording import Recording
@@ -52,26 +53,25 @@ class Runner(QObject):
         content, options = checked.content, checked.basis.options
         if isinstance(content, Recording):
             replay = Replay(content, options.speed_factor, options.cycles, checked.outcome.profile)
-            return self._controller.replayer.start(replay)
-        return self._controller.player.start(
-            Run(
-                content.name,
-                content.points,
-                checked.outcome.expected_s,
-                options.cycles,
-                options.first,
-                options.speed_factor,
-                options.step_by_step,
-            )
+            return refusal_of(self._controller.replayer.start(replay))
+        run = Run(
+            content.name,
+            content.points,
+            checked.outcome.expected_s,
+            options.cycles,
+            options.first,
+            options.speed_factor,
+            options.step_by_step,
         )
+        return refusal_of(self._controller.player.start(run))
 
     def pause(self) -> Refusal | None:
         """Have the arm hold where it is."""
-        return self._active().pause()
+        return refusal_of(self._active().pause())
 
     def go_on(self) -> Refusal | None:
         """End a pause, or take the next step."""
-        return self._active().go_on()
+        return refusal_of(self._active().go_on())
 
     def stop(self) -> None:
         """End the run; the arm stays powered."""
