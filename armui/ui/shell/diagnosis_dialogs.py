@@ -1,4 +1,4 @@
-"""The windows that tell what is wrong, and which arm this is; made when they are first opened."""
+"""Opens the windows 诊断 and «About this arm», created when they are first opened."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ if TYPE_CHECKING:
 
 
 class DiagnosisDialogs:
-    """Opens them.
+    """The windows 诊断 and «About this arm».
 
     Args:
-        controller: Who knows the arm.
-        files: Who does what waits for the operating system.
+        controller: Gives the arm's state.
+        files: Runs work that waits for the operating system.
         window: The main window.
     """
 
@@ -36,10 +36,10 @@ class DiagnosisDialogs:
         self._about_arm: AboutArmDialog | None = None
 
     def open_doctor(self, device: Device | None = None) -> None:
-        """Show what is wrong with this computer, the bus and the arm.
+        """Show the faults of this computer, the bus and the arm.
 
         Args:
-            device: The one that could not be connected; all of them by default.
+            device: The device that could not be connected; by default all devices.
         """
         from armui.ui.dialogs.doctor import DoctorDialog  # noqa: PLC0415 - cantools
 
@@ -48,7 +48,7 @@ class DiagnosisDialogs:
         self._doctor.examine_device(device)
 
     def open_about_arm(self) -> None:
-        """Show which arm this is, and by which way it is reached."""
+        """Show the facts on the arm and its connection."""
         if self._about_arm is None:
             background = Background(self._files, parent=self._window)
             self._about_arm = AboutArmDialog(
@@ -57,10 +57,10 @@ class DiagnosisDialogs:
         self._about_arm.open()
 
     def dialog(self, key: str) -> ArmDialog | None:
-        """Return a window by its key; ``None``: there is no such one, or it was never opened."""
+        """Return a window by its key, or ``None`` if it was never opened."""
         return {"doctor": self._doctor, "about_arm": self._about_arm}.get(key)
 
     def close(self) -> None:
-        """The program ends: nobody waits for an examination any more."""
+        """Cancel an examination, because the program ends."""
         if self._doctor is not None:
             self._doctor.close()

@@ -1,4 +1,4 @@
-"""The windows that watch, remember and replay; made when they are first opened."""
+"""The windows for monitoring, recording and replay; created when they are first opened."""
 
 from __future__ import annotations
 
@@ -30,13 +30,13 @@ if TYPE_CHECKING:
 
 
 Opener = Callable[[str, Callable[[], ArmDialog]], ArmDialog]
-"""Shows a dialog by its name, and makes it at the first time."""
+"""Shows a dialog by its name, creating it the first time."""
 
 PageOpener = Callable[[str, Callable[[], "Page"]], "Page"]
-"""Shows a page by its name, and makes it at the first time."""
+"""Shows a page by its name, creating it the first time."""
 
 _PAGES: Final = ("plots", "events", "bus")
-"""They stand in the drawer; the others are windows."""
+"""The ones that are pages of the drawer; the others are windows."""
 
 # fmt: off
 _BUTTONS: Final = (
@@ -64,18 +64,18 @@ _BUTTONS: Final = (
 
 
 class WatchWindows(QObject):
-    """Opens them, and what one shows at the wish of another.
+    """Opens these windows, and connects them with each other.
 
     Args:
-        controller: Who knows what was heard and done.
+        controller: Gives feedback and events.
         settings: The file of the operator's settings.
-        background: Where what takes long is done, and files are read and written.
+        background: Runs long work, and reads and writes files.
         window: The main window.
-        open_window: How it shows a dialog.
-        open_page: How it shows a page of the drawer.
-        uncover: Brings a page in front of the windows that lie over it.
+        open_window: Shows a dialog.
+        open_page: Shows a page of the drawer.
+        uncover: Brings a page in front of windows that cover it.
         store: The operator's settings.
-        robot: The operator's own robot description; ``None``: the program's.
+        robot: The operator's own robot description; ``None`` for the program's.
     """
 
     def __init__(
@@ -105,7 +105,7 @@ class WatchWindows(QObject):
         self._bar: StatusBar | None = None
 
     def entries(self) -> tuple[WatchEntry, ...]:
-        """The buttons below the menu."""
+        """Return the buttons below the menu."""
         openers: dict[str, Callable[[], object]] = {
             "plots": lambda: self.show_as_curves(()),
             "events": self.show_events,
@@ -159,7 +159,7 @@ class WatchWindows(QObject):
             page.show_entry(number)
 
     def show_moment(self, at_s: float) -> None:
-        """Show the page 曲线, its first cursor at a monotonic time; no other page covers it."""
+        """Show a monotonic time in the page 曲线 by its first cursor; no other page covers it."""
         self.show_as_curves(())
         if self._plots is not None:
             self._uncover(self._plots)
@@ -193,7 +193,7 @@ class WatchWindows(QObject):
         self._open("sessions", make)
 
     def show_marks_in(self, bar: StatusBar) -> None:
-        """Have the status bar show what goes on of them; made with the first recording."""
+        """Show the progress of recordings in the status bar, from the first recording on."""
         self._bar = bar
         self._controller.noticed.connect(self._on_noticed)
 
@@ -205,7 +205,7 @@ class WatchWindows(QObject):
             bar.add_mark(mark)
 
     def open_replay(self, path: Path | None = None) -> None:
-        """Show a log in the window 回放; without one the operator chooses there.
+        """Show a log in the window 回放; without one the operator chooses it there.
 
         Args:
             path: The log.
