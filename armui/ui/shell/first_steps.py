@@ -1,4 +1,4 @@
-"""The first start: what to press next is lit, until the arm has been moved for the first time."""
+"""Highlights the next button at the first start, until the arm has been moved once."""
 
 from __future__ import annotations
 

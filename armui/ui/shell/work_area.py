@@ -1,4 +1,4 @@
-"""Between the next step and the status bar: panels or pages, the picture, a run, the drawer."""
+"""The area between next step and status bar: panels or pages, the picture, a run, the drawer."""
 
 from __future__ import annotations
 
@@ -156,7 +156,7 @@ class WorkArea(QSplitter):
         return done
 
     def left_of_picture(self) -> QRect:
-        """The room between the window's left edge and the picture, in pixels of the desktop."""
+        """Return the area between window's left edge and picture, in pixels of the desktop."""
         top = self.mapToGlobal(QPoint(0, 0)).y()
         left = self.window().mapToGlobal(QPoint(0, 0)).x()
         return QRect(left, top, self._view.mapToGlobal(QPoint(0, 0)).x() - left, self.height())

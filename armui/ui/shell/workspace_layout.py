@@ -1,6 +1,6 @@
-"""How the operator has arranged the window: plain data, its text in a file, and what fits a screen.
+"""The operator's arrangement of the window: plain data, its text in a file, its fit to a screen.
 
-Pure. Whatever the text holds, a layout comes of it: what is not possible is as it is at first.
+Pure. Any text gives a layout: impossible values become those of the first start.
 """
 
 from __future__ import annotations

@@ -151,7 +151,7 @@ class _Room(QWidget):
 
 
 class StackArea(QScrollArea):
-    """Never asks for more height than there is: a low window keeps its status bar in sight.
+    """A scroll area that never needs more height than there is: the status bar stays visible.
 
     Args:
         stack: The stack, of which one widget is visible.

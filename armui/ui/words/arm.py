@@ -202,7 +202,7 @@ def other_mode(mode: str) -> str:
 
 
 def held_target(angles_deg: object) -> str:
-    """Where a motion held back leads: six angles in degrees, or that they are not known."""
+    """Return the target of a motion held back: six angles in degrees, or that they are unknown."""
     if not isinstance(angles_deg, tuple):
         return QCoreApplication.translate("HeldTarget", "a target this program does not know")
     return ", ".join(f"{angle:.1f}°" for angle in angles_deg)
@@ -219,7 +219,7 @@ def trajectory_command(command: TrajectoryCommand) -> str:
 
 
 def device_name(device: Device) -> str:
-    """A device as the operator knows it: an adapter by its channel, a simulated arm as such."""
+    """Return the operator's name of a device: an adapter's channel, or that an arm is simulated."""
     if not device.simulated:
         return device.name
     source = QT_TRANSLATE_NOOP("Device", "Simulated arm, gen. {generation}")

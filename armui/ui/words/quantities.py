@@ -130,7 +130,7 @@ def quantity_group(source: Source) -> str:
 
 
 def quantity_kind(what: Quantity) -> str:
-    """What the same quantity of several joints is called: «电机温度»; a command says whose."""
+    """Return the name of a quantity without its joint: «电机温度»; for commands with the source."""
     name = _KINDS.text(what.kind)
     name = name[:1].upper() + name[1:]
     if what.source in _SOURCES:

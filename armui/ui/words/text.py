@@ -72,7 +72,7 @@ def source_of(what: Sentence) -> str:
 
 
 def said(what: Sentence, params: Mapping[str, object]) -> str:
-    """A sentence of the code in the operator's language; for the figures see :func:`sentence`."""
+    """Return a declared sentence in the operator's language; see :func:`sentence` for figures."""
     return sentence(what.context, what.source, params)
 
 
