@@ -280,7 +280,7 @@ class PointEdits(QObject):
         return True
 
     def go_to(self) -> Outcome:
-        """Send the arm to the current point, at the speed set for motions, without its actions."""
+        """Send the arm to the current point at the speed for single motions, without actions."""
         row = self._table.current_row()
         if row < 0:
             return _no_rows()

@@ -199,7 +199,7 @@ class PointTarget:
         return self.editor.document.points, self.editor.table.current_row()
 
     def carry(self, _angles_deg: tuple[float, ...]) -> None:
-        """The ghost shows it; the point is changed when it is let go, in one step of undo."""
+        """Do nothing: the ghost shows the place, and the point is changed at the end."""
 
     def drop(self, angles_deg: tuple[float, ...]) -> Refusal | None:
         """Set the point to this place; its motion, speed and actions stay."""
