@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
 from PySide6.QtWidgets import QApplication
 
+from armui import __version__
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
@@ -38,6 +39,7 @@ from armui.system.failures import Failure, FailureHandler
 from armui.system.helper_process import FileThread, HelperProcess
 from armui.system.log_file import log_to
 from armui.system.thread_priority import raise_in_background
+from armui.system.version_record import TakenOver, note_version
 from armui.telemetry.events import EventKind, Level
 from armui.ui.dialogs.kept_models import KeptModels, NodeKeeper, last_model
 from armui.ui.garbage import GarbageSearch
@@ -49,7 +51,7 @@ from armui.ui.widgets.stop_shortcut import StopShortcut
 from armui.viewport.view import ArmView
 
 if TYPE_CHECKING:
-    from concurrent.futures import Executor
+    from concurrent.futures import Executor, Future
 
     import can
 
@@ -194,6 +196,7 @@ class Program:
         hand: Callable[[], HandGuide | None] = lambda: None,
     ) -> None:
         self._app = app
+        self._store = store
         self._translator = Translator(app)
         self._settings = settings = store.settings
         self._translator.set_language(settings.language)
@@ -245,6 +248,17 @@ class Program:
     def unwritten(self) -> Sequence[str]:
         """The names of the functions that still wait for a disk."""
         return self._files.waiting if isinstance(self._files, FileThread) else ()
+
+    def note_version(self, trajectories: Path) -> None:
+        """Note which version uses the user's files, and what it takes over, by the file thread."""
+        settings = self._store.settings
+        sessions = Path(settings.session_folder) if settings.session_folder else paths.sessions()
+        places = {"trajectories": trajectories, "sessions": sessions}
+        now = datetime.now().astimezone()
+        noted = (self._files or self._workers).submit(
+            note_version, __version__, self._store.path, places, now
+        )
+        noted.add_done_callback(_log_unnoted)
 
     def _keep_events(self, folder: Path, files: Executor) -> None:
         self._event_keeper = EventKeeper(self.controller.event_collector, folder, files)
@@ -306,6 +320,11 @@ class Program:
         self._settings = settings
 
 
+def _log_unnoted(noted: Future[TakenOver | None]) -> None:
+    if not noted.cancelled() and (error := noted.exception()) is not None:
+        _LOG.warning("The version was not noted: %s", error)
+
+
 def _session_choices(store: SettingsStore) -> SessionChoices:
     return choices_of(store.settings)
 
@@ -364,6 +383,7 @@ def _run(options: StartOptions) -> int:
         hand=lambda: hand.guiding,
     )
     app.aboutToQuit.connect(program.shutdown)
+    program.note_version(paths.trajectories())
     with SystemEnd(app, program) as system_end:
         code = _run_window(app, program, store, options, system_end)
     if not program.ended:

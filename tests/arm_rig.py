@@ -238,6 +238,7 @@ class ArmRig:
             at_rest = self._bus_rests() and self._sends_nothing
             # large windows take seconds to be drawn on a busy computer: not the bus thread's doing
             draws_s = time.monotonic()
+            self._put_off_tick()
             QCoreApplication.processEvents()
             drew_s += time.monotonic() - draws_s
             # what was heard may have been answered at once

@@ -18,6 +18,7 @@ from tests.app_driver import AppDriver, Slow
 from tests.arm_rig import ArmRig
 from tests.company import OtherHost
 from tests.examples import load_profile
+from tests.translations import modules
 
 _ENDING_S = 2.0
 _MUCH_MADE = 20_000
@@ -112,6 +113,13 @@ def any_driver(make_driver, generation, arm_repeats):
     app_driver = make_driver(generation)
     yield _as_told(app_driver, arm_repeats)
     app_driver.close()
+
+
+@pytest.fixture(scope="module")
+def trees_end_with_the_module():
+    """The program's syntax trees: every later search for garbage would walk through them."""
+    yield
+    modules.cache_clear()
 
 
 def pytest_collection_finish():

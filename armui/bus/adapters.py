@@ -14,12 +14,18 @@ import can
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.arm.refusal import Reason, Refusal
 from armui.bus.send_errors import causes
+from armui.system.command_process import is_packaged
 from armui.system.files import error_text
 
 BUS_BACKEND_MISSING = Reason(
     "bus_backend_missing",
     "{device} needs a Python package that is not installed. Install it in a terminal: "
     "pip install {package}",
+)
+BUS_BACKEND_NOT_PACKED = Reason(
+    "bus_backend_not_packed",
+    "{device} needs the Python package {package}, which is no part of this installed program, and "
+    "cannot be added to it. Use another adapter, or armui from its source with that package.",
 )
 BUS_BAD_ARGUMENT = Reason(
     "bus_bad_argument",
@@ -149,7 +155,8 @@ def explain(device: Device, error: BaseException) -> Refusal:
             return BUS_LIBUSB_MISSING(**params)
         if isinstance(cause, can.CanInterfaceNotImplementedError | ImportError):
             package = _PACKAGES.get(device.interface, device.interface)
-            return BUS_BACKEND_MISSING(**params, package=package)
+            missing = BUS_BACKEND_NOT_PACKED if is_packaged() else BUS_BACKEND_MISSING
+            return missing(**params, package=package)
     text = error_text(error)
     lowered = text.lower()
     for words, code in _CODE_OF_WORDS:

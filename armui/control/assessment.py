@@ -146,7 +146,7 @@ def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> Operating
 
 
 def _controller_heard(state: ArmState, now_s: float) -> bool:
-    """Tell whether the arm's controller is heard, 0x2A1–0x2A7; drivers may go on without it."""
+    """Return whether the arm's controller is heard, 0x2A1–0x2A7; drivers may go on without it."""
     heard = (state.status, *state.joints_deg, *state.pose)
     return any(each is not None and each.fresh(now_s) for each in heard)
 

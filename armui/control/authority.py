@@ -125,12 +125,12 @@ class Authority:
 
     @property
     def at_rest(self) -> bool:
-        """Whether the joints are measured to stand still."""
+        """True if the joints are measured to stand still."""
         return self._rest.at_rest
 
     @property
     def under_way(self) -> bool:
-        """Whether our command moves the arm, or may be about to."""
+        """True if our command moves the arm, or may be about to."""
         seen, command = self._seen, self.command
         if seen is None or command is None:
             return False
@@ -138,14 +138,14 @@ class Authority:
 
     @property
     def moves(self) -> bool:
-        """Whether the arm says that it has not reached its target, and is measured to move."""
+        """True if the arm says that it has not reached its target, and is measured to move."""
         seen = self._seen
         status = None if seen is None else seen.state.status
         return status is not None and not status.value.reached and not self.at_rest
 
     @property
     def may_be_ours(self) -> bool:
-        """Tell whether a motion is under way, or held back, that this program may have begun.
+        """True if a motion is under way, or held back, that this program may have begun.
 
         An arm that goes on to a target of ours moves by our doing, also when that target has ended
         to be one to start from, as after other limits were read; unless somebody else is known to
@@ -158,7 +158,7 @@ class Authority:
 
     @property
     def is_ending(self) -> bool:
-        """Tell whether the arm was told to end its motion and is not measured at rest since."""
+        """True if the arm was told to end its motion and is not measured at rest since."""
         return self._cancelled_s is not None
 
     @property
@@ -230,7 +230,7 @@ class Authority:
         return None if self.command is None else self.command.tool
 
     def lowers_speed(self, percent: float) -> bool:
-        """Tell whether a percentage is below the arm's: it must arrive before the target."""
+        """Return whether a percentage is below the arm's: it must arrive before the target."""
         seen = self._seen
         status = None if seen is None else seen.state.status
         told = None if status is None else status.value.speed_percent
@@ -301,7 +301,7 @@ class Authority:
         return self.command
 
     def is_current(self, command: MotionCommand) -> bool:
-        """Tell whether a command is still the last one given to the arm."""
+        """Return whether a command is still the last one given to the arm."""
         return self.command is not None and self.command.number == command.number
 
     def extend(

@@ -132,7 +132,7 @@ class LogReplay(QObject):
         self.go_to(self.session.start_s)
 
     def close(self) -> bool:
-        """End the thread that plays; whether it has ended within two seconds."""
+        """End the thread that plays and return whether it has ended within two seconds."""
         self._fill_timer.stop()
         if self.whole is not None:
             self.whole.end(wait=True)
@@ -153,17 +153,17 @@ class LogReplay(QObject):
 
     @property
     def is_playing(self) -> bool:
-        """Whether the log runs."""
+        """True if the log runs."""
         return self._worker is not None and self._worker.is_playing
 
     @property
     def is_travelling(self) -> bool:
-        """Whether another place is being looked up."""
+        """True if another place is being looked up."""
         return self._going_to is not None
 
     @property
     def is_at_end(self) -> bool:
-        """Whether nothing comes after what is seen."""
+        """True if nothing comes after what is seen."""
         return self.position_s >= self.session.end_s
 
     @property

@@ -156,7 +156,9 @@ class MotionEnd:
         authority.failed = True
         moves = authority.command is not None or authority.may_be_ours or authority.is_ending
         told = moves and not self._stopping() and _succeeds(self._abort)
-        _succeeds(self._end_gripper)  # behind it: what waits is dropped by what is urgent
+        # made with the first device: one made here would belong to this thread
+        if "gripper" in vars(self._controller):
+            _succeeds(self._end_gripper)  # behind it: what waits is dropped by what is urgent
         return told
 
     def await_rest(self, look: Callable[[], None], wait: Callable[[float], object]) -> None:

@@ -219,7 +219,7 @@ class OperatingState:
 
     @property
     def listens_only(self) -> bool:
-        """Whether the connection sends nothing but an operator's stop."""
+        """True if the connection sends nothing but an operator's stop."""
         return self.device is not None and self.device.listen_only
 
     def why_pending(self, part: str) -> Refusal | None:

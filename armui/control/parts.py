@@ -42,7 +42,7 @@ class Parts:
 
     @property
     def in_order(self) -> bool:
-        """Whether each has worked when it was called last to look at what was heard."""
+        """True if each has worked when it was called last to look at what was heard."""
         return not self._out_of_order
 
     def set_parts(

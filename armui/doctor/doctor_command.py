@@ -9,16 +9,19 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
+from armui.arm.refusal import Refusal
 from armui.doctor.facts import CanFacts, Facts, HeardFacts, ProgramFacts, ScreenFacts
 from armui.doctor.judge import an_arm_answers, judge
 from armui.doctor.probes.can_devices import look_at_can
 from armui.doctor.probes.listening import listen
 from armui.doctor.probes.program import look_at_program
 from armui.doctor.probes.screen import TRIALS, look_at_screen
+from armui.doctor.problem_report import collect, doctor_files, save, size_text
 from armui.doctor.report import Language, Words, as_json, as_text, language_of_system, translation
 
 EXIT_ARM_ANSWERS: Final = 0
 EXIT_NO_ARM: Final = 1
+EXIT_NO_REPORT: Final = 2
 
 _SECONDS: Final = 2.0
 _LONGEST_S: Final = 60.0
@@ -42,7 +45,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "Look at this computer, its CAN devices and the bus, and say what is wrong, each with a "
         "command that mends it. Nothing is sent but with --ask."
     )
-    parser.epilog = "Exit code: 0 an arm answers, 1 none does."
+    parser.epilog = (
+        "Exit code: 0 an arm answers, 1 none does, 2 the file of --report was not written."
+    )
     parser.add_argument("--json", action="store_true", help="one JSON object instead of text")
     parser.add_argument(
         "--interface", help="python-can's name of the adapter to listen to (default: all found)"
@@ -66,6 +71,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     # what may end its process is looked at in another one
     parser.add_argument("--try", dest="trial", choices=sorted(TRIALS), help=argparse.SUPPRESS)
+    parser.add_argument(
+        "--report",
+        type=Path,
+        metavar="FILE.zip",
+        help="keep what was found in a zip file, too, with log, settings and versions, to be sent "
+        "to whoever helps; an existing file is left as it is",
+    )
     parser.add_argument("--lang", choices=("zh", "en"), help="language of the report")
 
 
@@ -78,13 +90,37 @@ def run(options: argparse.Namespace, probes: Probes = Probes()) -> int:
     findings = judge(facts)
     answers = an_arm_answers(facts)
     language: Language = options.lang or language_of_system(_settings_file())
-    render = as_json if options.json else as_text
-    text = render(findings, Words(translation(language)), arm_answers=answers, asked=options.ask)
+    words = Words(translation(language))
+    text, json_text = (
+        render(findings, words, arm_answers=answers, asked=options.ask)
+        for render in (as_text, as_json)
+    )
+    _say(json_text if options.json else text)
+    if options.report is not None and not _keep(options.report, text, json_text, words):
+        return EXIT_NO_REPORT
+    return EXIT_ARM_ANSWERS if answers else EXIT_NO_ARM
+
+
+def _say(text: str) -> None:
     try:
         sys.stdout.write(text)
     except UnicodeEncodeError:  # a terminal that knows no Chinese
         sys.stdout.write(text.encode("ascii", "backslashreplace").decode("ascii"))
-    return EXIT_ARM_ANSWERS if answers else EXIT_NO_ARM
+
+
+def _keep(path: Path, text: str, json_text: str, words: Words) -> bool:
+    """Write the report of a problem; whether that went well.
+
+    Standard output may be read as JSON, so what became of it stands on the other one.
+    """
+    files = collect(doctor_files(text, json_text))
+    saved = save(path, files)
+    if isinstance(saved, Refusal):
+        sys.stderr.write(f"{words.plain(saved.reason).format_map(saved.params)}\n")
+        return False
+    lines = [f"{saved}:", *(f"  {each.name}  {size_text(len(each.data))}" for each in files)]
+    sys.stderr.write("\n".join(lines) + "\n")
+    return True
 
 
 def look(options: argparse.Namespace, probes: Probes) -> Facts:

@@ -43,6 +43,7 @@ class ProgramFacts:
         packages: The packages that the program uses.
         goes_first: Whether its threads may have priority over other programs; None if not tried.
         priority_reason: The system's reason for refusing it.
+        packaged: It brings Python and all packages itself; pip can add nothing.
     """
 
     armui: str
@@ -54,6 +55,7 @@ class ProgramFacts:
     packages: tuple[PackageFacts, ...] = ()
     goes_first: bool | None = None
     priority_reason: str = ""
+    packaged: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -54,6 +54,11 @@ PACKAGE_MISSING = OfProgram("package_missing", "The package {package} is missing
 PACKAGE_OTHER = OfProgram(
     "package_other", "The package {package} is installed as {installed}; {wanted} is needed."
 )
+PACKAGE_LOST = OfProgram(
+    "package_lost",
+    "The program is not whole: of its own packages, {package} is missing or another version "
+    "({installed}). Install armui once more, from the file it was installed from.",
+)
 PACKAGE_OPTIONAL = OfProgram(
     "package_optional",
     "The package {package} is not installed; some adapters, or a simulated arm in another "
@@ -237,7 +242,7 @@ def judge_can(facts: CanFacts) -> list[Diagnosis]:
 
 
 def judge_link(link: LinkFacts) -> list[Diagnosis]:
-    """Return the findings on one CAN interface of Linux."""
+    """Return the findings on one CAN interface of Linux; one that is up can be switched off."""
     params = {
         "channel": link.name,
         "bitrate": "—" if link.bitrate is None else str(link.bitrate),
@@ -248,20 +253,21 @@ def judge_link(link: LinkFacts) -> list[Diagnosis]:
     if not link.up:
         return [LINK_DOWN(*_up(link), **params).mended_by(*switched_on(link.name))]
     findings = [_state(link, params)]
+    off = ("down", link.name)
     usual = ("up", link.name, str(_USUAL_BITRATE))
     anew = ("up", link.name, str(_bitrate(link)))
     if link.bitrate is not None and link.bitrate not in KNOWN_BITRATES:
-        findings.append(BITRATE_ODD(*_again(link), **params).mended_by(usual))
+        findings.append(BITRATE_ODD(*_again(link), **params).mended_by(usual, off))
     elif link.bitrate is not None and link.bitrate != _USUAL_BITRATE:
-        findings.append(BITRATE_OLD(*_again(link), **params).mended_by(usual))
+        findings.append(BITRATE_OLD(*_again(link), **params).mended_by(usual, off))
     if link.listen_only:
-        findings.append(LINK_LISTEN_ONLY(*_again(link), **params).mended_by(anew))
+        findings.append(LINK_LISTEN_ONLY(*_again(link), **params).mended_by(anew, off))
     if link.kind == "can" and not link.restart_ms:
         commands = (
             f"sudo ip link set {link.name} down",
             f"sudo ip link set {link.name} up type can restart-ms 100",
         )
-        findings.append(NO_RESTART(*commands, **params).mended_by(anew))
+        findings.append(NO_RESTART(*commands, **params).mended_by(anew, off))
     if link.dropped:
         findings.append(KERNEL_DROPPED(**params, count=str(link.dropped)))
     return findings
@@ -270,16 +276,17 @@ def judge_link(link: LinkFacts) -> list[Diagnosis]:
 def _state(link: LinkFacts, params: dict[str, str]) -> Diagnosis:
     errors = max(link.tx_errors or 0, link.rx_errors or 0)
     params = {**params, "tx": _count(link.tx_errors), "rx": _count(link.rx_errors)}
+    off = ("down", link.name)
     if link.state == "BUS-OFF":
         commands = (f"sudo ip link set {link.name} type can restart",)
-        return BUS_OFF(*commands, **params).mended_by(("reset", link.name))
+        return BUS_OFF(*commands, **params).mended_by(("reset", link.name), off)
     if link.state == "ERROR-PASSIVE" or errors >= _PASSIVE_COUNT:
         usual = ("up", link.name, str(_USUAL_BITRATE))
-        return ERROR_PASSIVE(*_again(link), **params).mended_by(usual)
+        return ERROR_PASSIVE(*_again(link), **params).mended_by(usual, off)
     if link.state == "ERROR-WARNING" or errors >= _WARNING_COUNT:
         return ERROR_WARNING(**params)
-    found = LINK(**params)
-    return found.mended_by(_remember(link)) if link.kind == "can" and link.serial else found
+    kept = (_remember(link),) if link.kind == "can" and link.serial else ()
+    return LINK(**params).mended_by(*kept, off)
 
 
 def _count(value: int | None) -> str:
@@ -404,7 +411,7 @@ def judge_program(facts: ProgramFacts) -> list[Diagnosis]:
     params = {"armui": facts.armui, "version": facts.python, "system": facts.system}
     findings = [(PYTHON if facts.python_suffices else PYTHON_OLD)(**params)]
     wrong = [each for each in facts.packages if not each.satisfied]
-    findings += [_package(each, facts.executable) for each in wrong]
+    findings += [_package(each, facts) for each in wrong]
     needed = [each for each in facts.packages if not each.extra]
     if needed and not any(each in wrong for each in needed):
         findings.append(PACKAGES(count=str(len(needed))))
@@ -421,14 +428,16 @@ def _priority(facts: ProgramFacts) -> Diagnosis:
     return PRIORITY_REFUSED(*commands, text=facts.priority_reason)
 
 
-def _package(facts: PackageFacts, executable: str) -> Diagnosis:
+def _package(facts: PackageFacts, program: ProgramFacts) -> Diagnosis:
     params = {
         "package": facts.name,
         "wanted": facts.wanted or "*",
         "installed": facts.installed or "",
         "extra": facts.extra,
     }
-    command = f'{_quoted(executable)} -m pip install "{facts.name}{facts.wanted}"'
+    if program.packaged:
+        return PACKAGE_LOST(**{**params, "installed": facts.installed or "—"})
+    command = f'{_quoted(program.executable)} -m pip install "{facts.name}{facts.wanted}"'
     if facts.installed is not None:
         return PACKAGE_OTHER(command, **params)
     if facts.extra:

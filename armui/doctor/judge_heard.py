@@ -14,6 +14,11 @@ from armui.protocol.firmware_version import (
 )
 
 BUS_BACKEND_MISSING = OfArm("bus_backend_missing", "{device}: the package {package} is missing.")
+BUS_BACKEND_NOT_PACKED = OfArm(
+    "bus_backend_not_packed",
+    "{device} needs the Python package {package}, which is no part of this installed program, and "
+    "cannot be added to it. Use another adapter, or armui from its source with that package.",
+)
 BUS_DRIVER_MISSING = OfArm("bus_driver_missing", "{device}: the maker's driver is missing: {text}")
 BUS_GONE = OfArm("bus_gone", "{device} is not there (any more): {text}")
 BUS_BUSY = OfArm(
@@ -152,6 +157,7 @@ _PROBLEMS: Final = {
     each.id: each
     for each in (
         BUS_BACKEND_MISSING,
+        BUS_BACKEND_NOT_PACKED,
         BUS_DRIVER_MISSING,
         BUS_GONE,
         BUS_BUSY,

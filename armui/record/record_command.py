@@ -34,6 +34,7 @@ from armui.session.recording.session_recording import SessionRecording
 from armui.session.recording.writer import RecordingPlan, TimeBase
 from armui.system.clock import steady_s
 from armui.system.command_line import add_device
+from armui.system.command_process import is_packaged
 from armui.system.end_signals import handled_by, interrupting
 
 if TYPE_CHECKING:
@@ -45,6 +46,9 @@ EXIT_CANNOT_BEGIN: Final = 2
 
 _MF4: Final = MF4_SUFFIX[1:]
 _NO_MF4: Final = "--format mf4 needs asammdf. Install it: pip install asammdf; or record as blf"
+_NOT_PACKED: Final = (
+    "--format mf4 needs asammdf, which is no part of this installed program; record as blf"
+)
 _MEGABYTE: Final = 1_000_000
 _TOLD_S: Final = 0.5
 _END_S: Final = 10.0
@@ -109,7 +113,7 @@ def run(options: argparse.Namespace, clock: Callable[[], float] = steady_s) -> i
     if not is_name(name):
         return _cannot_begin(f'{name!r} is no name for a file; leave out / \\ : * ? " < > |')
     if options.format == _MF4 and not mf4.can_write():
-        return _cannot_begin(_NO_MF4)
+        return _cannot_begin(_NOT_PACKED if is_packaged() else _NO_MF4)
     ending: list[int] = []
     with handled_by(lambda number, _frame: ending.append(number)):
         try:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Final
 import can
 
 from armui.session.frames import NotALogError
+from armui.system.command_process import is_packaged
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -102,7 +103,9 @@ def read_mf4(path: Path, builder: BatchBuilder) -> Iterator[FrameBatch]:
     """
     if find_spec("asammdf") is None:
         raise NotALogError(
-            ".mf4 files are read with asammdf, which is missing: pip install asammdf"
+            ".mf4 files are read with asammdf, which is no part of this installed program"
+            if is_packaged()
+            else ".mf4 files are read with asammdf, which is missing: pip install asammdf"
         )
     from armui.session.mf4_process import Mf4ProcessError, rows_of  # noqa: PLC0415 - multiprocessing
 

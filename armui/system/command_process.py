@@ -18,13 +18,18 @@ NO_CONSOLE: Final[int] = getattr(subprocess, "CREATE_NO_WINDOW", 0)
 _WITHOUT_CONSOLE: Final = "armui-window"
 
 
+def is_packaged() -> bool:
+    """Tell whether the program has a Python of its own, to which pip can add nothing."""
+    return bool(getattr(sys, "frozen", False))
+
+
 def this_program() -> list[str]:
     """Return the command line that starts this program again; the name of a command follows.
 
     A packaged program is its own interpreter, without an interpreter's options. On Windows there
     are two beside each other: one without a console, one whose output can be read.
     """
-    if not getattr(sys, "frozen", False):
+    if not is_packaged():
         return [sys.executable, "-m", "armui"]
     program = Path(sys.executable)
     return [str(program.with_stem("armui") if program.stem == _WITHOUT_CONSOLE else program)]

@@ -9,7 +9,6 @@ import mmap
 import multiprocessing
 import os
 import pickle
-import shutil
 import signal
 import tempfile
 import threading
@@ -33,7 +32,7 @@ from queue import Empty, SimpleQueue
 from typing import TYPE_CHECKING, Any, Final
 
 from armui.system.files import open_file
-from armui.system.scratch import make_folder, remove_leftovers
+from armui.system.scratch import make_folder, remove_folder, remove_leftovers
 
 if TYPE_CHECKING:
     from multiprocessing.process import BaseProcess
@@ -219,7 +218,7 @@ class HelperProcess(Executor):
         for answer in tuple(self._asked):
             answer.cancel()
         if self._folder is not None:
-            shutil.rmtree(self._folder, ignore_errors=True)
+            remove_folder(self._folder)
             self._folder = None
 
 

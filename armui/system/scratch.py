@@ -1,8 +1,8 @@
 """Folders for temporary files; the next program removes those that a killed one left.
 
-A folder's name holds the number of its process, and a check whether that process lives works on
-every system. On Windows open files protect themselves, but not the folder of a program that is
-about to open more of them.
+In each folder lies a file that its program holds locked until it ends: that is asked first, as it
+is true whatever the system makes of process numbers. Where there is no such lock, in a folder
+of an older version or on a file system without locks, the number in the folder's name is asked for.
 """
 
 from __future__ import annotations
@@ -18,13 +18,17 @@ import time
 from pathlib import Path
 from typing import Any, Final
 
+from filelock import FileLock, Timeout
+
 _NAME: Final = re.compile(r"armui-(?:replay|work)-(?:(\d{1,10})-)?[a-z0-9_]+")
 _OLD_S: Final = 600.0
 """A younger folder may belong to a program that has just started."""
 _FORGOTTEN_S: Final = 7 * 86_400.0
-"""After this time a process number may belong to another process: nobody looks at one log for a
-week.
-"""
+"""A process number may be another's by now: nobody looks at one log for a week."""
+_LOCK: Final = "in-use.lock"
+"""In the folder, which is closed to others: beside it, anybody could put a link in its place."""
+_HELD: Final[dict[Path, FileLock]] = {}
+"""The locks of this process by their folders."""
 _SYNCHRONIZE: Final = 0x100000
 _WAIT_TIMEOUT: Final = 0x102
 _ACCESS_DENIED: Final = 5
@@ -39,7 +43,22 @@ def make_folder(purpose: str) -> Path:
     Raises:
         OSError: It cannot be created.
     """
-    return Path(tempfile.mkdtemp(prefix=f"armui-{purpose}-{os.getpid()}-"))
+    folder = Path(tempfile.mkdtemp(prefix=f"armui-{purpose}-{os.getpid()}-"))
+    lock = FileLock(folder / _LOCK, thread_local=False)
+    # a file system without locks: the number of the process has to do
+    with contextlib.suppress(OSError, NotImplementedError, Timeout):
+        lock.acquire(blocking=False)
+        _HELD[folder] = lock
+    return folder
+
+
+def remove_folder(folder: Path) -> None:
+    """Remove a folder that `make_folder` has made; what cannot be removed is left for later."""
+    lock = _HELD.pop(folder, None)
+    if lock is not None:  # Windows removes no file that is open
+        with contextlib.suppress(OSError):
+            lock.release()
+    shutil.rmtree(folder, ignore_errors=True)
 
 
 def remove_leftovers() -> int:
@@ -57,6 +76,17 @@ def remove_leftovers() -> int:
     return removed
 
 
+def _is_held(path: Path) -> bool:
+    """Tell whether a running program holds a lock; where nobody can tell, it does."""
+    lock = FileLock(path, thread_local=False)
+    try:
+        lock.acquire(blocking=False)
+    except (OSError, NotImplementedError, Timeout):
+        return True
+    lock.release()
+    return False
+
+
 def _is_left(folder: Path) -> bool:
     named = _NAME.fullmatch(folder.name)
     if named is None or folder.is_symlink() or not folder.is_dir():
@@ -65,6 +95,9 @@ def _is_left(folder: Path) -> bool:
     if hasattr(os, "getuid") and about.st_uid != os.getuid():
         return False
     age_s = time.time() - about.st_mtime
+    lock = folder / _LOCK
+    if lock.is_file():
+        return age_s > _OLD_S and not _is_held(lock)
     if named[1] is None or age_s > _FORGOTTEN_S:
         return age_s > _FORGOTTEN_S
     return age_s > _OLD_S and not _is_living(int(named[1]))

@@ -114,7 +114,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._entries = menu_entries(controller, preferences, self.open_backup_dialog)
         self._robot = RobotInView(view, controller, self._settings.urdf_path, self)
         self._joint_monitor = JointMonitor(controller, parent=self)
-        self._diagnosis = DiagnosisDialogs(controller, files or workers, self)
+        self._diagnosis = DiagnosisDialogs(controller, files or workers, self, preferences.path)
         background = self._background = Background(workers, files, self)
         self._keeper = LayoutKeeper(preferences.path, background, self)
         self._workspace = Workspace(controller, self._keeper, self)
@@ -359,6 +359,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
             self._view.load_failed.connect(dialog.show_robot_problem)
             dialog.diagnosis_wanted.connect(self._diagnosis.open_doctor)
             dialog.about_arm_wanted.connect(self._diagnosis.open_about_arm)
+            dialog.about_wanted.connect(self._diagnosis.open_about)
             return dialog
 
         self._open("settings", make)

@@ -184,6 +184,65 @@
     </message>
 </context>
 <context>
+    <name>AboutDialog</name>
+    <message>
+        <source>About armui</source>
+        <translation>关于 armui</translation>
+    </message>
+    <message>
+        <source>Copy as text</source>
+        <translation>复制为文本</translation>
+    </message>
+    <message>
+        <source>Licences</source>
+        <translation>许可证</translation>
+    </message>
+    <message>
+        <source>Text of the licence</source>
+        <translation>许可证全文</translation>
+    </message>
+    <message>
+        <source>Licences of armui and of the libraries it comes with. Qt and PySide are under the LGPL 3: they are files of their own, and may be replaced.</source>
+        <translation>armui 及其所带各库的许可证。Qt 和 PySide 采用 LGPL 3：它们是独立的文件，可以替换。</translation>
+    </message>
+    <message>
+        <source>installed package</source>
+        <translation>安装包</translation>
+    </message>
+    <message>
+        <source>from the source or Python&apos;s packages</source>
+        <translation>源码或 Python 软件包</translation>
+    </message>
+    <message>
+        <source>No files of another version were taken over.</source>
+        <translation>没有接管其他版本的文件。</translation>
+    </message>
+    <message>
+        <source>an older version</source>
+        <translation>旧版本</translation>
+    </message>
+    <message>
+        <source>Files of {before} were taken over by {version} on {day}: settings {settings}, trajectories {trajectories}, session recordings {sessions}.</source>
+        <translation>{version} 于 {day} 接管了 {before} 的文件：设置{settings}，轨迹 {trajectories} 个，会话记录文件 {sessions} 个。</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>有</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>The texts were not installed; they are in the release&apos;s zip file.</source>
+        <translation>未安装许可证全文；见发布页的 zip 文件。</translation>
+    </message>
+    <message>
+        <source>Copied: paste it into a mail.</source>
+        <translation>已复制，可粘贴到邮件中。</translation>
+    </message>
+</context>
+<context>
     <name>ActButtons</name>
     <message>
         <source>Gives the motor power: it holds its position.</source>
@@ -406,6 +465,14 @@
     <message>
         <source>{channel} is switched on, but nothing is heard: is the arm powered, the CAN cable plugged in, the bit rate the arm&apos;s?</source>
         <translation>{channel} 已启用，但没有收到报文：机械臂是否上电、CAN 线是否插好、波特率是否与机械臂一致？</translation>
+    </message>
+    <message>
+        <source>{channel} is switched off.</source>
+        <translation>{channel} 已停用。</translation>
+    </message>
+    <message>
+        <source>{channel}: nothing was found out. Run the diagnosis again.</source>
+        <translation>{channel}：没有得到结果。请重新诊断。</translation>
     </message>
 </context>
 <context>
@@ -1886,6 +1953,14 @@
         <source>This Linux is a guest of Windows (WSL): the adapter has to be handed over to it, before the arm is powered. In a terminal of Windows, with the adapter&apos;s BUSID from the list:</source>
         <translation>当前 Linux 运行在 Windows 的 WSL 中：请先把适配器交给 WSL，再给机械臂上电。在 Windows 终端中运行（BUSID 取自列表）：</translation>
     </message>
+    <message>
+        <source>The program is not whole: of its own packages, {package} is missing or another version ({installed}). Install armui once more, from the file it was installed from.</source>
+        <translation>程序不完整：自带的软件包 {package} 缺失或版本不符（{installed}）。请用原安装文件重新安装 armui。</translation>
+    </message>
+    <message>
+        <source>{device} needs the Python package {package}, which is no part of this installed program, and cannot be added to it. Use another adapter, or armui from its source with that package.</source>
+        <translation>{device} 需要 Python 软件包 {package}，此安装版程序不含它，也无法添加。请换用其他适配器，或从源码运行 armui 并安装该软件包。</translation>
+    </message>
 </context>
 <context>
     <name>DialectBar</name>
@@ -1975,6 +2050,10 @@
     <message>
         <source>No fault was found.</source>
         <translation>没有发现故障。</translation>
+    </message>
+    <message>
+        <source>Report a problem…</source>
+        <translation>报告问题…</translation>
     </message>
 </context>
 <context>
@@ -3154,6 +3233,10 @@
     <message>
         <source>Name and always at start: {channel}…</source>
         <translation>固定名称并开机启用：{channel}…</translation>
+    </message>
+    <message>
+        <source>Switch off</source>
+        <translation>停用</translation>
     </message>
 </context>
 <context>
@@ -7200,6 +7283,77 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
 </context>
 <context>
+    <name>ProblemReportDialog</name>
+    <message>
+        <source>Report a problem</source>
+        <translation>报告问题</translation>
+    </message>
+    <message>
+        <source>Save the report…</source>
+        <translation>保存报告…</translation>
+    </message>
+    <message>
+        <source>Add the last minutes of the bus</source>
+        <translation>加入总线最近几分钟的报文</translation>
+    </message>
+    <message>
+        <source>These files are put into one zip file on this computer: look at each before. Nothing is sent anywhere; you give the file to whoever helps. The folder of your user is called ~ in it; serial numbers of adapters stay.</source>
+        <translation>以下文件将存为本机上的一个 zip 文件，保存前可逐个查看。不会发送到任何地方；由您自己交给协助者。其中您的用户文件夹写作 ~，适配器的序列号保留。</translation>
+    </message>
+    <message>
+        <source>Files of the report</source>
+        <translation>报告中的文件</translation>
+    </message>
+    <message>
+        <source>The file that is chosen</source>
+        <translation>所选文件</translation>
+    </message>
+    <message>
+        <source>Looking at this computer, logs and settings…</source>
+        <translation>正在检查本机、日志和设置…</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>保存报告</translation>
+    </message>
+    <message>
+        <source>Saving {path}…</source>
+        <translation>正在保存 {path}…</translation>
+    </message>
+    <message>
+        <source>Saved: {path}</source>
+        <translation>已保存：{path}</translation>
+    </message>
+    <message>
+        <source>The disk does not answer. Save the report in another folder.</source>
+        <translation>磁盘没有响应。请把报告保存到其他文件夹。</translation>
+    </message>
+    <message>
+        <source>The report is being collected.</source>
+        <translation>正在收集报告。</translation>
+    </message>
+    <message>
+        <source>The frames are being written down.</source>
+        <translation>正在写出报文。</translation>
+    </message>
+    <message>
+        <source>The report is being saved.</source>
+        <translation>正在保存报告。</translation>
+    </message>
+    <message>
+        <source>There is nothing to save.</source>
+        <translation>没有可保存的内容。</translation>
+    </message>
+    <message>
+        <source>Nothing was heard on a bus.</source>
+        <translation>总线上没有收到过报文。</translation>
+    </message>
+    <message>
+        <source>… {size} are not shown here …</source>
+        <translation>…… 此处省略 {size} ……</translation>
+    </message>
+</context>
+<context>
     <name>QAbstractFileIconProvider</name>
     <message>
         <source>Folder</source>
@@ -9290,6 +9444,22 @@ The other program must have ended.</source>
         <source>{text} is still switched on, though the system said that it is off.</source>
         <translation>系统称 {text} 已停用，但它仍处于启用状态。</translation>
     </message>
+    <message>
+        <source>MF4 needs the Python package asammdf, which is no part of this installed program, and cannot be added to it. Use BLF.</source>
+        <translation>MF4 需要 Python 软件包 asammdf，此安装版程序不含它，也无法添加。请使用 BLF。</translation>
+    </message>
+    <message>
+        <source>{device} needs the Python package {package}, which is no part of this installed program, and cannot be added to it. Use another adapter, or armui from its source with that package.</source>
+        <translation>{device} 需要 Python 软件包 {package}，此安装版程序不含它，也无法添加。请换用其他适配器，或从源码运行 armui 并安装该软件包。</translation>
+    </message>
+    <message>
+        <source>{path} exists already, and is left as it is. Choose another name.</source>
+        <translation>{path} 已存在，保持不变。请另取名称。</translation>
+    </message>
+    <message>
+        <source>The report could not be saved as {path}: {text}. Free some room or choose another folder.</source>
+        <translation>报告无法保存为 {path}：{text}。请腾出空间或选择其他文件夹。</translation>
+    </message>
 </context>
 <context>
     <name>ReplayEventBar</name>
@@ -10105,6 +10275,10 @@ The other program must have ended.</source>
     <message>
         <source>Jogs end at a lowest height of the fingertip</source>
         <translation>点动止于末端最低高度</translation>
+    </message>
+    <message>
+        <source>About armui…</source>
+        <translation>关于 armui…</translation>
     </message>
 </context>
 <context>

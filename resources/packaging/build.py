@@ -60,7 +60,8 @@ class Build:
         self.out.mkdir(parents=True, exist_ok=True)
         self.version = version()
         self._environment = environment and environment.absolute()
-        self._steps: dict[str, Path] = {}
+        self._wheel: list[Path] = []
+        self._folder: Path | None = None
 
     @property
     def python(self) -> Path:
@@ -80,17 +81,20 @@ class Build:
 
     def wheel(self) -> list[Path]:
         """The wheel and the source archive, checked for an index."""
+        if self._wheel:
+            return self._wheel
         place = self.work / "wheel"
         shutil.rmtree(place, ignore_errors=True)
         self._call(self.python, "-m", "build", "-q", "--outdir", place, ROOT)
         made = sorted(place.iterdir())
         self._call(self.python, "-m", "twine", "check", "--strict", *made)
-        return [self._to_out(each) for each in made]
+        self._wheel = [self._to_out(each) for each in made]
+        return self._wheel
 
     def folder(self) -> Path:
         """The program with its Python and its libraries, in one folder that needs neither."""
-        if "folder" in self._steps:
-            return self._steps["folder"]
+        if self._folder is not None:
+            return self._folder
         (wheel,) = [each for each in self.wheel() if each.suffix == ".whl"]
         pip = (self.python, "-m", "pip", "install", "-q")
         self._call(*pip, f"{wheel}[adapters,gamepad,parquet]")
@@ -115,7 +119,7 @@ class Build:
             self.python, HERE / "licences.py", self.work / "pyinstaller", made / "licences", ROOT
         )
         self._tell_sizes(made)
-        self._steps["folder"] = made
+        self._folder = made
         return made
 
     def _import_all(self, folder: Path) -> None:

@@ -241,9 +241,9 @@ def keeps_data(name: str) -> bool:
     if ".dist-info/" in place:
         return place.endswith(("/METADATA", "/entry_points.txt"))  # licences: see licences.py
     if place.endswith((".pyx", ".pxi", ".pxd", ".pyi", ".h", ".hpp", ".ts")):
-        return False
+        return place.startswith("armui/")  # the doctor reads the program's own .ts
     return not re.match(
-        r"(pyvista/examples|pyarrow/(include|src|tests)|share/icons|jsonschema/benchmarks"
+        r"(armui/resources/licences|pyvista/examples|pyarrow/(include|src|tests)|share/icons|jsonschema/benchmarks"
         r"|pyqtgraph/icons/peegee|trimesh/resources/(javascript|templates))",
         place,
     )

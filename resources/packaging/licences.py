@@ -47,7 +47,7 @@ def collect(work: Path, target: Path, root: Path) -> list[str]:
             _copy(found, target / name / (f"{number}-{found.name}" if number else found.name))
         missing = [own for kind, texts_of in _TEXTS if kind.match(name) for own in texts_of]
         for own in missing:
-            _copy(root / "resources/packaging/licences" / own, target / name / own)
+            _copy(root / "resources/licences" / own, target / name / own)
         if not texts and not missing:
             without.append(f"{name} {each.version}: {_said(each)}")
     _copy_python(target / "python")

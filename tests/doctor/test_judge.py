@@ -78,6 +78,13 @@ def test_a_package_that_is_missing_names_the_command_of_this_python():
     assert "packages" not in codes(found)
 
 
+def test_in_a_packaged_program_nobody_is_sent_to_pip():
+    facts = program(PackageFacts("cantools", ">=40", None, False))
+    found = grave(judge_program(replace(facts, packaged=True)))["package_lost"]
+    assert found.commands == ()
+    assert found.params["package"] == "cantools"
+
+
 def test_packages_of_an_extra_are_only_noted():
     found = judge_program(
         program(
@@ -244,6 +251,9 @@ def test_a_device_that_cannot_be_opened(code):
 def test_a_back_end_without_its_package_and_an_adapter_without_permission():
     heard = HeardFacts("slcan", "x", problem="bus_backend_missing", package="pyserial")
     assert judge_heard(heard)[0].commands == ("python -m pip install pyserial",)
+    packaged = replace(heard, problem="bus_backend_not_packed")
+    (finding,) = judge_heard(packaged)
+    assert (finding.code, finding.commands) == ("bus_backend_not_packed", ())
     closed = HeardFacts("gs_usb", "0", problem="bus_permission")
     assert "udev" in judge_heard(closed)[0].commands[0]
 

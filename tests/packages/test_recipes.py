@@ -180,3 +180,10 @@ def test_a_desktop_opens_trajectories_and_no_other_logs(tmp_path):
     desktop = (RECIPES / "linux/org.armui.armui.desktop").read_text()
     assert f"MimeType={ours};\n" in desktop
     assert "Exec=armui %f\n" in desktop
+
+
+def test_the_programs_own_texts_are_packed_and_no_others():
+    contents = recipe("contents")
+    assert contents.keeps_data("armui/resources/i18n/armui_zh.ts")
+    assert not contents.keeps_data("PySide6/translations/qt_de.ts")
+    assert not contents.keeps_data("numpy/core/setup.h")

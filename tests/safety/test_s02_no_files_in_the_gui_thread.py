@@ -26,8 +26,10 @@ from armui.trajectory.planning.check import warm_up
 from armui.trajectory.points.program import Trajectory
 from armui.ui.actions.palette import CommandPalette
 from armui.ui.actions.window_actions import WindowActions
+from armui.ui.dialogs.about import AboutDialog
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.files import FileDialog
+from armui.ui.dialogs.problem_report import ProblemReportDialog
 from armui.ui.guide.guide_window import GuideWindow
 from armui.ui.main_window import MainWindow
 from armui.ui.trajectory.editor.editor_page import EditorPage
@@ -44,6 +46,7 @@ from tests.operator.library.actions import POINT, LibraryDriver
 from tests.operator.replay_actions import Replay
 from tests.safety.file_watch import watched
 from tests.session.recordings import START_S, frames, greeting, write
+from tests.ui.dialog_reading import message
 
 MOST_S = 200.0
 
@@ -322,6 +325,31 @@ def test_what_opens_by_a_key_in_every_window(live_driver, monkeypatch, name):
         dialog.close()
         app_driver.run(0.1)
     assert forbidden(seen) == []
+
+
+@pytest.mark.parametrize("name", ["report", "about"])
+def test_what_tells_of_the_program(live_driver, monkeypatch, tmp_path, name):
+    """Logs, settings and licences are read, and the report is written, by the file thread."""
+    app_driver = live_driver
+    app_driver.ready()
+    path = tmp_path / "report.zip"
+    with watched(monkeypatch) as seen:
+        getattr(app_driver.window._diagnosis, f"open_{name}")()
+        dialog = app_driver.dialog(ProblemReportDialog if name == "report" else AboutDialog)
+        app_driver.wait(lambda: dialog.list.count() > 3)
+        if isinstance(dialog, ProblemReportDialog):
+            app_driver.wait(lambda: app_driver.controller.sessions.ring().frames > 0)
+            dialog._refresh()
+            dialog.bus_box.click()
+            app_driver.wait(lambda: len(dialog.files()) > 4 and dialog.save_button.isEnabled())
+            dialog._on_chosen(path)
+            app_driver.wait(lambda: "report.zip" in message(dialog) and dialog._saving is None)
+        else:
+            app_driver.wait(lambda: dialog.text.toPlainText() != "")
+        dialog.close()
+        app_driver.run(0.1)
+    assert forbidden(seen) == []
+    assert path.is_file() is (name == "report")
 
 
 def test_session_recordings(live_driver, monkeypatch, tmp_path):

@@ -1,5 +1,6 @@
 """S22: a disk that is really full, a program that is killed: what the windows then say."""
 
+import random
 import shutil
 import subprocess
 import sys
@@ -8,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from armui.doctor import problem_report
+from armui.doctor.problem_report import ReportFile
 from armui.session.recording.folder import list_recordings
 from armui.session.recording.recorded_session import RecordedSession
 from armui.trajectory.library.store import Library
@@ -85,6 +88,17 @@ def test_a_session_on_a_disk_that_becomes_full(sessions_on, small_disk):
     sessions.until(lambda: len(sessions.names()) >= 2)
     driver.controller.emergency_stop()
     assert driver.controller.operating_state.link.name == "ONLINE"
+
+
+def test_a_report_on_a_disk_that_is_full(small_disk):
+    fill_up(small_disk, but=100_000)
+    noise = random.Random(1).randbytes(300_000)
+    path = small_disk / "report.zip"
+    refused = problem_report.save(path, [ReportFile("log/armui.log", noise)])
+    assert refused.reason == problem_report.REPORT_NOT_SAVED
+    # nothing of it is left, and there is room for a smaller one
+    assert [each.name for each in small_disk.iterdir()] == ["filler"]
+    assert problem_report.save(path, [ReportFile("doctor.txt", b"fine")]) == path
 
 
 KILLED = """

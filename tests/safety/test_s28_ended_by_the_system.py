@@ -17,6 +17,7 @@ import pytest
 from jeepney import DBusAddress, HeaderFields, new_method_return, new_signal
 from PySide6.QtCore import QDeadlineTimer
 
+from armui.control.arm_controller import ArmController
 from armui.control.run.progress import Run
 from armui.ending import SleepWatch, SystemEnd
 from armui.protocol.generation import Generation
@@ -336,3 +337,18 @@ def test_without_a_bus_of_the_system_nothing_is_heard_and_nothing_said(error, ca
     assert not watch._thread.is_alive()
     watch.end()
     assert capsys.readouterr() == ("", "")
+
+
+def test_the_thread_of_the_signals_makes_no_part_of_the_controller(qapp, qtlog):
+    """Without a device there is nothing to end; a part made in that thread would be its child."""
+
+    def no_bus(_device):
+        raise OSError("there is none")
+
+    controller = ArmController(no_bus)
+    thread = threading.Thread(target=controller.abort_from_any_thread)
+    thread.start()
+    thread.join()
+    assert "gripper" not in vars(controller)
+    controller.shutdown()
+    assert [each.message for each in qtlog.records] == []

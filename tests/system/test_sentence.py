@@ -11,6 +11,8 @@ from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
+import pytest
+
 from armui.arm.refusal import Reason, Refusal
 from armui.control.events import Notice
 from tests.translations import KEPT, KINDS, ROOT, SENTENCES, Constant, constants, modules
@@ -23,7 +25,19 @@ HELPS_A_FIGURE = {"joint", "parameter", "unit"}
 """Not in the sentence itself: a parameter's name says its joint, its kind says the unit."""
 OF_THE_EVENT = {"count", "feedback", "frames", "lamp", "reason", "values"}
 """An event keeps more than its sentence shows."""
-BY_PLACE = {(each.path, each.name): each for each in constants() if not each.owner}
+
+
+@pytest.fixture(scope="module", autouse=True)
+def names_end_with_the_module(trees_end_with_the_module):
+    """They are kept by tree."""
+    yield
+    known.cache_clear()
+
+
+@cache
+def by_place() -> dict[tuple[Path, str], Constant]:
+    """The sentences that are constants of their module."""
+    return {(each.path, each.name): each for each in constants() if not each.owner}
 
 
 def figures_of(source: str) -> set[str]:
@@ -33,13 +47,13 @@ def figures_of(source: str) -> set[str]:
 @cache
 def known(path: Path, tree: ast.Module) -> dict[str, Constant]:
     """The sentences that a module has names for: its own, and those it imports."""
-    names = {name: each for (place, name), each in BY_PLACE.items() if place == path}
+    names = {name: each for (place, name), each in by_place().items() if place == path}
     for node in ast.walk(tree):
         if isinstance(node, ast.ImportFrom) and node.module:
             there = ROOT / f"{node.module.replace('.', '/')}.py"
             for alias in node.names:
-                if (there, alias.name) in BY_PLACE:
-                    names[alias.asname or alias.name] = BY_PLACE[there, alias.name]
+                if (there, alias.name) in by_place():
+                    names[alias.asname or alias.name] = by_place()[there, alias.name]
     return names
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING, Any, cast
@@ -22,6 +22,7 @@ from armui.control.operating_state import OperatingState
 from armui.control.parameters.setting_cell import SettingCellState
 from armui.control.parameters.setting_checks import Changes
 from armui.control.safety.recovery_steps import Action, Step, StepKind
+from armui.control.sessions.progress import RingContent
 from armui.protocol.codes import ALL_JOINTS, LinkageRole, Mounting, TeachingState, TrajectoryCommand
 from armui.telemetry.events import Asker, EventEntry, EventKind, EventLog
 from tests.ui.arm_states import arm_state, operating_state
@@ -398,6 +399,14 @@ class FakeSessions(QObject):
 
     changed = Signal()
     recording = False
+    content = RingContent()
+    text = b""
 
     def progress(self) -> None:
         return None
+
+    def ring(self) -> RingContent:
+        return self.content
+
+    def ring_as_text(self) -> Callable[[], bytes] | None:
+        return (lambda: self.text) if self.content.frames else None

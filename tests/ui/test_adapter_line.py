@@ -265,9 +265,55 @@ def test_in_the_diagnosis_all_is_looked_at_again(qtbot, controller, line, change
     qtbot.mouseClick(dialog.findChild(QPushButton, "adapter_remedy"), LEFT)
     told(changes, Planned())
     told(changes, Done({"up": True}))
-    assert examinations.arguments[-1] == []
-    assert len(examinations.arguments) == 3  # opened, listened to can0, all again
+    # opened, and all again: nobody else listens meanwhile to the adapter that came up
+    assert examinations.arguments == [[], []]
+    assert "listening" in line.text()
+    elsewhere = NOTHING_HEARD(device="socketcan can1", seconds="2.0")
+    examinations.tell([elsewhere, ARM(device="socketcan can0", generation="2", rate="3000")])
+    qtbot.waitUntil(lambda: "3000 frames/s" in line.text())
     dialog.close()
+
+
+def test_the_line_listens_where_the_diagnosis_does_not(
+    qtbot, controller, line, changes, examinations
+):
+    dialog = DoctorDialog(controller.as_real, None, examinations, line)
+    qtbot.addWidget(dialog)
+    dialog.open()
+    examinations.tell(judge_can(DOWN))
+    controller.be(operating_state(device=Device("socketcan", "can1", None)))
+    line.choose(("up", "can0", "1000000"))
+    told(changes, Planned())
+    told(changes, Done({"up": True}))
+    only_can0 = ["--interface", "socketcan", "--channel", "can0"]
+    assert examinations.arguments[1:] == [only_can0, ["--no-listen"]]
+    dialog.close()
+
+
+def test_an_interface_that_is_up_is_switched_off_by_the_button_beside(qtbot, line, changes):
+    passive = LinkFacts("can0", "can", up=True, state="ERROR-PASSIVE", bitrate=1_000_000)
+    trouble = trouble_with(qtbot, line, CanFacts(links=(passive,)))
+    row = trouble.findChildren(FindingRow)[0]
+    assert [each.text() for each in row.remedy_buttons] == ["Switch on: 1 Mbit/s", "Switch off"]
+    qtbot.mouseClick(row.remedy_buttons[1], LEFT)
+    assert changes.begun == [(("down", "can0"), BY_ROOT)]
+    told(changes, Planned())
+    told(changes, Done({"up": False}))
+    assert line.text() == "can0 is switched off."
+
+
+def test_it_is_not_switched_off_while_the_arm_moves_on_it(controller, line, changes):
+    can0 = Device("socketcan", "can0", None)
+    controller.be(operating_state(device=can0, moving=True))
+    line.choose(("down", "can0"))
+    assert changes.begun == []
+    assert "only way" in line.text()
+    # nor where it began to move while the password was asked for
+    controller.be(operating_state(device=can0))
+    line.choose(("down", "can0"))
+    controller.be(operating_state(device=can0, moving=True))
+    told(changes, Planned())
+    assert (changes.went, changes.ended) == (0, 1)
 
 
 def test_wsl_is_told_in_words():

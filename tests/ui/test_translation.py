@@ -17,6 +17,8 @@ from armui.ui.translation import TranslationMissingError, Translator
 from tests.moments import now
 from tests.translations import NAMES, TS, lupdate, names
 
+pytestmark = pytest.mark.usefixtures("trees_end_with_the_module")
+
 
 class Entry(NamedTuple):
     """One string to translate: where it is used, its English, what tells it from others."""

@@ -39,6 +39,8 @@ from armui.ui.words.text import sentence
 from tests.each import check_each
 from tests.translations import Constant, constants
 
+pytestmark = pytest.mark.usefixtures("trees_end_with_the_module")
+
 AT = datetime(2026, 1, 2, 3, 4, 5).astimezone()
 
 
@@ -56,12 +58,6 @@ def has_chinese(text: str) -> bool:
 
 
 # Every code ---------------------------------------------------------------------------------------
-
-
-REASONS = {
-    each.id: Reason(each.id, each.source) for each in constants() if each.context == Reason.context
-}
-NOTICES = [each.id for each in constants() if each.context == Notice.context]
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -83,9 +79,11 @@ def test_every_sentence_of_the_code_reads_as_words(
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_every_refusal_reads_as_sentences(translator: Translator, language: Language) -> None:
     translator.set_language(language)
+    said = [each for each in constants() if each.context == Reason.context]
+    reasons = {each.id: Reason(each.id, each.source) for each in said}
 
     def check_refusal(code: str) -> None:
-        text = words.refusal(REASONS[code]())
+        text = words.refusal(reasons[code]())
 
         assert has_chinese(text) is (language == "zh")
         assert code not in text
@@ -93,7 +91,7 @@ def test_every_refusal_reads_as_sentences(translator: Translator, language: Lang
         assert text.endswith(("。", ".", "can_raw", "1000000", "pip install —", "libusb-1.0-0"))
         assert words.refusal(Refusal(Reason(code))) == text  # as a file names it
 
-    check_each(sorted(REASONS), check_refusal)
+    check_each(sorted(reasons), check_refusal)
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -107,7 +105,7 @@ def test_every_notice_reads_as_words(translator: Translator, language: Language)
         assert "{" not in text
         assert has_chinese(text) is (language == "zh")
 
-    check_each(NOTICES, check_notice)
+    check_each([each.id for each in constants() if each.context == Notice.context], check_notice)
 
 
 def test_a_pose_that_is_not_known_is_no_matter_of_arcs(qapp: QApplication) -> None:

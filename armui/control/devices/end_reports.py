@@ -161,7 +161,7 @@ class EndReports:
 
 
 def is_reporting(state: ArmState) -> bool:
-    """Tell whether all six of 0x481–0x486 arrive, measured against the arm's other feedback."""
+    """Return whether all six of 0x481–0x486 arrive, measured against the arm's other feedback."""
     now_s = state.last_feedback_s
     return now_s is not None and all(
         heard is not None and now_s - heard.at_s < _SILENT_S for heard in state.end_motion

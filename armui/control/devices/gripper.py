@@ -184,7 +184,7 @@ class GripperControl(ControllerPart):
 
     @property
     def tells_angle(self) -> bool:
-        """Whether generation 2 is told angles now."""
+        """True if generation 2 is told angles now."""
         return self.by_angle and self.why_no_angle() is None
 
     def why_no_angle(self) -> Refusal | None:
@@ -304,7 +304,7 @@ class GripperControl(ControllerPart):
         return None
 
     def stands_as(self, before: ArmState) -> bool:
-        """Tell whether the gripper stands where it stood when its zero was spoken of."""
+        """Return whether the gripper stands where it stood when its zero was spoken of."""
         then, now = before.gripper, self._context.connection.newest.gripper
         if then is None or now is None or then.value.unit != now.value.unit:
             return False

@@ -58,7 +58,7 @@ class JointErrors:
 
     @property
     def busy(self) -> bool:
-        """Whether an answer is awaited."""
+        """True if an answer is awaited."""
         return self._joint is not None
 
     @operation("joints.clear_error", "Clear errors of the drivers", why_not_clear)

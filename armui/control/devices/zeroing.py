@@ -109,11 +109,11 @@ class Zeroing:
 
     @property
     def busy(self) -> bool:
-        """Whether a zero has been sent and its end is not known."""
+        """True if a zero has been sent and its end is not known."""
         return self._busy
 
     def stands_as(self, before: ArmState, joint: int = ALL_JOINTS) -> bool:
-        """Tell whether a joint (1–6, 7 all) stands where it stood when its zero was spoken of."""
+        """Return whether a joint (1–6, 7 all) stands where it stood when its zero was spoken of."""
         joints = JOINTS if joint == ALL_JOINTS else (joint,)
         return _why_elsewhere(joints, before, self._context.connection.newest) is None
 
@@ -211,7 +211,7 @@ def _off_zero(joints: Sequence[int], state: ArmState) -> list[int]:
 
 
 def _shown(joints: Sequence[int], state: ArmState, since_s: float) -> bool:
-    """Tell whether the angles tell of the zero: they are at it, or have had time to be."""
+    """Return whether the angles tell of the zero: they are at it, or have had time to be."""
     heard = [state.joints_deg[joint - 1] for joint in joints]
     times = [each.at_s for each in heard if each is not None and each.at_s > since_s]
     if len(times) < len(joints):

@@ -154,7 +154,7 @@ class StatusListener(Listener):
 
     @property
     def _understands(self) -> bool:
-        """Whether bits that the generations use differently can be told."""
+        """True if bits that the generations use differently can be told."""
         codec = self._codec
         return codec is not None and codec.generation is self._generation
 

@@ -163,7 +163,7 @@ class GamepadPilot(QObject):
         self._holder = None
 
     def end(self) -> bool:
-        """Read no more; whether the thread has ended."""
+        """Read no more and return whether the thread has ended."""
         self._stop_reading()
         self._show()
         return self._leaving is None or self._leaving.end()

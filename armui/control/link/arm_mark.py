@@ -36,7 +36,7 @@ class ArmMark:
     identity: ArmIdentity | None = None
 
     def is_still(self, now: ArmMark) -> bool:
-        """Tell whether ``now`` is the same arm on the same connection; it may have said more."""
+        """Return whether ``now`` is the same arm on the same connection; it may have said more."""
         before, after = self.identity, now.identity
         told_otherwise = before is not None and (after is None or before.contradicts(after))
         same = replace(self, identity=None) == replace(now, identity=None)

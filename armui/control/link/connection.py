@@ -180,7 +180,7 @@ class Connection(QObject):
 
     @property
     def idle(self) -> bool:
-        """Whether everything sent has been handed to the device."""
+        """True if everything sent has been handed to the device."""
         return self._worker is None or self._worker.idle
 
     @property
@@ -366,7 +366,7 @@ class Connection(QObject):
         return state if self.generation is not None else common_to_generations(state)
 
     def _another_answers(self, state: ArmState) -> bool:
-        """Tell whether an arm has said something else of itself than the one of the handshake."""
+        """Return whether an arm has said something else of itself than the one of the handshake."""
         known = None if self.handshake is None else self.handshake.identity
         return (
             known is not None and state.identity is not None and known.contradicts(state.identity)

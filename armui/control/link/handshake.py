@@ -34,7 +34,7 @@ class Wire(Protocol):
     """What a handshake needs of the bus thread."""
 
     def send(self, frames: Sequence[Frame]) -> bool:
-        """Queue frames; whether they may go out at all."""
+        """Queue frames and return whether they may go out at all."""
 
     def use_codec(self, codec: Codec, *, forget: bool = True) -> None:
         """Forget what was heard, unless it is not to be, and speak another codec from now on."""
@@ -94,7 +94,7 @@ class Handshake:
 
     @property
     def done(self) -> bool:
-        """Whether the arm has answered everything, or as much as it will."""
+        """True if the arm has answered everything, or as much as it will."""
         return self.phase is HandshakePhase.DONE
 
     def follow_arm(self, state: ArmState, now_s: float) -> None:
@@ -167,11 +167,11 @@ class Handshake:
         return _VERSION_ROUNDS if state.version_heard_s is None else _TORN_ROUNDS
 
     def _leads(self, state: ArmState, now_s: float) -> bool:
-        """Tell whether it is a teaching input that leads and tells no status."""
+        """Return whether it is a teaching input that leads and tells no status."""
         return state.status is None and is_fresh(state.foreign_targets_s, now_s)
 
     def _speaks_fast(self, state: ArmState, now_s: float) -> bool:
-        """Tell whether an arm that must not be asked speaks as often as generation 2.
+        """Return whether an arm that must not be asked speaks as often as generation 2.
 
         On a connection that only listens its silence says nothing.
         """

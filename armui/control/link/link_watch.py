@@ -43,7 +43,7 @@ class LinkWatch:
         self._answers_told = False
 
     def follow_online(self) -> None:
-        """Tell whether the arm has come or gone."""
+        """Return whether the arm has come or gone."""
         link = self._connection.link
         online = link is LinkState.ONLINE
         if online is self._was_online:

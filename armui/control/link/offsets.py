@@ -57,7 +57,7 @@ class OffsetFollower:
 
     @property
     def certain(self) -> bool:
-        """Whether commands reach the arm.
+        """True if commands reach the arm.
 
         Feedback and commands move together: while the old feedback is heard, so are old commands,
         unless only the commands are to move.
@@ -116,7 +116,7 @@ class OffsetFollower:
         return self._use(Addressing(heard[0], self.addressing.control_offset), now_s, known=False)
 
     def _taken_unseen(self, requested: RequestedOffset, state: ArmState, *, came: bool) -> bool:
-        """Tell whether commands alone moved: an arm takes that in standby, or at its next start.
+        """Return whether commands alone moved: an arm takes that in standby, or at its next start.
 
         Nothing it sends shows that it has, so it must have said that it keeps it: a setting that
         got lost would be taken for one in use, and every motion after it would vanish.

@@ -172,7 +172,7 @@ class Cartesian(ControllerPart):
     # Motions --------------------------------------------------------------------------------
 
     def check(self, target: Sequence[float], move_mode: MoveMode) -> Refusal | None:
-        """Tell whether the tool centre point can go from where it is to a pose.
+        """Return whether the tool centre point can go from where it is to a pose.
 
         Args:
             target: X, Y, Z in mm and RX, RY, RZ in degrees.
@@ -257,7 +257,7 @@ class Cartesian(ControllerPart):
         )
 
     def check_arc(self, *points: Sequence[float]) -> Refusal | None:
-        """Tell whether the arm stands at the start of an arc and can follow it to its end."""
+        """Return whether the arm stands at the start of an arc and can follow it to its end."""
         from armui.arm.reach import check_path  # noqa: PLC0415 - scipy
         from armui.kinematics.tool_path import Arc, ArcError  # noqa: PLC0415 - scipy
 
@@ -319,7 +319,7 @@ class Cartesian(ControllerPart):
         return None
 
     def _leads_away(self, target: Sequence[float]) -> bool:
-        """Tell whether the tool is measured elsewhere than at a pose."""
+        """Return whether the tool is measured elsewhere than at a pose."""
         here = self.tool_pose(self._context.state())
         if here is None:
             return False

@@ -143,7 +143,7 @@ class Jogging(ControllerPart):
 
     @property
     def active(self) -> bool:
-        """Whether something is held."""
+        """True if something is held."""
         return self._hold is not None
 
     @property
@@ -250,7 +250,7 @@ class Jogging(ControllerPart):
             self._go_on(hold, hold.stream, measured_deg, dt_s)
 
     def _is_replaced(self, hold: _Hold) -> bool:
-        """Tell whether a command that is not this jog's has been given since it began."""
+        """Return whether a command that is not this jog's has been given since it began."""
         ours = self._context.authority.command
         if hold.command is not None:
             return ours is None or ours.number != hold.command.number

@@ -133,7 +133,7 @@ class Motion(ControllerPart):
         return None
 
     def tell_speed(self) -> bool:
-        """Send the speed in the mode the arm is in; whether that is possible now."""
+        """Send the speed in the mode the arm is in and return whether that is possible now."""
         return self._context.tell_percent(self.speed_percent)
 
     @operation("motion.step", "Move a joint by a step", why_not_move, moves=True)
@@ -159,7 +159,7 @@ class Motion(ControllerPart):
         return self._move(record_start(self.jog), target_deg, JOGGED, **figures)
 
     def jog_lagging(self, joint: int, step_deg: float) -> bool:
-        """Tell whether the arm is so far behind that a held button should not step on."""
+        """Return whether the arm is so far behind that a held button should not step on."""
         asked_deg, heard = self.setpoint_deg, self._context.state().joints_deg[joint - 1]
         if asked_deg is None or heard is None:
             return False

@@ -132,7 +132,7 @@ class ArmSettings(QObject, ControllerPart):
 
     @property
     def busy(self) -> bool:
-        """Whether something is being read or saved."""
+        """True if something is being read or saved."""
         return self._open > 0
 
     def cell(self, parameter: Parameter) -> SettingCellState:
@@ -154,7 +154,7 @@ class ArmSettings(QObject, ControllerPart):
         return list(all_batches(teaching=second, drag_assistance=assistance))
 
     def holds(self, parameter: Parameter, value: float) -> bool:
-        """Tell whether the arm's last word is a value, as far as its frames can tell.
+        """Return whether the arm's last word is a value, as far as its frames can tell.
 
         Only while a device is open.
         """

@@ -35,7 +35,7 @@ class ParameterReader(QObject):
 
     @property
     def running(self) -> bool:
-        """Whether questions are under way."""
+        """True if questions are under way."""
         return self._running
 
     def start(self) -> Refusal | None:

@@ -86,7 +86,7 @@ class SettingDraft:
 
     @property
     def changed(self) -> bool:
-        """Whether something differs from what the arm holds."""
+        """True if something differs from what the arm holds."""
         return bool(self._entries)
 
     def changes(self) -> Changes:

@@ -39,7 +39,7 @@ class SettingSaving:
 
     @property
     def running(self) -> bool:
-        """Whether the arm has not answered everything yet."""
+        """True if the arm has not answered everything yet."""
         return self._running
 
     @property

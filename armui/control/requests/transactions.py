@@ -143,7 +143,7 @@ class TransactionQueue(ControllerPart):
 
     @property
     def busy(self) -> bool:
-        """Whether a transaction is under way or waits."""
+        """True if a transaction is under way or waits."""
         return self._task is not None
 
     @property

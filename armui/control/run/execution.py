@@ -63,7 +63,7 @@ class Execution(QObject, ControllerPart):
 
     @property
     def running(self) -> bool:
-        """Whether it moves the arm, or will."""
+        """True if it moves the arm, or will."""
         return self._phase not in OVER
 
     @property
@@ -168,7 +168,7 @@ class Execution(QObject, ControllerPart):
         return self._send(commands.trajectory_command(self._codec, TrajectoryCommand.CONTINUE))
 
     def _rests(self) -> bool:
-        """Tell whether the arm is measured to have come to rest since the motion was ended."""
+        """Return whether the arm is measured to have come to rest since the motion was ended."""
         self._rest.observe(self._context.state(), self._context.clock())
         return self._rest.at_rest
 
@@ -177,5 +177,5 @@ class Execution(QObject, ControllerPart):
         return self._context.connection.codec
 
     def _send(self, frames: Sequence[Frame]) -> bool:
-        """Send them; whether they are under way, or there was nothing to send."""
+        """Send them and return whether they are under way, or there was nothing to send."""
         return not frames or self._context.connection.send(frames)

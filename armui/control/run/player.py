@@ -117,7 +117,7 @@ class Player(Execution):
 
     @property
     def sets_lamps(self) -> bool:
-        """Whether the run under way tells something by the lamps."""
+        """True if the run under way tells something by the lamps."""
         return self.running and self._has_lights
 
     # What the operator wants ------------------------------------------------------------------

@@ -62,7 +62,7 @@ class Recorder(QObject, ControllerPart):
 
     @property
     def recording(self) -> bool:
-        """Whether it records now."""
+        """True if it records now."""
         return self._recording
 
     @property

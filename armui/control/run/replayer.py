@@ -204,7 +204,7 @@ class Replayer(Execution):
         self._publish()
 
     def _comes_to_a_stand(self, replay: Replay) -> bool:
-        """Tell whether it has been paused by 0 %, and the recorded time still slows down.
+        """Return whether it has been paused by 0 %, and the recorded time still slows down.
 
         After a long pause of the program it does so no more: the arm rests at the last target.
         """

@@ -37,13 +37,13 @@ class AcknowledgementMonitor:
 
     @property
     def waits(self) -> bool:
-        """Whether the arm has yet to show that it has taken a motion that leads it away."""
+        """True if the arm has yet to show that it has taken a motion that leads it away."""
         return self._command is not None and self._leads_away(self._command)
 
     def observe(
         self, command: MotionCommand | None, ended: End | None, state: ArmState, now_s: float
     ) -> bool:
-        """Tell whether it shows just now that the arm has not taken the last motion.
+        """Return whether it shows just now that the arm has not taken the last motion.
 
         Args:
             command: Ours, while its target is one to start from.
@@ -81,7 +81,7 @@ class AcknowledgementMonitor:
         self._command = None
 
     def _shows(self, state: ArmState, angles_deg: tuple[float, ...] | None) -> bool:
-        """Tell whether the arm has begun to move, or has said why it does not."""
+        """Return whether the arm has begun to move, or has said why it does not."""
         status = state.status
         if status is not None and status.value.arm_status != ArmStatusCode.NORMAL:
             return True

@@ -57,16 +57,16 @@ class EmergencyStop:
 
     @property
     def requested(self) -> bool:
-        """Whether a stop has been asked for that the arm has not confirmed."""
+        """True if a stop has been asked for that the arm has not confirmed."""
         return self._stop is not None
 
     @property
     def lapsed(self) -> bool:
-        """Whether it is outstanding and not sent by itself any more."""
+        """True if it is outstanding and not sent by itself any more."""
         return self._stop is not None and self._stop.lapsed
 
     def unconfirmed(self, now_s: float) -> bool:
-        """Tell whether the confirmation is overdue."""
+        """Return whether the confirmation is overdue."""
         return self._stop is not None and now_s - self._stop.since_s > _UNCONFIRMED_S
 
     def request(self, frames: Sequence[Frame], now_s: float) -> bool:
@@ -112,13 +112,13 @@ class EmergencyStop:
 
 
 def is_stopped(state: ArmState) -> bool:
-    """Tell whether the last status heard says that the arm is stopped."""
+    """Return whether the last status heard says that the arm is stopped."""
     status = state.status
     return status is not None and status.value.arm_status == ArmStatusCode.EMERGENCY_STOP
 
 
 def status_is_fresh(state: ArmState, now_s: float) -> bool:
-    """Tell whether the status was heard within the last half second."""
+    """Return whether the status was heard within the last half second."""
     return state.status is not None and state.status.fresh(now_s)
 
 
@@ -137,7 +137,7 @@ class StopWatch:
         self.holds = True
 
     def undone(self, state: ArmState, now_s: float, *, resuming: bool) -> bool:
-        """Tell whether somebody else has just undone the stop.
+        """Return whether somebody else has just undone the stop.
 
         Args:
             state: The arm as heard.

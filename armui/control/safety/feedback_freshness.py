@@ -34,7 +34,7 @@ def _fresh(heard: Reading[Any] | None, now_s: float) -> bool:
 
 
 def any_motor_off(state: ArmState, now_s: float) -> bool | None:
-    """Tell whether a motor is without power; ``None`` if not every driver has told its state."""
+    """Return whether a motor is without power; ``None`` if not every driver has told its state."""
     known = True
     for each in state.drivers_slow:
         if each is None or not is_fresh(each.at_s, now_s):
@@ -45,7 +45,7 @@ def any_motor_off(state: ArmState, now_s: float) -> bool | None:
 
 
 def in_drag_teaching(state: ArmState) -> bool:
-    """Tell whether the arm is in drag teaching, or is a teaching input: a hand leads it."""
+    """Return whether the arm is in drag teaching, or is a teaching input: a hand leads it."""
     status = state.status
     if status is None:
         return False

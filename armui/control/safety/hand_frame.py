@@ -165,12 +165,12 @@ def why_never(frame: Frame) -> Refusal | None:
 
 
 def is_upgrade(arbitration_id: int) -> bool:
-    """Tell whether an identifier is kept for firmware upgrades."""
+    """Return whether an identifier is kept for firmware upgrades."""
     return arbitration_id != VERSION_ID and any(arbitration_id in each for each in _UPGRADE)
 
 
 def sets_mode(frame: Frame) -> bool:
-    """Tell whether it is a mode word (0x151) for any arm."""
+    """Return whether it is a mode word (0x151) for any arm."""
     return command_id(frame.arbitration_id) == _MODE_ID
 
 

@@ -90,7 +90,7 @@ class ModeExitCommand(ControllerPart):
 
     @property
     def asking(self) -> bool:
-        """Whether the arm's answer is waited for."""
+        """True if the arm's answer is waited for."""
         return self._question is not None
 
     def send(self) -> Refusal | None:

@@ -103,7 +103,7 @@ class OtherCommand:
         *,
         at_rest: bool,
     ) -> bool:
-        """Take in what was heard; whether another host has sent a motion frame since.
+        """Take in what was heard and return whether another host has sent a motion frame since.
 
         Args:
             traffic: What other hosts send.
@@ -145,7 +145,7 @@ class OtherCommand:
 
     @property
     def drives(self) -> bool:
-        """Whether the arm does what another host says: it commands, or has left it in a mode."""
+        """True if the arm does what another host says: it commands, or has left it in a mode."""
         return self.commands or self.mode is not None
 
     def _mode_of(
@@ -183,7 +183,7 @@ class OtherCommand:
 
     @property
     def may_be_taken_over(self) -> bool:
-        """Whether the operator may take the arm over: against a stream only the stop wins."""
+        """True if the operator may take the arm over: against a stream only the stop wins."""
         if not self.commands or self.last_s is None:
             return False
         return self._now_s - self.last_s >= _TAKE_OVER_AFTER_S

@@ -307,7 +307,7 @@ class Recovery(ControllerPart):
 
     @property
     def _under_way(self) -> bool:
-        """Whether something of the action may still have an effect."""
+        """True if something of the action may still have an effect."""
         return (
             self._request is not None
             or bool(self._to_clear)
@@ -318,7 +318,7 @@ class Recovery(ControllerPart):
         )
 
     def _holds(self, step: Step, now_s: float) -> bool:
-        """Tell whether a step is to be shown: some states are passed through in a moment."""
+        """Return whether a step is to be shown: some states are passed through in a moment."""
         if step.kind not in _MAY_BE_BRIEF or step.kind is self.step.kind:
             self._brief_since_s = None
             return True

@@ -50,12 +50,12 @@ class RecoveryView:
 
     @property
     def in_drag_mode(self) -> bool:
-        """Whether the arm may be led by hand."""
+        """True if the arm may be led by hand."""
         return self.status is not None and self.status.control_mode == ControlMode.TEACHING
 
     @property
     def enabled(self) -> bool:
-        """Whether all six motors are on."""
+        """True if all six motors are on."""
         return all(self.operating_state.enabled)
 
 
@@ -153,7 +153,7 @@ def other_control(view: RecoveryView) -> Params | None:
 
 
 def not_heard(view: RecoveryView) -> bool:
-    """Whether something is silent that a motion counts on."""
+    """Return whether something is silent that a motion counts on."""
     silent = view.operating_state.cannot_send_motion
     return view.status is None or (silent is not None and silent.reason == FEEDBACK_SILENT)
 
@@ -202,7 +202,7 @@ def run_is(*phases: RunPhase) -> Applies:
 
 
 def moves(view: RecoveryView) -> bool:
-    """Tell whether the arm is on its way, or comes to rest after a run that was ended."""
+    """Return whether the arm is on its way, or comes to rest after a run that was ended."""
     return view.operating_state.moving or view.operating_state.running
 
 

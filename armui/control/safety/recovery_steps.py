@@ -358,12 +358,12 @@ class Step:
 
     @property
     def held(self) -> bool:
-        """Whether its button must be held for a second."""
+        """True if its button must be held for a second."""
         return self.action in HELD
 
     @property
     def dangerous(self) -> bool:
-        """Whether the operator is to be asked before the action is taken."""
+        """True if the operator is to be asked before the action is taken."""
         return self.action is not None and bool(self.action.value.danger)
 
 

@@ -71,7 +71,7 @@ class RestWatch:
 
     @property
     def at_rest(self) -> bool:
-        """Whether no joint has moved of late."""
+        """True if no joint has moved of late."""
         standing = self._standing
         return standing is not None and standing.measured_s - standing.since_s >= self._for_s
 

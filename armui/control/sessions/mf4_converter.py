@@ -12,7 +12,7 @@ from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Reason, Refusal
-from armui.session.recording.kinds import MF4_SUFFIX, SESSION_NO_MF4, why_not_written
+from armui.session.recording.kinds import MF4_SUFFIX, no_mf4, why_not_written
 from armui.system.atomic import unfinished_name
 from armui.system.files import read_file
 from armui.system.helper_process import HelperProcess
@@ -162,7 +162,7 @@ def _reason(conversion: _Conversion, future: Future[None]) -> Refusal | None:
     if isinstance(error, CancelledError):
         return SESSION_MF4_CALLED_OFF()
     if isinstance(error, ModuleNotFoundError):
-        return SESSION_NO_MF4()
+        return no_mf4()
     if isinstance(error, FileExistsError):
         return SESSION_NAME_TAKEN(name=name)
     return None if error is None else why_not_written(error, conversion.folder)

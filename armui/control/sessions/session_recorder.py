@@ -7,6 +7,7 @@ from collections import deque
 from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor, wait
 from datetime import datetime
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
@@ -147,12 +148,12 @@ class SessionRecorder(QObject):
 
     @property
     def recording(self) -> bool:
-        """Whether something is being recorded to the disk."""
+        """True if something is being recorded to the disk."""
         return self._recording is not None
 
     @property
     def saving(self) -> bool:
-        """Whether the ring is being saved."""
+        """True if the ring is being saved."""
         return self._saving is not None
 
     def busy_names(self) -> frozenset[str]:
@@ -183,6 +184,16 @@ class SessionRecorder(QObject):
             return RingContent()
         frames, span_s = self._ring.span()
         return RingContent(frames, span_s, self._ring.bytes_kept, self._ring.most_bytes)
+
+    def ring_as_text(self) -> Callable[[], bytes] | None:
+        """Return what writes the ring down as a candump log; ``None``: nothing was heard.
+
+        It takes seconds: for another thread.
+        """
+        if self._ring is None or self._collector is None or not self._ring.span()[0]:
+            return None
+        plan = self._plan("report", "report")
+        return partial(_text_of, self._ring, self._collector, plan)
 
     def _lost(self, recording: SessionRecording) -> int:
         return recording.lost + self._lane.dropped - self._dropped_before
@@ -439,6 +450,13 @@ def _save(
 
     collector.collect(everything=True)
     return write_at_once(plan, ring.snapshot(), lines, {"reason": plan.name}, clock)
+
+
+def _text_of(ring: FrameRing, collector: Collector, plan: RecordingPlan) -> bytes:
+    from armui.session.recording.candump_text import candump_text  # noqa: PLC0415 - as above
+
+    collector.collect(everything=True)
+    return candump_text(ring.snapshot(), plan.base, plan.channel)
 
 
 def _is_done(future: Future[Path], within_s: float) -> bool:

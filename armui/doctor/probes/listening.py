@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
 from armui.doctor.facts import HeardFacts
+from armui.system.command_process import is_packaged
 from armui.telemetry.bus_errors import BusError, errors_of
 
 if TYPE_CHECKING:
@@ -44,7 +45,7 @@ def listen(
         return HeardFacts(
             device.interface,
             channel,
-            problem="bus_backend_missing",
+            problem="bus_backend_not_packed" if is_packaged() else "bus_backend_missing",
             problem_text=str(error),
             package=error.name or "python-can",
         )

@@ -12,6 +12,7 @@ from typing import Final
 
 from armui import __version__
 from armui.doctor.facts import PackageFacts, ProgramFacts
+from armui.system.command_process import is_packaged
 from armui.system.files import read_file
 from armui.system.thread_priority import RaisedBy, Rise, raise_threads
 
@@ -39,6 +40,7 @@ def look_at_program() -> ProgramFacts:
         packages=tuple(map(_package, filter(_is_of_this_system, _requirements()))),
         goes_first=rise.by is not RaisedBy.NOBODY,
         priority_reason=rise.reason,
+        packaged=is_packaged(),
     )
 
 

@@ -28,7 +28,7 @@ from armui.session.foreign.indexed import (
 from armui.session.frames import LATEST_S, NOT_OF_THE_ARM, NotALogError
 from armui.session.log_marks import LogFrames, marks_of
 from armui.session.reader import SUFFIXES, LogFile, is_known_kind
-from armui.session.recording.kinds import MF4_SUFFIX, SESSION_NO_MF4
+from armui.session.recording.kinds import MF4_SUFFIX, no_mf4
 from armui.system.files import error_text, open_file
 
 if TYPE_CHECKING:
@@ -219,7 +219,7 @@ def _why_not(path: Path, error: NotALogError) -> Refusal:
     if path.suffix.lower() != ".gz" and beginning.startswith(_ARCHIVES):
         return REPLAY_ARCHIVE(**name)
     if path.suffix.lower() == MF4_SUFFIX and find_spec("asammdf") is None:
-        return SESSION_NO_MF4()
+        return no_mf4()
     text = str(error).removeprefix("no CAN log: ")
     if text.startswith("nothing in it reads") and text.endswith(" file"):  # and no more is known
         return REPLAY_NOTHING_READ(**name)

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final, Protocol
 
 from armui.arm.refusal import Reason, Refusal
+from armui.system.command_process import is_packaged
 from armui.system.files import error_text
 
 if TYPE_CHECKING:
@@ -39,6 +40,16 @@ SESSION_FAILED = Reason(
     "read. Choose another folder, or try again.",
 )
 SESSION_NO_MF4 = Reason("session_no_mf4", "MF4 needs the package asammdf (pip install asammdf).")
+SESSION_MF4_NOT_PACKED = Reason(
+    "session_mf4_not_packed",
+    "MF4 needs the Python package asammdf, which is no part of this installed program, and cannot "
+    "be added to it. Use BLF.",
+)
+
+
+def no_mf4() -> Refusal:
+    """Return why there is no MF4 here, as fits the way this program was installed."""
+    return SESSION_MF4_NOT_PACKED() if is_packaged() else SESSION_NO_MF4()
 
 
 class RecordingFormat(enum.Enum):

@@ -27,6 +27,8 @@ PLACES: Final[Mapping[str, Text]] = {
     "joint_status": Text("JointStatusDialog", "Joint status"),
     "about_arm": Text("AboutArmDialog", "About this arm"),
     "doctor": Text("DoctorDialog", "Diagnosis"),
+    "report": Text("ProblemReportDialog", "Report a problem"),
+    "about": Text("AboutDialog", "About armui"),
     "run": Text("Place", "Run"),
 }
 """The titles by the keys of the places; `operation_area.PANELS` has those of the panels."""

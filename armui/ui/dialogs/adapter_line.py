@@ -8,6 +8,7 @@ from typing import Final, Protocol
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtWidgets import QLabel, QLineEdit, QPlainTextEdit, QWidget
 
+from armui.arm.device import Device
 from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
 from armui.control.events import Level
@@ -74,6 +75,10 @@ class AdapterLine(Translated, QWidget):
         is_there: Returns whether the helper can be used; called after an examination, whose thread
             has read the disk.
 
+    Attributes:
+        listens_elsewhere: Whether whoever follows `changed` listens to an interface by that, and
+            tells `tell_heard` what was found: two programs on one adapter take each other's frames.
+
     Signals:
         changed: The helper has changed something: earlier findings are outdated.
     """
@@ -100,6 +105,8 @@ class AdapterLine(Translated, QWidget):
         self._shown: Planned | None = None
         self._change: HelperRun | None = None
         self._listening: Examination | None = None
+        self._waits_for = ""
+        self.listens_elsewhere: Callable[[str], bool] = lambda _interface: False
         self._frames = 0
         self._line = named("adapter_message", MessageLine())
         self.cancel_button = push_button("adapter_cancel", on_enter=False)
@@ -198,6 +205,9 @@ class AdapterLine(Translated, QWidget):
         verb, subject = self._remedy[:2]
         if verb in {"up", "reset"}:
             self._listen(subject)
+        elif verb == "down":
+            said = self.tr("{channel} is switched off.").format(channel=subject)
+            self._say(said, Level.DONE)
         elif done.told.get("not_told"):
             said = self.tr("Done; it takes effect at the next start of this computer.")
             self._say(said, Level.DONE)
@@ -215,6 +225,9 @@ class AdapterLine(Translated, QWidget):
         if device is not None and str(device.channel) == interface:
             self._frames = self._controller.state.frames
             QTimer.singleShot(_LISTEN_MS, self, lambda: self._count(number, interface))
+            return
+        if self.listens_elsewhere(interface):
+            self._waits_for = interface
             return
         self._listening = self._examine(
             ["--interface", "socketcan", "--channel", interface],
@@ -235,6 +248,16 @@ class AdapterLine(Translated, QWidget):
         )
         self._say(said.format(channel=interface), Level.WARNING)
 
+    def tell_heard(self, findings: list[Diagnosis] | str) -> None:
+        """Take in what another examination has found, where this one waits for it."""
+        interface, self._waits_for = self._waits_for, ""
+        if not interface:
+            return
+        if isinstance(findings, list):
+            name = Device("socketcan", interface).name
+            findings = [each for each in findings if each.params.get("device") == name]
+        self._on_heard(self._number, findings)
+
     def _on_heard(self, number: int, findings: list[Diagnosis] | str) -> None:
         if number != self._number:
             return
@@ -244,8 +267,11 @@ class AdapterLine(Translated, QWidget):
             return
         of_arm = [each for each in findings if each.section is Section.ARM]
         good = any(each.kind == ARM for each in of_arm)
-        said = " ".join(WORDS.text(each) for each in of_arm[:1])
-        self._say(said, Level.DONE if good else Level.WARNING)
+        if not of_arm:  # it is gone again, or was not looked at
+            said = self.tr("{channel}: nothing was found out. Run the diagnosis again.")
+            self._say(said.format(channel=self._remedy[1]), Level.WARNING)
+            return
+        self._say(WORDS.text(of_arm[0]), Level.DONE if good else Level.WARNING)
 
     # How it looks -----------------------------------------------------------------------------
 
@@ -255,6 +281,7 @@ class AdapterLine(Translated, QWidget):
         self.setVisible(bool(text))
 
     def _end_listening(self) -> None:
+        self._waits_for = ""
         if self._listening is not None:
             self._listening.end()
             self._listening = None

@@ -76,6 +76,25 @@ def judge_connected(controller: ArmController, *, frames: int, seconds: float) -
     return findings
 
 
+def with_connected(
+    controller: ArmController, findings: list[Diagnosis], *, frames: int, begun_s: float
+) -> list[Diagnosis]:
+    """Return findings with those about the arm on the open device in the place of others.
+
+    Args:
+        controller: Who hears it.
+        findings: Of an examination, which leaves an open device alone.
+        frames: So many had been received when it began.
+        begun_s: When that was, by `time.monotonic`.
+    """
+    seconds = time.monotonic() - begun_s
+    heard = max(0, controller.state.frames - frames)
+    connected = judge_connected(controller, frames=heard, seconds=seconds)
+    if connected:
+        findings = [each for each in findings if each.section is not Section.ARM]
+    return [*findings, *connected]
+
+
 class DoctorDialog(ArmDialog):
     """Examines at each opening, in a process of its own; an open device is not disturbed.
 
@@ -84,12 +103,16 @@ class DoctorDialog(ArmDialog):
         parent: The main window.
         examine: Starts an examination.
         adapter: Sets an adapter up by a click.
+
+    Signals:
+        report_wanted: The operator wants to report a problem.
     """
 
     commands = (
         Command("doctor.copy", Text("DoctorDialog", "Copy report")),
         Command("doctor.again", Text("DoctorDialog", "Run again")),
     )
+    report_wanted = Signal()
     _told = Signal(object, object)
 
     def __init__(
@@ -101,6 +124,7 @@ class DoctorDialog(ArmDialog):
     ) -> None:
         super().__init__(controller, parent)
         self._adapter = adapter or AdapterLine(controller)
+        self._adapter.listens_elsewhere = self._listens_to
         self._controller = controller
         self._examine = examine
         self._device: Device | None = None
@@ -112,6 +136,7 @@ class DoctorDialog(ArmDialog):
         self._build()
         self.resize(*_SIZE_PX)
         self.copy_button.clicked.connect(self._on_copy)
+        self.report_button.clicked.connect(self.report_wanted)
         self.again_button.clicked.connect(self.examine)
         self._adapter.changed.connect(self._on_adapter_changed)
         # queued, for an answer may come while the examination is being begun
@@ -132,17 +157,20 @@ class DoctorDialog(ArmDialog):
         self._note = text_label(rank="muted", wraps=True, plain=True)
         self._area = named("doctor_findings", bare_area())
         self.copy_button = push_button("doctor_copy", on_enter=False)
+        self.report_button = push_button("doctor_report", on_enter=False)
         self.again_button = push_button("doctor_again", on_enter=False)
         self.close_button = CloseButton(self)
         self.close_button.setDefault(True)
         shown = (self._message, self._progress, self._adapter, (self._area, 1), self._note)
         fill(self.body, *shown)
-        fill(self.footer, self.copy_button, STRETCH, self.again_button, self.close_button)
+        kept = (self.copy_button, self.report_button)
+        fill(self.footer, *kept, STRETCH, self.again_button, self.close_button)
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
         self.set_title(self.tr("Diagnosis"))
         self.copy_button.setText(self.tr("Copy report"))
+        self.report_button.setText(self.tr("Report a problem…"))
         self.again_button.setText(self.tr("Run again"))
         self._note.setText(
             self.tr("Only looked and listened: nothing was sent. In a terminal: armui doctor")
@@ -182,6 +210,13 @@ class DoctorDialog(ArmDialog):
         bitrate = [] if device.bitrate is None else ["--bitrate", str(device.bitrate)]
         return ["--interface", device.interface, "--channel", str(device.channel), *bitrate]
 
+    def _listens_to(self, interface: str) -> bool:
+        """Whether an examination that begins now listens to an interface."""
+        if self._controller.operating_state.device is not None or not self.isVisible():
+            return False
+        device = self._device
+        return device is None or device.simulated or str(device.channel) == interface
+
     def _on_adapter_changed(self) -> None:
         if self.isVisible():
             self.examine()
@@ -203,13 +238,9 @@ class DoctorDialog(ArmDialog):
         self._under_way = None
         self._answer = answer
         if not isinstance(answer, str):
-            began_s, frames = self._began
-            seconds = time.monotonic() - began_s
-            heard = max(0, self._controller.state.frames - frames)
-            connected = judge_connected(self._controller, frames=heard, seconds=seconds)
-            if connected:
-                answer = [each for each in answer if each.section is not Section.ARM]
-            self._answer = [*answer, *connected]
+            begun_s, frames = self._began
+            self._answer = with_connected(self._controller, answer, frames=frames, begun_s=begun_s)
+        self._adapter.tell_heard(self._answer)
         self._refresh()
 
     def _findings(self) -> list[Diagnosis]:

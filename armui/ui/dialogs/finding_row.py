@@ -47,6 +47,8 @@ def remedy_label(remedy: Remedy) -> str:
         return said.format(bitrate=_KBIT.get(rest[0], rest[0]))
     if verb == "reset":
         return QCoreApplication.translate("FindingRow", "Bring back to the bus")
+    if verb == "down":
+        return QCoreApplication.translate("FindingRow", "Switch off")
     if verb == "forget":
         return QCoreApplication.translate("FindingRow", "Forget…")
     if not rest:

@@ -59,6 +59,7 @@ class SettingsDialog(ArmDialog):
     Signals:
         diagnosis_wanted: The operator wants to know what is wrong.
         about_arm_wanted: The operator wants to know which arm this is.
+        about_wanted: The operator wants to know which program this is.
     """
 
     commands = (
@@ -74,6 +75,7 @@ class SettingsDialog(ArmDialog):
     )
     diagnosis_wanted = Signal()
     about_arm_wanted = Signal()
+    about_wanted = Signal()
 
     def __init__(
         self, store: SettingsStore, controller: ArmController, parent: QWidget | None = None
@@ -97,6 +99,7 @@ class SettingsDialog(ArmDialog):
         self.built_in_button.clicked.connect(self._on_built_in)
         self.diagnosis_button.clicked.connect(self.diagnosis_wanted)
         self.about_arm_button.clicked.connect(self.about_arm_wanted)
+        self.about_button.clicked.connect(self.about_wanted)
         self.gamepad_button.clicked.connect(self._on_gamepad)
         self.language_box.setFocus()
         self.retranslate_ui()
@@ -131,6 +134,7 @@ class SettingsDialog(ArmDialog):
         self.browse_button, self.built_in_button = (push_button(on_enter=False) for _ in range(2))
         self.diagnosis_button = push_button("diagnosis_button", on_enter=False)
         self.about_arm_button = push_button("about_arm_button", on_enter=False)
+        self.about_button = push_button("about_button", on_enter=False)
         self._gamepad_label, self._gamepad_state = QLabel(), ElidedLabel()
         self.gamepad_button = push_button("gamepad_button", on_enter=False)
         self._gamepad_dialog: GamepadDialog | None = None
@@ -158,7 +162,8 @@ class SettingsDialog(ArmDialog):
         grid.addWidget(self.stop_again_box, grid.rowCount(), 1)
         self._message = MessageLine()
         fill(self.body, grid, STRETCH, self._message)
-        fill(self.footer, self.diagnosis_button, self.about_arm_button, STRETCH, CloseButton(self))
+        told = (self.diagnosis_button, self.about_arm_button, self.about_button)
+        fill(self.footer, *told, STRETCH, CloseButton(self))
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
@@ -196,6 +201,7 @@ class SettingsDialog(ArmDialog):
         caption(self.gamepad_button, self.tr("Gamepad…"))
         self.diagnosis_button.setText(self.tr("Diagnosis…"))
         self.about_arm_button.setText(self.tr("About this arm…"))
+        self.about_button.setText(self.tr("About armui…"))
         self._refresh()
 
     def showEvent(self, event: QShowEvent) -> None:

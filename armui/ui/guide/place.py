@@ -11,6 +11,7 @@ FIRST: Final = "start"
 
 _WINDOWS: Final[Mapping[str, str]] = {
     "AboutArmDialog": "about_arm",
+    "AboutDialog": "about",
     "BackupDialog": "backup",
     "BinDialog": "library",
     "BusPage": "bus",
@@ -30,6 +31,7 @@ _WINDOWS: Final[Mapping[str, str]] = {
     "KeepDialog": "doctor",
     "LibraryPage": "library",
     "PlotPage": "plots",
+    "ProblemReportDialog": "report",
     "RecordingPage": "recording",
     "ReplayWindow": "replay",
     "SessionsWindow": "sessions",

@@ -1,4 +1,4 @@
-"""Opens the windows 诊断 and «About this arm», created when they are first opened."""
+"""Opens the windows about computer, arm and program; creates each when first opened."""
 
 from __future__ import annotations
 
@@ -12,28 +12,37 @@ from armui.ui.dialogs.base import ArmDialog
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor
+    from pathlib import Path
 
     from armui.arm.device import Device
     from armui.control.arm_controller import ArmController
+    from armui.ui.dialogs.about import AboutDialog
     from armui.ui.dialogs.doctor import DoctorDialog
+    from armui.ui.dialogs.problem_report import ProblemReportDialog
 
 
 class DiagnosisDialogs:
-    """The windows 诊断 and «About this arm».
+    """The windows about this computer, the arm and the program.
 
     Args:
         controller: Gives the arm's state.
         files: Runs work that waits for the operating system.
         window: The main window.
+        settings: The program's file of settings.
     """
 
-    def __init__(self, controller: ArmController, files: Executor, window: QWidget) -> None:
+    def __init__(
+        self, controller: ArmController, files: Executor, window: QWidget, settings: Path
+    ) -> None:
         self._controller = controller
         self._files = files
         self._window = window
+        self._settings = settings
         self._online = OnlineSince(controller, window)
         self._doctor: DoctorDialog | None = None
         self._about_arm: AboutArmDialog | None = None
+        self._report: ProblemReportDialog | None = None
+        self._about: AboutDialog | None = None
 
     def open_doctor(self, device: Device | None = None) -> None:
         """Show the faults of this computer, the bus and the arm.
@@ -45,22 +54,52 @@ class DiagnosisDialogs:
 
         if self._doctor is None:
             self._doctor = DoctorDialog(self._controller, self._window)
+            self._doctor.report_wanted.connect(self.open_report)
         self._doctor.examine_device(device)
 
     def open_about_arm(self) -> None:
         """Show the facts on the arm and its connection."""
         if self._about_arm is None:
-            background = Background(self._files, parent=self._window)
             self._about_arm = AboutArmDialog(
-                self._controller, self._online, background, self._window
+                self._controller, self._online, self._background(), self._window
             )
         self._about_arm.open()
 
+    def open_report(self) -> None:
+        """Show the contents of a problem report and let the user save it."""
+        from armui.ui.dialogs.problem_report import ProblemReportDialog  # noqa: PLC0415 - cantools
+
+        if self._report is None:
+            self._report = ProblemReportDialog(
+                self._controller, self._background(), self._settings, self._window
+            )
+        self._report.open()
+
+    def open_about(self) -> None:
+        """Show the program's version and the licences of its parts."""
+        from armui.ui.dialogs.about import AboutDialog  # noqa: PLC0415 - importlib.metadata
+
+        if self._about is None:
+            self._about = AboutDialog(
+                self._controller, self._background(), self._settings, self._window
+            )
+        self._about.open()
+
+    def _background(self) -> Background:
+        return Background(self._files, parent=self._window)
+
     def dialog(self, key: str) -> ArmDialog | None:
-        """Return a window by its key, or ``None`` if it was never opened."""
-        return {"doctor": self._doctor, "about_arm": self._about_arm}.get(key)
+        """Return a window by its key, or ``None`` if it is unknown or was never opened."""
+        made: dict[str, ArmDialog | None] = {
+            "doctor": self._doctor,
+            "about_arm": self._about_arm,
+            "report": self._report,
+            "about": self._about,
+        }
+        return made.get(key)
 
     def close(self) -> None:
-        """Cancel an examination, because the program ends."""
-        if self._doctor is not None:
-            self._doctor.close()
+        """Cancel running examinations, because the program ends."""
+        for each in (self._doctor, self._report):
+            if each is not None:
+                each.close()

@@ -93,6 +93,8 @@ class PageActions(QObject):
             "joint_status": window.open_joint_status_dialog,
             "about_arm": diagnosis.open_about_arm,
             "doctor": diagnosis.open_doctor,
+            "report": diagnosis.open_report,
+            "about": diagnosis.open_about,
         }
         does: dict[str, Callback] = {"drawer.fold": drawer.fold}
         for key in MOVABLE:
@@ -111,7 +113,9 @@ class PageActions(QObject):
     def sources(self) -> list[CommandSource]:
         """Return the commands of each page and each window."""
         # loaded when nothing else is to be done, or here
+        from armui.ui.dialogs.about import AboutDialog  # noqa: PLC0415
         from armui.ui.dialogs.doctor import DoctorDialog  # noqa: PLC0415
+        from armui.ui.dialogs.problem_report import ProblemReportDialog  # noqa: PLC0415
         from armui.ui.trajectory.editor.editor_page import EditorPage  # noqa: PLC0415
         from armui.ui.trajectory.library.library_page import LibraryPage  # noqa: PLC0415
         from armui.ui.trajectory.recording.recording_page import RecordingPage  # noqa: PLC0415
@@ -132,6 +136,8 @@ class PageActions(QObject):
             "joint_status": JointStatusDialog,
             "about_arm": AboutArmDialog,
             "doctor": DoctorDialog,
+            "report": ProblemReportDialog,
+            "about": AboutDialog,
         }
         own = (
             CommandSource(

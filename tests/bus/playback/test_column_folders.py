@@ -10,7 +10,7 @@ import time
 
 import pytest
 
-from armui.system.scratch import make_folder, remove_leftovers
+from armui.system.scratch import make_folder, remove_folder, remove_leftovers
 
 HOUR_S, MONTH_S = 3600.0, 30 * 86_400.0
 
@@ -55,6 +55,45 @@ def test_what_a_killed_program_left_is_removed(tmp_path, ended):
     assert not left.exists()
     assert not worked.exists()
     assert not nameless.exists()
+
+
+def test_a_held_lock_says_that_a_program_lives_whatever_its_number(tmp_path, ended):
+    """In a container another program's number says nothing, and numbers are given anew."""
+    held = folder(tmp_path, f"armui-work-{ended}-held", MONTH_S)
+    reused = folder(tmp_path, f"armui-work-{os.getpid()}-reused", HOUR_S)
+    (reused / "in-use.lock").touch()
+    os.utime(reused, (time.time() - HOUR_S,) * 2)
+    hold = "import sys, filelock; lock = filelock.FileLock(sys.argv[1]); lock.acquire()"
+    holder = subprocess.Popen(
+        [
+            sys.executable,
+            "-c",
+            f"{hold}; print(flush=True); sys.stdin.read()",
+            str(held / "in-use.lock"),
+        ],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+    )
+    with holder:
+        assert holder.stdout.readline() == b"\n"
+        os.utime(held, (time.time() - MONTH_S,) * 2)
+        assert remove_leftovers() == 1
+        assert held.is_dir()
+        assert not reused.exists()
+        holder.kill()
+        holder.wait()
+    os.utime(held, (time.time() - MONTH_S,) * 2)
+    assert remove_leftovers() == 1
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_lock_goes_with_its_folder(tmp_path):
+    ours = make_folder("work")
+    assert [each.name for each in ours.iterdir()] == ["in-use.lock"]
+    os.utime(ours, (time.time() - MONTH_S,) * 2)
+    assert remove_leftovers() == 0
+    remove_folder(ours)
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_what_is_young_or_not_ours_stays(tmp_path, ended):

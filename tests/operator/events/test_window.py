@@ -10,6 +10,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
+from armui.control.events import Notice
 from armui.settings import SETTINGS_IN_USE
 from armui.telemetry.event_json import from_json, to_json
 from armui.telemetry.events import Asker, EventKind, Level
@@ -253,7 +254,7 @@ def test_a_file_that_cannot_be_written_is_said(events, tmp_path):
 
 def test_a_cell_is_no_formula(events, tmp_path):
     events.driver.controller.event_collector._add(
-        *("=HYPERLINK(1)", EventKind.PROGRAM, Asker.PROGRAM, Level.INFO)
+        *(Notice("=HYPERLINK(1)"), EventKind.PROGRAM, Asker.PROGRAM, Level.INFO)
     )
     events.look()
     path = save(events, "csv", tmp_path / "events.csv")

@@ -115,6 +115,11 @@ class Actors:
     def override(self, percent: int) -> None:
         self._controller.speed_override.set_percent(percent)
 
+    def dip_override(self, percent: int) -> None:
+        """Down to 0 % and up again with one drag of the slider."""
+        self.override(0)
+        self.override(percent)
+
     def step_speed(self, by_percent: int) -> None:
         self._controller.speed_override.step(by_percent)
 

@@ -185,6 +185,7 @@ ACTIONS: Final[tuple[tuple[int, str, Draw], ...]] = (
     (8, "let_go", _nothing),
     (6, "speed", _one(0, 5, 30, 100)),
     (6, "override", _one(0, 5, 30, 100)),
+    (2, "dip_override", _one(5, 100)),
     (2, "step_speed", _one(-10, 10)),
     (8, "plan", _one(1, 2, 3, 4, 6, 6)),
     (8, "enable", _joint),

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 
 from armui.arm.refusal import Refusal
 from armui.control.sessions.session_recorder import KEPT_S
-from armui.session.recording.kinds import MF4_SUFFIX, SESSION_NO_MF4
+from armui.session.recording.kinds import MF4_SUFFIX, no_mf4
 from armui.setting_checks import ROTATE_MAX_MB, ROTATE_MIN_MB
 from armui.system.clock import local_time
 from armui.ui import format as fmt
@@ -322,7 +322,7 @@ class RecordingCard(Translated, QFrame):
 
     def _show_mf4(self) -> None:
         """Offer the format, or say what it needs; where it is chosen, say what it is."""
-        reason = words.refusal(SESSION_NO_MF4())
+        reason = words.refusal(no_mf4())
         model, row = self.format_box.model(), self.format_box.findData(MF4_SUFFIX)
         if isinstance(model, QStandardItemModel):
             model.item(row).setEnabled(self._can_write_mf4)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import mmap
-import shutil
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -24,7 +23,7 @@ from armui.session.frames import NotALogError
 from armui.session.survey import ChannelSurvey, survey
 from armui.system.files import error_text
 from armui.system.helper_process import HelperProcess
-from armui.system.scratch import make_folder, remove_leftovers
+from armui.system.scratch import make_folder, remove_folder, remove_leftovers
 from armui.ui.background import WORK_FAILED, Background, Job
 
 if TYPE_CHECKING:
@@ -212,4 +211,4 @@ def _open(index: LogIndex, folder: Path, helper: Executor) -> Opened:
 def _clear_away(helper: Executor, folder: Path | None) -> None:
     helper.shutdown()
     if folder is not None:
-        shutil.rmtree(folder, ignore_errors=True)
+        remove_folder(folder)

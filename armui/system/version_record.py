@@ -1,0 +1,98 @@
+"""Which version of the program has used the user's files, and what the present one took over.
+
+One small file beside the settings, written at the first start of a version.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from datetime import datetime
+from pathlib import Path
+from typing import Any, Final
+
+from armui.system.atomic import write_whole
+from armui.system.files import read_file
+
+FILE: Final = "version.json"
+_MOST_BYTES: Final = 100_000
+
+
+@dataclass(frozen=True, slots=True)
+class TakenOver:
+    """What a version found of another one at its first start.
+
+    Attributes:
+        before: The other version; "": one that did not note it yet (0.2.0 or before).
+        version: The one that took the files over.
+        at: When, as ISO 8601 with its time zone.
+        files: How many there were, by kind: ``settings``, ``trajectories``, ``sessions``.
+    """
+
+    before: str
+    version: str
+    at: str
+    files: Mapping[str, int]
+
+
+def note_version(
+    version: str, settings: Path, places: Mapping[str, Path], now: datetime
+) -> TakenOver | None:
+    """Note that a version runs; waits for the disk.
+
+    Args:
+        version: The one that runs.
+        settings: The file of settings; the note lies beside it.
+        places: The folders whose files are counted, by kind.
+        now: With its time zone.
+
+    Returns:
+        What was taken over, by this version or one before; ``None``: nothing ever was.
+
+    Raises:
+        OSError: It could not be noted.
+    """
+    note = settings.with_name(FILE)
+    before, taken_over = _read(note)
+    if before == version:
+        return taken_over
+    files = {"settings": int(settings.is_file())}
+    files |= {kind: _count(folder) for kind, folder in places.items()}
+    if any(files.values()):
+        taken_over = TakenOver(before, version, now.isoformat(timespec="seconds"), files)
+    kept = None if taken_over is None else asdict(taken_over)
+    note.parent.mkdir(parents=True, exist_ok=True)
+    text = json.dumps({"version": version, "taken_over": kept}, indent=2)
+    write_whole(note, f"{text}\n".encode())
+    return taken_over
+
+
+def taken_over(settings: Path) -> TakenOver | None:
+    """Return what was taken over last; ``None``: nothing, as far as is known. Waits for a disk."""
+    return _read(settings.with_name(FILE))[1]
+
+
+def _read(note: Path) -> tuple[str, TakenOver | None]:
+    try:
+        entries = json.loads(read_file(note, _MOST_BYTES))
+        kept = entries["taken_over"]
+        return str(entries["version"]), None if kept is None else _understood(kept)
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
+        return "", None
+
+
+def _understood(kept: dict[str, Any]) -> TakenOver:
+    files = {str(kind): int(count) for kind, count in kept["files"].items()}
+    datetime.fromisoformat(kept["at"])  # what is no time is no note of ours
+    return TakenOver(str(kept["before"]), str(kept["version"]), kept["at"], files)
+
+
+def _count(folder: Path) -> int:
+    """How many files a folder has; a folder that is not there has none."""
+    try:
+        with os.scandir(folder) as found:
+            return sum(each.is_file() and not each.name.startswith(".") for each in found)
+    except OSError:
+        return 0

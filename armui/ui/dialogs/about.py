@@ -1,0 +1,176 @@
+"""The window «About armui»: version, files of another version, and the licences of all of it."""
+
+from __future__ import annotations
+
+import platform
+from collections.abc import Mapping
+from datetime import datetime
+from pathlib import Path
+from typing import Final
+
+from PySide6.QtCore import qVersion
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QListWidget, QPlainTextEdit, QWidget
+
+from armui import __version__
+from armui.arm.refusal import Refusal
+from armui.control.arm_controller import ArmController
+from armui.control.events import Level
+from armui.system.command_process import is_packaged
+from armui.system.files import read_file
+from armui.system.licences import Licence, licences
+from armui.system.version_record import TakenOver, taken_over
+from armui.ui import words
+from armui.ui.actions.command import Command, Target
+from armui.ui.background import Background, Job
+from armui.ui.dialogs.base import ArmDialog, CloseButton
+from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.layouts import fill, in_row
+from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.text_label import text_label
+from armui.ui.words.text import Text
+
+_SIZE_PX: Final = (820, 600)
+_LIST_WIDTH_PX: Final = 240
+_MOST_BYTES: Final = 1_000_000
+
+
+def read_licence(path: Path) -> str:
+    """Return the text of a licence, whatever its encoding.
+
+    Raises:
+        OSError: It cannot be read.
+    """
+    return read_file(path, _MOST_BYTES).decode("utf-8", "replace")
+
+
+class AboutDialog(ArmDialog):
+    """Reads the disk in the background at each opening.
+
+    Args:
+        controller: Whom the emergency stop tells.
+        background: Reads the note of the versions, and the licences.
+        settings: The program's file of settings.
+        parent: The main window.
+    """
+
+    commands = (Command("about.copy", Text("AboutDialog", "Copy as text")),)
+
+    def __init__(
+        self,
+        controller: ArmController,
+        background: Background,
+        settings: Path,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(controller, parent)
+        self._background = background
+        self._settings = settings
+        self._taken_over: TakenOver | None = None
+        self._licences: tuple[Licence, ...] = ()
+        self._reading: Job[str] | None = None
+        self._facts = text_label("about_facts", wraps=True, plain=True)
+        self._licence_note = text_label(rank="muted", wraps=True, plain=True)
+        self.list = named("about_licences", QListWidget())
+        self.list.setFixedWidth(_LIST_WIDTH_PX)
+        self.text = named("about_licence", QPlainTextEdit())
+        self.text.setReadOnly(True)
+        self._message = named("about_message", MessageLine())
+        self.copy_button = push_button("about_copy", on_enter=False)
+        shown = in_row(self.list, (self.text, 1), spacing=12)
+        fill(self.body, self._facts, self._licence_note, (shown, 1))
+        fill(self.footer, self.copy_button, (self._message, 1), CloseButton(self, on_enter=True))
+        self.resize(*_SIZE_PX)
+        self.list.currentRowChanged.connect(self._read)
+        self.copy_button.clicked.connect(self._on_copy)
+        self.retranslate_ui()
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return what carries out each command, by the command's name."""
+        return {"about.copy": self.copy_button}
+
+    def retranslate_ui(self) -> None:
+        """Put every word into the operator's language."""
+        self.set_title(self.tr("About armui"))
+        self.copy_button.setText(self.tr("Copy as text"))
+        self.list.setAccessibleName(self.tr("Licences"))
+        self.text.setAccessibleName(self.tr("Text of the licence"))
+        self._licence_note.setText(
+            self.tr(
+                "Licences of armui and of the libraries it comes with. Qt and PySide are under the "
+                "LGPL 3: they are files of their own, and may be replaced."
+            )
+        )
+        self._facts.setText(self.facts())
+
+    def open(self) -> None:
+        """Show the dialog and look anew."""
+        super().open()
+        self._message.show_message("")
+        self._background.begin_here(Job(self._on_taken_over), taken_over, self._settings)
+        self._background.begin_here(Job(self._on_licences), licences)
+
+    def facts(self) -> str:
+        """Return what is known of the program, a line each."""
+        way = (
+            self.tr("installed package")
+            if is_packaged()
+            else self.tr("from the source or Python's packages")
+        )
+        system = f"{platform.system()} {platform.release()} {platform.machine()}"
+        runs_on = f"Qt {qVersion()}, Python {platform.python_version()}, {system}"
+        return "\n".join((f"armui {__version__} – {way}", runs_on, self._said_of_files()))
+
+    def _said_of_files(self) -> str:
+        found = self._taken_over
+        if found is None:
+            return self.tr("No files of another version were taken over.")
+        at = datetime.fromisoformat(found.at).astimezone()
+        before = found.before or self.tr("an older version")
+        said = self.tr(
+            "Files of {before} were taken over by {version} on {day}: settings {settings}, "
+            "trajectories {trajectories}, session recordings {sessions}."
+        )
+        yes, no = self.tr("yes"), self.tr("no")
+        return said.format(
+            before=before,
+            version=found.version,
+            day=f"{at:%Y-%m-%d %H:%M}",
+            settings=yes if found.files.get("settings") else no,
+            trajectories=found.files.get("trajectories", 0),
+            sessions=found.files.get("sessions", 0),
+        )
+
+    # What comes back --------------------------------------------------------------------------
+
+    def _on_taken_over(self, found: TakenOver | Refusal | None) -> None:
+        self._taken_over = None if isinstance(found, Refusal) else found
+        self._facts.setText(self.facts())
+
+    def _on_licences(self, found: tuple[Licence, ...] | Refusal) -> None:
+        if isinstance(found, Refusal):
+            self._message.show_message(words.refusal(found), Level.FAULT)
+            return
+        if not found:
+            said = self.tr("The texts were not installed; they are in the release's zip file.")
+            self._message.show_message(said, Level.WARNING)
+        if found != self._licences:
+            self._licences = found
+            self.list.clear()
+            self.list.addItems([f"{each.of}: {each.path.name}" for each in found])
+            self.list.setCurrentRow(0)
+
+    def _read(self, row: int) -> None:
+        if self._reading is not None:
+            self._reading.wanted = False
+        self.text.setPlainText("")
+        if 0 <= row < len(self._licences):
+            self._reading = Job(self._on_text)
+            self._background.begin_here(self._reading, read_licence, self._licences[row].path)
+
+    def _on_text(self, text: str | Refusal) -> None:
+        self.text.setPlainText(words.refusal(text) if isinstance(text, Refusal) else text)
+
+    def _on_copy(self) -> None:
+        QGuiApplication.clipboard().setText(self.facts())
+        self._message.show_message(self.tr("Copied: paste it into a mail."), Level.DONE)
