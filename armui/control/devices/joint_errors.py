@@ -1,4 +1,4 @@
-"""清除错误: the errors of the joints' drivers are cleared, and the arm's answer awaited (0x475)."""
+"""清除错误: clears the errors of the joints' drivers and awaits the arm's answer (0x475)."""
 
 from __future__ import annotations
 
@@ -35,12 +35,12 @@ CLEAR_ERROR_UNANSWERED = Notice(
 
 
 def why_not_clear(now: OperatingState) -> Refusal | None:
-    """Tell why the errors of the drivers may not be cleared; one after the other may be."""
+    """Return why the drivers' errors may not be cleared, or ``None``; one may follow another."""
     return now.unreachable or now.occupied
 
 
 class JointErrors:
-    """Clears errors one after the other: the arm's answer does not name the joint.
+    """Clears errors one at a time, because the arm's answer does not name the joint.
 
     It moves nothing, so it may be done whenever the arm is online, stopped or not; only a run that
     is under way is not given back drivers that it was not started with. The answer says that the
@@ -63,7 +63,7 @@ class JointErrors:
 
     @operation("joints.clear_error", "Clear errors of the drivers", why_not_clear)
     def clear(self, joint: int) -> Refusal | None:
-        """Ask a joint (1–6, 7 all) to clear its error: ``None`` if it is on its way, or why not."""
+        """Ask a joint (1–6, 7 all) to clear its error; return ``None`` if sent, or why not."""
         context = self._context
         refusal = why_not_clear(context.refresh())
         if refusal is None and self._joint is not None:

@@ -1,4 +1,4 @@
-"""Checks of what is heard of the arm: fresh feedback, motors with power, no drag teaching. Pure."""
+"""Checks of the feedback: is it fresh, are motors without power, is drag teaching on. Pure."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ FEEDBACK_SILENT = Reason(
 
 
 def why_silent(state: ArmState, now_s: float) -> Refusal | None:
-    """Return a refusal that names the feedback a motion needs and that is silent, or ``None``.
+    """Return why feedback that a motion needs is missing, or ``None``.
 
     A motion needs the status (0x2A1) and the six joint angles (0x2A5 to 0x2A7).
     """

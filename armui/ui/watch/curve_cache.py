@@ -1,4 +1,4 @@
-"""The lines of one series' curves, kept from picture to picture: the newest end alone is new."""
+"""Keeps the lines of one series' curves between pictures, so that only new ends are drawn."""
 
 from __future__ import annotations
 

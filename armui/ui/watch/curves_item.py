@@ -49,7 +49,7 @@ polygon = pg.functions.arrayToQPolygonF
 
 
 def thin_pen(color: str) -> QPen:
-    """A pen of one pixel at any scale: Qt draws it several times as fast as a wider one."""
+    """Return a pen of one pixel at any scale, which Qt draws faster than wider ones."""
     pen = QPen(QColor(color), 1.0)
     pen.setCosmetic(True)
     return pen

@@ -158,7 +158,7 @@ class PlotBoard(QWidget):
         self._after_change()
 
     def take(self, keys: Sequence[str], source: int | None, place: int | None) -> None:
-        """Draw quantities in a plot; ``None``: in a new one. Those of a plot leave it."""
+        """Draw quantities in a plot, or in a new one (``None``); they leave their old plot."""
         why_not = self.plot_layout.why_not(keys, place)
         if why_not is not None:
             self.refused.emit(why_not)

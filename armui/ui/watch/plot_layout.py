@@ -96,7 +96,7 @@ class PlotLayout:
         return next((place for place, plot in enumerate(self._plots) if key in plot), None)
 
     def why_not(self, keys: Sequence[str], place: int | None) -> str | None:
-        """What stands against adding: ``"plots"`` or ``"curves"`` are full; ``None``: nothing."""
+        """Return what is full, ``"plots"`` or ``"curves"``, or ``None`` if there is room."""
         if place is None:
             return "plots" if len(self._plots) >= MOST_PLOTS else None
         room = MOST_CURVES - len(self._plots[place])

@@ -52,7 +52,7 @@ class TimeAxis(pg.AxisItem):  # type: ignore[misc]
         self.enableAutoSIPrefix(False)
 
     def tickSpacing(self, *span_and_length: float) -> list[tuple[float, float]]:  # noqa: N802
-        """One kind of tick: of the smallest and the largest time, and the length in pixels."""
+        """Return one spacing of ticks, by the first and last time and the length in pixels."""
         first_s, last_s, length_px = span_and_length
         return [(tick_step_s(last_s - first_s, length_px), 0.0)]
 
@@ -70,7 +70,7 @@ class FigureAxis(pg.AxisItem):  # type: ignore[misc]
         self._unit = unit
 
     def tickSpacing(self, *span_and_length: float) -> list[tuple[float, float]]:  # noqa: N802
-        """One kind of tick: of the smallest and the largest figure, and the length in pixels."""
+        """Return one spacing of ticks, by the range of figures and the length in pixels."""
         low, high, length_px = span_and_length
         step = round_step(low, high, max(1, round(length_px / _FIGURE_PX)))
         return [(step or 1.0 if self._unit else max(step, 1.0), 0.0)]

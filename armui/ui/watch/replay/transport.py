@@ -1,4 +1,4 @@
-"""Below the time line: play, pause, speed, frame by frame, next fault, and where the replay is."""
+"""The controls below the time line: play, pause, speed, single frames, next fault, time."""
 
 from __future__ import annotations
 
