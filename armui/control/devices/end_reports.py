@@ -81,7 +81,7 @@ class EndReports:
     """Tells the arm its load, and switches 0x481–0x486 until the frames themselves show it.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
         transactions: Carries out commands that are answered.
 
     Attributes:

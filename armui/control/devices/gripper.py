@@ -161,7 +161,7 @@ class GripperControl(ControllerPart):
     the gripper's present place, and nothing moves unasked.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
         settings: Reads the stroke that the arm allows.
         end_run: Called with the reason when the gripper is about to be disabled under a run.
 

@@ -47,7 +47,7 @@ class JointErrors:
     arm has heard; whether the fault has gone is what the drivers' feedback says.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
         transactions: Carries out commands that are answered.
     """
 

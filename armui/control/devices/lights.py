@@ -67,7 +67,7 @@ class Lights:
     a run sets lamps itself, as signals, nobody else may set them.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
     """
 
     def __init__(self, context: Context) -> None:

@@ -88,7 +88,7 @@ class LinkageControl(ControllerPart):
     it.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
         transactions: Carries out commands that are answered.
 
     Attributes:

@@ -78,7 +78,7 @@ class Motors(ControllerPart):
     """Switches the motors, and follows each switching until the drivers' feedback shows it.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
         end_run: Called with the reason when motors are about to be disabled under a run.
     """
 

@@ -57,7 +57,7 @@ class MountingControl:
     """Tells the arm how it is mounted, in the modes it is in.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
         speed_percent: Returns the speed shown in the window; the mode word carries it.
     """
 

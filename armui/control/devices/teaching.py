@@ -53,7 +53,7 @@ class TeachingControl(ControllerPart):
     """Commands drag teaching, one command at a time.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
     """
 
     def __init__(self, context: Context) -> None:

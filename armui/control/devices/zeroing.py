@@ -94,7 +94,7 @@ class Zeroing:
     """Sets zeros, one transaction at a time.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
         transactions: Carries out commands that are answered.
         before_zeroing: Called just before the zero changes: setpoints become void.
     """

@@ -60,7 +60,7 @@ class EventCollector(ControllerPart):
     played again, gives the same events.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
         wall: Returns the local time of a monotonic time.
         player: Knows the point of a run that was sent last.
         recovery: Knows whether a command is its own.

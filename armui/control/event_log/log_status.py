@@ -1,4 +1,4 @@
-"""What the frames of a whole log say of the arm's status, change by change, as if live: pure.
+"""Finds the changes of the arm's status in the frames of a whole log, as if live: pure.
 
 It finds the same changes as `StatusListener` does frame by frame, in all frames of a message at
 once.

@@ -56,7 +56,7 @@ class BusAccess:
     whatever was under way here, and no motion of ours follows before the arm rests.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
     """
 
     def __init__(self, context: Context) -> None:

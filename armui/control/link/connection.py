@@ -327,7 +327,7 @@ class Connection(QObject):
             self._worker.void(newest)
 
     def send_urgent(self, frames: Sequence[Frame]) -> bool:
-        """Send frames at once, ahead of everything that waits."""
+        """Send frames at once, ahead of all that waits; return whether they could be sent."""
         return self._worker is not None and self._worker.send_urgent(frames)
 
     def follow_arm(self, now_s: float) -> ArmState:

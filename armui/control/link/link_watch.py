@@ -76,7 +76,7 @@ class DroppedFrames(ControllerPart):
     """Tells the first loss of frames at once, and further losses at most every 10 s.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
     """
 
     def __init__(self, context: Context) -> None:

@@ -59,7 +59,7 @@ class ModelWatch(ControllerPart):
     may.
 
     Args:
-        context: What the parts share.
+        context: The context that the controller's parts share.
 
     Attributes:
         fitting: The models that fit the arm's reports; ``None`` before the first comparison.

@@ -91,7 +91,7 @@ class Cartesian(ControllerPart):
     """Motions of the tool centre point.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
         motion: Owns the speed.
         floor: Checks how low a step leads.
     """

@@ -121,7 +121,7 @@ class Jogging(ControllerPart):
     """Moves the arm while something is held, from :meth:`start` to :meth:`stop`.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
         motion: Owns the speed.
         cartesian: Knows the tool and the kinematics.
         floor: Limits how low a jog leads.

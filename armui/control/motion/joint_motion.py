@@ -80,7 +80,7 @@ class Motion(ControllerPart):
     """Joint motions, and the speed of every motion.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
         floor: Checks how low a step leads.
 
     Attributes:

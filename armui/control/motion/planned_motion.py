@@ -69,7 +69,7 @@ class PauseCommand:
     It is sent twice: a frame may be lost, and too slow a motion is not seen to go on.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
     """
 
     def __init__(self, context: Context) -> None:
@@ -104,7 +104,7 @@ class PlannedMotion(ControllerPart):
     """Sends commands that the feedback does not confirm: 0x2A1 has no code for a paused motion.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
         end_all: Ends a run, replay or jog that is under way.
         tell_speed: Sends the operator's speed percentage; returns false if it cannot.
     """

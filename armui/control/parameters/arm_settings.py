@@ -108,7 +108,7 @@ class ArmSettings(QObject, ControllerPart):
     """Follows the state of every parameter; :class:`ArmState` has the values last heard.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
         transactions: Carries out commands that are answered.
 
     Signals:

@@ -33,7 +33,7 @@ class Execution(QObject, ControllerPart):
     """Moves the arm by several commands, each sent on the feedback to the one before.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
 
     Signals:
         progressed: A :class:`Progress`, when it differs.

@@ -98,7 +98,7 @@ class Player(Execution):
     """Carries out one run at a time; the arm's feedback triggers each step.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
     """
 
     def __init__(self, context: Context, parent: QObject | None = None) -> None:

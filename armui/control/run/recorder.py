@@ -44,7 +44,7 @@ class Recorder(QObject, ControllerPart):
     When the arm is lost, what has been recorded is kept.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
 
     Signals:
         changed: There are more samples, or recording has begun or ended.

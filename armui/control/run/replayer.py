@@ -81,7 +81,7 @@ class Replayer(Execution):
     path stays as checked.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
     """
 
     def __init__(self, context: Context, parent: QObject | None = None) -> None:

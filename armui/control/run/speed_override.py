@@ -48,7 +48,7 @@ class SpeedOverride(ControllerPart):
     before that holds again.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
         motion: Owns the speed of every other motion.
         runs: The executions that it slows.
 

@@ -79,7 +79,7 @@ class ModeExitCommand(ControllerPart):
     began after the press counts. Without one nothing is sent.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
         speed_percent: Returns the speed shown in the window; the mode word carries it.
     """
 

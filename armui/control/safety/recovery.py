@@ -116,7 +116,7 @@ class Recovery(ControllerPart):
     """Determines the next step of recovery and carries it out on request.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
         motors: Switches the motors.
         joint_errors: Clears the errors of the drivers.
         teaching: Commands drag teaching.

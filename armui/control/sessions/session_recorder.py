@@ -106,7 +106,7 @@ class SessionRecorder(QObject):
     when the arm is lost or another one is connected. Files are only touched by threads of its own.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
         events: The event log.
 
     Attributes:

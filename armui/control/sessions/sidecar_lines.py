@@ -89,7 +89,7 @@ class SidecarLines:
     """Makes lines for the sidecar whenever there is something new.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
     """
 
     def __init__(self, context: Context) -> None:
