@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QApplication
 from armui.ui.actions.keys import SHORTCUTS
 from armui.ui.background import Background
 from armui.ui.dialogs.settings import SettingsDialog
-from armui.ui.guide.guide_window import GuideWindow
+from armui.ui.guide.guide_page import GuidePage
 from armui.ui.guide.place import sections_named, windows_named
 from armui.ui.guide.text import FOLDER, parse, read_guide, search
 from armui.ui.widgets.message_line import MessageLine
@@ -57,13 +57,13 @@ def test_every_place_leads_to_a_section(sections):
 def test_every_window_and_page_has_a_section():
     """Questions and their like belong to the place that asks."""
     asking = {"ConfirmDialog", "SaveQuestion", "CloseQuestion", "UnsavedQuestion", "FileDialog"}
-    holding = {"ArmDialog", "SectionsDialog", "Page", "PageWindow", "GuideWindow", "MainWindow"}
+    holding = {"ArmDialog", "Page", "PageWindow", "GuidePage", "MainWindow"}
     classes = set()
     for path in (ROOT / "armui" / "ui").rglob("*.py"):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if isinstance(node, ast.ClassDef):
                 bases = {each.id for each in node.bases if isinstance(each, ast.Name)}
-                if bases & {"ArmDialog", "SectionsDialog", "Page"}:
+                if bases & {"ArmDialog", "Page"}:
                     classes.add(node.name)
     assert classes - asking - holding == windows_named()
 
@@ -120,7 +120,7 @@ def test_the_search_wants_every_word_and_puts_titles_first():
     assert search(guide, "  ") == guide
 
 
-# The window ---------------------------------------------------------------------------------------
+# The page -----------------------------------------------------------------------------------------
 
 
 def open_guide(app_driver, window=None):
@@ -128,7 +128,7 @@ def open_guide(app_driver, window=None):
     window.activateWindow()
     app_driver.wait(window.isActiveWindow)
     QTest.keyClick(window, Qt.Key.Key_F1)
-    guide = app_driver.dialog(GuideWindow)
+    guide = app_driver.page(GuidePage)
     app_driver.wait(lambda: guide.shown != "")
     return guide
 
@@ -138,7 +138,19 @@ def test_f1_opens_it_at_the_panel(app_driver):
         app_driver.click(f"menu_{panel}")
         guide = open_guide(app_driver)
         assert guide.shown == panel
-        guide.close()
+        assert guide.window() is app_driver.window
+        assert app_driver.find("operation_area").isVisible()
+
+
+def test_who_reads_on_elsewhere_is_left_there_until_another_panel_is_seen(app_driver):
+    guide = open_guide(app_driver)
+    guide.show_section("bus")
+    guide.search.setFocus()
+    open_guide(app_driver)
+    assert guide.shown == "bus"
+    app_driver.click("menu_gripper")
+    open_guide(app_driver)
+    assert guide.shown == "gripper"
 
 
 def test_f1_opens_it_at_the_dialog(app_driver):
@@ -147,7 +159,7 @@ def test_f1_opens_it_at_the_dialog(app_driver):
     assert guide.shown == "settings"
 
 
-@pytest.mark.parametrize("page", ["plots", "events", "bus"])
+@pytest.mark.parametrize("page", ["plots", "events", "bus", "sessions", "joint_status"])
 def test_f1_in_the_drawer_opens_it_at_the_drawer_or_its_page(app_driver, page):
     app_driver.click(f"{page}_button")
     app_driver.find(f"drawer_{page}").setFocus()
@@ -165,13 +177,6 @@ def test_the_pages_of_the_drawer_stand_in_its_chapter(sections):
     place = names.index(("drawer", 2))
     assert names[place + 1 : place + 4] == [("plots", 3), ("events", 3), ("bus", 3)]
     assert names[place + 4][1] == 2
-
-
-def test_f1_in_the_guide_leaves_it_as_it_is(app_driver):
-    guide = open_guide(app_driver)
-    guide.show_section("bus")
-    open_guide(app_driver, guide)
-    assert guide.shown == "bus"
 
 
 def test_contents_search_and_links(app_driver):
@@ -201,11 +206,22 @@ def test_pictures_are_shown_as_wide_as_there_is_room(app_driver):
     assert 0 < width <= guide.browser.viewport().width()
 
 
+def test_in_the_drawer_pictures_leave_half_of_it_to_the_text(app_driver):
+    guide = open_guide(app_driver)
+    guide.show_section("motion")
+    name = "pictures/motion-en.png"
+    app_driver.wait(lambda: guide.browser.picture_width(name) > 0)
+    low = guide.browser.viewport().height()
+    assert guide.browser.picture_width(name) <= low / 2 * 16 / 10 + 1
+    app_driver.click("drawer_take_out")
+    app_driver.wait(lambda: guide.browser.picture_width(name) > low)
+
+
 def test_a_guide_that_cannot_be_read_says_so(app_driver):
     def fails(_language):
         raise OSError("gone")
 
-    guide = GuideWindow(app_driver.controller, Background(AtOnce()), app_driver.window, read=fails)
-    guide.open()
+    guide = GuidePage(Background(AtOnce()), read=fails)
+    guide.show()
     QApplication.processEvents()
     assert "gone" in guide.findChild(MessageLine, "guide_message").text()

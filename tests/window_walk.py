@@ -167,7 +167,7 @@ class Walk:
         self._click(f"menu_{self._random.choice(PANELS)}")
 
     def _page(self) -> None:
-        names = ("library", "plots", "events", "bus")
+        names = ("library", "plots", "events", "bus", "sessions", "joint_status", "help")
         self._click(f"{self._random.choice(names)}_button")
 
     def _editor(self) -> None:
@@ -199,12 +199,9 @@ class Walk:
         openers = {
             "connect": window.open_connect_dialog,
             "settings": window.open_settings_dialog,
-            "help": window.open_help_dialog,
-            "joint_status": window.open_joint_status_dialog,
             "backup": window.open_backup_dialog,
             "replay": window.open_replay,
             "export": window._watch.open_export,
-            "sessions": window._watch.open_sessions,
             "shortcuts": actions.open_shortcuts,
             "guide": actions.open_guide,
         }

@@ -418,8 +418,7 @@ def _decoded(layout: MessageLayout, frame: Frame) -> Message | InvalidFrame:
         data = data[: layout.length].ljust(layout.length, b"\0")
     if layout.selector is not None:
         layout = layout.variant(data)
-    # neither words nor scaled by cantools: see MessageLayout.scale
-    values = layout.unpack(data, False, False)
+    values = layout.unpack(data)
     for name, legal in layout.checked:
         if values[name] not in legal:
             return _outside_table(layout, arbitration_id, values)

@@ -5,13 +5,13 @@ Every message is prepared before its first frame arrives.
 
 from __future__ import annotations
 
-import copy
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from functools import cache, partial
+from functools import cache
 from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
 import cantools
+from cantools.database.utils import create_encode_decode_formats, start_bit
 
 from armui.protocol.firmware_version import MitLayout
 from armui.protocol.generation import Generation
@@ -174,7 +174,7 @@ class MessageLayout:
         length: Bytes of the payload as this generation sends it.
         lengths: Lengths accepted when decoding.
         reserved_mask: The payload's bits, as one big-endian number, that belong to no signal.
-        unpack: cantools' decoder; called with payload, False, False it gives raw values by name.
+        unpack: A payload of this length to raw values by name, in the order of the bits.
         pack: Raw values of all signals to a payload; unused bits are 0.
         signals: By name, in the order of bytes and, within a byte, of bits.
         checked: (name, legal raw values) of the signals whose payload bits can hold illegal values.
@@ -192,7 +192,7 @@ class MessageLayout:
     lengths: tuple[int, ...]
     reserved_mask: int
     signals: Mapping[str, SignalLayout]
-    unpack: Callable[[bytes, bool, bool], dict[str, Any]]
+    unpack: Callable[[bytes], dict[str, Any]]
     pack: Callable[[dict[str, int]], bytes]
     checked: tuple[tuple[str, Container[int]], ...]
     divided: tuple[tuple[str, int], ...]
@@ -256,7 +256,9 @@ def _plain_layout(message: DbcMessage, of: Sequence[DbcSignal]) -> MessageLayout
         if _can_be_illegal(signal, signals[signal.name])
     )
     scaled = [signal for signal in signals.values() if signal.is_scaled]
-    part = message if len(of) == len(message.signals) else _part(message, in_order)
+    # without scaling, words and a second byte order cantools' own `Message` adds nothing to them
+    # but its time, which is most of it
+    bits = create_encode_decode_formats(sorted(of, key=start_bit), message.length).big_endian
     return MessageLayout(
         name=message.name,
         arbitration_id=message.frame_id,
@@ -264,21 +266,12 @@ def _plain_layout(message: DbcMessage, of: Sequence[DbcSignal]) -> MessageLayout
         lengths=_SHORT_FORMS.get(message.name, (message.length,)),
         reserved_mask=_reserved_mask(message.length, signals.values()),
         signals=signals,
-        unpack=part.decode_simple,
-        pack=partial(part.encode, scaling=False, strict=False),
+        unpack=bits.unpack,
+        pack=bits.pack,
         checked=checked,
         divided=tuple((s.name, s.divisor) for s in scaled if s.divisor and not s.offset),
         stretched=tuple(s for s in scaled if not s.divisor or s.offset),
     )
-
-
-def _part(message: DbcMessage, of: Sequence[DbcSignal]) -> DbcMessage:
-    """A message of cantools with some of another's signals, without a selector."""
-    signals = [copy.copy(signal) for signal in of]
-    for signal in signals:
-        signal.is_multiplexer, signal.multiplexer_ids = False, None
-        signal.multiplexer_signal = None
-    return type(message)(message.frame_id, message.name, message.length, signals, strict=True)
 
 
 def _reserved_mask(length: int, signals: Iterable[SignalLayout]) -> int:

@@ -21,8 +21,6 @@ from armui.ui.background import Background
 from armui.ui.dialogs.backup import BackupDialog
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.connect import ConnectDialog
-from armui.ui.dialogs.help import HelpDialog
-from armui.ui.dialogs.joint_status import JointStatusDialog
 from armui.ui.dialogs.kept_models import KeptModels
 from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.gamepad.gamepad_strip import GamepadStrip
@@ -120,6 +118,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._workspace = Workspace(controller, self._keeper, self)
         self._watch = WatchWindows(
             controller,
+            self._joint_monitor,
             preferences.path,
             background,
             self,
@@ -237,11 +236,11 @@ class MainWindow(Translated, KeepsFocus, QWidget):
 
     def _connect(self) -> None:
         self._menu.chosen.connect(self._on_entry_chosen)
-        self._joint_status_button.clicked.connect(self.open_joint_status_dialog)
+        self._joint_status_button.clicked.connect(self._watch.open_joint_status)
         self._library_button.clicked.connect(self.open_library_window)
         self._library_button.clicked.connect(self._show_where)
         self._work_area.turned.connect(self._show_where)
-        self._view_region.help_wanted.connect(self.open_help_dialog)
+        self._view_region.help_wanted.connect(self._watch.open_help)
         self._view_region.reset_wanted.connect(self._view.reset_view)
         self._view_region.settings_wanted.connect(self.open_settings_dialog)
         self._picture.follow_panels(self._panels.currentWidget)
@@ -318,12 +317,6 @@ class MainWindow(Translated, KeepsFocus, QWidget):
 
         self._open("connect", make)
 
-    def open_joint_status_dialog(self) -> None:
-        """Show the window 关节状态 (manual 1.0.10)."""
-        self._open(
-            "joint_status", lambda: JointStatusDialog(self._controller, self._joint_monitor, self)
-        )
-
     def open_backup_dialog(self) -> None:
         """Show the window 参数备份."""
         self._open("backup", lambda: BackupDialog(self._controller, self._background, self))
@@ -346,10 +339,6 @@ class MainWindow(Translated, KeepsFocus, QWidget):
     def open_replay(self, path: Path | None = None) -> None:
         """Show a log in the window 回放."""
         self._watch.open_replay(path)
-
-    def open_help_dialog(self) -> None:
-        """Show the help on the 3D view."""
-        self._open("help", lambda: HelpDialog(self._controller, self))
 
     def open_settings_dialog(self) -> None:
         """Show the program's settings."""

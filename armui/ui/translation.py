@@ -18,7 +18,7 @@ LANGUAGES: Final[tuple[Language, ...]] = get_args(Language)
 def shown_language() -> Language:
     """Return the present language of the texts."""
     # Translators: the code of the language that is shown, "zh" for Chinese
-    return "zh" if QCoreApplication.translate("GuideWindow", "en") == "zh" else "en"
+    return "zh" if QCoreApplication.translate("GuidePage", "en") == "zh" else "en"
 
 
 _OWN: Final = "armui"

@@ -4035,7 +4035,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
-    <name>GuideWindow</name>
+    <name>GuidePage</name>
     <message>
         <source>User guide</source>
         <translation>使用指南</translation>
@@ -4243,7 +4243,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
-    <name>HelpDialog</name>
+    <name>HelpPage</name>
     <message>
         <source>Help: 3D view</source>
         <translation>使用帮助</translation>
@@ -4496,7 +4496,18 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
-    <name>JointStatusDialog</name>
+    <name>JointStatusModel</name>
+    <message>
+        <source>since {time}</source>
+        <translation>自 {time} 起</translation>
+    </message>
+    <message>
+        <source>not heard of late</source>
+        <translation>最近没有收到</translation>
+    </message>
+</context>
+<context>
+    <name>JointStatusPage</name>
     <message>
         <source>Joint status</source>
         <translation>关节状态</translation>
@@ -4516,17 +4527,6 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>A time beside a fault says since when. Choose a cell to read it in full.</source>
         <translation>故障旁的时间表示故障从何时开始。选中单元格可查看详情。</translation>
-    </message>
-</context>
-<context>
-    <name>JointStatusModel</name>
-    <message>
-        <source>since {time}</source>
-        <translation>自 {time} 起</translation>
-    </message>
-    <message>
-        <source>not heard of late</source>
-        <translation>最近没有收到</translation>
     </message>
 </context>
 <context>
@@ -9169,10 +9169,6 @@ The other program must have ended.</source>
         <translation>已取消。录制本身完整，保存为 .blf。</translation>
     </message>
     <message>
-        <source>The program, the computer or the adapter stood still for {seconds} s, so the replay was ended. Let the computer do less beside it, keep it from sleeping, and start the replay anew.</source>
-        <translation>程序、计算机或适配器停顿了 {seconds} 秒，回放已结束。请减少计算机的其他任务并禁止休眠，然后重新开始回放。</translation>
-    </message>
-    <message>
         <source>The last minutes are being saved already. Wait a moment.</source>
         <translation>最近几分钟的内容正在保存，请稍候。</translation>
     </message>
@@ -9443,6 +9439,10 @@ The other program must have ended.</source>
     <message>
         <source>{text} is still switched on, though the system said that it is off.</source>
         <translation>系统称 {text} 已停用，但它仍处于启用状态。</translation>
+    </message>
+    <message>
+        <source>The program, the computer or the adapter stood still for {seconds} s, so the replay was ended. Let the computer do less beside it, keep it from sleeping, and start the replay anew.</source>
+        <translation>程序、计算机或适配器停顿了 {seconds} 秒，回放已结束。请减少计算机的其他任务并禁止休眠，然后重新开始回放。</translation>
     </message>
     <message>
         <source>MF4 needs the Python package asammdf, which is no part of this installed program, and cannot be added to it. Use BLF.</source>
@@ -10045,7 +10045,7 @@ The other program must have ended.</source>
     </message>
 </context>
 <context>
-    <name>SessionsWindow</name>
+    <name>SessionsPage</name>
     <message>
         <source>Session recordings</source>
         <translation>会话记录</translation>
@@ -11994,6 +11994,10 @@ Afterwards the motors must be enabled again.</source>
         <translation>曲线</translation>
     </message>
     <message>
+        <source>Guide</source>
+        <translation>使用指南</translation>
+    </message>
+    <message>
         <source>Feedback and commands of the last half hour. Right-click any figure to show it here.</source>
         <translation>最近半小时的反馈与指令。在任意数值上按右键即可在此显示。</translation>
     </message>
@@ -12020,6 +12024,22 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>Record everything on the bus, save what just happened, replay what was recorded, here or by another program.</source>
         <translation>记录总线上的一切，保存刚才发生的事，回放本程序或其他程序的记录。</translation>
+    </message>
+    <message>
+        <source>What each joint says of itself: temperature, current, voltage, faults.</source>
+        <translation>各关节自报的状态：温度、电流、电压、故障。</translation>
+    </message>
+    <message>
+        <source>How to use the program; F1 opens it at the place where you are.</source>
+        <translation>程序的用法；按 F1 打开当前所在处的章节。</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>使用帮助</translation>
+    </message>
+    <message>
+        <source>Mouse, keys and figures of the 3D picture.</source>
+        <translation>3D 画面的鼠标与键盘操作、数值的含义。</translation>
     </message>
 </context>
 <context>

@@ -31,13 +31,11 @@ def shown(program):
     for place, entry in enumerate(entries):
         if place:  # the first one stands at the start
             yield f"panel {entry.key}", lambda place=place: window._show_panel(place)
-    openers = {entry.key: entry.open_window for entry in window._watch.entries()} | {
+    openers = {entry.key: entry.open_page for entry in window._watch.pages()} | {
         "export": window._watch.open_export,
         "connect": window.open_connect_dialog,
-        "joint status": window.open_joint_status_dialog,
         "backup": window.open_backup_dialog,
         "library": window.open_library_window,
-        "help": window.open_help_dialog,
         "settings": window.open_settings_dialog,
     }
     for name, opener in openers.items():

@@ -1,4 +1,4 @@
-"""The dialogs of the window itself: device, settings of the program, help, joint status."""
+"""The dialogs of the window itself: device, settings of the program, palette, questions."""
 
 from __future__ import annotations
 
@@ -29,12 +29,8 @@ from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.connect import AdapterTrouble, ConnectDialog
 from armui.ui.dialogs.doctor import DoctorDialog
 from armui.ui.dialogs.files import FileDialog
-from armui.ui.dialogs.help import HelpDialog
-from armui.ui.dialogs.joint_status import JointStatusDialog
 from armui.ui.dialogs.settings import SettingsDialog
-from armui.ui.guide.guide_window import GuideWindow
 from tests.app_driver import AppDriver
-from tests.faulty_arm import FaultyDrivers
 
 ADAPTERS = (
     Device("socketcan", "can0", None),
@@ -104,40 +100,12 @@ def shortcut_list(app_driver: AppDriver) -> QDialog:
     return app_driver.dialog(ShortcutList)
 
 
-def guide(app_driver: AppDriver) -> QDialog:
-    app_driver.window.findChild(WindowActions).open_guide()
-    dialog = app_driver.dialog(GuideWindow)
-    app_driver.wait(lambda: dialog.shown != "")
-    return dialog
-
-
 def trouble(app_driver: AppDriver) -> QDialog:
     dialog = connect(app_driver)
     box = dialog.findChild(AdapterTrouble)
     box._look = lambda: [each for each in judge(TROUBLE) if each.code == "error_passive"]
     box.examine()
     return dialog
-
-
-def help_window(app_driver: AppDriver) -> QDialog:
-    app_driver.window.open_help_dialog()
-    return app_driver.dialog(HelpDialog)
-
-
-def joint_status(app_driver: AppDriver) -> QDialog:
-    app_driver.window.open_joint_status_dialog()
-    return app_driver.dialog(JointStatusDialog)
-
-
-def joint_status_faults(app_driver: AppDriver) -> QDialog:
-    drivers = FaultyDrivers(app_driver.firmware)
-    drivers.bits = {2: 0x04, 4: 0x11, 5: 0x80}
-    app_driver.firmware.set_communication_fault(6, present=True)
-    app_driver.run(0.2)
-    # gone with the next step of the arm's time, which stands still until then
-    app_driver.firmware.set_communication_fault(6, present=False)
-    drivers.mend()
-    return joint_status(app_driver)
 
 
 def file(app_driver: AppDriver) -> QDialog:

@@ -6,13 +6,17 @@ from collections.abc import Callable
 
 from PySide6.QtWidgets import QWidget
 
+from armui.ui.guide.guide_page import GuidePage
 from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.library.library_page import LibraryPage
+from armui.ui.watch.joint_status_page import JointStatusPage
 from tests.app_driver import AppDriver
-from tests.gallery_scenes import library, trajectories
+from tests.faulty_arm import FaultyDrivers
+from tests.gallery_scenes import library, sessions, trajectories
 from tests.gallery_scenes.scene import Scene
 
 _SIZES = ((1280, 800), (1440, 900))
+_WIDE = (*_SIZES, (1920, 1080))
 _NARROW = ((1024, 720), (1440, 900))
 
 
@@ -82,6 +86,54 @@ def _drawer(name: str) -> Callable[[AppDriver], None]:
     return play
 
 
+def _tab(name: str) -> Callable[[AppDriver], None]:
+    """The same with a page that has a tab there only."""
+
+    def play(app_driver: AppDriver) -> None:
+        app_driver.ready()
+        app_driver.click("events_button")
+        app_driver.click(f"drawer_{name}")
+        app_driver.run(1.0)
+
+    return play
+
+
+def _guide(app_driver: AppDriver) -> None:
+    """F1 at a panel: the panel stays in reach."""
+    app_driver.ready()
+    app_driver.window.window_actions.open_guide()
+    page = app_driver.page(GuidePage)
+    app_driver.wait(lambda: page.shown != "")
+    app_driver.run(1.0)
+
+
+def _joint_status_faults(app_driver: AppDriver) -> None:
+    """Faults of drivers, and a joint that the arm could not reach for a moment."""
+    app_driver.ready()
+    app_driver.click("joint_status_button")
+    drivers = FaultyDrivers(app_driver.firmware)
+    drivers.bits = {2: 0x04, 4: 0x11, 5: 0x80}
+    app_driver.firmware.set_communication_fault(6, present=True)
+    app_driver.run(0.2)
+    # gone with the next step of the arm's time, which stands still until then
+    app_driver.firmware.set_communication_fault(6, present=False)
+    drivers.mend()
+
+
+def joint_status_taken_out(app_driver: AppDriver) -> QWidget:
+    """The joints in a window of their own, where there is room for two lines a row."""
+    app_driver.click("joint_status_button")
+    return app_driver.taken_out(JointStatusPage).window()
+
+
+def guide_taken_out(app_driver: AppDriver) -> QWidget:
+    """The guide in a window of its own."""
+    app_driver.window.window_actions.open_guide()
+    page = app_driver.taken_out(GuidePage)
+    app_driver.wait(lambda: page.shown != "")
+    return page.window()
+
+
 def _all_at_once(app_driver: AppDriver) -> None:
     """A page, a run and the drawer."""
     _run(app_driver)
@@ -122,6 +174,12 @@ SCENES = (
     Scene("drawer-curves", _drawer("plots"), sizes=_SIZES, fine=True),
     Scene("drawer-events", _drawer("events"), sizes=_SIZES),
     Scene("drawer-bus", _drawer("bus"), sizes=_SIZES),
+    Scene("drawer-joint-status", _drawer("joint_status"), sizes=_WIDE),
+    Scene("drawer-joint-status-faults", _joint_status_faults, sizes=_WIDE),
+    Scene("drawer-sessions", _online(sessions.listed), sizes=_WIDE),
+    Scene("drawer-sessions-recording", _online(sessions.recording), sizes=_SIZES),
+    Scene("drawer-guide", _guide, sizes=_WIDE),
+    Scene("drawer-help", _tab("help"), sizes=_WIDE),
     Scene("drawer-after-end-load", _drawer_after_end_load, sizes=((1024, 720), (1440, 900))),
     Scene("library-put-back", _put_back, sizes=((1024, 720),)),
     Scene("library-stopped", _stopped_below_a_page, sizes=((1024, 720),)),

@@ -1,18 +1,18 @@
-"""The window 会话记录 in use."""
+"""The page 会话记录 in use."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
 
-from PySide6.QtWidgets import QDialog
+from PySide6.QtWidgets import QWidget
 
 from armui.session.recording.kinds import RecordingFormat
 from armui.session.recording.rows import ROW, FrameRows
 from armui.session.recording.sidecar import event_line
 from armui.session.recording.writer import RecordingPlan, RecordingWriter, TimeBase
 from armui.session.session import MarkKind
-from armui.ui.watch.recordings.sessions_window import SessionsWindow
+from armui.ui.watch.recordings.sessions_page import SessionsPage
 from tests.app_driver import AppDriver
 
 SIZE_PX = (1080, 700)
@@ -51,29 +51,36 @@ def _recordings(app_driver: AppDriver) -> Sequence[str]:
     return [str(folder)]
 
 
-def _window(app_driver: AppDriver) -> SessionsWindow:
+def _page(app_driver: AppDriver) -> SessionsPage:
     _recordings(app_driver)
     folder = app_driver.library_folder.parent / "sessions"
     app_driver.store.change(session_folder=str(folder))
     app_driver.find("sessions_button").click()
-    window = app_driver.dialog(SessionsWindow)
-    window.resize(*SIZE_PX)
-    app_driver.wait(lambda: window.table.model().rowCount() >= 5)
-    return window
+    page = app_driver.page(SessionsPage)
+    app_driver.wait(lambda: page.table.model().rowCount() >= 5)
+    return page
 
 
-def listed(app_driver: AppDriver) -> QDialog:
+def listed(app_driver: AppDriver) -> SessionsPage:
     """What was recorded on other days; the last minutes are in memory."""
-    window = _window(app_driver)
-    window.table.selectRow(2)
+    page = _page(app_driver)
+    page.table.selectRow(2)
     app_driver.wait(lambda: app_driver.controller.sessions.ring().frames > 100)
-    window._look()
+    page._look()
+    return page
+
+
+def taken_out(app_driver: AppDriver) -> QWidget:
+    """The same in a window of its own."""
+    listed(app_driver)
+    window = app_driver.taken_out(SessionsPage).window()
+    window.resize(*SIZE_PX)
     return window
 
 
-def recording(app_driver: AppDriver) -> QDialog:
+def recording(app_driver: AppDriver) -> SessionsPage:
     """While it is recorded."""
-    window = _window(app_driver)
+    page = _page(app_driver)
     sessions = app_driver.controller.sessions
     if not sessions.recording:
         sessions.start("test of the new tool")
@@ -84,6 +91,6 @@ def recording(app_driver: AppDriver) -> QDialog:
         return progress is not None and progress.frames > 1000
 
     app_driver.wait(written)
-    window.refresh()
-    window._look()
-    return window
+    page.refresh()
+    page._look()
+    return page

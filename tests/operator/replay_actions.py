@@ -10,7 +10,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 
 from armui.ui.shell import watch_windows
-from armui.ui.watch.recordings.sessions_window import SessionsWindow
+from armui.ui.watch.recordings.sessions_page import SessionsPage
 from armui.ui.watch.replay import replay_window
 from armui.ui.watch.replay.replay_window import ReplayWindow
 from tests.app_driver import AtOnce
@@ -37,7 +37,7 @@ class Replay:
         monkeypatch.setattr(replay_window, "HelperProcess", helper)
         monkeypatch.setattr(watch_windows, "ArmView", StillView)
         driver.click("sessions_button")
-        driver.click(driver.dialog(SessionsWindow).other_button)
+        driver.click(driver.page(SessionsPage).other_button)
         self.window = driver.dialog(ReplayWindow)
 
     @property

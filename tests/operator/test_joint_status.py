@@ -1,4 +1,4 @@
-"""An operator at the window 关节状态: faults in the simulated arm in, words on the screen out."""
+"""An operator at the page 关节状态: faults in the simulated arm in, words on the screen out."""
 
 import pytest
 from PySide6.QtCore import Qt
@@ -9,7 +9,7 @@ from armui.arm.joint_status import StatusVerdict
 from armui.control.operating_state import NOT_CONNECTED, LinkState
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
-from armui.ui.dialogs.joint_status import JointStatusDialog
+from armui.ui.watch.joint_status_page import JointStatusPage
 from armui.ui.widgets.message_line import MessageLine
 from tests.faulty_arm import FaultyDrivers
 from tests.generations import ONE_IS_ENOUGH
@@ -58,12 +58,12 @@ OF_GENERATION = {
 
 
 class Table:
-    """The open window as an operator reads it."""
+    """The open page as an operator reads it."""
 
     def __init__(self, app_driver):
         app_driver.click("joint_status_button")
-        self.dialog = app_driver.dialog(JointStatusDialog)
-        self.view = self.dialog.findChild(QTableView)
+        self.page = app_driver.page(JointStatusPage)
+        self.view = self.page.findChild(QTableView)
         self.model = self.view.model()
 
     def rows(self):
@@ -187,11 +187,11 @@ def test_a_silent_arm_is_offline_and_its_table_stale(ready):
     ready.run(0.8)
     assert button(ready).state_text == "Offline"
     assert "not heard of late" in table.tip("Joint communication:", 1)
-    assert not table.dialog.clear_buttons[0].isEnabled()
-    assert "nothing is heard" in table.dialog.clear_buttons[0].toolTip()
+    assert not table.page.clear_buttons[0].isEnabled()
+    assert "nothing is heard" in table.page.clear_buttons[0].toolTip()
     ready.powered = True
     ready.run_until(lambda: button(ready).state_text == "Normal")
-    assert table.dialog.clear_buttons[0].isEnabled()
+    assert table.page.clear_buttons[0].isEnabled()
 
 
 @ONE_IS_ENOUGH
@@ -215,9 +215,9 @@ def test_connecting_accuses_no_arm_of_bits_of_the_other_generation(any_driver):
 
 
 @ONE_IS_ENOUGH
-def test_a_hidden_window_does_no_work_and_catches_up(ready):
+def test_a_hidden_page_does_no_work_and_catches_up(ready):
     table = Table(ready)
-    table.dialog.close()
+    table.page.close()
     ready.faults.bits[2] = 0x01
     ready.run(0.2)
     assert table.read("Supply voltage:", 2) == "Normal"
@@ -227,12 +227,13 @@ def test_a_hidden_window_does_no_work_and_catches_up(ready):
 
 
 @ONE_IS_ENOUGH
-def test_the_window_stays_open_beside_the_work(ready):
+def test_it_stays_in_sight_beside_the_panel_that_moves_the_arm(ready):
     table = Table(ready)
+    assert table.page.window() is ready.window
     ready.click("jog_plus_1")
     ready.run_until(lambda: round(ready.firmware.joints_deg[0], 3) == 1)
-    assert table.dialog.isVisible()
-    assert not table.dialog.isModal()
+    assert table.page.isVisible()
+    assert ready.find("jog_plus_1").isVisible()
 
 
 @pytest.fixture
@@ -249,7 +250,7 @@ def test_the_language_changes_while_it_is_open(ready):
     ready.run(0.2)
     ready.store.change(language="zh")
     QApplication.processEvents()
-    assert table.dialog.windowTitle() == "关节状态"
+    assert table.page.title == "关节状态"
     last_but_one = "回零状态:" if ready.firmware.generation is Generation.ONE else "堵转保护:"
     assert table.rows()[:5] == ["状态码:", "电源电压:", "电机温度:", "驱动器电流:", "驱动器温度:"]
     assert table.rows()[6:] == ["驱动器错误状态:", "驱动器使能状态:", last_but_one, "关节通讯:"]
@@ -262,12 +263,12 @@ def test_the_language_changes_while_it_is_open(ready):
 def test_the_keyboard_opens_it_and_reads_a_cell_in_full(ready):
     button(ready).setFocus()
     QTest.keyClick(button(ready), Qt.Key.Key_Space)
-    dialog = ready.dialog(JointStatusDialog)
-    view = dialog.findChild(QTableView)
+    page = ready.page(JointStatusPage)
+    view = page.findChild(QTableView)
     view.setFocus()
     view.setCurrentIndex(view.model().index(1, 0))
     QTest.keyClick(view, Qt.Key.Key_Right)
-    detail = dialog.findChild(QLabel, "joint_status_detail").text()
+    detail = page.findChild(QLabel, "joint_status_detail").text()
     assert detail.startswith("J2  Supply voltage: Normal · ")
 
 
@@ -280,12 +281,12 @@ CLEAR_2 = {
 
 
 def message(table):
-    return table.dialog.findChild(MessageLine, "joint_status_message").text()
+    return table.page.findChild(MessageLine, "joint_status_message").text()
 
 
 def test_clearing_an_error_sends_it_and_waits_for_the_arms_answer(ready):
     table = Table(ready)
-    ready.click(table.dialog.clear_buttons[1])
+    ready.click(table.page.clear_buttons[1])
     assert "Clear error sent to joint 2" in message(table)
     ready.step()
     assert ready.heard() == [CLEAR_2[ready.firmware.generation]]
@@ -297,7 +298,7 @@ def test_clearing_an_error_sends_it_and_waits_for_the_arms_answer(ready):
 def test_no_answer_within_a_second_is_said(ready):
     table = Table(ready)
     ready.firmware.on_frame = lambda _frame: []
-    ready.click(table.dialog.clear_buttons[5])
+    ready.click(table.page.clear_buttons[5])
     ready.run(0.9)
     assert ready.codes()[-1] == "clear_error_sent"
     ready.run(0.2)
@@ -308,8 +309,8 @@ def test_no_answer_within_a_second_is_said(ready):
 @ONE_IS_ENOUGH
 def test_one_error_at_a_time(ready):
     table = Table(ready)
-    ready.click(table.dialog.clear_buttons[0])
-    ready.click(table.dialog.clear_buttons[3])
+    ready.click(table.page.clear_buttons[0])
+    ready.click(table.page.clear_buttons[3])
     assert "clearing a joint's error" in message(table)
     ready.run(0.1)
     assert len(ready.heard()) == 1

@@ -26,7 +26,7 @@ from armui.ui.trajectory.recording.recording_page import RecordingPage
 from armui.ui.translation import Translator
 from armui.ui.watch.bus.bus_page import BusPage
 from armui.ui.watch.plots_area import PlotPage
-from armui.ui.watch.recordings.sessions_window import SessionsWindow
+from armui.ui.watch.recordings.sessions_page import SessionsPage
 from armui.ui.widgets.page import Page
 from armui.ui.widgets.press_button import PressButton
 from tests.app_driver import PANELS
@@ -257,7 +257,7 @@ def test_the_model_is_gone_to(driver):
 
 def test_windows_and_curves(driver):
     command(driver, "save what just happened")
-    assert driver.dialog(SessionsWindow)
+    assert driver.page(SessionsPage)
     go_away(driver)
     command(driver, "cursors")
     page = driver.page(PlotPage)

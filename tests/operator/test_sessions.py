@@ -12,16 +12,16 @@ from armui.session.recording.recorded_session import RecordedSession
 from armui.ui import format as fmt
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.watch.recordings.recording_card import length_text, moment_text
-from armui.ui.watch.recordings.sessions_window import SessionColumn, SessionsWindow
+from armui.ui.watch.recordings.sessions_page import SessionColumn, SessionsPage
 
 
 @pytest.fixture
 def sessions(app_driver, tmp_path):
-    """The window, before an arm that is connected."""
+    """The page, before an arm that is connected."""
     app_driver.store.change(session_folder=str(tmp_path / "sessions"))
     app_driver.connect()
     app_driver.click("sessions_button")
-    return Sessions(app_driver, app_driver.dialog(SessionsWindow), tmp_path / "sessions")
+    return Sessions(app_driver, app_driver.page(SessionsPage), tmp_path / "sessions")
 
 
 class Sessions:

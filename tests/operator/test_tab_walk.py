@@ -142,17 +142,13 @@ def test_in_the_library_beside_the_picture(ready):
 DIALOGS = {
     "connect": lambda driver: driver.window.open_connect_dialog(),
     "settings": lambda driver: driver.window.open_settings_dialog(),
-    "help": lambda driver: driver.window.open_help_dialog(),
-    "joint status": lambda driver: driver.click("joint_status_button"),
     "backup": lambda driver: driver.window.open_backup_dialog(),
     "palette": lambda driver: actions(driver).open_palette(),
     "shortcuts": lambda driver: actions(driver).open_shortcuts(),
-    "guide": lambda driver: actions(driver).open_guide(),
-    "recordings": lambda driver: driver.click("sessions_button"),
 }
 
 
-DRAWER = ("plots", "events", "bus")
+DRAWER = ("plots", "events", "bus", "sessions", "joint_status", "guide", "help")
 
 
 def actions(driver):
@@ -161,7 +157,8 @@ def actions(driver):
 
 @pytest.mark.parametrize("page", DRAWER)
 def test_in_the_pages_of_the_drawer(ready, page):
-    ready.click(f"{page}_button")
+    ready.click("events_button")
+    ready.click(f"drawer_{page}")
     ready.run(0.1)
     inspect(ready, ready.window)
 

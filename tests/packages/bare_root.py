@@ -2,6 +2,9 @@
 
     python -m tests.packages.bare_root dist/armui_0.2.0-1_amd64.deb bookworm
 
+An .rpm is unpacked there by this computer's rpm, without asking for what it depends on: Debian's
+packages of the same libraries are there before. It is run and removed in the same way.
+
 Wants root, mmdebstrap, Xvfb, xdotool and Debian's packages; takes some minutes, so it is no part of
 CI. The bus is python-can's udp_multicast: the window, the simulated arm and the recording are
 processes of their own in the bare root, and this one listens. A hand at the X server's keyboard
@@ -18,6 +21,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import tomllib
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Self
@@ -29,6 +33,7 @@ from tests.posix import of_system
 CHANNEL = f"239.74.{os.getpid() // 256 % 256}.{os.getpid() % 256}"
 """Of this run alone: the roots share this computer's network."""
 BUS = ("--interface", "udp_multicast", "--channel", CHANNEL)
+RECIPES = Path(__file__).resolve().parents[2] / "resources/packaging/linux"
 USER = "visitor"
 HOME = f"home/{USER}"
 KEPT = f"{HOME}/.local/share/armui/trajectories/kept.log"
@@ -290,8 +295,40 @@ def left_of(root: Root) -> list[str]:
     return root.run(f"find / \\( {pruned} \\) -prune -o -name '*armui*' -print").split()
 
 
+def try_rpm(package: Path, suite: str) -> int:
+    """Put what an .rpm holds into a bare Debian, use it, and remove it."""
+    began = time.monotonic()
+    text = (RECIPES / "libraries.toml").read_text(encoding="utf-8")
+    named = [name for part in tomllib.loads(text).values() for name in part.values()]
+    wanted = sorted({name.split("|")[0].split("(")[0].strip() for name in named})
+    with bare_root(suite) as root:
+        root.run(f"useradd -m {USER}")
+        root.run("apt-get update -qq")
+        root.run(
+            f"apt-get install -y --no-install-recommends fonts-wqy-microhei {' '.join(wanted)}"
+        )
+        told("bare root with the libraries", began)
+        rpm = ["rpm", "--root", str(root.folder)]
+        subprocess.run([*rpm, "--initdb"], check=True)
+        since = time.monotonic()
+        subprocess.run([*rpm, "--install", "--nodeps", package], check=True)
+        told("unpacked", since)
+        sys.stdout.write(f"{1e-6 * package.stat().st_size:.1f} MB packed\n")
+        subprocess.run([*rpm, "--verify", "--nodeps", "armui"], check=True)
+        since = time.monotonic()
+        use(root)
+        told("used", since)
+        subprocess.run([*rpm, "--erase", "--nodeps", "armui"], check=True)
+        assert left_of(root) == [], left_of(root)
+        assert (root.folder / HOME / "logs").is_dir()
+    told(f"{suite}: unpacked by rpm, run, removed", began)
+    return 0
+
+
 def main(package: Path, suite: str) -> int:
     """Go through its life; returns 0, or ends with what went wrong."""
+    if package.suffix == ".rpm":
+        return try_rpm(package, suite)
     began = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="armui-older-") as place, bare_root(suite) as root:
         root.run(f"useradd -m {USER}")

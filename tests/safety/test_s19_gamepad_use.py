@@ -37,7 +37,7 @@ def test_an_open_menu_takes_it_away(ready, pads):
     menu.deleteLater()
 
 
-@pytest.mark.parametrize("open_it", ["open_settings_dialog", "open_help_dialog"])
+@pytest.mark.parametrize("open_it", ["open_settings_dialog", "open_backup_dialog"])
 def test_with_another_window_in_front_nothing_begins(ready, pads, open_it):
     pads.release("left_shoulder")
     getattr(ready.window, open_it)()

@@ -15,7 +15,7 @@ from armui.session.recording.folder import list_recordings
 from armui.session.recording.recorded_session import RecordedSession
 from armui.trajectory.library.store import Library
 from armui.ui.dialogs.confirm_dialog import LeaveQuestion
-from armui.ui.watch.recordings.sessions_window import SessionColumn, SessionsWindow
+from armui.ui.watch.recordings.sessions_page import SessionColumn, SessionsPage
 from tests.operator.test_recording import Operator
 from tests.operator.test_sessions import Sessions
 from tests.posix import of_system
@@ -52,7 +52,7 @@ def sessions_on(app_driver):
         app_driver.store.change(session_folder=str(folder))
         app_driver.ready()
         app_driver.click("sessions_button")
-        return Sessions(app_driver, app_driver.dialog(SessionsWindow), folder)
+        return Sessions(app_driver, app_driver.page(SessionsPage), folder)
 
     return make
 

@@ -38,7 +38,7 @@ from armui.session.recording.recorded_session import RecordedSession
 from armui.session.survey import survey
 from armui.system.clock import in_calendar_s, local_time
 from armui.ui.watch.recordings.recording_card import length_text, moment_text
-from armui.ui.watch.recordings.sessions_window import SessionColumn, SessionsWindow
+from armui.ui.watch.recordings.sessions_page import SessionColumn, SessionsPage
 from armui.ui.watch.replay.log_time import duration, moment
 from armui.ui.watch.replay.time_line import mark_text
 from tests.bus.playback.logs import Player
@@ -366,7 +366,7 @@ def test_the_window_names_the_bad_one_beside_the_others(app_driver, tmp_path):
         (folder / f"{name}{sidecar.SUFFIX}").write_bytes(as_file(lines))
     app_driver.store.change(session_folder=str(folder))
     app_driver.click("sessions_button")
-    window = app_driver.dialog(SessionsWindow)
+    window = app_driver.page(SessionsPage)
     model = window.table.model()
     app_driver.wait(lambda: model.rowCount() == 3)
     states = {

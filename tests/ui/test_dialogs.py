@@ -10,16 +10,14 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QApplication, QDialog, QLabel, QWidget
 from pytestqt.qtbot import QtBot
 
-from armui.control.devices.joint_monitor import JointMonitor
 from armui.control.operating_state import StopState
 from armui.settings import SettingsStore
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog, confirm
 from armui.ui.dialogs.connect import ConnectDialog
 from armui.ui.dialogs.files import FileDialog, choose_file
-from armui.ui.dialogs.help import HelpDialog
-from armui.ui.dialogs.joint_status import JointStatusDialog
 from armui.ui.dialogs.settings import SettingsDialog
+from armui.ui.guide.help_page import HelpPage
 from armui.ui.theme import Theme, apply_theme
 from armui.ui.translation import Language, Translator
 from armui.ui.widgets.stop_button import StopButton
@@ -41,10 +39,6 @@ MakeDialog = Callable[[FakeController, SettingsStore], QDialog]
 DIALOGS: dict[str, MakeDialog] = {
     "connect": lambda controller, _store: ConnectDialog(controller.as_real),
     "settings": lambda controller, store: SettingsDialog(store, controller.as_real),
-    "help": lambda controller, _store: HelpDialog(controller.as_real),
-    "joint status": lambda controller, _store: JointStatusDialog(
-        controller.as_real, JointMonitor(controller.as_real, parent=controller.as_real)
-    ),
     "confirm": lambda controller, _store: ConfirmDialog(
         controller.as_real, title="Title", text="Text", action_label="Do it"
     ),
@@ -94,6 +88,17 @@ def test_the_stop_is_whole_and_on_top(dialog: QDialog) -> None:
     assert button.isEnabled()
 
 
+def test_the_stop_is_one_line_high_and_as_wide_as_its_words(
+    controller: FakeController, dialog: QDialog
+) -> None:
+    """The large one is the main window's."""
+    (button,) = dialog.findChildren(StopButton)
+    large = StopButton(controller.as_real)
+    assert 24 <= button.height() <= 32
+    assert button.width() == button.sizeHint().width() < large.sizeHint().width()
+    large.deleteLater()
+
+
 def test_it_blocks_no_other_window(dialog: QDialog) -> None:
     assert not dialog.isModal()
     assert QApplication.activeModalWidget() is None
@@ -111,7 +116,7 @@ def test_enter_presses_no_stop(qtbot: QtBot, controller: FakeController, dialog:
     assert ("emergency_stop",) not in controller.calls
 
 
-@pytest.mark.parametrize("name", ["connect", "settings", "help"])
+@pytest.mark.parametrize("name", ["connect", "settings"])
 def test_it_speaks_the_new_language_at_once(
     qtbot: QtBot,
     controller: FakeController,
@@ -125,7 +130,7 @@ def test_it_speaks_the_new_language_at_once(
 
     translator.set_language("zh")
     QApplication.processEvents()
-    assert dialog.windowTitle() in {"连接机械臂", "设置", "使用帮助"}
+    assert dialog.windowTitle() in {"连接机械臂", "设置"}
     assert "急停" in dialog.findChild(StopButton).text()
     translator.set_language("en")
     QApplication.processEvents()
@@ -142,7 +147,7 @@ def test_no_word_is_cut_off(
     language: Language,
 ) -> None:
     translator.set_language(language)
-    for name in ("connect", "settings", "help", "confirm"):
+    for name in ("connect", "settings", "confirm"):
         dialog = DIALOGS[name](controller, store)
         shown(qtbot, dialog)
         for label in dialog.findChildren(QLabel):
@@ -276,29 +281,24 @@ def test_its_sign_follows_the_theme(
 # Help and files -----------------------------------------------------------------------------------
 
 
-def test_the_help_names_what_the_3d_area_can_do(
-    qtbot: QtBot, controller: FakeController, translator: Translator
-) -> None:
+def test_the_help_names_what_the_3d_area_can_do(qtbot: QtBot, translator: Translator) -> None:
     translator.set_language("zh")
-    dialog = HelpDialog(controller.as_real)
-    shown(qtbot, dialog)
-    text = words_of(dialog)
+    page = HelpPage()
+    shown(qtbot, page)
+    text = words_of(page)
 
     for word in ("左键拖动", "中键拖动", "滚轮", "双击连杆", "Home", "F12", "RX  RY  RZ", "—"):
         assert word in text
-    qtbot.mouseClick(dialog.close_button, LEFT)
-    assert not dialog.isVisible()
 
 
-def test_the_help_needs_no_scrolling(
-    qtbot: QtBot, controller: FakeController, translator: Translator
-) -> None:
+def test_the_help_scrolls_down_only(qtbot: QtBot, translator: Translator) -> None:
     for language in ("zh", "en"):
         translator.set_language(language)
-        dialog = HelpDialog(controller.as_real)
-        shown(qtbot, dialog)
-        assert dialog.area.verticalScrollBar().maximum() == 0
-        assert dialog.height() <= 720
+        page = HelpPage()
+        page.resize(1072, 245)
+        shown(qtbot, page)
+        assert page.area.verticalScrollBar().maximum() > 0
+        assert page.area.horizontalScrollBar().maximum() == 0
 
 
 def test_a_chosen_file_is_handed_over(

@@ -46,6 +46,8 @@ from armui.ui.words.text import NOT_KNOWN
 from tests.each import check_each
 from tests.translations import constants
 
+pytestmark = pytest.mark.usefixtures("trees_end_with_the_module")
+
 InBoth = Callable[[Iterable[Any], Callable[[Any], str]], list[tuple[Any, str, str]]]
 """Of each entry its text in English and in Chinese."""
 

@@ -1,4 +1,4 @@
-"""The window 关节状态 and its button: figures, times, words, marks."""
+"""The page 关节状态 and its button: figures, times, words, marks."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ from datetime import datetime, timedelta
 
 import pytest
 from PySide6.QtCore import QPointF, Qt
-from PySide6.QtGui import QColor, QImage, QPainter
-from PySide6.QtWidgets import QApplication
+from PySide6.QtGui import QColor, QFontMetrics, QImage, QPainter
+from PySide6.QtWidgets import QApplication, QLabel
 from pytestqt.qtbot import QtBot
 
 from armui.arm.joint_status import Item, StatusVerdict, Word
@@ -16,10 +16,16 @@ from armui.control.devices.joint_monitor import JointMonitor
 from armui.control.operating_state import LINK_LOST, LinkState
 from armui.protocol.generation import Generation
 from armui.ui import words
-from armui.ui.dialogs.joint_status import CELL_ROLE, CellView, JointStatusDialog, JointStatusModel
 from armui.ui.shell.side_menu import JointStatusButton
-from armui.ui.theme import DARK, LIGHT, Colors
+from armui.ui.theme import DARK, LIGHT, Colors, Theme, apply_theme, scaled_font
 from armui.ui.translation import LANGUAGES, Language, Translator
+from armui.ui.watch.joint_status_page import (
+    CELL_ROLE,
+    CellView,
+    JointStatusModel,
+    JointStatusPage,
+    word_width,
+)
 from armui.ui.widgets import state_mark
 from armui.ui.widgets.state_mark import Mark
 from tests.ui.arm_states import NOW_S, arm_state, heard_six, operating_state
@@ -27,6 +33,8 @@ from tests.ui.dialog_reading import message, shown
 from tests.ui.fake_controller import FakeController
 
 VOLTAGE, MOTOR_TEMPERATURE, CURRENT, ENABLED, HOMED = 1, 2, 3, 7, 8
+DRAWER_PX = (1072, 245)
+"""Of a page in the drawer of a window of 1280×800 that has just opened."""
 NOON = datetime(2026, 1, 2, 12, 0, 0).astimezone()
 
 WELL = DriverSlow(
@@ -94,10 +102,11 @@ def button(qtbot: QtBot, monitor: JointMonitor) -> JointStatusButton:
 
 
 @pytest.fixture
-def dialog(qtbot: QtBot, controller: FakeController, monitor: JointMonitor) -> JointStatusDialog:
-    dialog = JointStatusDialog(controller.as_real, monitor)
-    shown(qtbot, dialog)
-    return dialog
+def page(qtbot: QtBot, controller: FakeController, monitor: JointMonitor) -> JointStatusPage:
+    page = JointStatusPage(controller.as_real, monitor)
+    page.resize(*DRAWER_PX)
+    shown(qtbot, page)
+    return page
 
 
 def view(model: JointStatusModel, row: int, joint: int) -> CellView:
@@ -147,27 +156,28 @@ def test_a_fault_shows_its_figure_and_since_when_until_it_ends(
     controller.hear(arm(slow={2: WELL._replace(undervoltage=True, voltage_v=18.3)}))
     clock.now = NOON + timedelta(seconds=70)
     controller.hear(arm(slow={2: WELL._replace(undervoltage=True, voltage_v=18.1)}))
-    assert view(model, VOLTAGE, 2) == CellView("Too low", "18.1 V · 12:01:05", Mark.FAULT, False)
+    assert view(model, VOLTAGE, 2) == CellView("Too low", "18.1 V", "12:01:05", Mark.FAULT, False)
+    assert view(model, VOLTAGE, 2).small == "18.1 V · 12:01:05"
     tip = model.index(VOLTAGE, 1).data(Qt.ItemDataRole.ToolTipRole)
     assert tip == "J2  Supply voltage: Too low · 18.1 V · since 2026-01-02 12:01:05"
 
     controller.hear(arm())
-    assert view(model, VOLTAGE, 2) == CellView("Normal", "24.0 V", Mark.GOOD, False)
+    assert view(model, VOLTAGE, 2) == CellView("Normal", "24.0 V", "", Mark.GOOD, False)
     assert view(model, VOLTAGE, 1).mark is Mark.GOOD
 
 
 def test_off_is_no_fault(controller: FakeController, model: JointStatusModel) -> None:
     controller.hear(arm(slow={1: WELL._replace(enabled=False)}))
     assert view(model, ENABLED, 1).mark is Mark.OFF
-    assert view(model, HOMED, 1) == CellView("Not homed", "", Mark.OFF, False)
+    assert view(model, HOMED, 1) == CellView("Not homed", "", "", Mark.OFF, False)
 
 
 def test_what_was_never_heard_is_a_dash_with_a_mark_of_its_own(
     controller: FakeController, model: JointStatusModel
 ) -> None:
     controller.hear(arm_state())  # no driver yet
-    assert view(model, CURRENT, 3) == CellView("—", "", Mark.UNKNOWN, False)
-    assert view(model, 0, 3) == CellView("—", "", None, False)
+    assert view(model, CURRENT, 3) == CellView("—", "", "", Mark.UNKNOWN, False)
+    assert view(model, 0, 3) == CellView("—", "", "", None, False)
     assert view(model, 9, 3).text == "Normal"
 
 
@@ -191,41 +201,79 @@ def test_only_cells_that_changed_are_drawn_again(
     assert changed == [(MOTOR_TEMPERATURE, 4)]
 
 
-# The window ---------------------------------------------------------------------------------------
+# The page -----------------------------------------------------------------------------------------
 
 
-def test_a_refusal_to_clear_is_said_in_the_window(
-    qtbot: QtBot, controller: FakeController, dialog: JointStatusDialog
+def test_a_refusal_to_clear_is_said_in_the_page(
+    qtbot: QtBot, controller: FakeController, page: JointStatusPage
 ) -> None:
     controller.answer = LINK_LOST()
-    qtbot.mouseClick(dialog.clear_buttons[3], Qt.MouseButton.LeftButton)
+    qtbot.mouseClick(page.clear_buttons[3], Qt.MouseButton.LeftButton)
     assert controller.calls[-1] == ("clear_joint_error", 4)
-    assert message(dialog) == words.refusal(LINK_LOST())
+    assert message(page) == words.refusal(LINK_LOST())
+    assert not page.findChild(QLabel, "joint_status_detail").isVisible()
+    page.table.setCurrentIndex(page.table.model().index(1, 1))
+    assert message(page) == ""
+    assert page.findChild(QLabel, "joint_status_detail").text().startswith("J2")
 
 
-def test_the_buttons_stand_under_their_columns(dialog: JointStatusDialog) -> None:
-    table = dialog._table
-    for column, button in enumerate(dialog.clear_buttons):
-        left = table.viewport().mapTo(dialog, table.viewport().rect().topLeft()).x()
+def test_the_buttons_stand_above_their_columns(page: JointStatusPage) -> None:
+    table = page.table
+    for column, button in enumerate(page.clear_buttons):
+        left = table.viewport().mapTo(page, table.viewport().rect().topLeft()).x()
         left += table.columnViewportPosition(column)
-        center = button.mapTo(dialog, button.rect().center()).x()
-        assert abs(center - (left + table.columnWidth(column) / 2)) < 4
+        place = button.mapTo(page, button.rect().topLeft())
+        assert left <= place.x()
+        assert place.x() + button.width() <= left + table.columnWidth(column) + 2
+        assert place.y() + button.height() <= table.y()
+
+
+@pytest.mark.parametrize("said", [False, True])
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_in_the_drawer_of_a_small_window_all_rows_are_seen(
+    qapp: QApplication,
+    controller: FakeController,
+    page: JointStatusPage,
+    translator: Translator,
+    language: Language,
+    said: bool,
+) -> None:
+    apply_theme(qapp, Theme.LIGHT)
+    controller.hear(arm())
+    translator.set_language(language)
+    if said:
+        controller.answer = LINK_LOST()
+        page.clear_buttons[3].click()
+    QApplication.processEvents()
+    assert page.minimumSizeHint().width() <= DRAWER_PX[0]
+    assert page.minimumSizeHint().height() <= DRAWER_PX[1]
+    table = page.table
+    below = table.rowViewportPosition(9) + table.rowHeight(9)
+    assert below <= table.viewport().height()
+    assert min(table.rowHeight(row) for row in range(10)) >= 17
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-def test_the_table_needs_no_scrolling(
-    controller: FakeController,
-    dialog: JointStatusDialog,
-    translator: Translator,
-    language: Language,
+def test_a_fault_has_its_figure_beside_its_word(
+    qapp: QApplication, page: JointStatusPage, translator: Translator, language: Language
 ) -> None:
-    controller.hear(arm())
+    """Each column of the drawer has room for the longest word and the widest figure."""
+    apply_theme(qapp, Theme.LIGHT)
     translator.set_language(language)
     QApplication.processEvents()
-    assert dialog.width() <= 1280
-    assert dialog.height() <= 760
-    assert not dialog._table.verticalScrollBar().isVisible()
-    assert not dialog._table.horizontalScrollBar().isVisible()
+    figure = QFontMetrics(scaled_font(page.table, 0.84)).horizontalAdvance(" -00.00 A ")
+    columns = [page.table.columnWidth(column) for column in range(6)]
+    assert min(columns) >= word_width(page.table) + figure
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_in_the_smallest_window_every_word_is_seen(
+    qapp: QApplication, page: JointStatusPage, translator: Translator, language: Language
+) -> None:
+    apply_theme(qapp, Theme.LIGHT)
+    translator.set_language(language)
+    QApplication.processEvents()
+    assert page.minimumSizeHint().width() <= 816
 
 
 # The button ---------------------------------------------------------------------------------------

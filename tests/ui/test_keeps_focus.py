@@ -69,7 +69,7 @@ def test_in_the_program_a_stop_gives_the_stop_no_keyboard(app_driver):
 
 
 def test_a_dialog_that_opens_gives_halt_and_stop_no_keyboard(app_driver):
-    for open_it in ("open_connect_dialog", "open_help_dialog", "open_backup_dialog"):
+    for open_it in ("open_connect_dialog", "open_settings_dialog", "open_backup_dialog"):
         getattr(app_driver.window, open_it)()
         dialog = app_driver.dialog(QDialog)
         dialog.activateWindow()

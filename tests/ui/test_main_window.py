@@ -244,11 +244,11 @@ def test_a_robot_chosen_in_the_settings_that_cannot_be_loaded_is_said_there(wind
     ("button", "dialog"),
     [
         ("communication_button", "ConnectDialog"),
-        ("help_button", "HelpDialog"),
+        ("help_button", "HelpPage"),
         ("settings_button", "SettingsDialog"),
     ],
 )
-def test_dialogs_open_once(window, qtbot, button, dialog):
+def test_dialogs_and_pages_open_once(window, qtbot, button, dialog):
     for _ in range(2):
         qtbot.mouseClick(window.findChild(QAbstractButton, button), LEFT)
     shown = [

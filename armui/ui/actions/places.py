@@ -20,11 +20,13 @@ PLACES: Final[Mapping[str, Text]] = {
     "plots": Text("WatchMenu", "Curves"),
     "events": Text("WatchMenu", "Events"),
     "bus": Text("WatchMenu", "Bus"),
-    "sessions": Text("SessionsWindow", "Session recordings"),
+    "sessions": Text("SessionsPage", "Session recordings"),
+    "guide": Text("WatchMenu", "Guide"),
+    "help": Text("HelpPage", "Help: 3D view"),
     "replay": Text("Place", "Replay"),
     "connect": Text("ConnectDialog", "Connect arm"),
     "settings": Text("SettingsDialog", "Settings"),
-    "joint_status": Text("JointStatusDialog", "Joint status"),
+    "joint_status": Text("JointStatusPage", "Joint status"),
     "about_arm": Text("AboutArmDialog", "About this arm"),
     "doctor": Text("DoctorDialog", "Diagnosis"),
     "report": Text("ProblemReportDialog", "Report a problem"),
@@ -33,5 +35,8 @@ PLACES: Final[Mapping[str, Text]] = {
 }
 """The titles by the keys of the places; `operation_area.PANELS` has those of the panels."""
 
-MOVABLE: Final = ("library", "editor", "recording", "plots", "events", "bus")
+MOVABLE: Final = (
+    *("library", "editor", "recording"),
+    *("plots", "events", "bus", "sessions", "joint_status", "guide", "help"),
+)
 """The keys of the pages that can be moved into a window of their own."""

@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtWidgets import QWidget
 
 from armui.ui.actions.keys import SHORTCUTS
-from armui.ui.dialogs.sections import HelpSection, SectionsDialog
+from armui.ui.dialogs.base import ArmDialog, CloseButton
+from armui.ui.dialogs.sections import HelpSection, SectionsArea
+from armui.ui.widgets.layouts import STRETCH, fill
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -23,7 +25,7 @@ _LEFT: Final = (
 """The places in the left column; the others are in the right one."""
 
 
-class ShortcutList(SectionsDialog):
+class ShortcutList(ArmDialog):
     """The list with keys on the left and their effects on the right.
 
     Args:
@@ -37,19 +39,16 @@ class ShortcutList(SectionsDialog):
     ) -> None:
         left = [_section(place, places[place]) for place in _LEFT]
         right = [_section(place, title) for place, title in places.items() if place not in _LEFT]
-        super().__init__(
-            controller,
-            parent,
-            left=[each for each in left if each.lines],
-            right=[each for each in right if each.lines],
-            gaps_px=_GAPS_PX,
-        )
+        columns = ([each for each in column if each.lines] for column in (left, right))
+        super().__init__(controller, parent)
+        self.body.addWidget(SectionsArea(*columns, gaps_px=_GAPS_PX), 1)
+        fill(self.footer, STRETCH, CloseButton(self, on_enter=True))
         self.setObjectName("shortcut_list")
         self.resize(*_SIZE_PX)
+        self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
-        super().retranslate_ui()
         self.set_title(self.tr("Keyboard shortcuts"))
 
 

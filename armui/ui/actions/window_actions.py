@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, QSize, Qt
-from PySide6.QtWidgets import QAbstractButton, QApplication, QDialog, QToolButton, QWidget
+from PySide6.QtWidgets import QAbstractButton, QDialog, QToolButton, QWidget
 
 from armui.control.devices.motors import Motors
 from armui.control.operations.operation import operation_of
@@ -17,7 +17,6 @@ from armui.ui.actions.keys import key_text, listen_for
 from armui.ui.actions.palette import CommandPalette
 from armui.ui.actions.palette_items import Callback, PaletteItems, lead_to, use
 from armui.ui.actions.shortcut_list import ShortcutList
-from armui.ui.guide.guide_window import GuideWindow
 from armui.ui.guide.place import section_of
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
@@ -166,10 +165,10 @@ class WindowActions(QObject):
             recovery: Takes the next step.
             run: Goes on with a run that pauses or waits.
             diagnosis: Opens the windows 诊断 and «About this arm».
-            watch: Opens the windows for recordings.
+            watch: Opens the guide, and the windows for recordings.
             buttons: The buttons below the menu, by the names of their commands.
         """
-        self._recovery, self._run = recovery, run
+        self._recovery, self._run, self._watch = recovery, run, watch
         does: dict[str, Callback] = {
             "everywhere.stop": self._stop,
             "everywhere.halt": self._halt,
@@ -235,14 +234,7 @@ class WindowActions(QObject):
 
     def open_guide(self) -> None:
         """Show the section of the user guide on the place where the operator is."""
-        if isinstance(QApplication.activeWindow(), GuideWindow):
-            return
-        section = section_of(*self._where())
-        window = self._open(
-            "guide", lambda: GuideWindow(self._controller, self._background, self._window)
-        )
-        if isinstance(window, GuideWindow):
-            window.show_section(section)
+        self._watch.open_guide(section_of(*self._where()))
 
     def _open(self, name: str, make: Callable[[], QDialog]) -> QDialog:
         if name not in self._opened:

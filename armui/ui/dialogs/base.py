@@ -106,7 +106,7 @@ class CloseButton(Translated, QPushButton):
 
 
 class ArmDialog(Translated, KeepsFocus, QDialog):
-    """A dialog with its title, halt and emergency stop at the top.
+    """A dialog with its title, halt and emergency stop in one line at the top.
 
     It never blocks the main window, so the stop there stays within reach, too. Escape closes it.
 
@@ -127,8 +127,8 @@ class ArmDialog(Translated, KeepsFocus, QDialog):
         self.setModal(False)
         self._moved = False
         self._heading = text_label(rank="title", wraps=True, plain=True)
-        self.halt_button = HaltButton(controller, self)
-        self.stop_button = StopButton(controller, self)
+        self.halt_button = HaltButton(controller, self, slim=True)
+        self.stop_button = StopButton(controller, self, slim=True)
 
         self._header = header = in_row((self._heading, 1), spacing=_GAP_PX)
         header.addWidget(self.halt_button, 0, Qt.AlignmentFlag.AlignTop)
@@ -143,7 +143,7 @@ class ArmDialog(Translated, KeepsFocus, QDialog):
 
     def add_to_header(self, widget: QWidget) -> None:
         """Add a widget between the title and the stops."""
-        self._header.insertWidget(1, widget, 0, Qt.AlignmentFlag.AlignVCenter)
+        self._header.insertWidget(1, widget, 0, Qt.AlignmentFlag.AlignTop)
 
     def set_title(self, title: str) -> None:
         """Set the title in the frame and at the top of the dialog."""

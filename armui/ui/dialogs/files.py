@@ -132,7 +132,7 @@ class FileDialog(QFileDialog):
         # Qt's own translation has no words for these two
         self.setLabelText(QFileDialog.DialogLabel.LookIn, self.tr("Folder"))
         self.setLabelText(QFileDialog.DialogLabel.FileType, self.tr("Kind"))
-        self.stop_button = StopButton(controller, self)
+        self.stop_button = StopButton(controller, self, slim=True)
         _add_at_the_top(self.layout(), self.stop_button)
         self._widen_columns()
         self.resize(*_SIZE_PX)

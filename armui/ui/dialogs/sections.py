@@ -1,4 +1,4 @@
-"""A window for reading: sections in two columns, each with a heading and explaining lines."""
+"""Text for reading: sections in two columns, each with a heading and explaining lines."""
 
 from __future__ import annotations
 
@@ -8,19 +8,17 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QPaintEvent
-from PySide6.QtWidgets import QGridLayout, QLabel, QScrollArea, QSizePolicy, QWidget
+from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QScrollArea, QSizePolicy, QWidget
 
-from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.theme import colors_of, scaled_font
 from armui.ui.widgets import painting
-from armui.ui.widgets.layouts import STRETCH, bare_area, empty_grid, fill, in_row
+from armui.ui.widgets.layouts import empty_grid, in_row
 from armui.ui.widgets.text_label import text_label
+from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
     from PySide6.QtGui import QShowEvent
-
-    from armui.control.arm_controller import ArmController
 
 
 _COLUMN_GAP_PX: Final = 36
@@ -61,29 +59,28 @@ class HelpSection:
     keys: bool = True
 
 
-class SectionsDialog(ArmDialog):
-    """Shows the sections; subclasses set the title.
+class SectionsArea(Translated, QScrollArea):
+    """Shows the sections.
 
     Args:
-        controller: Receives the emergency stop.
-        parent: The main window.
         left, right: The columns.
         gaps_px: The gaps within a line, and between two.
     """
 
     def __init__(
         self,
-        controller: ArmController,
-        parent: QWidget | None,
-        *,
         left: Sequence[HelpSection],
         right: Sequence[HelpSection],
+        *,
         gaps_px: tuple[int, int],
     ) -> None:
-        super().__init__(controller, parent)
+        super().__init__()
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._texts: list[tuple[QLabel, Text]] = []
-        self._page = page = QWidget()
-        columns = in_row(on=page, spacing=_COLUMN_GAP_PX, margins=(0, 0, 8, 0))
+        self._content = QWidget()
+        columns = in_row(on=self._content, spacing=_COLUMN_GAP_PX, margins=(0, 0, 8, 0))
         for sections in (left, right):
             grid = empty_grid(gaps=gaps_px)
             grid.setColumnStretch(1, 1)
@@ -91,10 +88,7 @@ class SectionsDialog(ArmDialog):
                 self._add_section(grid, section)
             grid.setRowStretch(grid.rowCount(), 1)
             columns.addLayout(grid, 1)
-        self.area: QScrollArea = bare_area(page)
-        self.close_button = CloseButton(self, on_enter=True)
-        fill(self.body, (self.area, 1))
-        fill(self.footer, STRETCH, self.close_button)
+        self.setWidget(self._content)
         self.retranslate_ui()
 
     def _add_section(self, grid: QGridLayout, section: HelpSection) -> None:
@@ -121,7 +115,7 @@ class SectionsDialog(ArmDialog):
     def showEvent(self, event: QShowEvent) -> None:
         """Update the heights of the lines for the fonts of the style sheet."""
         super().showEvent(event)
-        layout = self._page.layout()
+        layout = self._content.layout()
         if layout is not None:
             layout.invalidate()
 

@@ -1,4 +1,4 @@
-"""Shows one section of the guide, with pictures as wide as there is room."""
+"""Shows one section of the guide, its pictures as wide as there is room beside the text."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, Final
 
-from PySide6.QtCore import Qt, QTimer, QUrl, Signal
+from PySide6.QtCore import QSizeF, Qt, QTimer, QUrl, Signal
 from PySide6.QtGui import QColor, QImage, QResizeEvent, QTextCursor
 from PySide6.QtWidgets import QTextBrowser, QTextEdit
 
@@ -17,6 +17,8 @@ from armui.ui.guide.text import FOLDER, GuideSection
 from armui.ui.theme import colors_of
 
 _SIDE_PX: Final = 48
+_LOW_PX: Final = 320
+"""In a page that is lower, as in the drawer, pictures leave half of it to the text."""
 _SETTLED_MS: Final = 150
 _NOTHING: Final = QImage()
 
@@ -94,11 +96,16 @@ class GuideBrowser(QTextBrowser):
         self.verticalScrollBar().setValue(at)
 
     def _fit(self, picture: QImage) -> QImage:
-        """A picture no wider than the window, sharp on its screen."""
+        """A picture no wider than the page, sharp on its screen; in a low page the text is seen."""
         ratio = self.devicePixelRatioF()
-        room = round((self.viewport().width() - _SIDE_PX) * ratio)
-        if picture.width() > room > 0:
-            picture = picture.scaledToWidth(room, Qt.TransformationMode.SmoothTransformation)
+        page = self.viewport().size()
+        room = QSizeF(page.width() - _SIDE_PX, page.height() / 2)
+        if page.height() >= _LOW_PX:
+            room.setHeight(picture.height())
+        size = QSizeF(picture.size()).scaled(room * ratio, Qt.AspectRatioMode.KeepAspectRatio)
+        if 0 < size.width() < picture.width():
+            smooth = Qt.TransformationMode.SmoothTransformation
+            picture = picture.scaledToWidth(round(size.width()), smooth)
         else:
             picture = picture.copy()
         picture.setDevicePixelRatio(ratio)
@@ -124,9 +131,9 @@ class GuideBrowser(QTextBrowser):
         return self._fitted.get(QUrl(name).toString(), _NOTHING)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Scale the pictures to the new width, once it has settled."""
+        """Pictures follow the size, once it stands."""
         super().resizeEvent(event)
-        if event.size().width() != event.oldSize().width():
+        if event.size() != event.oldSize():
             self._resized.start()
 
 

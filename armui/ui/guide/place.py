@@ -25,21 +25,22 @@ _WINDOWS: Final[Mapping[str, str]] = {
     "EventPage": "events",
     "ExportDialog": "export",
     "GamepadDialog": "gamepad",
-    "HelpDialog": "view",
+    "HelpPage": "view",
     "ImportReport": "files",
-    "JointStatusDialog": "joint_status",
+    "JointStatusPage": "joint_status",
     "KeepDialog": "doctor",
     "LibraryPage": "library",
     "PlotPage": "plots",
     "ProblemReportDialog": "report",
     "RecordingPage": "recording",
     "ReplayWindow": "replay",
-    "SessionsWindow": "sessions",
+    "SessionsPage": "sessions",
     "SettingsDialog": "settings",
     "ShortcutList": "keys",
 }
 """The section by the class of a window or of a page in the main window."""
 
+_GUIDE: Final = "GuidePage"
 _REGIONS: Final[Mapping[str, str]] = {
     "ArmView": "view",
     "Drawer": "drawer",
@@ -63,6 +64,8 @@ def section_of(pages: Iterable[QWidget | None], panel: str) -> str:
     each = focus or QApplication.activeWindow()
     while each is not None:
         name = type(each).__name__
+        if name == _GUIDE:
+            break  # who reads it asks about what stands beside it
         section = _WINDOWS.get(name) or _REGIONS.get(name)
         if section is not None:
             return section

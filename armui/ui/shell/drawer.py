@@ -1,31 +1,49 @@
-"""The drawer below panels and picture: 曲线, 事件 and 总线, one at a time; closed at first."""
+"""The drawer below panels and picture: pages to watch or read beside the work, one at a time."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import Final
 
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QButtonGroup, QToolButton, QWidget
 
-from armui.ui.shell.side_menu import WatchEntry
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import caption, choice_button, describe, named
 from armui.ui.widgets.layouts import STRETCH, in_column, in_row
 from armui.ui.widgets.page import Page, PageStack
 from armui.ui.widgets.translated import Translated
+from armui.ui.words.text import Text
 
 _ICON_PX: Final = 16
 DRAWER_PX: Final = 300
 _LEAST_PX: Final = 190
 
 
+@dataclass(frozen=True, slots=True)
+class DrawerEntry:
+    """A page of the drawer.
+
+    Attributes:
+        key: Of the page; its tab is called ``drawer_<key>``.
+        title: The text of the tab.
+        tip: The purpose of the page.
+        open_page: Shows it, in the drawer or in its window.
+    """
+
+    key: str
+    title: Text
+    tip: Text
+    open_page: Callable[[], object]
+
+
 class Drawer(Translated, QWidget):
-    """Tabs of pages, each of which is created when it is first wanted.
+    """Tabs of pages, each created when it is first wanted; closed at first.
 
     Args:
-        entries: The pages by their keys, with the functions that open them.
+        entries: The pages, from left to right.
 
     Signals:
         take_out_wanted: The visible page shall move to a window of its own.
@@ -35,7 +53,7 @@ class Drawer(Translated, QWidget):
     take_out_wanted = Signal(object)
     turned = Signal(bool)
 
-    def __init__(self, entries: Sequence[WatchEntry]) -> None:
+    def __init__(self, entries: Sequence[DrawerEntry]) -> None:
         super().__init__()
         self.setObjectName("drawer")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
@@ -88,9 +106,9 @@ class Drawer(Translated, QWidget):
             self.hide()
             self.turned.emit(False)
 
-    def _on_tab(self, entry: WatchEntry) -> None:
+    def _on_tab(self, entry: DrawerEntry) -> None:
         """A page that was taken out stays where it is: the tab of the one seen here is down."""
-        entry.open_window()
+        entry.open_page()
         if self.current is not None:
             self._tabs[self.current.key].setChecked(True)
 

@@ -20,9 +20,9 @@ from armui.ui.actions.places import MOVABLE
 from armui.ui.dialogs.about_arm import AboutArmDialog
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.connect import ConnectDialog
-from armui.ui.dialogs.joint_status import JointStatusDialog
 from armui.ui.dialogs.settings import SettingsDialog
-from armui.ui.watch.recordings.sessions_window import SessionsWindow
+from armui.ui.watch.joint_status_page import JointStatusPage
+from armui.ui.watch.recordings.sessions_page import SessionsPage
 from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
@@ -90,7 +90,9 @@ class PageActions(QObject):
             "sessions": watch.open_sessions,
             "connect": window.open_connect_dialog,
             "settings": window.open_settings_dialog,
-            "joint_status": window.open_joint_status_dialog,
+            "joint_status": watch.open_joint_status,
+            "guide": watch.open_guide,
+            "help": watch.open_help,
             "about_arm": diagnosis.open_about_arm,
             "doctor": diagnosis.open_doctor,
             "report": diagnosis.open_report,
@@ -130,10 +132,10 @@ class PageActions(QObject):
             "plots": PlotPage,
             "events": EventPage,
             "bus": BusPage,
-            "sessions": SessionsWindow,
+            "sessions": SessionsPage,
             "connect": ConnectDialog,
             "settings": SettingsDialog,
-            "joint_status": JointStatusDialog,
+            "joint_status": JointStatusPage,
             "about_arm": AboutArmDialog,
             "doctor": DoctorDialog,
             "report": ProblemReportDialog,

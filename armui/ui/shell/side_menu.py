@@ -46,7 +46,7 @@ _MARKS: Final = {
 
 
 class JointStatusButton(Translated, QAbstractButton):
-    """A button with a mark, the name of the window, and the state of the joints in words.
+    """A button with a mark, the name of the page, and the state of the joints in words.
 
     Args:
         monitor: Gives the state of the joints.
@@ -129,28 +129,28 @@ class JointStatusButton(Translated, QAbstractButton):
 
 @dataclass(frozen=True, slots=True)
 class WatchEntry:
-    """A window or page that monitors the arm or the bus.
+    """A page that monitors the arm or the bus.
 
     Attributes:
-        key: The name of its icon; the button is named ``<key>_button``.
+        key: The name of its icon; the button is called ``<key>_button``.
         title: The text of the button.
-        tip: The purpose of the window.
-        open_window: Shows it.
+        tip: The purpose of the page.
+        open_page: Shows it.
         command: Opens it from the command palette.
     """
 
     key: str
     title: Text
     tip: Text
-    open_window: Callable[[], object]
+    open_page: Callable[[], object]
     command: Command
 
 
 class WatchMenu(Translated, QWidget):
-    """A button for each window, two in a row; a single one is as wide as the menu.
+    """A button for each page, two in a row; a single one is as wide as the menu.
 
     Args:
-        entries: The windows, row by row.
+        entries: The pages, row by row.
     """
 
     def __init__(self, entries: Sequence[WatchEntry]) -> None:
@@ -164,7 +164,7 @@ class WatchMenu(Translated, QWidget):
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
             button.setIconSize(QSize(18, 18))
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-            button.clicked.connect(lambda _on=False, entry=entry: entry.open_window())
+            button.clicked.connect(lambda _on=False, entry=entry: entry.open_page())
             row, column = divmod(place, _COLUMNS)
             alone = column == 0 and place == len(entries) - 1
             layout.addWidget(button, row, column, 1, _COLUMNS if alone else 1)

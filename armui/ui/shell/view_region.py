@@ -38,7 +38,7 @@ class ViewRegion(Translated, QWidget):
             "window.settings", synonyms=also("preferences options configuration 选项 首选项 配置")
         ),
         Command("window.reset_view"),
-        Command("view.help", Text("HelpDialog", "Help: 3D view")),
+        Command("view.help", Text("HelpPage", "Help: 3D view")),
     )
     help_wanted = Signal()
     reset_wanted = Signal()

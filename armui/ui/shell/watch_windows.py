@@ -1,10 +1,10 @@
-"""The windows for monitoring, recording and replay; created when they are first opened."""
+"""The pages of the drawer, and the windows for replay and export; created when first opened."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, Protocol
 
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
@@ -13,14 +13,19 @@ from armui.control.sessions.session_recorder import SESSION_STARTED
 from armui.ui.actions.command import Command, also
 from armui.ui.actions.places import PLACES
 from armui.ui.dialogs.base import ArmDialog
+from armui.ui.guide.guide_page import GuidePage
+from armui.ui.guide.help_page import HelpPage
+from armui.ui.shell.drawer import DrawerEntry
 from armui.ui.shell.side_menu import WatchEntry
+from armui.ui.watch.joint_status_page import JointStatusPage
 from armui.ui.watch.recordings.recording_card import RecordingMark
-from armui.ui.watch.recordings.sessions_window import SessionsWindow
+from armui.ui.watch.recordings.sessions_page import SessionsPage
 from armui.ui.words.text import Text
 from armui.viewport.view import ArmView
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
+    from armui.control.devices.joint_monitor import JointMonitor
     from armui.control.events import Event
     from armui.settings import SettingsStore
     from armui.ui.background import Background
@@ -35,8 +40,13 @@ Opener = Callable[[str, Callable[[], ArmDialog]], ArmDialog]
 PageOpener = Callable[[str, Callable[[], "Page"]], "Page"]
 """Shows a page by its name, creating it the first time."""
 
-_PAGES: Final = ("plots", "events", "bus")
-"""The ones that are pages of the drawer; the others are windows."""
+
+class Uncover(Protocol):
+    """Brings a page in front of the windows that lie over it."""
+
+    def __call__(self, page: Page, *, for_now: bool = False) -> object:
+        """Give it a window, for now or from now on, if one lies over it."""
+
 
 # fmt: off
 _BUTTONS: Final = (
@@ -59,8 +69,16 @@ _BUTTONS: Final = (
           "or by another program."),
      also("logs history 日志 录制")),
 )
+_TABS: Final = (
+    ("joint_status", Text("JointStatusPage", "Joint status"),
+     Text("WatchMenu", "What each joint says of itself: temperature, current, voltage, faults.")),
+    ("guide", Text("WatchMenu", "Guide"),
+     Text("WatchMenu", "How to use the program; F1 opens it at the place where you are.")),
+    ("help", Text("WatchMenu", "Help"),
+     Text("WatchMenu", "Mouse, keys and figures of the 3D picture.")),
+)
 # fmt: on
-"""Icon, name, purpose and other names of each window, row by row."""
+"""Key, title and purpose of the pages of the drawer; those of the buttons have other names, too."""
 
 
 class WatchWindows(QObject):
@@ -68,6 +86,7 @@ class WatchWindows(QObject):
 
     Args:
         controller: Gives feedback and events.
+        joint_monitor: Gives the state of the joints.
         settings: The file of the operator's settings.
         background: Runs long work, and reads and writes files.
         window: The main window.
@@ -81,18 +100,20 @@ class WatchWindows(QObject):
     def __init__(
         self,
         controller: ArmController,
+        joint_monitor: JointMonitor,
         settings: Path,
         background: Background,
         window: QWidget,
         *,
         open_window: Opener,
         open_page: PageOpener,
-        uncover: Callable[[Page], object],
+        uncover: Uncover,
         store: SettingsStore,
         robot: Callable[[], str | None] = lambda: None,
     ) -> None:
         super().__init__(window)
         self._controller = controller
+        self._joint_monitor = joint_monitor
         self._settings = settings
         self._background = background
         self._window = window
@@ -100,6 +121,7 @@ class WatchWindows(QObject):
         self._open_page = open_page
         self._uncover = uncover
         self._plots: PlotPage | None = None
+        self._guide: GuidePage | None = None
         self._store = store
         self._robot = robot
         self._bar: StatusBar | None = None
@@ -120,9 +142,18 @@ class WatchWindows(QObject):
             for key, title, tip, synonyms in _BUTTONS
         )
 
-    def pages(self) -> tuple[WatchEntry, ...]:
-        """Return the entries that are pages of the drawer."""
-        return tuple(entry for entry in self.entries() if entry.key in _PAGES)
+    def pages(self) -> tuple[DrawerEntry, ...]:
+        """Return the pages of the drawer: those with a button below the menu, and the others."""
+        openers: dict[str, Callable[[], object]] = {
+            "joint_status": self.open_joint_status,
+            "guide": self.open_guide,
+            "help": self.open_help,
+        }
+        buttons = [
+            DrawerEntry(each.key, each.title, each.tip, each.open_page) for each in self.entries()
+        ]
+        others = [DrawerEntry(key, title, tip, openers[key]) for key, title, tip in _TABS]
+        return (*buttons, *others)
 
     def show_as_curves(self, keys: Sequence[str]) -> None:
         """Show quantities in the page 曲线, by their keys (`armui.telemetry.quantities`)."""
@@ -181,16 +212,44 @@ class WatchWindows(QObject):
         self._open_page("bus", make)
 
     def open_sessions(self) -> None:
-        """Show the window 会话记录."""
+        """Show the page 会话记录."""
 
-        def make() -> ArmDialog:
-            window = SessionsWindow(self._controller, self._background, self._store, self._window)
-            window.open_wanted.connect(self.open_replay)
-            window.other_wanted.connect(self.open_replay)
-            window.export_wanted.connect(self.open_export)
-            return window
+        def make() -> Page:
+            page = SessionsPage(self._controller, self._background, self._store)
+            page.open_wanted.connect(self.open_replay)
+            page.other_wanted.connect(self.open_replay)
+            page.export_wanted.connect(self.open_export)
+            return page
 
-        self._open("sessions", make)
+        self._open_page("sessions", make)
+
+    def open_joint_status(self) -> None:
+        """Show the page 关节状态 (manual 1.0.10)."""
+        self._open_page(
+            "joint_status", lambda: JointStatusPage(self._controller, self._joint_monitor)
+        )
+
+    def open_guide(self, section: str = "") -> None:
+        """Show the page 使用指南; the window it was asked for in does not cover it.
+
+        Args:
+            section: The section to show; by default the guide is as it was left.
+        """
+        reads = self._guide is not None and self._guide.has_focus_inside
+
+        def make() -> Page:
+            self._guide = GuidePage(self._background)
+            return self._guide
+
+        self._open_page("guide", make)
+        if self._guide is not None:
+            if section:
+                self._guide.answer(section, reads=reads)
+            self._uncover(self._guide, for_now=True)
+
+    def open_help(self) -> None:
+        """Show the page 使用帮助: how the 3D picture is used."""
+        self._open_page("help", HelpPage)
 
     def show_marks_in(self, bar: StatusBar) -> None:
         """Show the progress of recordings in the status bar, from the first recording on."""

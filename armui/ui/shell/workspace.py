@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Final, Protocol
 
 from PySide6.QtCore import QMargins, QObject, QRect, QSize, Qt, Signal
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QToolButton, QWidget
+from PySide6.QtWidgets import QApplication, QDialog, QToolButton, QWidget
 
 from armui.ui.dialogs.base import FRAME, ArmDialog, on_screen, place_of
 from armui.ui.shell.workspace_layout import OpenWindow
@@ -62,6 +62,7 @@ class PageWindow(ArmDialog):
         self._put_back = named("page_put_back", QToolButton())
         self._put_back.setIconSize(QSize(_ICON_PX, _ICON_PX))
         self._put_back.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self._put_back.setFixedHeight(self.stop_button.sizeHint().height())
         self._put_back.clicked.connect(self.put_back_wanted)
         self.add_to_header(self._put_back)
         self.body.addWidget(page, 1)
@@ -160,6 +161,7 @@ class Workspace(QObject):
         self._homes: dict[Page, PageHome] = {}
         self._kept: dict[str, Page] = {}
         self._windows: dict[Page, PageWindow] = {}
+        self._out_for_now: set[Page] = set()
         known = keeper.layout.taken_out
         self._left_open = [each for each in keeper.layout.open_windows if each.key in known]
         self._ends = False
@@ -214,15 +216,23 @@ class Workspace(QObject):
         window = self._window_of(page)
         if page.key not in self._keeper.layout.taken_out:
             window.setGeometry(first_place(stood, window, self._window))
-        self._note(window, page.key)
+        self._note(window, page)
         window.open()
 
-    def uncover(self, page: Page) -> None:
-        """Move a page to a window of its own if a window covers it, which stays in front."""
+    def uncover(self, page: Page, *, for_now: bool = False) -> None:
+        """Move a page to a window if the window of another page covers it, which stays in front.
+
+        Args:
+            page: The visible page.
+            for_now: True to do so if any window of the program covers it, for this time only.
+        """
         stands = QRect(page.mapToGlobal(page.rect().topLeft()), page.size())
-        windows = (each for each in self._windows.values() if each.isVisible())
-        covered = any(window.geometry().intersects(stands) for window in windows)
+        others = QApplication.topLevelWidgets() if for_now else self._windows.values()
+        dialogs = (each for each in others if isinstance(each, QDialog) and each.isVisible())
+        covered = any(each.geometry().intersects(stands) for each in dialogs)
         if covered and page.isVisible() and page not in self._windows:
+            if for_now:
+                self._out_for_now.add(page)
             self.take_out(page)
 
     def put_back(self, page: Page) -> None:
@@ -250,7 +260,8 @@ class Workspace(QObject):
         """Store which pages are in windows, with those of the last time still to be opened."""
         if self._ends:
             return
-        now = [OpenWindow(page.key, page.subject) for page in self._windows]
+        lasting = (page for page in self._windows if page not in self._out_for_now)
+        now = [OpenWindow(page.key, page.subject) for page in lasting]
         kept = tuple(dict.fromkeys([*now, *self._left_open]))
         self._keeper.layout = replace(self._keeper.layout, open_windows=kept)
         self._keeper.note()
@@ -267,7 +278,7 @@ class Workspace(QObject):
     def _window_of(self, page: Page) -> PageWindow:
         window = self._windows[page] = PageWindow(self._controller, page, self._window)
         window.put_back_wanted.connect(partial(self.put_back, page))
-        window.placed.connect(partial(self._on_placed, window, page.key))
+        window.placed.connect(partial(self._on_placed, window, page))
         kept = self._keeper.layout.taken_out.get(page.key)
         if kept is not None:
             others = sum(each.key == page.key for each in self._windows) - 1
@@ -276,13 +287,15 @@ class Workspace(QObject):
         self.note_windows()
         return window
 
-    def _on_placed(self, window: PageWindow, key: str) -> None:
+    def _on_placed(self, window: PageWindow, page: Page) -> None:
         if window.isVisible():
-            self._note(window, key)
+            self._note(window, page)
 
-    def _note(self, window: PageWindow, key: str) -> None:
+    def _note(self, window: PageWindow, page: Page) -> None:
+        if page in self._out_for_now:
+            return
         layout = self._keeper.layout
-        kept = {**layout.taken_out, key: place_of(window.geometry())}
+        kept = {**layout.taken_out, page.key: place_of(window.geometry())}
         self._keeper.layout = replace(layout, taken_out=kept)
         self._keeper.note()
 
@@ -298,6 +311,7 @@ class Workspace(QObject):
         window = self._windows.pop(page, None)
         if window is not None:
             window.release()
+            self._out_for_now.discard(page)
             self.note_windows()
 
     def _forget(self, page: Page) -> None:

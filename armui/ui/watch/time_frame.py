@@ -105,7 +105,7 @@ class TimeFrame:
         axis: Axis = (0, ""),
         heights: Range | None = None,
     ) -> None:
-        """Zoom into a part of the time, and of one axis's figures; the picture then stands still."""
+        """Zoom into a part of the time, and of one axis's figures; the curves stand still."""
         begin_s, end_s = min(begin_s, end_s), min(max(begin_s, end_s), 0.0)
         if end_s - begin_s < _SHORTEST_S:
             return

@@ -11,16 +11,12 @@ from PySide6.QtWidgets import QWidget
 from armui.control.arm_controller import ArmController
 from armui.ui.theme import colors_of, scaled_font
 from armui.ui.widgets import painting
-from armui.ui.widgets.press_button import PressButton
+from armui.ui.widgets.press_button import Face, PressButton
 from armui.ui.widgets.stop_shortcut import HALT_KEY_NAME
 from armui.ui.widgets.translated import Translated
 
-_SIGN_PX: Final = 8.0
-_SIGN_GAP_PX: Final = 9.0
-_PADDING_PX: Final = 14.0
-_LEAST_PADDING_PX: Final = 8.0
-_HEIGHT_PX: Final = 52
-_WORD_SCALE: Final = 1.15
+_LARGE: Final = Face(52, 0, 8.0, 9.0, 14.0, 8.0, 1.15, has_caption=True)
+_SLIM: Final = Face(30, 0, 6.0, 7.0, 12.0, 8.0, 1.0, has_caption=False)
 _CAPTION_SCALE: Final = 0.82
 
 
@@ -29,10 +25,14 @@ class HaltButton(Translated, PressButton):
 
     Args:
         controller: The controller of the arm.
+        slim: True for one line, as in the windows beside the main one.
     """
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, controller: ArmController, parent: QWidget | None = None, *, slim: bool = False
+    ) -> None:
         super().__init__(parent)
+        self._face = _SLIM if slim else _LARGE
         self.setObjectName("halt_button")
         self._controller = controller
         self.retranslate_ui()
@@ -61,20 +61,25 @@ class HaltButton(Translated, PressButton):
 
     def sizeHint(self) -> QSize:
         """Return a size with room for sign, word and key."""
-        return self._size(_PADDING_PX)
+        return self._size(self._face.padding_px)
 
     def minimumSizeHint(self) -> QSize:
         """Return the same with smaller margins."""
-        return self._size(_LEAST_PADDING_PX)
+        return self._size(self._face.tight_px)
 
     def _size(self, padding_px: float) -> QSize:
-        width = 2 * _SIGN_PX + _SIGN_GAP_PX + self._text_width() + 2 * padding_px
-        return QSize(int(width), _HEIGHT_PX)
+        face = self._face
+        width = 2 * face.sign_px + face.gap_px + self._text_width() + 2 * padding_px
+        return QSize(int(width), face.height_px)
+
+    def _caption(self) -> str:
+        """Return what stands below the word, smaller."""
+        return HALT_KEY_NAME if self._face.has_caption else ""
 
     def _text_width(self) -> int:
-        word = QFontMetrics(scaled_font(self, _WORD_SCALE, bold=True))
+        word = QFontMetrics(scaled_font(self, self._face.word_scale, bold=True))
         caption = QFontMetrics(scaled_font(self, _CAPTION_SCALE))
-        return max(word.horizontalAdvance(self.text()), caption.horizontalAdvance(HALT_KEY_NAME))
+        return max(word.horizontalAdvance(self.text()), caption.horizontalAdvance(self._caption()))
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw two bars, the word, and the key below it."""
@@ -87,25 +92,27 @@ class HaltButton(Translated, PressButton):
             painter.setPen(QPen(QColor(colors.stop_ink), 1.0))
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.drawRoundedRect(QRectF(self.rect()).adjusted(4, 4, -4, -4), 5, 5)
-        word_font = scaled_font(self, _WORD_SCALE, bold=True)
+        word_font = scaled_font(self, self._face.word_scale, bold=True)
         caption_font = scaled_font(self, _CAPTION_SCALE)
         word, caption = QFontMetrics(word_font), QFontMetrics(caption_font)
-        left = (self.width() - (2 * _SIGN_PX + _SIGN_GAP_PX + self._text_width())) / 2
-        self._draw_bars(painter, QPointF(left + _SIGN_PX, self.height() / 2), colors.stop_ink)
-        text_left = left + 2 * _SIGN_PX + _SIGN_GAP_PX
-        top = (self.height() - word.height() - caption.height()) / 2
+        face = self._face
+        left = (self.width() - (2 * face.sign_px + face.gap_px + self._text_width())) / 2
+        self._draw_bars(painter, QPointF(left + face.sign_px, self.height() / 2), colors.stop_ink)
+        text_left = left + 2 * face.sign_px + face.gap_px
+        below_px = caption.height() if face.has_caption else 0
+        top = (self.height() - word.height() - below_px) / 2
         painter.setPen(QColor(colors.stop_ink))
         painter.setFont(word_font)
         painter.drawText(QPointF(text_left, top + word.ascent()), self.text())
         painter.setFont(caption_font)
         painter.setPen(QColor(colors.muted))
         baseline = top + word.height() + caption.ascent()
-        painter.drawText(QPointF(text_left, baseline), HALT_KEY_NAME)
+        painter.drawText(QPointF(text_left, baseline), self._caption())
         painter.end()
 
-    @staticmethod
-    def _draw_bars(painter: QPainter, center: QPointF, ink: str) -> None:
-        painter.setPen(QPen(QColor(ink), 4.4, c=Qt.PenCapStyle.FlatCap))
+    def _draw_bars(self, painter: QPainter, center: QPointF, ink: str) -> None:
+        half_px = self._face.sign_px
+        painter.setPen(QPen(QColor(ink), 0.55 * half_px, c=Qt.PenCapStyle.FlatCap))
         for side in (-1, 1):
-            x = side * _SIGN_PX * 0.5
-            painter.drawLine(center + QPointF(x, -_SIGN_PX), center + QPointF(x, _SIGN_PX))
+            x = side * half_px * 0.5
+            painter.drawLine(center + QPointF(x, -half_px), center + QPointF(x, half_px))

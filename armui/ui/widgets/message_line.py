@@ -23,8 +23,8 @@ _ICON_PX: Final = 20
 _SIDE_PX: Final = 12
 _TOP_PX: Final = 8
 _GAP_PX: Final = 10
-_TWO_LINES: Final = "急\n急"
-"""Two lines of Chinese text, which may be higher than others."""
+_LINE: Final = "急"
+"""A line of Chinese text, which may be higher than others."""
 _LEAST_PX: Final = 200
 _UNBOUNDED_PX: Final = 10_000
 _OVER: Final = frozenset({Level.INFO, Level.DONE})
@@ -44,10 +44,14 @@ class MessageLine(QWidget):
         parent: The parent widget.
         keeps_room: True if its room is kept when there is no message. Below a table it is not: the
             table's lower end gives way, and nothing else moves.
+        lines: The least number of lines to have room for.
     """
 
-    def __init__(self, parent: QWidget | None = None, *, keeps_room: bool = True) -> None:
+    def __init__(
+        self, parent: QWidget | None = None, *, keeps_room: bool = True, lines: int = 2
+    ) -> None:
         super().__init__(parent)
+        self._room = "\n".join([_LINE] * lines)
         self._keeps_room = keeps_room
         self._level = Level.INFO
         self._words: Words = ""
@@ -91,12 +95,12 @@ class MessageLine(QWidget):
         return False
 
     def sizeHint(self) -> QSize:
-        """Return a size with room for two lines, or more if the message needs them."""
+        """Return a size with room for its lines, or more if the message needs them."""
         metrics = self.fontMetrics()
         width = max(1, self.width() - 2 * _SIDE_PX - _GAP_PX - _ICON_PX)
         wrap = int(Qt.TextFlag.TextWordWrap)
         room = QRect(0, 0, width, _UNBOUNDED_PX)
-        texts = (self.text(), _TWO_LINES)
+        texts = (self.text(), self._room)
         height = max(metrics.boundingRect(room, wrap, text).height() for text in texts)
         return QSize(_LEAST_PX if self._keeps_room else self._natural_px(), height + 2 * _TOP_PX)
 

@@ -27,7 +27,8 @@ class Page(Translated, QWidget):
         key: Its name in the settings; pages of one kind share it.
 
     Attributes:
-        above: The page to which the way back leads.
+        above: The page that leads to it, and to which the way back leads.
+        first: The widget to focus at first; ``None`` for the page itself.
         body: The layout for its content.
         footer: The layout for its last buttons, from left to right.
         commands: Its commands for the command palette.
@@ -47,6 +48,7 @@ class Page(Translated, QWidget):
         super().__init__(parent)
         self.key: Final = key
         self.above: Page | None = None
+        self.first: QWidget | None = None
         self._title = ""
         self.body = in_column(spacing=_GAP_PX)
         self.footer = in_row(spacing=_GAP_PX // 2)
@@ -89,8 +91,8 @@ class Page(Translated, QWidget):
 
     def take_focus(self) -> None:
         """Focus the main widget, because the operator has opened the page."""
-        inside = self.focusWidget()
-        (self if inside is None else inside).setFocus(Qt.FocusReason.OtherFocusReason)
+        found = (each for each in (self.focusWidget(), self.first) if each is not None)
+        next(found, self).setFocus(Qt.FocusReason.OtherFocusReason)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Leave the page instead of closing it."""

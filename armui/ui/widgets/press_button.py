@@ -2,9 +2,36 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QPushButton, QSizePolicy, QWidget
+
+
+@dataclass(frozen=True, slots=True)
+class Face:
+    """The measures of a stop button: a large one with its key below the word, or a slim line.
+
+    Attributes:
+        height_px: Of the button.
+        least_px: Its width at least, where there is room.
+        sign_px: The sign's radius.
+        gap_px: Between sign and word.
+        padding_px: Left and right of them.
+        tight_px: The same where there is no room.
+        word_scale: The word's font, by the window's.
+        has_caption: True if a second line stands below the word.
+    """
+
+    height_px: int
+    least_px: int
+    sign_px: float
+    gap_px: float
+    padding_px: float
+    tight_px: float
+    word_scale: float
+    has_caption: bool
 
 
 class PressButton(QPushButton):

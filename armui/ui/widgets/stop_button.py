@@ -1,4 +1,4 @@
-"""The emergency stop: in the top bar and in every dialog, never disabled, never asked about."""
+"""The emergency stop: in the top bar and in every window, never disabled, never asked about."""
 
 from __future__ import annotations
 
@@ -13,18 +13,13 @@ from armui.control.arm_controller import ArmController
 from armui.control.operating_state import OperatingState, StopState
 from armui.ui.theme import Colors, colors_of, scaled_font
 from armui.ui.widgets import painting
-from armui.ui.widgets.press_button import PressButton
+from armui.ui.widgets.press_button import Face, PressButton
 from armui.ui.widgets.stop_shortcut import STOP_KEY_NAME
 from armui.ui.widgets.translated import Translated
 
-_SIGN_PX: Final = 13.0
-_WIDTH_PX: Final = 200
-_PADDING_PX: Final = 22.0
-_LEAST_PADDING_PX: Final = 10.0
-_HEIGHT_PX: Final = 52
-_WORD_SCALE: Final = 1.35
+_LARGE: Final = Face(52, 200, 13.0, 12.0, 22.0, 10.0, 1.35, has_caption=True)
+_SLIM: Final = Face(30, 0, 8.0, 8.0, 12.0, 8.0, 1.0, has_caption=False)
 _CAPTION_SCALE: Final = 0.82
-_SIGN_GAP_PX: Final = 12.0
 
 
 class StopButton(Translated, PressButton):
@@ -37,6 +32,7 @@ class StopButton(Translated, PressButton):
         controller: The controller of the arm.
         ask_to_resume: Asks the operator whether to recover an arm that has stopped; without it the
             button only ever stops, as in the dialogs.
+        slim: True for one line, as in the windows beside the main one.
     """
 
     def __init__(
@@ -45,10 +41,12 @@ class StopButton(Translated, PressButton):
         parent: QWidget | None = None,
         *,
         ask_to_resume: Callable[[], None] | None = None,
+        slim: bool = False,
     ) -> None:
         super().__init__(parent)
         self.setObjectName("stop_button")
         self._controller = controller
+        self._face = _SLIM if slim else _LARGE
         self._ask_to_resume = ask_to_resume
         self._operating_state = controller.operating_state
         self._last_press_ms: int | None = None
@@ -140,16 +138,18 @@ class StopButton(Translated, PressButton):
 
     def sizeHint(self) -> QSize:
         """Return a size for the longest of its texts, so that the bar does not change."""
-        return self._size(_PADDING_PX).expandedTo(QSize(_WIDTH_PX, _HEIGHT_PX))
+        face = self._face
+        return self._size(face.padding_px).expandedTo(QSize(face.least_px, face.height_px))
 
     def minimumSizeHint(self) -> QSize:
         """Return the size of its texts with smaller margins."""
-        return self._size(_LEAST_PADDING_PX)
+        return self._size(self._face.tight_px)
 
     def _size(self, padding_px: float) -> QSize:
-        metrics = QFontMetrics(scaled_font(self, _WORD_SCALE, bold=True))
+        face = self._face
+        metrics = QFontMetrics(scaled_font(self, face.word_scale, bold=True))
         width = max(metrics.horizontalAdvance(word) for word in self._all_words())
-        return QSize(int(2 * _SIGN_PX + _SIGN_GAP_PX + width + 2 * padding_px), _HEIGHT_PX)
+        return QSize(int(2 * face.sign_px + face.gap_px + width + 2 * padding_px), face.height_px)
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw the button."""
@@ -172,43 +172,44 @@ class StopButton(Translated, PressButton):
 
     def _draw_face(self, painter: QPainter, colors: Colors, ink: str, *, stopped: bool) -> None:
         """Sign, word and caption, centred; the sign tells the state without its colour."""
-        word_font = scaled_font(self, _WORD_SCALE, bold=True)
+        face = self._face
+        word_font = scaled_font(self, face.word_scale, bold=True)
         caption_font = scaled_font(self, _CAPTION_SCALE)
         word, caption = QFontMetrics(word_font), QFontMetrics(caption_font)
-        text_width = max(
-            word.horizontalAdvance(self.text()), caption.horizontalAdvance(self._caption())
-        )
-        left = (self.width() - (2 * _SIGN_PX + _SIGN_GAP_PX + text_width)) / 2
-        center = QPointF(left + _SIGN_PX, self.height() / 2)
+        below = self._caption() if face.has_caption else ""
+        text_width = max(word.horizontalAdvance(self.text()), caption.horizontalAdvance(below))
+        left = (self.width() - (2 * face.sign_px + face.gap_px + text_width)) / 2
+        center = QPointF(left + face.sign_px, self.height() / 2)
         if stopped:
-            self._draw_recovery_sign(painter, center, ink)
+            self._draw_recovery_sign(painter, center, face.sign_px, ink)
         else:
             self._draw_stop_sign(painter, center, ink, colors.stop)
-        text_left = left + 2 * _SIGN_PX + _SIGN_GAP_PX
-        top = (self.height() - word.height() - caption.height()) / 2
+        text_left = left + 2 * face.sign_px + face.gap_px
+        top = (self.height() - word.height() - (caption.height() if below else 0)) / 2
         painter.setPen(QColor(ink))
         painter.setFont(word_font)
         painter.drawText(QPointF(text_left, top + word.ascent()), self.text())
         painter.setFont(caption_font)
         baseline = top + word.height() + caption.ascent()
-        painter.drawText(QPointF(text_left, baseline), self._caption())
+        painter.drawText(QPointF(text_left, baseline), below)
 
     def _draw_stop_sign(self, painter: QPainter, center: QPointF, ink: str, ground: str) -> None:
         """An octagon; with an exclamation mark while the arm has not said that it stopped."""
+        unit = self._face.sign_px / 2
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(QColor(ink))
-        painter.drawPolygon(painting.octagon(center, _SIGN_PX))
-        painter.setPen(QPen(QColor(ground), 3.4, c=Qt.PenCapStyle.RoundCap))
+        painter.drawPolygon(painting.octagon(center, self._face.sign_px))
+        painter.setPen(QPen(QColor(ground), 0.52 * unit, c=Qt.PenCapStyle.RoundCap))
         if self._operating_state.stop is StopState.REQUESTED:
-            painter.drawLine(center + QPointF(0, -6.5), center + QPointF(0, 0.5))
-            painter.drawPoint(center + QPointF(0, 6.5))
+            painter.drawLine(center + QPointF(0, -unit), center + QPointF(0, 0.08 * unit))
+            painter.drawPoint(center + QPointF(0, unit))
         else:
-            painter.drawLine(center + QPointF(-6, 0), center + QPointF(6, 0))
+            painter.drawLine(center + QPointF(-0.92 * unit, 0), center + QPointF(0.92 * unit, 0))
 
     @staticmethod
-    def _draw_recovery_sign(painter: QPainter, center: QPointF, ink: str) -> None:
-        """An arrow that goes round."""
-        radius = _SIGN_PX - 3
+    def _draw_recovery_sign(painter: QPainter, center: QPointF, sign_px: float, ink: str) -> None:
+        """An arrow that goes round; only the large button offers it."""
+        radius = sign_px - 3
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.setPen(QPen(QColor(ink), 2.6, c=Qt.PenCapStyle.RoundCap))
         box = QRectF(center.x() - radius, center.y() - radius, 2 * radius, 2 * radius)

@@ -5,11 +5,11 @@ from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QApplication, QMenu, QTableView, QWidget
 
 from armui.telemetry.quantities import QUANTITIES
-from armui.ui.dialogs.joint_status import JointStatusDialog
 from armui.ui.panels.gripper_panel import GripperPanel
 from armui.ui.panels.jogging.cartesian_panel import CartesianPanel
 from armui.ui.panels.motor_panel import MotorPanel
 from armui.ui.panels.parameters.end_load_panel import EndLoadPanel
+from armui.ui.watch.joint_status_page import JointStatusPage
 from armui.ui.widgets.curve_menu import quantities_under
 from armui.viewport.hud import Hud
 from tests.operator.plots.actions import Plots, ask_for_menu, trigger
@@ -75,10 +75,10 @@ def test_a_figure_of_the_status_bar_gets_a_plot_of_its_own(app_driver):
 
 def test_a_cell_of_the_joint_status(app_driver):
     app_driver.ready()
-    app_driver.window.open_joint_status_dialog()
-    dialog = app_driver.dialog(JointStatusDialog)
+    app_driver.click("joint_status_button")
+    page = app_driver.page(JointStatusPage)
     app_driver.run(0.2)
-    table = dialog.findChild(QTableView)
+    table = page.findChild(QTableView)
     cell = table.visualRect(table.model().index(2, 3)).center()
     ask_for_menu(table.viewport(), cell)
     trigger(QApplication.activePopupWidget(), "Show as curve")

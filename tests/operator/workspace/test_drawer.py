@@ -5,14 +5,23 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 
+from armui.ui.guide.help_page import HelpPage
 from armui.ui.watch.bus.bus_page import BusPage
 from armui.ui.watch.events.event_page import EventPage
+from armui.ui.watch.joint_status_page import JointStatusPage
 from armui.ui.watch.plots_area import PlotPage
+from armui.ui.watch.recordings.sessions_page import SessionsPage
 from tests.operator.workspace.actions import rect_in_window
 
 pytestmark = pytest.mark.styled
 
-KINDS = {"plots": PlotPage, "events": EventPage, "bus": BusPage}
+KINDS = {
+    "plots": PlotPage,
+    "events": EventPage,
+    "bus": BusPage,
+    "sessions": SessionsPage,
+    "joint_status": JointStatusPage,
+}
 
 
 def test_it_is_folded_away_at_first(pages):
@@ -82,6 +91,29 @@ def test_page_and_drawer_stand_together(pages):
     assert editor.isVisible()
     assert area.bottom() < drawer.top()
     assert pages.driver.window.size().toTuple() == (1280, 800)
+
+
+def test_the_help_of_the_picture_opens_below_it(pages):
+    pages.driver.click("help_button")
+    page = pages.driver.page(HelpPage)
+    assert page.window() is pages.driver.window
+    assert pages.driver.find("drawer_help").isChecked()
+    QTest.keyClick(page.area, Qt.Key.Key_Escape)
+    assert not page.isVisible()
+
+
+@pytest.mark.parametrize("key", ["joint_status", "sessions", "guide", "help"])
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_the_drawer_of_a_small_window_scrolls_no_page_of_its_own(pages, key, language):
+    """What is longer scrolls within the page: its list, its text."""
+    pages.driver.store.change(language=language)
+    pages.driver.click("events_button")
+    pages.driver.click(f"drawer_{key}")
+    area = pages.driver.find("drawer")._stack
+    pages.driver.wait(lambda: area.verticalScrollBar().maximum() == 0)
+    pages.driver.run(0.1)
+    assert area.verticalScrollBar().maximum() == 0
+    assert area.horizontalScrollBar().maximum() == 0
 
 
 def test_undo_is_for_where_the_keys_go(pages):

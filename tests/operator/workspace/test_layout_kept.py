@@ -103,6 +103,22 @@ def test_windows_that_were_open_open_again_where_they_stood(started):
     assert pages.driver.find("drawer").isHidden()
 
 
+@pytest.mark.parametrize("key", ["sessions", "joint_status", "guide", "help"])
+def test_so_does_every_page_of_the_drawer(started, key):
+    pages = started()
+    pages.driver.click("events_button")
+    pages.driver.click(f"drawer_{key}")
+    pages.driver.click("drawer_take_out")
+    (window,) = pages.windows()
+    window.setGeometry(8, 90, 780, 470)
+    stood = window.geometry()
+    pages = started()
+    reopen(pages)
+    (window,) = pages.windows()
+    assert window.objectName() == f"{key}_window"
+    assert window.geometry() == stood
+
+
 def reopen(pages):
     """As the program does once it has loaded the rest of itself."""
     pages.driver.window.page_actions.reopen()

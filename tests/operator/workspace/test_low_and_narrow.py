@@ -36,6 +36,17 @@ def test_no_page_scrolls_sideways(qapp, pages, language):
         translator.set_language("en")
 
 
+@pytest.mark.parametrize("language", ["en", "zh"])
+@pytest.mark.parametrize("page", ["events", "sessions", "joint_status", "guide", "help"])
+def test_no_page_of_the_drawer_scrolls_sideways(pages, page, language):
+    pages.driver.store.change(language=language)
+    pages.driver.window.resize(1024, 720)
+    pages.driver.click("events_button")
+    pages.driver.click(f"drawer_{page}")
+    assert not any(sideways(pages))
+    assert pages.driver.window.size().toTuple() == (1024, 720)
+
+
 def free_below(panel):
     """How much room is left under the lowest part of a panel, in pixels."""
     parts = panel.findChildren(QWidget, options=Qt.FindChildOption.FindDirectChildrenOnly)

@@ -9,13 +9,10 @@ pytestmark = pytest.mark.styled
 
 WINDOWS = {
     "replay": lambda driver: driver.window.open_replay(),
-    "recordings": lambda driver: driver.click("sessions_button"),
     "export": lambda driver: driver.window._watch.open_export(),
-    "joint status": lambda driver: driver.click("joint_status_button"),
     "backup": lambda driver: driver.window.open_backup_dialog(),
     "connect": lambda driver: driver.window.open_connect_dialog(),
     "settings": lambda driver: driver.window.open_settings_dialog(),
-    "guide": lambda driver: driver.window.findChild(WindowActions).open_guide(),
     "shortcuts": lambda driver: driver.window.findChild(WindowActions).open_shortcuts(),
 }
 

@@ -1,7 +1,7 @@
 """A page in a window of its own, and back; the stops go with it."""
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent, Qt
+from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractScrollArea, QWidget
@@ -9,6 +9,8 @@ from shiboken6 import isValid
 
 from armui.control.operating_state import StopState
 from armui.ui.dialogs.confirm_dialog import LeaveQuestion
+from armui.ui.dialogs.settings import SettingsDialog
+from armui.ui.guide.guide_page import GuidePage
 from armui.ui.shell.operation_area import OperationArea
 from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.library.library_page import LibraryPage
@@ -58,7 +60,9 @@ def test_it_is_put_back(pages):
     assert not editor.document.saved
 
 
-@pytest.mark.parametrize("opened", ["library", "editor", "events", "bus", "plots"])
+@pytest.mark.parametrize(
+    "opened", ["library", "editor", "events", "bus", "plots", "sessions", "joint_status"]
+)
 def test_a_page_that_was_put_back_has_nothing_that_is_deleted(pages, opened):
     """PySide takes the control with the keyboard for a child of the window that is asked."""
     if opened in {"library", "editor"}:
@@ -151,3 +155,52 @@ def test_all_words_follow_the_language(pages):
     pages.driver.wait(lambda: put_back.text() == "放回")
     pages.driver.click("library_button")
     assert pages.path() == "轨迹库"
+
+
+# The guide, asked for in a window that lies over it -----------------------------------------------
+
+
+def ask_for_guide(pages, window):
+    window.activateWindow()
+    pages.driver.wait(window.isActiveWindow)
+    QTest.keyClick(window.focusWidget() or window, Qt.Key.Key_F1)
+    return pages.driver.page(GuidePage)
+
+
+def test_a_dialog_over_the_drawer_gives_the_guide_a_window_this_time(pages):
+    pages.driver.window.open_settings_dialog()
+    dialog = pages.driver.dialog(SettingsDialog)
+    pages.driver.click("events_button")
+    dialog.move(pages.driver.find("drawer").mapToGlobal(QPoint(20, -200)))
+    guide = ask_for_guide(pages, dialog)
+    (window,) = pages.windows()
+    assert guide.window() is window
+    assert guide.shown == "settings"
+    assert window.stop_button.isVisible()
+    window.move(50, 60)
+    window.close()
+    dialog.close()
+    assert ask_for_guide(pages, pages.driver.window).window() is pages.driver.window
+    assert "guide" not in pages.driver.window._keeper.layout.taken_out
+    assert not pages.driver.window._keeper.layout.open_windows
+
+
+def test_a_dialog_beside_the_drawer_leaves_the_guide_there(pages):
+    pages.driver.window.open_settings_dialog()
+    dialog = pages.driver.dialog(SettingsDialog)
+    dialog.resize(dialog.minimumSizeHint())
+    dialog.move(pages.driver.window.mapToGlobal(QPoint(2000, 0)))
+    guide = ask_for_guide(pages, dialog)
+    assert guide.window() is pages.driver.window
+    assert guide.shown == "settings"
+    assert dialog.isActiveWindow()
+    assert not pages.windows()
+
+
+def test_a_guide_that_the_operator_has_taken_out_stays_in_its_window(pages):
+    ask_for_guide(pages, pages.driver.window)
+    pages.driver.click("drawer_take_out")
+    (window,) = pages.windows()
+    window.close()
+    assert ask_for_guide(pages, pages.driver.window).window() is not pages.driver.window
+    assert "guide" in pages.driver.window._keeper.layout.taken_out

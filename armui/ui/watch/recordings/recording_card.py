@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
     QFrame,
     QLabel,
     QProgressBar,
+    QSizePolicy,
     QSpinBox,
     QToolButton,
     QWidget,
@@ -31,7 +32,7 @@ from armui.ui.theme import colors_of
 from armui.ui.watch.recordings import recording_files
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import named, push_button
-from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row
+from armui.ui.widgets.layouts import STRETCH, in_column, in_row
 from armui.ui.widgets.text_label import ElidedLabel, text_label
 from armui.ui.widgets.translated import Translated
 
@@ -57,6 +58,11 @@ _STEPS: Final = 1000
 _HOUR_S: Final = 3600
 _MARK_ICON_PX: Final = 14
 _LOOK_MS: Final = 1000
+_BETWEEN_PX: Final = 12
+_FOLDER_PX: Final = 70
+_FIGURES_PX: Final = 215
+_INSIDE: Final = (8, 6, 8, 6)
+"""The margins of a card: two lines each, so that the list below has the drawer."""
 
 
 def length_text(seconds: float | None) -> str:
@@ -131,26 +137,22 @@ class RingCard(Translated, QFrame):
         self._sessions = sessions
         self._store = store
         self.setProperty("card", True)
-        self._title = text_label(rank="heading")
-        self.content_label = text_label("ring_content")
-        self.memory_label = text_label("ring_memory", rank="muted")
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        self.content_label = named("ring_content", ElidedLabel())
+        self.memory_label = named("ring_memory", ElidedLabel())
+        self.memory_label.setProperty("rank", "muted")
+        for label in (self.content_label, self.memory_label):
+            label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+            label.setMinimumWidth(_FIGURES_PX)
         self._bar = QProgressBar(minimum=0, maximum=round(KEPT_S), textVisible=False)
         self._bar.setFixedHeight(6)
         self.save_button = push_button("ring_save", primary=True)
         self.save_button.setAutoDefault(False)
         self.at_faults_box = named("ring_save_at_faults", QCheckBox())
-        in_column(
-            self._title,
-            self.content_label,
-            self._bar,
-            self.memory_label,
-            STRETCH,
-            self.save_button,
-            self.at_faults_box,
-            on=self,
-            spacing=8,
-            margins=(16, 12, 16, 14),
-        )
+        words = in_column(self.content_label, self.memory_label, spacing=0)
+        head = in_row(self.save_button, (words, 1), spacing=_BETWEEN_PX)
+        below = in_row(self.at_faults_box, STRETCH)
+        in_column(head, self._bar, STRETCH, below, on=self, spacing=4, margins=_INSIDE)
         self.save_button.clicked.connect(lambda: self._sessions.save_ring())  # noqa: PLW0108
         self.at_faults_box.clicked.connect(
             lambda checked: self._store.change(session_save_at_faults=checked)
@@ -159,7 +161,7 @@ class RingCard(Translated, QFrame):
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
-        self._title.setText(self.tr("The last minutes, in memory"))
+        self.setAccessibleName(self.tr("The last minutes, in memory"))
         self.at_faults_box.setText(self.tr("Save by itself at a fault or a stop"))
         self.at_faults_box.setToolTip(
             self.tr(
@@ -180,21 +182,21 @@ class RingCard(Translated, QFrame):
         )
         self.save_button.setEnabled(bool(ring.frames) and not saving)
         if not ring.frames:
-            self.content_label.setText(self.tr("Nothing heard yet"))
-            self.memory_label.setText(
+            self.content_label.show_text(self.tr("Nothing heard yet"))
+            self.memory_label.show_text(
                 self.tr("Everything on the bus, for {minutes} minutes.").format(
                     minutes=round(KEPT_S / 60)
                 )
             )
             return
-        self.content_label.setText(
+        self.content_label.show_text(
             self.tr("{length} of {minutes} minutes · {frames} frames").format(
                 length=length_text(ring.span_s),
                 minutes=round(KEPT_S / 60),
                 frames=fmt.count(ring.frames),
             )
         )
-        self.memory_label.setText(
+        self.memory_label.show_text(
             self.tr("{now} of memory, {most} at most").format(
                 now=fmt.size_text(ring.bytes_kept), most=fmt.size_text(ring.most_bytes)
             )
@@ -221,6 +223,7 @@ class RecordingCard(Translated, QFrame):
         self._rate = 0.0
         self._can_write_mf4 = True
         self.setProperty("card", True)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         self._make_widgets()
         self._lay_out()
         self.record_button.clicked.connect(self._on_record)
@@ -232,7 +235,6 @@ class RecordingCard(Translated, QFrame):
         background.begin_here(job, recording_files.can_write_mf4)
 
     def _make_widgets(self) -> None:
-        self._title = text_label(rank="heading")
         self.record_button = push_button("session_record")
         self.record_button.setIconSize(QSize(_ICON_PX, _ICON_PX))
         self.state_label = named("session_state", ElidedLabel())
@@ -254,27 +256,25 @@ class RecordingCard(Translated, QFrame):
         self.size_box.setSingleStep(50)
         self.folder_name = named("session_folder", ElidedLabel())
         self.folder_button = push_button("session_choose_folder")
+        for cut in (self.state_label, self.folder_name):
+            cut.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self.folder_name.setMinimumWidth(_FOLDER_PX)
         for button in (self.record_button, self.folder_button):
             button.setAutoDefault(False)
 
     def _lay_out(self) -> None:
-        words = in_column(self.state_label, self.figures_label, self.making, spacing=2)
-        head = in_row(self.record_button, (words, 1), spacing=12)
-        grid = empty_grid(gaps=(12, 8))
-        grid.addWidget(self._format_label, 0, 0)
-        grid.addWidget(self.format_box, 0, 1)
-        grid.addWidget(self._size_label, 0, 3)
-        grid.addWidget(self.size_box, 0, 4)
-        grid.setColumnStretch(2, 1)
-        grid.addWidget(self.format_note, 1, 1, 1, 4)
-        grid.addWidget(self._folder_label, 2, 0)
-        grid.addWidget(self.folder_name, 2, 1, 1, 3)
-        grid.addWidget(self.folder_button, 2, 4)
-        in_column(self._title, head, grid, STRETCH, on=self, spacing=12, margins=(16, 12, 16, 14))
+        words = in_column(self.state_label, self.figures_label, self.making, spacing=0)
+        head = in_row(self.record_button, (words, 1), spacing=_BETWEEN_PX)
+        chosen = in_row(
+            *(self._format_label, self.format_box, 4, self._size_label, self.size_box, 4),
+            *(self._folder_label, (self.folder_name, 1), self.folder_button),
+            spacing=5,
+        )
+        in_column(head, chosen, self.format_note, STRETCH, on=self, spacing=4, margins=_INSIDE)
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
-        self._title.setText(self.tr("Record to the disk"))
+        self.setAccessibleName(self.tr("Record to the disk"))
         self._format_label.setText(self.tr("Format"))
         self._size_label.setText(self.tr("New file at"))
         self._folder_label.setText(self.tr("Folder"))
@@ -392,7 +392,7 @@ class RecordingCard(Translated, QFrame):
 
 
 class RecordingMark(Translated, QToolButton):
-    """A red dot and the time; a click opens the window of the recordings.
+    """A red dot and the time; a click opens the page of the recordings.
 
     Args:
         sessions: Gives the recording.

@@ -21,11 +21,11 @@ from armui.arm.joint_status import Item, Word
 from armui.control.devices.joint_monitor import JointMonitor
 from armui.protocol.generation import Generation
 from armui.ui import words
-from armui.ui.dialogs.joint_status import JointCellDelegate, JointStatusModel
 from armui.ui.shell.robot_in_view import RobotInView, show_in_view
 from armui.ui.shell.status_bar import StatusBar
 from armui.ui.theme import DARK, colors_of, scaled_font
 from armui.ui.watch.curves_item import Missing
+from armui.ui.watch.joint_status_page import JointCellDelegate, JointStatusModel
 from armui.ui.watch.plot_layout import SETS
 from armui.ui.watch.plots_area import PlotsArea
 from armui.ui.watch.replay.log_time import duration, moment, wall_time

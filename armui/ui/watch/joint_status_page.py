@@ -1,4 +1,4 @@
-"""The window 关节状态: the reports of each driver, open beside the work (manual 1.0.10)."""
+"""The page 关节状态: the reports of each driver, open beside the work (manual 1.0.10)."""
 
 from __future__ import annotations
 
@@ -10,10 +10,8 @@ from typing import Any, Final
 from PySide6.QtCore import QPoint, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPen, QShowEvent
 from PySide6.QtWidgets import (
-    QAbstractButton,
     QAbstractItemView,
     QHeaderView,
-    QSizePolicy,
     QStyle,
     QStyledItemDelegate,
     QStyleOptionViewItem,
@@ -39,25 +37,33 @@ from armui.protocol.generation import Generation
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.command import Command, Target
-from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.theme import Colors, colors_of, scaled_font
 from armui.ui.widgets import state_mark
 from armui.ui.widgets.buttons import enable_or_explain, named, push_button
-from armui.ui.widgets.layouts import fill, in_column, in_row
+from armui.ui.widgets.layouts import STRETCH, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.page import Page
 from armui.ui.widgets.state_mark import Mark
 from armui.ui.widgets.table_model import Index, TableModel
 from armui.ui.widgets.text_label import text_label
 from armui.ui.words.text import Text
 
-_HEADER_PAD_PX: Final = 20
-_FRAME_PX: Final = 1
+_HEADER_PAD_PX: Final = 12
+_FRAME_PX: Final = 2
+_BETWEEN_PX: Final = 3
+_MOST: Final = 100
+"""The table's share of the height: all of it until its rows are as high as they get."""
 _OURS: Final = frozenset({CLEAR_ERROR_SENT, CLEAR_ERROR_ANSWERED, CLEAR_ERROR_UNANSWERED})
-_MARK_PX: Final = 7.0
-_LEFT_PX: Final = 10.0
-_GAP_PX: Final = 8.0
+_MARK_PX: Final = 6.0
+_LEFT_PX: Final = 6.0
+_GAP_PX: Final = 6.0
 _TEXT_LEFT_PX: Final = _LEFT_PX + 2 * _MARK_PX + _GAP_PX
-_ROW_PX: Final = 40
+_HIGHEST_ROW_PX: Final = 40
+_LOWEST_ROW_PX: Final = 17
+"""In the drawer of a window of 1280×800 all rows are seen, with a message below them."""
+_ROWS: Final = 10
+_WORD: Final = 0.92
+"""The size of the words where figures stand beside them."""
 _SMALL: Final = 0.84
 CELL_ROLE: Final = Qt.ItemDataRole.UserRole
 """The role of a :class:`CellView`, which the delegate draws."""
@@ -87,15 +93,22 @@ class CellView:
 
     Attributes:
         text: The word, or the status code.
-        small: The figure behind it, and for a fault the time since when.
+        figure: The figure behind it, if it has one.
+        since: Of a fault, the time of day when it began.
         mark: The sign before the word; the status code has none.
         stale: True if it is too old to count as present.
     """
 
     text: str
-    small: str
+    figure: str
+    since: str
     mark: Mark | None
     stale: bool
+
+    @property
+    def small(self) -> str:
+        """The figure, and of a fault since when."""
+        return " · ".join(filter(None, (self.figure, self.since)))
 
 
 class JointStatusModel(TableModel):
@@ -112,7 +125,7 @@ class JointStatusModel(TableModel):
         self._monitor = monitor
         self._generation: Generation | None = None
         self._rows: Sequence[Item] = rows(None)
-        self._cells = {(row, column): StatusCell() for row in range(10) for column in range(6)}
+        self._cells = {(row, column): StatusCell() for row in range(_ROWS) for column in range(6)}
 
     def refresh(self) -> None:
         """Read the joints and report the changed cells to the view."""
@@ -176,7 +189,9 @@ class JointStatusModel(TableModel):
         if role in {Qt.ItemDataRole.ToolTipRole, Qt.ItemDataRole.AccessibleTextRole}:
             return self.describe(index)
         if role == CELL_ROLE:
-            return CellView(_text(item, cell), _small(item, cell), _mark(item, cell), cell.stale)
+            figure = _figure(item, cell) if item in UNITS and cell.value is not None else ""
+            since = f"{cell.since:%H:%M:%S}" if cell.fault and cell.since is not None else ""
+            return CellView(_text(item, cell), figure, since, _mark(item, cell), cell.stale)
         return None
 
 
@@ -190,12 +205,6 @@ def _figure(item: Item, cell: StatusCell) -> str:
     if cell.value is None:
         return fmt.NOTHING
     return fmt.with_unit(cell.value, UNITS[item], _DECIMALS[item])
-
-
-def _small(item: Item, cell: StatusCell) -> str:
-    figure = [_figure(item, cell)] if item in UNITS and cell.value is not None else []
-    since = [f"{cell.since:%H:%M:%S}"] if cell.fault and cell.since is not None else []
-    return " · ".join(figure + since)
 
 
 def _mark(item: Item, cell: StatusCell) -> Mark | None:
@@ -239,50 +248,62 @@ class JointCellDelegate(QStyledItemDelegate):
     def _draw_text(
         painter: QPainter, colors: Colors, box: QRectF, view: CellView, table: QWidget
     ) -> None:
+        """The figure stands below the word; beside it where the row is too low for both."""
         is_fault = view.mark is Mark.FAULT
-        word_font = scaled_font(table, 1.0, bold=is_fault)
         small_font = scaled_font(table, _SMALL)
-        word_px = QFontMetrics(word_font).height()
-        small_px = QFontMetrics(small_font).height() if view.small else 0
-        top = box.center().y() - (word_px + small_px) / 2
+        small = QFontMetrics(small_font)
+        line_px = QFontMetrics(scaled_font(table, 1.0, bold=is_fault)).height()
+        two_lines = line_px + small.height() <= box.height()
+        word_font = scaled_font(table, 1.0 if two_lines else _WORD, bold=is_fault)
+        word = QFontMetrics(word_font)
+        below_px = small.height() if view.small and two_lines else 0
+        top = box.center().y() - (word.height() + below_px) / 2
         left, width = box.left() + _TEXT_LEFT_PX, box.width() - _TEXT_LEFT_PX
         if view.mark is not None:
-            center = QPointF(box.left() + _LEFT_PX + _MARK_PX, top + word_px / 2)
+            center = QPointF(box.left() + _LEFT_PX + _MARK_PX, top + word.height() / 2)
             state_mark.draw(painter, colors, center, _MARK_PX, view.mark, muted=view.stale)
         painter.setFont(word_font)
         dim = view.stale or view.text == fmt.NOTHING
         painter.setPen(QColor(colors.muted if dim else colors.text))
-        painter.drawText(QRectF(left, top, width, word_px), Qt.AlignmentFlag.AlignLeft, view.text)
-        if view.small:
-            small_color = colors.text if is_fault and not view.stale else colors.muted
-            painter.setFont(small_font)
-            painter.setPen(QColor(small_color))
-            below = QRectF(left, top + word_px, width, small_px)
-            painter.drawText(below, Qt.AlignmentFlag.AlignLeft, view.small)
+        align = Qt.AlignmentFlag
+        painter.drawText(QRectF(left, top, width, word.height()), align.AlignLeft, view.text)
+        painter.setFont(small_font)
+        painter.setPen(QColor(colors.text if is_fault and not view.stale else colors.muted))
+        if two_lines:
+            below = QRectF(left, top + word.height(), width, small.height())
+            painter.drawText(below, align.AlignLeft, view.small)
+            return
+        room = width - word.horizontalAdvance(view.text) - 2 * _GAP_PX
+        # what has no room is in the tooltip, and below the table
+        fits = (text for text in (view.small, view.figure) if small.horizontalAdvance(text) <= room)
+        beside = box.adjusted(0, 0, -_GAP_PX, 0)
+        painter.drawText(beside, align.AlignRight | align.AlignVCenter, next(fits, ""))
 
     def sizeHint(self, _option: QStyleOptionViewItem, _index: Index) -> QSize:
-        """Return the height of a row; the columns share the table's width."""
-        return QSize(0, _ROW_PX)
+        """Return the height of a row with two lines; the columns share the table's width."""
+        return QSize(0, _HIGHEST_ROW_PX)
 
 
-def cell_width(table: QWidget, words: list[str]) -> int:
-    """Return the width of a column for these words in bold, with their sign."""
-    metrics = QFontMetrics(scaled_font(table, 1.0, bold=True))
-    widest = max(metrics.horizontalAdvance(word) for word in words)
-    small = QFontMetrics(scaled_font(table, _SMALL)).horizontalAdvance("-00.00°/s · 00:00:00")
-    return int(_TEXT_LEFT_PX + max(widest, small) + _GAP_PX)
+def word_width(table: QWidget) -> int:
+    """Return how wide a column must be for every word, bold, in pixels."""
+    metrics = QFontMetrics(scaled_font(table, _WORD, bold=True))
+    widest = max(metrics.horizontalAdvance(words.joint_word(each)) for each in Word)
+    return int(_TEXT_LEFT_PX + widest + _GAP_PX)
 
 
-_CLEAR: Final = Text("JointStatusDialog", "Clear error")
+_CLEAR: Final = Text("JointStatusPage", "Clear error")
 
 
-class JointStatusDialog(ArmDialog):
-    """Stays open beside the work, and is updated only while visible.
+class JointStatusPage(Page):
+    """Stands below the work, and is updated only while visible.
 
     Args:
         controller: Clears errors.
         monitor: Gives the state of the joints.
-        parent: The main window.
+
+    Attributes:
+        table: A row an item, a column a joint.
+        clear_buttons: Of each joint, above its column.
     """
 
     commands = tuple(
@@ -294,28 +315,25 @@ class JointStatusDialog(ArmDialog):
         for joint in JOINTS
     )
 
-    def __init__(
-        self, controller: ArmController, monitor: JointMonitor, parent: QWidget | None = None
-    ) -> None:
-        super().__init__(controller, parent)
+    def __init__(self, controller: ArmController, monitor: JointMonitor) -> None:
+        super().__init__("joint_status")
+        self.setObjectName("joint_status_page")
         self._controller = controller
-        self._monitor = monitor
         self._event: Event | None = None
         self._model = JointStatusModel(monitor)
         self._build_table()
-        self._build_clear_buttons()
-        self._message = named("joint_status_message", MessageLine())
-        self.body.addWidget(self._message)
-        self.body.addStretch(1)
-        self._build_footer()
+        self._build_head()
+        self._detail = text_label("joint_status_detail", rank="muted", wraps=True, plain=True)
+        self._message = named("joint_status_message", MessageLine(keeps_room=False, lines=1))
+        self.body.setSpacing(_BETWEEN_PX)
+        fill(self.body, self._head, (self.table, _MOST), self._detail, self._message, STRETCH)
         monitor.updated.connect(self._on_updated)
         controller.operating_state_changed.connect(self._on_operating_state_changed)
         controller.noticed.connect(self._on_noticed)
-        self._table.selectionModel().currentChanged.connect(self._show_detail)
+        self.table.selectionModel().currentChanged.connect(self._on_chosen)
         self._model.dataChanged.connect(self._show_detail)
+        self.first = self.table
         self.retranslate_ui()
-        self.ensurePolished()
-        self.resize(self.sizeHint())
 
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
@@ -325,59 +343,58 @@ class JointStatusDialog(ArmDialog):
     # Layout -----------------------------------------------------------------------------------
 
     def _build_table(self) -> None:
-        self._table = named("joint_status_table", QTableView())
-        self._table.setModel(self._model)
-        self._table.setItemDelegate(JointCellDelegate(self._table))
-        self._table.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
-        self._table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self._table.setTabKeyNavigation(False)
-        # as high as its rows, lower on a small screen
-        self._table.setSizeAdjustPolicy(QTableView.SizeAdjustPolicy.AdjustToContents)
-        self._table.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Maximum)
-        self._table.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        across, down = self._table.horizontalHeader(), self._table.verticalHeader()
-        across.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
-        across.setHighlightSections(False)
-        across.setSectionsClickable(False)
-        across.setDefaultAlignment(Qt.AlignmentFlag.AlignCenter)
-        down.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        down.setHighlightSections(False)
-        down.setSectionsClickable(False)
+        self.table = named("joint_status_table", QTableView())
+        self.table.setModel(self._model)
+        self.table.setItemDelegate(JointCellDelegate(self.table))
+        self.table.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
+        self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.table.setTabKeyNavigation(False)
+        self.table.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.table.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        # the rows share the height there is
+        self.table.setMinimumHeight(_ROWS * _LOWEST_ROW_PX + 2 * _FRAME_PX)
+        self.table.setMaximumHeight(_ROWS * _HIGHEST_ROW_PX + 2 * _FRAME_PX)
+        across, down = self.table.horizontalHeader(), self.table.verticalHeader()
+        across.hide()
+        down.setMinimumSectionSize(_LOWEST_ROW_PX)
+        for header in (across, down):
+            header.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+            header.setHighlightSections(False)
+            header.setSectionsClickable(False)
         down.setDefaultAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        self._corner_label = text_label(rank="muted")
-        self._corner_label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        self._table.setCornerButtonEnabled(False)
-        corner = self._table.findChild(QAbstractButton)
-        if corner is not None:  # Qt's own, and nowhere promised
-            in_column(self._corner_label, on=corner, margins=(0, 0, 6, 0))
+
+    def _build_head(self) -> None:
+        """One line above the columns: the joint's number, and the button that clears its error."""
+        self._joint_label = text_label(rank="muted")
+        self._joint_label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        self.clear_buttons = [
+            push_button(f"clear_error_{joint}", on_enter=False) for joint in JOINTS
+        ]
+        self._head = QWidget()
+        row = in_row(
+            self._joint_label, on=self._head, spacing=0, margins=(_FRAME_PX, 0, _FRAME_PX, 0)
+        )
+        for joint, button in zip(JOINTS, self.clear_buttons, strict=True):
+            button.setProperty("compact", True)
+            button.clicked.connect(partial(self._clear_error, joint))
+            number = text_label()
+            number.setText(str(joint))
+            cell = (int(_LEFT_PX), 0, _BETWEEN_PX, 0)
+            row.addLayout(in_row(number, STRETCH, button, spacing=0, margins=cell), 1)
 
     def quantities_at(self, place: QPoint) -> list[str]:
-        """Return the quantities of the cell at a place of the dialog."""
-        viewport = self._table.viewport()
+        """Return the quantities of the cell at a place of the page."""
+        viewport = self.table.viewport()
         if not viewport.rect().contains(viewport.mapFrom(self, place)):
             return []
-        index = self._table.indexAt(viewport.mapFrom(self, place))
+        index = self.table.indexAt(viewport.mapFrom(self, place))
         return self._model.quantities(index) if index.isValid() else []
-
-    def _build_clear_buttons(self) -> None:
-        self._below_header = QWidget()
-        names = (f"clear_error_{joint}" for joint in JOINTS)
-        self.clear_buttons = [push_button(name, on_enter=False) for name in names]
-        row = in_row(self._below_header, spacing=0, margins=(_FRAME_PX, 0, _FRAME_PX, 0))
-        for joint, button in zip(JOINTS, self.clear_buttons, strict=True):
-            button.clicked.connect(partial(self._clear_error, joint))
-            row.addLayout(in_row(button, margins=(4, 0, 4, 0)), 1)
-        self.body.addLayout(in_column(self._table, row, spacing=6))
-
-    def _build_footer(self) -> None:
-        self._detail = text_label("joint_status_detail", rank="muted", wraps=True, plain=True)
-        fill(self.footer, (self._detail, 1), CloseButton(self, on_enter=True))
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
         self.set_title(self.tr("Joint status"))
-        self._corner_label.setText(self.tr("Joint"))
-        self._table.setAccessibleName(self.tr("Joint status"))
+        self._joint_label.setText(self.tr("Joint"))
+        self.table.setAccessibleName(self.tr("Joint status"))
         for joint, button in zip(JOINTS, self.clear_buttons, strict=True):
             button.setText(self.tr("Clear error"))
             button.setAccessibleName(f"{button.text()} J{joint}")
@@ -388,15 +405,15 @@ class JointStatusDialog(ArmDialog):
         self._show_notice()
 
     def _fit_columns(self) -> None:
-        """Wide enough for every word there is, so that nothing moves when one changes."""
-        metrics = self._table.fontMetrics()
+        """Make them wide enough for every word there is, whatever room figures have."""
+        metrics = self.table.fontMetrics()
         names = max(metrics.horizontalAdvance(words.joint_item(item)) for item in Item)
         header_px = names + _HEADER_PAD_PX
-        self._table.verticalHeader().setFixedWidth(header_px)
-        self._below_header.setFixedWidth(header_px)
-        buttons = max(button.sizeHint().width() for button in self.clear_buttons) + 2 * 4
-        column_px = max(buttons, cell_width(self._table, [words.joint_word(w) for w in Word]))
-        self._table.setMinimumWidth(header_px + len(JOINTS) * column_px + 2 * _FRAME_PX)
+        self.table.verticalHeader().setFixedWidth(header_px)
+        self._joint_label.setFixedWidth(header_px)
+        column_px = max(button.sizeHint().width() for button in self.clear_buttons)
+        column_px = max(column_px + 4 * _BETWEEN_PX, word_width(self.table))
+        self.table.setMinimumWidth(header_px + len(JOINTS) * column_px + 2 * _FRAME_PX)
 
     # What the arm says ------------------------------------------------------------------------
 
@@ -414,9 +431,15 @@ class JointStatusDialog(ArmDialog):
         for joint, button in zip(JOINTS, self.clear_buttons, strict=True):
             enable_or_explain(button, words.why_not(reason), use.format(joint=joint))
 
+    def _on_chosen(self, *_cells: object) -> None:
+        """The operator reads the table: what was said of an error stands in the way no more."""
+        self._event = None
+        self._show_notice()
+        self._show_detail()
+
     def _show_detail(self, *_cells: object) -> None:
         """The cell the operator went to, in full: tooltips are out of the keyboard's reach."""
-        index = self._table.currentIndex()
+        index = self.table.currentIndex()
         if index.isValid():
             self._detail.setText(self._model.describe(index))
         else:
@@ -425,7 +448,7 @@ class JointStatusDialog(ArmDialog):
             )
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Update the joints, which were not updated while the window was hidden."""
+        """Update the joints, which were not updated while the page was hidden."""
         self._model.refresh()
         self._show_usable(self._controller.operating_state)
         super().showEvent(event)
@@ -436,7 +459,7 @@ class JointStatusDialog(ArmDialog):
         self._event = None
         refusal = self._controller.joint_errors.clear(joint)
         if refusal is not None:
-            self._message.show_message(words.refusal(refusal), Level.WARNING)
+            self._say(words.refusal(refusal), Level.WARNING)
 
     def _on_noticed(self, event: Event) -> None:
         if event.notice in _OURS:
@@ -445,6 +468,11 @@ class JointStatusDialog(ArmDialog):
 
     def _show_notice(self) -> None:
         if self._event is None:
-            self._message.show_message("")
+            self._say("", Level.INFO)
         else:
-            self._message.show_message(words.event(self._event), self._event.level)
+            self._say(words.event(self._event), self._event.level)
+
+    def _say(self, text: str, level: Level) -> None:
+        """Say something in the place of the chosen cell's line."""
+        self._message.show_message(text, level)
+        self._detail.setHidden(bool(text))

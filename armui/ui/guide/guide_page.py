@@ -1,64 +1,62 @@
-"""The window 使用指南: contents and a search on the left, a section on the right (F1)."""
+"""The page 使用指南: contents and a search on the left, a section on the right (F1)."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QLineEdit, QListWidget, QListWidgetItem, QSplitter, QWidget
+from PySide6.QtWidgets import (
+    QApplication,
+    QLineEdit,
+    QListWidget,
+    QListWidgetItem,
+    QSplitter,
+    QWidget,
+)
 
 from armui.arm.refusal import Refusal
 from armui.control.events import Level
 from armui.ui import words
 from armui.ui.background import Background, Job
-from armui.ui.dialogs.base import ArmDialog
 from armui.ui.guide.guide_browser import GuideBrowser
 from armui.ui.guide.place import FIRST
 from armui.ui.guide.text import GuideSection, read_guide, search
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import in_column
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.page import Page
 
-if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
-
-_SIZE_PX: Final = (1000, 720)
 _CONTENTS_PX: Final = 250
+_TEXT_PX: Final = 750
 _INDENT: Final = "    "
 
 
-class GuideWindow(ArmDialog):
+class GuidePage(Page):
     """Shows the guide in the present language, read in another thread.
 
     Args:
-        controller: Receives the emergency stop.
         background: Reads files.
-        parent: The main window.
         read: Reads the sections of a language.
     """
 
     def __init__(
-        self,
-        controller: ArmController,
-        background: Background,
-        parent: QWidget | None = None,
-        read: Callable[[str], list[GuideSection]] = read_guide,
+        self, background: Background, read: Callable[[str], list[GuideSection]] = read_guide
     ) -> None:
-        super().__init__(controller, parent)
-        self.setObjectName("guide_window")
+        super().__init__("guide")
+        self.setObjectName("guide_page")
         self._background = background
         self._read = read
         self._sections: list[GuideSection] = []
         self._language = ""
         self._wanted = FIRST
+        self._answered = ""
         self._job: Job[list[GuideSection]] | None = None
         self.search = named("guide_search", QLineEdit())
         self.search.setClearButtonEnabled(True)
         self.contents = named("guide_contents", QListWidget())
         self.browser = named("guide_text", GuideBrowser(background))
-        self._message = named("guide_message", MessageLine())
-        self._message.hide()
+        self._message = named("guide_message", MessageLine(keeps_room=False))
         left = QWidget()
         in_column(self.search, (self.contents, 1), on=left, spacing=8, margins=0)
         splitter = QSplitter(Qt.Orientation.Horizontal)
@@ -66,13 +64,13 @@ class GuideWindow(ArmDialog):
         splitter.addWidget(self.browser)
         splitter.setStretchFactor(1, 1)
         splitter.setChildrenCollapsible(False)
-        splitter.setSizes([_CONTENTS_PX, _SIZE_PX[0] - _CONTENTS_PX])
+        splitter.setSizes([_CONTENTS_PX, _TEXT_PX])
         self.body.addWidget(self._message)
         self.body.addWidget(splitter, 1)
-        self.resize(*_SIZE_PX)
         self.search.textChanged.connect(self._show_contents)
         self.contents.currentItemChanged.connect(self._on_chosen)
         self.browser.section_wanted.connect(self.show_section)
+        self.first = self.search
         self.retranslate_ui()
 
     def show_section(self, anchor: str) -> None:
@@ -80,6 +78,24 @@ class GuideWindow(ArmDialog):
         self._wanted = anchor
         self.search.clear()
         self._choose()
+
+    def answer(self, anchor: str, *, reads: bool) -> None:
+        """Open the guide at the section of where the operator is.
+
+        Args:
+            anchor: The section.
+            reads: True if the operator reads the guide: it stays where it is then, unless another
+                panel or page is seen by now.
+        """
+        if not reads or anchor != self._answered:
+            self.show_section(anchor)
+        self._answered = anchor
+
+    @property
+    def has_focus_inside(self) -> bool:
+        """True if the keys go to the guide."""
+        focus = QApplication.focusWidget()
+        return focus is not None and self.isAncestorOf(focus)
 
     @property
     def shown(self) -> str:
@@ -99,9 +115,8 @@ class GuideWindow(ArmDialog):
     def _take(self, read: list[GuideSection] | Refusal) -> None:
         if isinstance(read, Refusal):
             self._message.show_message(words.refusal(read), Level.FAULT)
-            self._message.show()
             return
-        self._message.hide()
+        self._message.show_message("")
         self._sections = read
         self._show_contents()
         self._choose()

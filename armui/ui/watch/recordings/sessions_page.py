@@ -1,4 +1,4 @@
-"""The window 会话记录: records the session, saves the last minutes, lists the recordings."""
+"""The page 会话记录: records the session, saves the last minutes, lists the recordings."""
 
 from __future__ import annotations
 
@@ -13,14 +13,13 @@ from PySide6.QtCore import (
     QEvent,
     QModelIndex,
     QObject,
-    QSize,
     QSortFilterProxyModel,
     Qt,
     QUrl,
     Signal,
 )
 from PySide6.QtGui import QDesktopServices
-from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QLabel, QTableView, QWidget
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QLabel, QTableView
 
 from armui.arm.refusal import Reason, Refusal
 from armui.control.events import Event, Level
@@ -37,7 +36,6 @@ from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.command import Command, Target
 from armui.ui.background import Job
-from armui.ui.dialogs.base import ArmDialog
 from armui.ui.watch.recordings import recording_files
 from armui.ui.watch.recordings.recording_card import (
     RecordingCard,
@@ -46,8 +44,10 @@ from armui.ui.watch.recordings.recording_card import (
     moment_text,
 )
 from armui.ui.widgets.buttons import named, push_button
-from armui.ui.widgets.layouts import STRETCH, fill, in_row
+from armui.ui.widgets.flow import in_flow
+from armui.ui.widgets.layouts import STRETCH, fill
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.page import Page
 from armui.ui.widgets.seen_timer import SeenTimer
 from armui.ui.widgets.table_model import LEFT, RIGHT, Index, TableModel, list_rows
 from armui.ui.words.text import Text, Texts
@@ -245,8 +245,10 @@ class SessionsModel(TableModel):
         return keys.get(column, self._text(entry, column).casefold())
 
 
-_SIZE: Final = QSize(1080, 700)
-_ROW_PX: Final = 34
+_ROW_PX: Final = 26
+_LEAST_PX: Final = 58
+"""Of the table: its titles and a row, while a message stands below."""
+_GAP_PX: Final = 6
 _LOOK_MS: Final = 500
 _WIDTHS_PX: Final = {
     SessionColumn.BEGUN: 160,
@@ -270,14 +272,13 @@ _SAID_HERE: Final = frozenset(
 )
 
 
-class SessionsWindow(ArmDialog):
+class SessionsPage(Page):
     """Records, and lists the recordings.
 
     Args:
-        controller: Has the recorder; for halt and emergency stop.
+        controller: Has the recorder.
         background: Lists, renames and moves files.
         store: The operator's settings.
-        parent: The main window.
 
     Signals:
         open_wanted: The path of a recording to be replayed.
@@ -290,27 +291,22 @@ class SessionsWindow(ArmDialog):
         Command("sessions.folder", Text("Action", "Folder of the recordings")),
         Command("sessions.ring", Text("RingCard", "Save what just happened")),
         Command("sessions.ring_at_faults", Text("RingCard", "Save by itself at a fault or a stop")),
-        Command("sessions.replay", Text("SessionsWindow", "Replay")),
-        Command("sessions.export", Text("SessionsWindow", "Export…")),
-        Command("sessions.rename", Text("SessionsWindow", "Rename")),
-        Command("sessions.delete", Text("SessionsWindow", "Delete")),
-        Command("sessions.other", Text("SessionsWindow", "Replay another log…")),
-        Command("sessions.show_folder", Text("SessionsWindow", "Show in the file manager")),
+        Command("sessions.replay", Text("SessionsPage", "Replay")),
+        Command("sessions.export", Text("SessionsPage", "Export…")),
+        Command("sessions.rename", Text("SessionsPage", "Rename")),
+        Command("sessions.delete", Text("SessionsPage", "Delete")),
+        Command("sessions.other", Text("SessionsPage", "Replay another log…")),
+        Command("sessions.show_folder", Text("SessionsPage", "Show in the file manager")),
     )
     open_wanted = Signal(object)
     other_wanted = Signal()
     export_wanted = Signal(object)
 
     def __init__(
-        self,
-        controller: ArmController,
-        background: Background,
-        store: SettingsStore,
-        parent: QWidget | None = None,
+        self, controller: ArmController, background: Background, store: SettingsStore
     ) -> None:
-        super().__init__(controller, parent)
-        self.setObjectName("sessions_window")
-        self.setWindowFlags(Qt.WindowType.Window)
+        super().__init__("sessions")
+        self.setObjectName("sessions_page")
         self._sessions = controller.sessions
         self._background = background
         self._listing: Job[list[RecordingEntry] | Refusal] | None = None
@@ -325,8 +321,7 @@ class SessionsWindow(ArmDialog):
         self._hint = QLabel()
         self._hint.setProperty("rank", "muted")
         self._hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self._message = named("sessions_message", MessageLine())
-        self._message.hide()
+        self._message = named("sessions_message", MessageLine(keeps_room=False, lines=1))
         self._make_buttons()
         self._lay_out()
         self._timer = SeenTimer(self, _LOOK_MS, self._look)
@@ -336,8 +331,12 @@ class SessionsWindow(ArmDialog):
         self.table.selectionModel().selectionChanged.connect(self._show_usable)
         self.table.doubleClicked.connect(lambda _index: self._open_chosen())
         self._model.modelReset.connect(self._show_usable)
+        self.first = self.table
         self.retranslate_ui()
-        self.resize(_SIZE.boundedTo(self.screen().availableSize()))
+
+    def headers(self) -> Mapping[str, QHeaderView]:
+        """Return the heads of its tables by name: the columns' widths and the order are kept."""
+        return {"sessions": self.table.horizontalHeader()}
 
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
@@ -369,7 +368,9 @@ class SessionsWindow(ArmDialog):
         self.folder_button.clicked.connect(self._show_folder)
 
     def _lay_out(self) -> None:
-        cards = in_row((self.recording, 3), (self.ring, 2), spacing=14)
+        self.body.setSpacing(_GAP_PX)
+        self.table.setMinimumHeight(_LEAST_PX)
+        cards = in_flow(self.recording, self.ring, spacing_px=_GAP_PX)
         fill(self.body, cards, (self.table, 1), self._hint, self._message)
         of_chosen = (self.open_button, self.export_button, self.rename_button, self.delete_button)
         fill(self.footer, *of_chosen, STRETCH, self.other_button, self.folder_button)
@@ -407,11 +408,11 @@ class SessionsWindow(ArmDialog):
         self._look()
         self.refresh()
 
-    def changeEvent(self, event: QEvent) -> None:
+    def event(self, event: QEvent) -> bool:
         """Read the folder again when the window is activated."""
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.ActivationChange and self.isActiveWindow():
+        if event.type() == QEvent.Type.WindowActivate:
             self.refresh()
+        return super().event(event)
 
     def _look(self) -> None:
         self.recording.refresh()
@@ -453,7 +454,6 @@ class SessionsWindow(ArmDialog):
 
     def _say(self, text: str, level: Level) -> None:
         self._message.show_message(text, level)
-        self._message.setVisible(bool(text))
 
     def chosen(self) -> list[RecordingEntry]:
         """Return the selected recordings, from top to bottom."""

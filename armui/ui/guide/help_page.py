@@ -1,16 +1,13 @@
-"""The window 使用帮助: how to use the 3D area (manual 1.0.8 ①)."""
+"""The page 使用帮助: how to use the 3D area (manual 1.0.8 ①)."""
 
 from __future__ import annotations
 
 from typing import Final
 
-from PySide6.QtWidgets import QWidget
-
-from armui.control.arm_controller import ArmController
-from armui.ui.dialogs.sections import HelpSection, SectionsDialog
+from armui.ui.dialogs.sections import HelpSection, SectionsArea
+from armui.ui.widgets.page import Page
 from armui.ui.words.text import Text
 
-_SIZE_PX: Final = (1000, 680)
 _GAPS_PX: Final = (18, 8)
 
 _HANDLING: Final = (
@@ -97,14 +94,17 @@ _READING: Final = (
 )
 
 
-class HelpDialog(SectionsDialog):
+class HelpPage(Page):
     """Explains mouse, keyboard and figures of the 3D picture."""
 
-    def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
-        super().__init__(controller, parent, left=_HANDLING, right=_READING, gaps_px=_GAPS_PX)
-        self.resize(*_SIZE_PX)
+    def __init__(self) -> None:
+        super().__init__("help")
+        self.setObjectName("help_page")
+        self.area = SectionsArea(_HANDLING, _READING, gaps_px=_GAPS_PX)
+        self.body.addWidget(self.area, 1)
+        self.first = self.area
+        self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
-        super().retranslate_ui()
         self.set_title(self.tr("Help: 3D view"))
