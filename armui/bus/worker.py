@@ -147,7 +147,7 @@ class BusWorker(QThread):
         self._outbox.void(newest)
 
     def send_urgent(self, frames: Sequence[Frame]) -> bool:
-        """Send at once, before everything that waits; see :meth:`Outbox.put_urgent`."""
+        """Send at once, ahead of all that waits; return as :meth:`Outbox.put_urgent` does."""
         return self._outbox.put_urgent(frames)
 
     def set_listeners(self, listeners: Sequence[Listener]) -> None:

@@ -1,4 +1,4 @@
-"""Every action of the operator: checked, sent, and followed to its end.
+"""Carries out every action of the operator: checks it, sends it, follows it to its end.
 
 The windows call :class:`armui.control.arm_controller.ArmController`; no widgets here.
 """

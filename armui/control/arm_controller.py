@@ -1,4 +1,4 @@
-"""Every action of the operator: checked, sent, and followed until the arm's own feedback shows it.
+"""Carries out the operator's actions: each is checked, sent and followed in the feedback.
 
 The controller lives in the GUI thread. It never waits: a tick looks at what the bus thread has
 heard and moves on whatever is under way.
@@ -66,31 +66,31 @@ QUESTION_WITHDRAWN = Notice(
 _TICK_MS: Final = 33
 _SENT_WITHIN_S: Final = 0.15
 _END_S: Final = 1.0
-"""The end of the program waits this long for the device, and for a search."""
+"""At the end of the program it waits this long for the device and for a search."""
 
 
 class ArmController(ControllerParts):
-    """What the windows talk to.
+    """The interface of the windows to the arm.
 
-    Every operation answers at once: its :class:`Started`, it is under way, or a :class:`Refusal`,
-    nothing was sent. What becomes of it stands in that record, and is told by the signals.
+    Every operation returns at once: its :class:`Started` if it is under way, or a :class:`Refusal`
+    if nothing was sent. That record and the signals tell its outcome.
 
     Args:
         opener: Opens a device; see :data:`armui.bus.worker.Opener`.
-        simulated: Arms made of software, listed with the devices found.
+        simulated: The simulated arms, which are listed with the devices found.
         find: The search for devices.
         clock: Monotonic time in seconds.
-        wall: What the clock on the wall showed at such a time; by default of this computer.
-        make_worker: Puts something else in the place of the bus: a log.
+        wall: Returns the local time of a monotonic time; by default by this computer's clock.
+        make_worker: Makes what stands in the place of the bus thread, as for a log.
         wait: Lets seconds pass, at the end of the program.
 
     Signals:
         state_changed: An :class:`ArmState`, at most 30 times a second, when something was heard.
         operating_state_changed: A :class:`OperatingState`, when it differs.
         devices_found: A list of :class:`Device`, the answer to :meth:`search_devices`.
-        searching_changed: Whether a search is under way.
+        searching_changed: True if a search is under way, else false.
         all_motion_ended: The operator has stopped or halted the arm, or a failure or the system has
-            ended every motion: what was about to begin is not to begin any more.
+            ended every motion: a motion that was about to begin must not begin any more.
     """
 
     state_changed = Signal(object)
@@ -153,21 +153,21 @@ class ArmController(ControllerParts):
 
     @property
     def telemetry(self) -> Telemetry:
-        """What was heard and commanded, over time."""
+        """The record of feedback and commands over time."""
         return self._connection.telemetry
 
     @property
     def operating_state(self) -> OperatingState:
-        """What the operator can do now."""
+        """The actions that are open to the operator now, and the reasons against the others."""
         return self._assessor.read()
 
     @property
     def mark(self) -> ArmMark:
-        """The arm and the connection of this very moment, for a question, a press or a check."""
+        """The arm and the connection at this moment, to be kept with a question, press or check."""
         return self._connection.mark
 
     def tell_withdrawn(self, question: str, reason: Refusal) -> None:
-        """Tell that a question, or a button that was held, counts no more.
+        """Tell the operator that a question, or a held button, no longer counts.
 
         Args:
             question: Its title in the operator's language.
@@ -178,12 +178,12 @@ class ArmController(ControllerParts):
     # Devices ----------------------------------------------------------------------------------
 
     def search_devices(self) -> None:
-        """Look for devices; :attr:`devices_found` tells."""
+        """Search for devices; :attr:`devices_found` gives the result."""
         self._finder.start()
 
     @staticmethod
     def interfaces() -> list[str]:
-        """Return the back-ends python-can knows on this computer."""
+        """Return the back-ends that python-can has on this computer."""
         from armui.bus.adapters import interfaces  # noqa: PLC0415 - loaded when asked for
 
         return interfaces()
@@ -202,7 +202,7 @@ class ArmController(ControllerParts):
         self.recovery.follow_arm()
 
     def disconnect_device(self) -> None:
-        """Close the device. What this program drives ends before; the arm keeps its power.
+        """End the motions that this program drives, and close the device; the arm keeps its power.
 
         A run, a replay, a jog and a motion paused from here end where the arm is. A single motion
         the arm has been sent on goes to its target.
@@ -223,14 +223,14 @@ class ArmController(ControllerParts):
         self.recovery.follow_arm()
 
     def let_motion_finish(self) -> None:
-        """Let a single motion go on to its target when the program ends: the operator chose so."""
+        """Let a single motion go on to its target after the program's end, as was chosen."""
         self._lets_finish = True
 
     def shutdown(self) -> bool:
         """End the motion, close the device as :meth:`disconnect_device` does, end every thread.
 
         Returns:
-            Whether all threads have ended within two seconds: a driver may keep one.
+            True if all threads have ended within two seconds; a driver may hold one up.
         """
         self._motion_end.end_motion(RUN_LEFT, single=not self._lets_finish)
         self._motion_end.await_rest(self.tick, self._wait)
@@ -260,11 +260,11 @@ class ArmController(ControllerParts):
         return refusal
 
     def stop_again_when_undone(self, on: bool) -> None:
-        """Whether a stop that another host undoes is sent again by itself."""
+        """Set whether a stop that another host undoes is sent again automatically."""
         self._stop.stop_again = on
 
     def begin(self, name: str, *arguments: Any, **named: Any) -> Started | Refusal | None:
-        """Carry out an operation by its id, for a client that follows what becomes of it.
+        """Carry out an operation by its id, for a client that follows its outcome.
 
         Args:
             name: The id, a key of :attr:`operations`.
@@ -272,8 +272,9 @@ class ArmController(ControllerParts):
             **named: Those of its method that have names.
 
         Returns:
-            The record of the command, or why it was refused; ``None`` where nothing began: a
-            question (``settings.read``), what is so already, a run that takes its next step.
+            The record of the command, or why it was refused; ``None`` where nothing began: an
+            operation that only reads (``settings.read``), a value that is set already, a run that
+            takes its next step.
 
         Raises:
             KeyError: No operation has the id.
@@ -288,7 +289,7 @@ class ArmController(ControllerParts):
         self.event_collector.on_noticed(event)
 
     def tick(self) -> None:
-        """Take in what was heard and move on what is under way; the controller's timer calls it."""
+        """Take in the feedback and advance what is under way; the controller's timer calls it."""
         now_s = self._clock()
         before = self._state
         attempt = self._parts.attempt  # a stop is repeated, and motion ended, whatever else fails
@@ -313,7 +314,7 @@ class ArmController(ControllerParts):
         self._assessor.assess()
 
     def on_failure(self) -> None:
-        """End every motion of this program, since a part of it has failed."""
+        """End every motion of this program, because a part of the program has failed."""
         if not self._motion_end.busy:
             self._motion_end.end_motion()
             # the failure may lie within the very call that goes on to begin a motion
@@ -321,7 +322,7 @@ class ArmController(ControllerParts):
             self.all_motion_ended.emit()
 
     def end_all_motion(self) -> None:
-        """End every motion of this program, since the system is about to end it or to sleep."""
+        """End every motion of this program, because the system is about to end it or to sleep."""
         self._motion_end.end_motion(SYSTEM_ENDS)
         self.all_motion_ended.emit()
 
@@ -329,7 +330,7 @@ class ArmController(ControllerParts):
         """Tell the arm to end a motion of ours, also while the window's thread is held up.
 
         Returns:
-            Whether there is one that is not known to have ended.
+            True if there is a motion that is not known to have ended.
         """
         return self._motion_end.abort_from_any_thread()
 
@@ -348,7 +349,7 @@ class ArmController(ControllerParts):
         self._was_stopped = stopped
 
     def take_over(self) -> Refusal | None:
-        """Take the arm from another host that pauses: ``None``, or why not."""
+        """Take the arm over from another host that pauses; return ``None``, or why not."""
         refusal = self._watch.take_over(self._clock())
         if refusal is not None:
             return self._context.refuse(refusal)
@@ -386,12 +387,12 @@ class ArmController(ControllerParts):
         self._was_stopped = False
 
     def end_motion(self, *, single: bool = False) -> None:
-        """End what this program drives in good order: the arm comes to rest and stays powered.
+        """End the motions that this program drives: the arm comes to rest and stays powered.
 
         That is a run, a replay, a jog or a motion paused from here.
 
         Args:
-            single: A single motion of this program, too.
+            single: True to end a single motion of this program, too.
         """
         self._end_driven()
         if single and self._authority.may_be_ours:

@@ -1,4 +1,4 @@
-"""From what was heard to what the operator can do: pure, computed anew at each tick."""
+"""Works out from the feedback what the operator can do: pure, computed anew at each tick."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from armui.protocol.generation import Generation
 
 @dataclass(frozen=True, slots=True)
 class ActiveTasks:
-    """What the program itself is doing to the arm; see :class:`OperatingState` for the fields."""
+    """The activities of this program that concern the arm; see :class:`OperatingState`."""
 
     running: bool = False
     jogging: bool = False
@@ -44,12 +44,12 @@ class ActiveTasks:
 
 @dataclass(frozen=True, slots=True)
 class AssessmentInputs:
-    """What the program knows beside the arm's feedback; fields as in :class:`OperatingState`.
+    """The program's knowledge beside the arm's feedback; fields as in :class:`OperatingState`.
 
     Attributes:
-        authority: Who moves the arm.
-        other_host: Who else does, for the operator.
-        tasks: What it is doing to the arm.
+        authority: Knows who moves the arm.
+        other_host: The other host that moves the arm, as told to the operator.
+        tasks: The activities of this program that concern the arm.
     """
 
     link: LinkState
@@ -146,7 +146,7 @@ def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> Operating
 
 
 def _controller_heard(state: ArmState, now_s: float) -> bool:
-    """Tell whether the arm's controller is heard, 0x2A1–0x2A7; drivers may go on without it."""
+    """Return whether the arm's controller is heard, 0x2A1–0x2A7; drivers may go on without it."""
     heard = (state.status, *state.joints_deg, *state.pose)
     return any(each is not None and each.fresh(now_s) for each in heard)
 

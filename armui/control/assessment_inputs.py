@@ -1,4 +1,4 @@
-"""What the controller's parts are doing, gathered, and what the operator can do by it."""
+"""Collects what the controller's parts are doing, and assesses what the operator can do."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class Assessor:
-    """Keeps the operating state: to read it costs nothing, :meth:`refresh` looks anew.
+    """Keeps the operating state, so that reading it costs nothing; :meth:`refresh` assesses anew.
 
     Args:
         controller: Has the parts, and the signal for another operating state.
@@ -42,22 +42,22 @@ class Assessor:
         self._operating_state: OperatingState | None = None
 
     def read(self) -> OperatingState:
-        """Return what the operator can do, as of the last look."""
+        """Return the operating state of the last assessment."""
         if self._operating_state is None:
             return OperatingState(speed_percent=self._controller.motion.speed_percent)
         return self._operating_state
 
     def observe(self) -> None:
-        """Let the authority know what is heard by now."""
+        """Give the authority all feedback received so far."""
         self._watch.observe(self._clock())
 
     def refresh(self) -> OperatingState:
-        """Look at the arm and at other hosts anew, and assess."""
+        """Observe the arm and the other hosts anew, and return the new operating state."""
         self.observe()
         return self.assess()
 
     def assess(self) -> OperatingState:
-        """Return what the operator can do, by what the authority saw and the parts are doing."""
+        """Return a new operating state, from the last observation and the state of the parts."""
         now_s = self._clock()
         controller = self._controller
         operating_state = assess(controller.state, self._inputs(now_s), now_s)

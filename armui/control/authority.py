@@ -1,4 +1,4 @@
-"""Who moves the arm, and what our own command is: pure, fed by what is heard and what is sent.
+"""Knows who moves the arm and what our own command is: pure, fed by frames heard and sent.
 
 Everything that moves the arm asks here first and tells here what it has sent. A command of ours is
 the place the next step starts from while it is the last one the arm got; `End` lists what ends it.
@@ -43,12 +43,12 @@ PART_FAILED = Reason(
 
 
 ARRIVED_DEG: Final = 0.5
-"""Measured this close to its target a joint has arrived: it may sag by that much under load."""
+"""A joint this close to its target has arrived: under load it may sag by that much."""
 
 _TAKEN_IN_S: Final = 0.3
 """For this long after a frame was sent, the status last heard may be older than the frame."""
 _SHOWN_S: Final = 0.05
-"""A status this much after a mode word was made after it."""
+"""A status this much later than a mode word was reported after it."""
 _REST_SHOWS_S: Final = 0.4
 """An arm that only sets out at a cancel is measured to move by then."""
 _CANCEL_WITHIN_S: Final = 1.0
@@ -56,21 +56,22 @@ _CANCEL_WITHIN_S: Final = 1.0
 _OURS: Final = frozenset({ControlMode.STANDBY, ControlMode.CAN_CONTROL})
 _PLANNED: Final = frozenset({MoveMode.MOVE_P, MoveMode.MOVE_J, MoveMode.MOVE_L, MoveMode.MOVE_C})
 _MOVING_FRESH_S: Final = 0.05
-"""The angles of a moving arm are none to set out from when they are older."""
+"""The angles of a moving arm are too old to set out from after this time."""
 
 
 class Authority:
-    """Knows who moves the arm and whether this program may.
+    """Knows who moves the arm, and whether this program may move it.
 
     Attributes:
-        command: Our own command, as long as its target is one to start from.
-        ended: What ended the last command of ours.
-        over: The commands that have ended and by what, until somebody takes them from here.
-        holds: What holds back the motion in the arm; it stays there until it is cancelled.
+        command: Our own command, as long as a step may start from its target.
+        ended: The cause that ended our last command.
+        over: The commands that have ended, each with its cause, until somebody takes them from
+            here.
+        holds: The causes that hold back a motion in the arm; it stays there until it is cancelled.
         arm_percent: The speed percentage this program gave the arm last; ``None`` if another host
             may have changed it since.
         cancel_unheeded: A cancel was sent, and the arm is not at rest a second later.
-        other: What another host does to the arm.
+        other: Follows what another host does to the arm.
         overspeed: The measured speed and the speed shown, where our motion is far too fast.
         failed: A part of the program fails at each look: no motion of ours may begin.
     """
@@ -100,7 +101,7 @@ class Authority:
     # What is heard ------------------------------------------------------------------------------
 
     def observe(self, seen: Observation) -> None:
-        """Take in what is known now; ends our command where something has ended it."""
+        """Take in an observation; end our command if something has ended it."""
         self._seen, self._silent = seen, why_silent(seen.state, seen.now_s)
         state, now_s = seen.state, seen.now_s
         self._rest.observe(state, now_s)
@@ -125,12 +126,12 @@ class Authority:
 
     @property
     def at_rest(self) -> bool:
-        """Whether the joints are measured to stand still."""
+        """True if the joints are measured to stand still."""
         return self._rest.at_rest
 
     @property
     def under_way(self) -> bool:
-        """Whether our command moves the arm, or may be about to."""
+        """True if our command moves the arm, or may be about to."""
         seen, command = self._seen, self.command
         if seen is None or command is None:
             return False
@@ -138,14 +139,14 @@ class Authority:
 
     @property
     def moves(self) -> bool:
-        """Whether the arm says that it has not reached its target, and is measured to move."""
+        """True if the arm says that it has not reached its target, and is measured to move."""
         seen = self._seen
         status = None if seen is None else seen.state.status
         return status is not None and not status.value.reached and not self.at_rest
 
     @property
     def may_be_ours(self) -> bool:
-        """Tell whether a motion is under way, or held back, that this program may have begun.
+        """True if a motion is under way, or held back, that this program may have begun.
 
         An arm that goes on to a target of ours moves by our doing, also when that target has ended
         to be one to start from, as after other limits were read; unless somebody else is known to
@@ -158,12 +159,12 @@ class Authority:
 
     @property
     def is_ending(self) -> bool:
-        """Tell whether the arm was told to end its motion and is not measured at rest since."""
+        """True if the arm was told to end its motion and is not measured at rest since."""
         return self._cancelled_s is not None
 
     @property
     def mover(self) -> Mover:
-        """Who moves the arm now."""
+        """The party that moves the arm now."""
         seen = self._seen
         if seen is None or not seen.online or self._silent is not None:
             return Mover.UNKNOWN
@@ -179,29 +180,29 @@ class Authority:
         return Mover.NOBODY if self.at_rest else Mover.UNKNOWN
 
     def why_not(self) -> Refusal | None:
-        """Return the reason against any motion frame of ours now, or ``None``."""
+        """Return the reason against sending any motion frame now, or ``None``."""
         return self.why_not_ours() or self.why_held()
 
     def why_not_ours(self) -> Refusal | None:
-        """As :meth:`why_not`, but for a motion of ours that is held back in the arm."""
+        """Return the reason against going on with our motion that is held back, or ``None``."""
         failed = PART_FAILED() if self.failed else None
         return failed or self.why_silent() or self.other.why_not()
 
     def why_silent(self) -> Refusal | None:
-        """Return the feedback that a motion counts on and that is not heard, or ``None``."""
+        """Return the missing feedback that a motion relies on, as a reason, or ``None``."""
         return self._silent
 
     def why_held(self) -> Refusal | None:
-        """Return the motion that is held back in the arm, as a reason against another one."""
+        """Return the motion held back in the arm as a reason against another one, or ``None``."""
         return why_held(self.holds)
 
     @property
     def held_target_deg(self) -> tuple[float, ...] | None:
-        """Six angles that the motion held back leads to; ``None``: not known, or none is."""
+        """The six target angles of the motion held back; ``None`` if none is, or if unknown."""
         return self.command.joints_deg if self.holds and self.command is not None else None
 
     def joint_base_deg(self) -> tuple[float, ...] | None:
-        """Return six angles a step or a jog of a joint starts from; ``None``: they are not known.
+        """Return the six angles that a step or jog of a joint starts from; ``None``: unknown.
 
         Our own target while it is the last command and the arm is on its way or there, so that
         steps add up and a sagging arm does not creep; otherwise where the arm is measured.
@@ -212,7 +213,7 @@ class Authority:
         return command.joints_deg
 
     def measured_deg(self) -> tuple[float, ...] | None:
-        """Return six angles to set out from; ``None`` while they are not known well enough.
+        """Return six measured angles fresh enough to start from, or ``None``.
 
         Of a moving arm, angles that are no longer the newest tell where it was.
         """
@@ -226,11 +227,11 @@ class Authority:
         return None if late and not self.at_rest else seen.state.angles_deg()
 
     def tool_base(self) -> Matrix | None:
-        """Return the last target of the tool while it is ours, whether or not the tool is there."""
+        """Return the tool's last target while it is ours, even if the tool has not reached it."""
         return None if self.command is None else self.command.tool
 
     def lowers_speed(self, percent: float) -> bool:
-        """Tell whether a percentage is below the arm's: it must arrive before the target."""
+        """Return whether a percentage is below the arm's, so that it must precede the target."""
         seen = self._seen
         status = None if seen is None else seen.state.status
         told = None if status is None else status.value.speed_percent
@@ -238,7 +239,7 @@ class Authority:
         return not known or percent < max(known)
 
     def mode_in_force(self) -> tuple[ControlMode, MoveMode] | None:
-        """Return the arm's modes: as reported, or as sent while it had no time to report them.
+        """Return the arm's modes: as reported, or as sent if it had no time to report them.
 
         ``None`` where a mode word with them cannot be sent: nobody knows them, or somebody else
         has the command.
@@ -270,16 +271,16 @@ class Authority:
         pace: ToolPace | None = None,
         started: Started | None = None,
     ) -> MotionCommand:
-        """Have a new command of ours take the place of whatever was before.
+        """Make a new command of ours the current one, in the place of the last.
 
         Args:
-            kind: What it is.
+            kind: Its kind.
             now_s: Monotonic time.
-            move_mode: Which kind of motion its mode word asks for.
-            speed_percent: What it is sent with.
+            move_mode: The kind of motion in its mode word.
+            speed_percent: The speed percentage it is sent with.
             joints_deg: Six target angles, where it names them.
             tool: The target of the tool centre point, where it names it.
-            leads_away: Whether the tool was measured elsewhere.
+            leads_away: True if the tool was measured elsewhere than its target.
             pace: Of a line or an arc: how fast the tool goes at 100 %.
             started: The operation that it carries out.
         """
@@ -301,13 +302,13 @@ class Authority:
         return self.command
 
     def is_current(self, command: MotionCommand) -> bool:
-        """Tell whether a command is still the last one given to the arm."""
+        """Return whether a command is still the last one given to the arm."""
         return self.command is not None and self.command.number == command.number
 
     def extend(
         self, command: MotionCommand, joints_deg: Sequence[float], now_s: float
     ) -> MotionCommand | None:
-        """Take the next setpoint of a stream; ``None``: the command is not ours to go on with."""
+        """Note the next setpoint of a stream; return ``None`` if its command is no longer ours."""
         if not self.is_current(command):
             return None
         self.command = replace(command, joints_deg=tuple(joints_deg), sent_s=now_s)
@@ -350,7 +351,7 @@ class Authority:
             self.command = replace(self.command, sent_s=now_s)
 
     def cancelled(self, now_s: float) -> None:
-        """Note that the arm was told to end its motion: what was asked before never comes back."""
+        """Note that the arm was told to end its motion: an earlier command never comes back."""
         self._end(End.CANCELLED)
         self.holds = frozenset()
         self._cancelled_s, self.cancel_unheeded = now_s, False
@@ -366,7 +367,7 @@ class Authority:
 
     @property
     def number(self) -> int:
-        """Of the newest command; frames of lower ones are outdated."""
+        """The number of the newest command; frames of lower numbers are outdated."""
         return self._number
 
     # How it is judged ---------------------------------------------------------------------------

@@ -1,4 +1,4 @@
-"""Feeds the authority with what the link hears, and tells the operator what it finds."""
+"""Gives the authority what the link hears, and tells the operator what the authority finds."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ MOTION_CUT = Observed("motion_cut", "Did not reach its end: {end}")
 
 
 _NAMED_AFTER_S: Final = 0.1
-"""By then the frames tell a leader arm from another program."""
+"""After this time the frames show whether they come from a leader arm or another program."""
 _CUT_LEVELS: Final = {End.REPLACED: Level.INFO, End.CANCELLED: Level.INFO}
 
 
@@ -95,7 +95,7 @@ class AuthorityWatch:
         self._acknowledgement = AcknowledgementMonitor()
 
     def observe(self, now_s: float) -> None:
-        """Let the authority know what is heard by now; frames that are outdated are dropped."""
+        """Give the authority all feedback received so far; outdated frames are dropped."""
         connection = self._connection
         if connection.device is None:
             return
@@ -116,7 +116,7 @@ class AuthorityWatch:
             connection.void(self._voided)
 
     def follow_arm(self, now_s: float) -> None:
-        """Tell who else moves the arm, and end a motion of ours that is too fast."""
+        """Tell the operator who else moves the arm, and end a motion of ours that is too fast."""
         self.observe(now_s)
         authority = self.authority
         other = authority.other
@@ -168,7 +168,7 @@ class AuthorityWatch:
             _close(command, Ending.FAILED, short)
 
     def take_over(self, now_s: float) -> Refusal | None:
-        """Take the arm from another host that pauses: ``None``, or why not.
+        """Take the arm over from another host that pauses; return ``None``, or why not.
 
         Its last motion goes on until a motion of ours replaces it.
         """
@@ -179,7 +179,7 @@ class AuthorityWatch:
         return refusal
 
     def report(self) -> OtherHostReport | None:
-        """Who else moves the arm, for the operator."""
+        """Return the other host that moves the arm, for the operator; ``None``: there is none."""
         other = self.authority.other
         reason = other.why_not()
         if reason is None:
@@ -193,7 +193,7 @@ class AuthorityWatch:
         )
 
     def reset(self, now_s: float) -> None:
-        """Another connection begins."""
+        """Forget the last connection, because another one begins."""
         self._follow_motion(now_s)
         self._acknowledgement.reset()
         self._was_commanded = self._was_unheeded = False

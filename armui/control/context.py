@@ -1,4 +1,4 @@
-"""What each part of the controller is given: the connection, and what is known of the arm."""
+"""The context that each part of the controller gets: the connection and the arm's state."""
 
 from __future__ import annotations
 
@@ -44,20 +44,20 @@ REFUSED = Notice("refused", "Not sent. {reason}", Level.WARNING, EventKind.COMMA
 
 @dataclass(frozen=True, slots=True)
 class Context:
-    """What the parts share.
+    """The objects and functions that the parts of the controller share.
 
     Attributes:
         connection: The way to the arm.
         tell: Takes the events.
         clock: Monotonic time in seconds.
         state: The arm as last heard.
-        operating_state: What the operator can do, as of the last look: the controller's tick looks,
-            and :attr:`refresh`.
-        refresh: Looks at the arm and at other hosts anew, tells the windows if the operator can do
-            something else now, and answers with the operating state. Each command of the operator
-            begins with it, and ends with it where it has changed that state itself.
-        observe: Lets the authority know what is heard by now, and nothing more.
-        authority: Who moves the arm, and what our own command is.
+        operating_state: Returns the operating state of the last assessment, by the controller's
+            tick or :attr:`refresh`.
+        refresh: Observes the arm and the other hosts anew, tells the windows if the operating state
+            has changed, and returns it. Each command of the operator begins with it, and ends with
+            it where it has changed that state itself.
+        observe: Gives the authority all feedback received so far, and does nothing more.
+        authority: Knows who moves the arm, and our own command.
     """
 
     connection: Connection
@@ -70,14 +70,14 @@ class Context:
     authority: Authority
 
     def refuse(self, refusal: Refusal) -> Refusal:
-        """Tell the operator why something was not done; returns the reason."""
+        """Tell the operator why something was not done; return the reason."""
         self.tell(REFUSED, reason=refusal)
         return refusal
 
     def close(
         self, started: Started | None, ending: Ending, notice: Notice, **params: object
     ) -> None:
-        """Note how a command ended, and tell the operator so.
+        """Note how a command ended, and tell the operator.
 
         Args:
             started: The command.
@@ -92,7 +92,7 @@ class Context:
         report_and_tell(self.tell, self.clock(), started, notice, **params)
 
     def why_no_motion(self) -> Refusal | None:
-        """Return the reason against a motion frame of ours by who moves the arm now, or ``None``.
+        """Return why no motion frame of ours may be sent by who moves the arm now, or ``None``.
 
         The check that every motion frame passes: it judges by what is heard at this very moment,
         not by the controller's last tick.
@@ -117,14 +117,14 @@ class Context:
         """Send the frames of a new motion command, if this program may move the arm now.
 
         Args:
-            kind: What it is.
+            kind: The kind of the command.
             frames: Targets and mode word, in order.
-            started: What it is the motion of; a refusal closes it.
-            move_mode: Which kind of motion the mode word asks for.
-            speed_percent: What the mode word carries.
+            started: The operation that the motion carries out; a refusal closes it.
+            move_mode: The kind of motion in the mode word.
+            speed_percent: The speed percentage in the mode word.
             joints_deg: Six target angles, where the command names them.
             tool: The target of the tool centre point, where the command names it.
-            leads_away: Whether the tool was measured elsewhere.
+            leads_away: True if the tool was measured elsewhere than its target.
             way: Of a line or an arc, the poses of the flange that it is told by: what its speed is
                 compared with follows from them.
             keep_s: Frames that could not be sent within this time are dropped.
@@ -171,7 +171,7 @@ class Context:
         """Send the next setpoint of a stream; see :meth:`send_motion`.
 
         Args:
-            command: What the stream is, as it was answered last.
+            command: The stream's command, as returned by the last call.
             frames: The setpoint's.
             joints_deg: Its six angles.
             keep_s: Frames that could not be sent within this time are dropped.
@@ -188,7 +188,7 @@ class Context:
         return further
 
     def lead_frames(self, speed_percent: int) -> list[Frame]:
-        """0x151 ahead of a target that is to be slower than the last: no target starts too fast."""
+        """Return 0x151 to precede a target slower than the last, so that none starts too fast."""
         mode = self.authority.mode_in_force()
         if mode is None or mode[0] is not ControlMode.CAN_CONTROL:
             return []  # in standby no target starts
@@ -197,9 +197,9 @@ class Context:
         return self.speed_frames(mode, speed_percent)
 
     def tell_percent(self, percent: int) -> bool:
-        """Send another speed percentage in the mode the arm is in; whether that is possible now.
+        """Send another speed percentage in the arm's present mode; return false if impossible.
 
-        What is held back is told 0 % only: nothing else would leave it where it is.
+        While a motion is held back only 0 % is sent: any other value would set it going.
         """
         self.observe()
         authority = self.authority
@@ -211,13 +211,13 @@ class Context:
         return True
 
     def speed_frames(self, mode: tuple[ControlMode, MoveMode], percent: int) -> list[Frame]:
-        """0x151 with another speed, 0–100 %, and the modes that the arm is in."""
+        """Return 0x151 with another speed, 0–100 %, in the arm's present modes."""
         return commands.set_mode(
             self.connection.codec, control_mode=mode[0], move_mode=mode[1], speed_percent=percent
         )
 
     def why_unknown(self) -> Refusal | None:
-        """Tell why the arm cannot be asked: it is not there, or its protocol is not known yet."""
+        """Return why the arm cannot be asked: it is not there, or its protocol is not known yet."""
         connection = self.connection
         refusal = why_unreachable(connection.link, connection.device)
         if refusal is None and connection.generation is None:
@@ -233,10 +233,10 @@ class ControllerPart:
     """
 
     def follow_arm(self) -> None:
-        """Look at what was heard and move on; called at each tick while a device is open."""
+        """Take in the feedback and advance; called at each tick while a device is open."""
 
     def halt(self) -> None:
         """Give up what would move the arm: a stop was asked for, or the arm has stopped."""
 
     def forget_arm(self) -> None:
-        """Await nothing more: the arm is gone, lost or disconnected on purpose."""
+        """Forget the arm and await nothing more of it: it is lost or was disconnected."""

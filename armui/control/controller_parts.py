@@ -1,4 +1,4 @@
-"""The parts of the controller, each made when it is first asked for.
+"""The parts of the controller, each created when it is first needed.
 
 The window that a start shows needs two of them; a device needs them all, and gets them before it
 is opened.
@@ -53,7 +53,7 @@ if TYPE_CHECKING:
 
 
 class ControllerParts(QObject):
-    """What the controller consists of.
+    """The base class of the controller, which holds its parts.
 
     Signals:
         step_changed: A :class:`Step`, when the next step of recovery differs.
@@ -64,11 +64,11 @@ class ControllerParts(QObject):
     noticed = Signal(object)
 
     session_choices: Callable[[], SessionChoices] | None = None
-    """How and where sessions are recorded; by default as `SessionRecorder` has it."""
+    """Returns how and where sessions are recorded; by default as `SessionRecorder` has it."""
     _context: Context
-    """What the parts share; set by the controller before it asks for any."""
+    """The context that the parts share; the controller sets it before it asks for any."""
     _wall: Callable[[float], datetime]
-    """What the clock on the wall showed at a monotonic time; set likewise."""
+    """Returns the local time of a monotonic time; the controller sets it likewise."""
 
     @cached_property
     def motion(self) -> Motion:
@@ -102,7 +102,7 @@ class ControllerParts(QObject):
 
     @cached_property
     def lights(self) -> Lights:
-        """The lamps of the joints."""
+        """Sets the lamps of the joints."""
         return Lights(self._context)
 
     @cached_property
@@ -153,7 +153,7 @@ class ControllerParts(QObject):
 
     @cached_property
     def recovery(self) -> Recovery:
-        """The next step towards an arm that may be moved."""
+        """Determines the next step towards an arm that may be moved, and carries it out."""
         return Recovery(
             self._context,
             motors=self.motors,
@@ -202,7 +202,7 @@ class ControllerParts(QObject):
 
     @cached_property
     def bus(self) -> BusAccess:
-        """What the bus monitor needs of the bus."""
+        """Gives the bus monitor access to the bus."""
         return BusAccess(self._context)
 
     @cached_property
@@ -214,20 +214,20 @@ class ControllerParts(QObject):
         return recorder
 
     def on_sessions_chosen(self) -> None:
-        """Take over how and where the operator wants sessions to be recorded."""
+        """Take over the operator's choices for the recording of sessions."""
         if self.session_choices is not None and "sessions" in vars(self):
             self.sessions.choose(self.session_choices())
 
     @cached_property
     def event_collector(self) -> EventCollector:
-        """Writes down what happens; made with the first thing that does."""
+        """Writes events down; created with the first part that causes events."""
         from armui.control.event_log.collector import EventCollector  # noqa: PLC0415 - cantools
 
         return EventCollector(self._context, self._wall, self.player, self.recovery)
 
     @property
     def events(self) -> EventLog:
-        """What has happened: commands, changes of status, faults."""
+        """The event log: commands, changes of status, faults."""
         return self.event_collector.log
 
     @cached_property
@@ -264,7 +264,7 @@ class ControllerParts(QObject):
 
     @cached_property
     def operations(self) -> Operations:
-        """All that an operator can do to the arm, by its ids."""
+        """The operations: all that an operator can do to the arm, by id."""
         parts = (self.motors, self.joint_errors, self.zeroing, self.lights, self.gripper)
         more = (self.linkage, self.end_reports, self.mounting, self.teaching, self.settings)
         motions = (self.motion, self.cartesian, self.jogging, self.planned_motion)

@@ -1,4 +1,4 @@
-"""What the program tells the operator, as data: each sentence stands beside what tells it."""
+"""The notices that the program gives to the operator, as data."""
 
 from __future__ import annotations
 
@@ -25,19 +25,19 @@ _WHO: Final = {
     EventKind.ODDITY: Asker.PROGRAM,
     EventKind.PROGRAM: Asker.PROGRAM,
 }
-"""Who says an event of a kind; that something has failed the program says."""
+"""The source of the events of each kind; for failures it is the program."""
 
 
 @dataclass(frozen=True, slots=True)
 class Notice(Sentence):
-    """Something that happened and is told; ``NAME_NOTICE`` where another sentence has its id.
+    """A sentence for an event; the constant is called ``NAME_NOTICE`` if its id is taken.
 
     Attributes:
-        level: How grave it is.
-        kind: What sort of event it is.
-        asker: Who asked for it, or says it, where the kind does not tell that.
-        streams: It comes one after the other while something is dragged or held: it is counted, and
-            the newest figures stand.
+        level: The severity.
+        kind: The kind of event.
+        asker: The party that asked for it or reports it, where the kind does not determine that.
+        streams: True if it repeats while something is dragged or held: it is counted, and the
+            newest figures are kept.
     """
 
     context: ClassVar[str] = "Notice"
@@ -48,20 +48,20 @@ class Notice(Sentence):
 
     @property
     def who(self) -> Asker:
-        """Who asked for it, or says it."""
+        """The party that asked for the event, or reports it."""
         failed = self.kind is EventKind.RESULT and self.level is Level.FAULT
         return self.asker or (Asker.PROGRAM if failed else _WHO[self.kind])
 
 
 @dataclass(frozen=True, slots=True)
 class Event:
-    """Something that happened, with its time and its figures.
+    """An event with its time and its figures.
 
     Attributes:
-        at: Local time.
-        notice: What happened.
+        at: The local time.
+        notice: The sentence of the event.
         params: The figures of the sentence.
-        started: The command that it tells the beginning of.
+        started: The command whose beginning it is.
     """
 
     at: datetime
@@ -71,7 +71,7 @@ class Event:
 
     @property
     def level(self) -> Level:
-        """How grave it is."""
+        """The severity."""
         return self.notice.level
 
     @property

@@ -1,4 +1,4 @@
-"""A log that is replayed, with a controller of its own that watches it as it watches an arm."""
+"""A replayed log with a controller of its own, which watches it like an arm."""
 
 from __future__ import annotations
 
@@ -35,31 +35,31 @@ if TYPE_CHECKING:
     from armui.telemetry.listener import Listener
 
 _AROUND_S: Final = (0.3, 3.0, 60.0)
-"""So long before a moment its frames are read, and half as long after it: longer where few are."""
+"""The times before a moment to read, and half as much after it; the next one if too few."""
 _ENOUGH_FRAMES: Final = 200
 _FILL_AFTER_MS: Final = 120
-"""Curves are filled when the operator has come to rest somewhere."""
+"""Curves are filled once the operator has stayed at one time for this long."""
 
 
 class LogReplay(QObject):
-    """Plays a log. There is no bus in it, and no way to one: what is to be sent is refused.
+    """Plays a log without any bus: every command is refused.
 
     Args:
-        session: The log; closed by whoever opened it, after :meth:`close`.
-        channel: What is seen of it.
-        arm: What it tells of its arm.
-        name: What the operator knows it by.
+        session: The log; its opener closes it after :meth:`close`.
+        channel: The channel that is shown.
+        arm: The facts on the arm in the log.
+        name: The name shown to the operator.
         parent: Qt's.
 
     Attributes:
         session, channel: As given.
-        clock: Log time; it moves only with the replay.
+        clock: Returns the log time, which moves only with the replay.
         controller: Watches the log.
         whole: Reads the curves of the whole log, once they are wanted.
 
     Signals:
-        moved: The replay is elsewhere, or runs or stands still now.
-        failed: The log cannot be read any more; what is wrong.
+        moved: The replay is at another time, or was started or paused.
+        failed: The log cannot be read any more; with the error.
     """
 
     moved = Signal()
@@ -127,12 +127,12 @@ class LogReplay(QObject):
         return worker
 
     def open(self) -> None:
-        """Begin, standing still, at the beginning."""
+        """Open the log at its beginning, paused."""
         self.controller.connect_device(self._device)
         self.go_to(self.session.start_s)
 
     def close(self) -> bool:
-        """End the thread that plays; whether it has ended within two seconds."""
+        """End the thread that plays and return whether it has ended within two seconds."""
         self._fill_timer.stop()
         if self.whole is not None:
             self.whole.end(wait=True)
@@ -148,22 +148,22 @@ class LogReplay(QObject):
 
     @property
     def position_s(self) -> float:
-        """Log time of what is seen, or of the place that is about to be."""
+        """The log time that is shown or is being gone to."""
         return self.clock() if self._going_to is None else self._going_to
 
     @property
     def is_playing(self) -> bool:
-        """Whether the log runs."""
+        """True if the log runs."""
         return self._worker is not None and self._worker.is_playing
 
     @property
     def is_travelling(self) -> bool:
-        """Whether another place is being looked up."""
+        """True if another time is being gone to."""
         return self._going_to is not None
 
     @property
     def is_at_end(self) -> bool:
-        """Whether nothing comes after what is seen."""
+        """True if the replay is at the end of the log."""
         return self.position_s >= self.session.end_s
 
     @property
@@ -173,12 +173,12 @@ class LogReplay(QObject):
 
     @property
     def speed(self) -> float:
-        """How much log time passes in a second."""
+        """The speed: log seconds per second."""
         return 1.0 if self._worker is None else self._worker.speed
 
     @property
     def loading(self) -> tuple[float, float, float] | None:
-        """What of the curves is being read: log times from and to, and which share is done."""
+        """The log times of the curves being read, from and to, with the share done, or ``None``."""
         worker = self._worker
         history = None if worker is None else worker.history
         if worker is None or history is None:
@@ -189,11 +189,11 @@ class LogReplay(QObject):
     # Beside what is played --------------------------------------------------------------------
 
     def read_whole(self, longest_s: float, then: Callable[[], object]) -> CurveHistory:
-        """Have the curves of the whole log read, whatever is played meanwhile.
+        """Return the curves of the whole log, which a thread of their own reads meanwhile.
 
         Args:
-            longest_s: Of a longer log it is the end.
-            then: Called, in another thread, when they are read.
+            longest_s: The longest time to read; of a longer log the end is read.
+            then: Called in another thread once they are read.
         """
         session = self.session
         begin_s = max(session.start_s, session.end_s - longest_s)
@@ -211,7 +211,7 @@ class LogReplay(QObject):
             at_s: Log time.
 
         Returns:
-            What has counted and kept them; and the log times from and to which it holds all.
+            The statistics with the frames, and the log times from and to which they are complete.
         """
         arm, cursor = self._arm, LogCursor(self.session, self.channel)
         firmware = FirmwareVersion.parse(arm.firmware)
@@ -239,9 +239,9 @@ class LogReplay(QObject):
     # The operator's wishes --------------------------------------------------------------------
 
     def want_curves(self, back_s: float) -> None:
-        """Have the curves show so much before any place; more than some minutes take seconds.
+        """Have the curves reach this far back from any time; above some minutes it takes seconds.
 
-        With nothing wanted, nothing is read for them until the log is played.
+        With 0 nothing is read for them until the log is played.
         """
         if self._worker is None:
             return
@@ -257,7 +257,7 @@ class LogReplay(QObject):
             self.moved.emit()
 
     def play(self, *, on: bool) -> None:
-        """Let it run, or stand still; at the end it begins anew."""
+        """Play or pause; at the end of the log play from its beginning."""
         if self._worker is None:
             return
         if on and self.is_at_end:
@@ -268,20 +268,20 @@ class LogReplay(QObject):
         self.moved.emit()
 
     def step(self) -> None:
-        """Stand still, one frame further."""
+        """Pause and advance by one frame."""
         if self._worker is not None:
             self._fill_if_lacking()
             self._worker.step()
 
     def step_back(self) -> None:
-        """Stand still, at the moment of the frame before."""
+        """Pause and go back to the frame before."""
         if self._worker is not None:
             self._worker.play(on=False)
             self._going_to = self.position_s
             self._number = self._worker.ask_for(None)
 
     def go_to(self, at_s: float) -> None:
-        """Be at another time of the log."""
+        """Go to another time of the log."""
         if self._worker is not None:
             self._fill_timer.stop()
             self._going_to = min(max(at_s, self.session.start_s), self.session.end_s)

@@ -1,4 +1,4 @@
-"""Ends motions of this program: one that is called off, all when a part fails (safety S23)."""
+"""Ends motions of this program: a cancelled one, or all when a part fails (safety S23)."""
 
 from __future__ import annotations
 
@@ -51,26 +51,26 @@ _LEFT_ALONE: Final = frozenset(
         OTHER_MODE,
     }
 )
-"""Reasons for a run to end after which the arm is told nothing more."""
+"""The reasons for a run to end after which nothing more is sent to the arm."""
 
 _LOG: Final = logging.getLogger(__name__)
 
 _ABORT: Final = bytes([0, 6, 0, 0, 0, 0, 0, 0])
-"""0x150 byte 1 = 6, 终止: written out, since the codec may be what fails."""
+"""0x150 byte 1 = 6, 终止; written out because the codec may be the part that fails."""
 _MOTION_COMMAND: Final = 0x150
 _OPEN: Final = frozenset({LinkState.ONLINE, LinkState.OFFLINE})
 _REST_WITHIN_S: Final = 0.5
 _AGAIN_S: Final = 0.1
 _LOOK_S: Final = 0.02
 _OWED_S: Final = 10.0
-"""A lost device that comes back within this time is told that the motion has ended."""
+"""A lost device that comes back within this time is sent the end of the motion."""
 
 
 def abort_motion(context: Context) -> bool:
     """Have the arm end its motion where it is, powered, and drop its target (0x150 byte 1 = 6).
 
-    It goes past everything that waits to be sent: half a target must not follow it. Returns
-    whether it is on the bus.
+    The frame goes ahead of everything that waits: half a target must not follow it. Return whether
+    it is on the bus.
     """
     connection = context.connection
     if connection.device is None or connection.device.listen_only:
@@ -83,26 +83,26 @@ def abort_motion(context: Context) -> bool:
 def abort_motion_for(context: Context, reason: Refusal) -> None:
     """Abort the motion of a run that cannot go on, unless its reason makes sending pointless.
 
-    An arm that is blocked, or whose run took too long, would otherwise set out for the point of a
-    run long over as soon as it can.
+    A blocked arm, or one whose run took too long, would otherwise set out for its point as soon as
+    it can, long after the run's end.
     """
     if reason.reason not in _LEFT_ALONE:
         abort_motion(context)
 
 
 class MotionEnd:
-    """Ends run, replay, jog, single motion and motion of the gripper, each by its own way.
+    """Ends a run, replay, jog, single motion or gripper motion, each in its own way.
 
-    Where that fails, the arm is told to end its motion by the shortest way there is, once for each
-    motion. The stop and the halt don't come by here.
+    If that fails, the arm is told to end its motion by the shortest code path, once for each
+    motion. The stop and the halt do not use this class.
 
     Args:
         controller: Has the parts.
         context: What they share.
-        stopping: Tells whether a stop is asked for that is not confirmed: it says more.
+        stopping: Knows whether a stop is outstanding, which makes any other end needless.
 
     Attributes:
-        stuck: A part could not end its motion: it is asked again at each tick.
+        stuck: True if a part could not end its motion: it is asked again at each tick.
     """
 
     def __init__(
@@ -119,11 +119,11 @@ class MotionEnd:
         self.stuck = False
 
     def end_motion(self, code: Reason = PART_FAILED, *, single: bool = True) -> None:
-        """End everything; where nothing moves, nothing is sent.
+        """End every motion; send nothing if nothing moves.
 
         Args:
-            code: Why, for the operator.
-            single: Single motions, of arm and gripper, too.
+            code: The reason, for the operator.
+            single: True to end single motions of arm and gripper, too.
         """
         if self._ending or self._context.connection.device is None:
             return
@@ -147,10 +147,10 @@ class MotionEnd:
             self._ending = False
 
     def abort_from_any_thread(self) -> bool:
-        """Tell the arm, once more, to end a motion of ours; streams and runs go no further.
+        """Tell the arm once more to end our motion, and stop streams and runs, from any thread.
 
         Returns:
-            Whether there is one that is not known to have ended.
+            True if there is a motion that is not known to have ended.
         """
         authority = self._context.authority
         authority.failed = True
@@ -164,10 +164,10 @@ class MotionEnd:
     def await_rest(self, look: Callable[[], None], wait: Callable[[float], object]) -> None:
         """Tell the arm again to end its motion until it stands still, for half a second at most.
 
-        A frame may be lost on the way; soon nobody will be there to see that the arm moves on.
+        A frame may be lost, and after the program's end nobody would see the arm move on.
 
         Args:
-            look: Takes in what was heard.
+            look: Takes in the feedback.
             wait: Lets a time pass, in seconds.
         """
         authority, clock = self._context.authority, self._context.clock
@@ -185,14 +185,14 @@ class MotionEnd:
 
     @property
     def busy(self) -> bool:
-        """Tell whether motion is being ended, now or at the next tick, and a failure adds nothing.
+        """True while motion is being ended, now or at the next tick.
 
-        What fails meanwhile is logged, and whoever reads that asks for an end once more.
+        A failure meanwhile is logged, and the reader of the log asks for an end once more.
         """
         return self._ending or self.stuck
 
     def retry_end(self, now_s: float) -> None:
-        """Go on with what could not be ended yet; called at each tick."""
+        """Try again to end motions that could not be ended; called at each tick."""
         if self.stuck:
             self.end_motion(self._code)
         if self._ended_s is None:

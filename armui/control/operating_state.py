@@ -1,4 +1,4 @@
-"""What the operator can do now, and why not: one frozen state that every button reads."""
+"""The actions open to the operator now, as one frozen state that every button reads."""
 
 from __future__ import annotations
 
@@ -49,10 +49,10 @@ JOG_UNDER_WAY = Reason("jog_under_way", "The arm is being jogged. Let go first, 
 
 
 class LinkState(enum.Enum):
-    """How the program stands to its arm."""
+    """The states of the link to the arm."""
 
     NO_DEVICE = enum.auto()
-    """Nothing is connected."""
+    """No device is connected."""
     OPENING = enum.auto()
     OFFLINE = enum.auto()
     """A device is open, and no arm has been heard on it for half a second."""
@@ -62,18 +62,18 @@ class LinkState(enum.Enum):
 
 
 def why_only_heard(device: Device | None) -> Refusal | None:
-    """Return the reason why an arm that is heard is not spoken to, or ``None``: it may be."""
+    """Return why an arm that is heard may not be sent anything, or ``None``."""
     if device is None or not device.listen_only:
         return None
     return Refusal(LISTEN_ONLY if device.recorded is None else REPLAYED_LOG)
 
 
 def why_unreachable(link: LinkState, device: Device | None = None) -> Refusal | None:
-    """Tell why nothing at all can be sent: no arm is heard, or it is only listened to.
+    """Return why nothing at all can be sent: no arm is heard, or it is only listened to.
 
     Args:
-        link: How the program stands to its arm.
-        device: What is open; ``None`` where something may be done to an arm that is listened to.
+        link: The state of the link.
+        device: The open device; ``None`` for an action that is also possible on a listen-only link.
     """
     if link is LinkState.ONLINE and (refusal := why_only_heard(device)) is not None:
         return refusal
@@ -89,13 +89,13 @@ class StopState(enum.Enum):
 
     RUNNING = enum.auto()
     REQUESTED = enum.auto()
-    """Sent, not confirmed yet; it is repeated until it is."""
+    """The stop was sent and is not confirmed yet; it is repeated until it is."""
     STOPPED = enum.auto()
     RESUMING = enum.auto()
 
 
 class Busy(enum.Enum):
-    """What the program is waiting for the arm to do."""
+    """The effects that the program waits for the arm to show."""
 
     ENABLING = "enabling"
     DISABLING = "disabling"
@@ -110,9 +110,9 @@ class OtherHostReport:
     Attributes:
         frames: The identifiers of its motion frames, for a sentence.
         since: Local time of the first of them.
-        rate_hz: How often they come, rounded; 0 for single frames.
+        rate_hz: Their rate, rounded; 0 for single frames.
         refusal: The reason it is against a motion of ours.
-        may_be_taken_over: Whether the operator may take the arm over now.
+        may_be_taken_over: True if the operator may take the arm over now.
     """
 
     frames: str
@@ -124,46 +124,48 @@ class OtherHostReport:
 
 @dataclass(frozen=True, slots=True)
 class OperatingState:
-    """Everything a button needs to know.
+    """All that a button needs to know.
 
     Attributes:
         link_problem: Why the device could not be opened or was lost.
-        stop_unconfirmed: A stop was asked for over half a second ago and the arm has not said so.
-        stop_lapsed: That stop is not sent by itself any more: the operator is asked.
+        stop_unconfirmed: A stop was asked for over half a second ago and the arm has not confirmed
+            it.
+        stop_lapsed: That stop is no longer sent automatically: the operator is asked.
         enabled: Each motor as reported; ``None`` where it has not been heard of late.
-        cannot_move, cannot_enable: Why not, or ``None``: it may.
+        cannot_move, cannot_enable: The reason against moving or enabling the arm, or ``None``.
         cannot_run: Why a trajectory cannot be run, or the one that runs cannot go on.
         running: A run or a replay is under way, be it that it dwells, waits or is paused.
-        run_phase: What that is doing now, or how the last one ended.
-        jogging: Something is held that moves the arm.
+        run_phase: The phase of the run, or the way the last one ended.
+        jogging: A jog is held.
         recording: The program records where the arm goes.
-        altering: What of the arm is being set that a motion counts on; ``None``: nothing.
-        run_sets_lamps: The run under way tells something by the lamps.
+        altering: The setting being changed that motions rely on, or ``None``.
+        run_sets_lamps: The run under way signals by the lamps.
         pending: The parts whose last request the arm has not answered yet, by the names that
             the reason ``BUSY`` has for them.
         status: The arm's status as last heard (0x2A1), however old.
         angles_known: All six joint angles have been heard.
         pose_known: The pose of the flange has been heard.
         gripper_heard: The gripper is heard.
-        limits: Of each joint, as read from the arm where ``limits_read``, else the factory's.
-        speed_percent: What motions are sent with.
+        limits: The limits of each joint, as read from the arm if ``limits_read``, else the
+            factory's.
+        speed_percent: The speed percentage of motions.
         override_percent: The share of their own speed at which runs and replays go.
         cannot_send_motion: Why no motion frame at all may be sent: the arm is not heard, or
             somebody else moves it.
-        mover: Who moves the arm.
-        other_host: What another host sends that moves the arm, ``None``: nobody else moves it.
-        holds: What holds back a motion in the arm.
-        held_target_deg: Where that motion leads, as six angles; ``None`` where they are not known.
+        mover: The party that moves the arm.
+        other_host: Another host that moves the arm, or ``None``.
+        holds: The causes that hold back a motion in the arm.
+        held_target_deg: The six target angles of that motion, or ``None`` if unknown.
         cancel_unheeded: The arm was told to end its motion and does not come to rest.
         moving: The arm says that it has not reached its target, is not stopped, and is not
             measured to stand still: a motion cut short stays «not reached» for good. A motion
             held back counts as well.
         generation: The protocol the arm speaks, once that is known.
         addressing: The identifier offsets in use (0x470).
-        control_certain: Whether the arm is known to take commands under them.
-        model_fit: Which arm of the family was chosen, and whether what the arm tells fits it.
-        below_base_mm: By how much flange or fingertip is measured below the plane the arm stands
-            on; ``None``: neither is.
+        control_certain: True if the arm is known to take commands under them.
+        model_fit: The chosen model, and whether the arm's reports fit it.
+        below_base_mm: The depth of flange or fingertip below the plane the arm stands on, or
+            ``None``.
         teaching_input: Commands are heard and no feedback: the arm is a teaching input (0x470).
     """
 
@@ -209,34 +211,34 @@ class OperatingState:
 
     @property
     def unreachable(self) -> Refusal | None:
-        """Why nothing can be sent to the arm, or ``None``: it is online."""
+        """The reason why nothing can be sent to the arm, or ``None``."""
         return why_unreachable(self.link, self.device)
 
     @property
     def model(self) -> PiperModel:
-        """Which arm of the family it is, as the operator has chosen."""
+        """The model of the arm as the operator has chosen."""
         return self.model_fit.chosen
 
     @property
     def listens_only(self) -> bool:
-        """Whether the connection sends nothing but an operator's stop."""
+        """True if only an operator's stop is sent over the connection."""
         return self.device is not None and self.device.listen_only
 
     def why_pending(self, part: str) -> Refusal | None:
-        """Return the reason that a part still waits for the arm's answer, or ``None``."""
+        """Return the reason that a part still awaits the arm's answer, or ``None``."""
         return BUSY(what=part) if part in self.pending else None
 
     @property
     def held(self) -> Refusal | None:
-        """The motion that is held back in the arm, as a reason against another one."""
+        """The motion held back, as a reason against another one, or ``None``."""
         return why_held(self.holds)
 
     @property
     def occupied(self) -> Refusal | None:
-        """Why the arm must be left as it is: its limits, zeros, identifiers, load and drivers.
+        """The reason against changing limits, zeros, identifiers, load and drivers, or ``None``.
 
-        What is under way was checked against them. A run that dwells, waits or is paused counts:
-        the arm stands still then, and goes on.
+        An activity under way was checked against them. A run that dwells, waits or is paused
+        counts, too: the arm stands still then, but goes on.
         """
         if self.running:
             return RUN_UNDER_WAY()

@@ -1,4 +1,4 @@
-"""Calls the parts of the controller in turn; one that fails does not stop the others."""
+"""Calls the parts of the controller in turn, even if one of them fails."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ _LOG = logging.getLogger(__name__)
 
 
 class Parts:
-    """Calls every part even when another fails: a stop must reach all of them.
+    """Calls every part even if another fails: a stop must reach all of them.
 
-    A part that fails is tried again the next time, for what it was doing may have been the reason.
-    Its first failure is told to the operator, every one is logged.
+    A part that fails is called again the next time, because its task may have been the cause. The
+    operator is told its first failure; every failure is logged.
 
     Args:
         tell: Takes the events.
-        on_failure: Called whenever one fails: no motion may go on unwatched.
+        on_failure: Called at each failure: no motion may go on unwatched.
     """
 
     def __init__(self, tell: Tell, on_failure: Callable[[], None] = lambda: None) -> None:
@@ -42,32 +42,31 @@ class Parts:
 
     @property
     def in_order(self) -> bool:
-        """Whether each has worked when it was called last to look at what was heard."""
+        """True if every part has worked at its last call of :meth:`follow_arm`."""
         return not self._out_of_order
 
     def set_parts(
         self, parts: Sequence[ControllerPart], last: ControllerPart | None = None
     ) -> None:
-        """Call these from now on.
+        """Set the parts to call from now on.
 
         Args:
             parts: In the order in which they act.
-            last: Looks at what the others are doing: it acts after them, once the operating state
-                has been assessed anew.
+            last: Acts after the others, once the operating state has been assessed anew.
         """
         self._parts = parts
         self._last = () if last is None else (last,)
 
     def follow_arm(self) -> None:
-        """Have each look at what was heard; see :meth:`ControllerPart.follow_arm`."""
+        """Have each part take in the feedback; see :meth:`ControllerPart.follow_arm`."""
         self._follow_arm(self._parts)
 
     def follow_arm_last(self) -> None:
-        """Have the last look at what the others are doing."""
+        """Have the last part act, after the others."""
         self._follow_arm(self._last)
 
     def halt(self) -> None:
-        """Have each give up what would move the arm; see :meth:`ControllerPart.halt`."""
+        """Have each part give up what would move the arm; see :meth:`ControllerPart.halt`."""
         for part in (*self._parts, *self._last):
             self._have(type(part).__name__, part.halt)
 
@@ -77,12 +76,12 @@ class Parts:
             self._have(type(part).__name__, part.forget_arm)
 
     def attempt(self, name: str, look: Callable[[], object], *, step: str = "") -> None:
-        """Have something that is no part look at what was heard, as carefully.
+        """Call something that is no part with the same care.
 
         Args:
-            name: What the operator is told of, should it fail.
-            look: What to call.
-            step: Tells several calls of the same one apart.
+            name: The name told to the operator if it fails.
+            look: The function to call.
+            step: Distinguishes several calls under the same name.
         """
         if self._have(name, look):
             self._out_of_order.discard(name + step)

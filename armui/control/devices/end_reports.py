@@ -1,4 +1,4 @@
-"""末端负载: what the arm is told it carries, and the feedback of its end's motion (0x477)."""
+"""末端负载: tells the arm its load, and switches the feedback of its end's motion (0x477)."""
 
 from __future__ import annotations
 
@@ -54,11 +54,11 @@ END_FEEDBACK_FAILED = Notice(
 
 
 _SILENT_S: Final = 0.3
-"""After so long without one, the frames 0x481–0x486 have ended."""
+"""The frames 0x481–0x486 have ended when none has come for this time."""
 
 
 def why_not_switch(now: OperatingState) -> Refusal | None:
-    """Tell why the feedback of the end's motion may not be switched."""
+    """Return why the feedback of the end's motion may not be switched, or ``None``."""
     if now.unreachable is not None:
         return now.unreachable
     if now.generation is None:
@@ -67,7 +67,7 @@ def why_not_switch(now: OperatingState) -> Refusal | None:
 
 
 def why_no_load(now: OperatingState) -> Refusal | None:
-    """Tell why the arm may not be told a load."""
+    """Return why the arm may not be told a load, or ``None``."""
     return why_not_switch(now) or _why_in_use(now)
 
 
@@ -81,7 +81,7 @@ class EndReports:
     """Tells the arm its load, and switches 0x481–0x486 until the frames themselves show it.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
         transactions: Carries out commands that are answered.
 
     Attributes:
@@ -97,7 +97,7 @@ class EndReports:
     def set_load(self, load: EndLoad) -> Started | Refusal:
         """Tell the arm that it carries nothing, half or the full payload.
 
-        The arm answers and cannot be asked for it: the answer is all there is to know.
+        The arm answers, but the load cannot be read back: the answer is the only confirmation.
         """
         context = self._context
         refusal = why_no_load(context.refresh())
@@ -121,7 +121,7 @@ class EndReports:
 
     @operation("end_load.report", "Switch the end's motion feedback", why_not_switch)
     def switch(self, *, on: bool) -> Started | Refusal:
-        """Switch the feedback of the end's speed and acceleration; the frames decide."""
+        """Switch the feedback of the end's speed and acceleration; its frames confirm it."""
         context = self._context
         refusal = why_not_switch(context.refresh())
         if refusal is not None:
@@ -161,7 +161,7 @@ class EndReports:
 
 
 def is_reporting(state: ArmState) -> bool:
-    """Tell whether all six of 0x481–0x486 arrive, measured against the arm's other feedback."""
+    """Return whether all six of 0x481–0x486 arrive, measured against the arm's other feedback."""
     now_s = state.last_feedback_s
     return now_s is not None and all(
         heard is not None and now_s - heard.at_s < _SILENT_S for heard in state.end_motion

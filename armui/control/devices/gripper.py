@@ -1,4 +1,4 @@
-"""夹爪控制: the gripper is commanded (0x159), and followed by what it reports (0x2A8)."""
+"""夹爪控制: commands the gripper (0x159) and follows its feedback (0x2A8)."""
 
 from __future__ import annotations
 
@@ -74,10 +74,10 @@ GRIPPER_ACT_FAILED = Notice(
 
 
 _THERE: Final = 0.5
-"""So close, in mm or degrees, the gripper is where it was sent."""
+"""A gripper this close to its target, in mm or degrees, has arrived."""
 _STILL: Final = 0.05
 _STANDS_S: Final = 0.6
-"""A gripper that has not moved for so long has come to its end."""
+"""A gripper that has not moved for this time has come to its end."""
 _GRIPS_NM: Final = 0.05
 
 _STROKE: Final = Parameter("stroke_limit_mm")
@@ -108,12 +108,12 @@ class _Travel:
 def why_not_gripper(
     now: OperatingState, *, moving: bool = False, letting_go: bool = False
 ) -> Refusal | None:
-    """Tell why the gripper may not be commanded.
+    """Return why the gripper may not be commanded, or ``None``.
 
     Args:
         now: What the operator can do.
-        moving: Whether the command moves it or lets it hold.
-        letting_go: Whether it takes its power: it may hold a finger, so a run is no reason
+        moving: True if the command moves the gripper or lets it hold.
+        letting_go: True if the command takes its power: it may hold a finger, so a run is no reason
             against it; the run ends.
     """
     refusal = now.cannot_enable
@@ -137,12 +137,12 @@ def why_not_gripper(
 
 
 def why_not_move_gripper(now: OperatingState) -> Refusal | None:
-    """Tell why the gripper may not be moved or switched on."""
+    """Return why the gripper may not be moved or switched on, or ``None``."""
     return why_not_gripper(now, moving=True)
 
 
 def why_not_set_zero(now: OperatingState) -> Refusal | None:
-    """Tell why the gripper's zero may not be set; generation 1 has no frame for it."""
+    """Return why the gripper's zero may not be set; generation 1 has no frame for it."""
     refusal = why_not_gripper(now)
     if refusal is None and now.generation is not Generation.TWO:
         return GRIPPER_NO_ZERO()
@@ -150,24 +150,24 @@ def why_not_set_zero(now: OperatingState) -> Refusal | None:
 
 
 def why_not_let_go(now: OperatingState) -> Refusal | None:
-    """Tell why the gripper's power may not be taken."""
+    """Return why the gripper's power may not be taken, or ``None``."""
     return why_not_gripper(now, letting_go=True)
 
 
 class GripperControl(ControllerPart):
     """Commands the gripper; one command at a time, a new one replaces the last.
 
-    The frame carries target, effort and power at once. So whatever switches the power sends the
-    place where the gripper is: nothing moves that was not asked for.
+    The frame carries target, effort and power at once. So a frame that switches the power carries
+    the gripper's present place, and nothing moves unasked.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
         settings: Reads the stroke that the arm allows.
         end_run: Called with the reason when the gripper is about to be disabled under a run.
 
     Attributes:
-        by_angle: The operator wants to tell angles in the place of openings; it counts where the
-            firmware has that (from S-V1.8-8).
+        by_angle: True if the operator wants to command angles instead of openings; it takes effect
+            where the firmware supports that (from S-V1.8-8).
     """
 
     def __init__(
@@ -184,11 +184,11 @@ class GripperControl(ControllerPart):
 
     @property
     def tells_angle(self) -> bool:
-        """Whether generation 2 is told angles now."""
+        """True if a gripper of generation 2 is commanded by angles now."""
         return self.by_angle and self.why_no_angle() is None
 
     def why_no_angle(self) -> Refusal | None:
-        """Tell why this arm's gripper cannot be told an angle in the place of an opening."""
+        """Return why this arm's gripper cannot be commanded by an angle, or ``None``."""
         generation = self._context.connection.generation
         if generation is None:
             return GENERATION_UNKNOWN()
@@ -198,12 +198,12 @@ class GripperControl(ControllerPart):
 
     @property
     def figures(self) -> Figures:
-        """What it can be asked for now."""
+        """The ranges of what the gripper can be asked for now."""
         generation, state = self._context.connection.generation, self._context.state()
         return figures_of(generation, state, by_angle=self.tells_angle)
 
     def learn_stroke(self) -> None:
-        """Ask once for the stroke the arm allows (0x47E), where it can be asked."""
+        """Ask once for the stroke limit of the arm (0x47E), if it can be asked."""
         connection = self._context.connection
         unread = self._settings.cell(_STROKE).state is CellState.UNREAD
         if unread and connection.generation is Generation.TWO:
@@ -215,10 +215,10 @@ class GripperControl(ControllerPart):
         "gripper.move", "Move the gripper", why_not_move_gripper, moves=True, shown_first=True
     )
     def move(self, travel: float, effort: float) -> Started | Refusal:
-        """Open or close it; the same frame enables it (0x159).
+        """Open or close the gripper; the same frame enables it (0x159).
 
         Args:
-            travel: Opening in mm (generation 2) or angle in degrees (generation 1, and where
+            travel: Opening in mm (generation 2) or angle in degrees (generation 1, or while
                 `tells_angle`).
             effort: Torque in N·m (generation 2) or speed in rad/s (generation 1).
 
@@ -244,18 +244,18 @@ class GripperControl(ControllerPart):
         return started
 
     def why_no_end(self, *, opened: bool) -> Refusal | None:
-        """Tell why the gripper cannot be moved to an end of its stroke."""
+        """Return why the gripper cannot be moved to an end of its stroke, or ``None``."""
         refusal = why_not_move_gripper(self._context.operating_state())
         if refusal is None and opened and not self.figures.stroke_read:
             return GRIPPER_RANGE_UNKNOWN()
         return refusal
 
     def move_to_end(self, *, opened: bool, effort: float | None = None) -> Started | Refusal:
-        """Open it as far as its stroke limit was read (0x47E), or close it to 0; see :meth:`move`.
+        """Open the gripper to its stroke limit (0x47E), or close it to 0; see :meth:`move`.
 
         Args:
-            opened: Whether to open it.
-            effort: Torque or speed; ``None``: what a command begins with, 1.
+            opened: True to open it, false to close it.
+            effort: Torque or speed; ``None`` for the first value of a command, 1.
 
         Returns:
             The record of the command, or why nothing was sent.
@@ -270,7 +270,7 @@ class GripperControl(ControllerPart):
 
     @operation("gripper.enable", "Enable the gripper", why_not_move_gripper)
     def enable(self, effort: float) -> Started | Refusal:
-        """Give it power where it is."""
+        """Enable the gripper at its present place."""
         refusal = why_not_move_gripper(self._context.refresh()) or check(
             self.figures.effort, effort
         )
@@ -283,7 +283,7 @@ class GripperControl(ControllerPart):
 
     @operation("gripper.disable", "Disable the gripper", why_not_let_go, consent=Consent.PRESS)
     def disable(self) -> Started | Refusal:
-        """Take its power: it lets go of what it holds. A run under way ends."""
+        """Disable the gripper: it lets go of what it holds. A run under way ends."""
         refusal = why_not_let_go(self._context.refresh())
         if refusal is not None:
             return self._context.refuse(refusal)
@@ -293,7 +293,7 @@ class GripperControl(ControllerPart):
 
     @operation("gripper.clear_error", "Clear the gripper's error", why_not_gripper)
     def clear_error(self) -> Started | Refusal:
-        """Clear its driver's error; it stays without power until it is enabled or moved."""
+        """Clear the driver's error; the gripper stays off until it is enabled or moved."""
         refusal = why_not_gripper(self._context.refresh())
         if refusal is not None:
             return self._context.refuse(refusal)
@@ -301,7 +301,7 @@ class GripperControl(ControllerPart):
         return self._start(self.clear_error, "clear", frames, lambda gripper: not gripper.faults)
 
     def stands_as(self, before: ArmState) -> bool:
-        """Tell whether the gripper stands where it stood when its zero was spoken of."""
+        """Return whether the gripper still stands where it stood when its zero was asked about."""
         then, now = before.gripper, self._context.connection.newest.gripper
         if then is None or now is None or then.value.unit != now.value.unit:
             return False
@@ -311,7 +311,7 @@ class GripperControl(ControllerPart):
         "gripper.set_zero", "Set the gripper's zero", why_not_set_zero, consent=Consent.PRESS
     )
     def set_zero(self) -> Started | Refusal:
-        """Make where it stands its zero, in generation 2; it has no power afterwards."""
+        """Make the gripper's present place its zero (generation 2); it has no power afterwards."""
         refusal = why_not_set_zero(self._context.refresh())
         if refusal is not None:
             return self._context.refuse(refusal)
@@ -358,7 +358,7 @@ class GripperControl(ControllerPart):
         return started
 
     def note_travel(self, target: float, effort: float) -> None:
-        """Note where a run has sent it: whether it moves must be known when the run is ended."""
+        """Note the target that a run sent it to, so that the run's end knows whether it moves."""
         heard = self._heard()
         if heard is not None:
             now_s = self._context.clock()
@@ -367,7 +367,7 @@ class GripperControl(ControllerPart):
     # A part of the controller -----------------------------------------------------------------
 
     def follow_arm(self) -> None:
-        """See what the gripper has done, or that it has not."""
+        """Follow the motion and the requests under way in the gripper's feedback."""
         if self._travel is not None:
             self._follow(self._travel)
         if self._request is None:
@@ -418,9 +418,9 @@ class GripperControl(ControllerPart):
             travel.started.close(Ending.FAILED)
 
     def end_travel(self) -> None:
-        """End a motion of it that is under way: it is sent to where it is, there is no other way.
+        """End a motion of the gripper that is under way, by sending it to its present place.
 
-        What it grips by then it goes on gripping.
+        It keeps hold of whatever it grips by then.
         """
         travel, context = self._travel, self._context
         self._drop_request()
@@ -433,11 +433,11 @@ class GripperControl(ControllerPart):
             context.connection.send(here)
 
     def halt(self) -> None:
-        """Send nothing again and expect nothing more: the arm is to stop."""
+        """Drop the pending request, because the arm is to stop."""
         self._drop_request()
 
     def forget_arm(self) -> None:
-        """Await nothing more: the arm is gone."""
+        """Drop the pending request, because the arm is gone."""
         self._drop_request()
 
     def _drop_request(self) -> None:

@@ -1,4 +1,4 @@
-"""What a gripper can be asked for: pure, by its generation and what was read of its stroke."""
+"""The ranges of the gripper's command: pure, by its generation and the stroke read."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ GRIPPER_OUT_OF_RANGE = Reason(
 
 
 WIDEST_MM: Final = 100.0
-"""The stroke of the large gripper: nothing of this arm opens wider."""
+"""The stroke of the large gripper: no gripper of this arm opens wider."""
 
 _SLIDER_DEG: Final = 100.0
 _LEAST_SPEED_RAD_S: Final = 0.001
@@ -30,16 +30,16 @@ _LEAST_SPEED_RAD_S: Final = 0.001
 
 @dataclass(frozen=True, slots=True)
 class Figure:
-    """A figure of the gripper's command.
+    """A figure of the gripper's command with its range.
 
     Attributes:
         name: ``opening``, ``torque``, ``angle`` or ``speed``.
-        unit: The operator's.
-        minimum, maximum: What may be asked for.
-        usual: How far its slider reaches.
-        step: Of − and + and of the arrow keys.
-        first: What it begins with.
-        resolution: Of its slider.
+        unit: The unit that the operator sees.
+        minimum, maximum: The limits of its value.
+        usual: The upper end of its slider.
+        step: The step of − and + and of the arrow keys.
+        first: The value it begins with.
+        resolution: The step of its slider.
     """
 
     name: str
@@ -54,12 +54,12 @@ class Figure:
 
 @dataclass(frozen=True, slots=True)
 class Figures:
-    """How far it is to open, and how hard or how fast.
+    """The two figures of the gripper's command.
 
     Attributes:
         travel: Opening in mm (generation 2) or angle in degrees (generation 1).
         effort: Torque in N·m (generation 2) or speed in rad/s (generation 1).
-        stroke_read: Whether the end of the travel was read from the arm (0x47E).
+        stroke_read: True if the end of the travel was read from the arm (0x47E).
     """
 
     travel: Figure
@@ -70,15 +70,15 @@ class Figures:
 def figures_of(
     generation: Generation | None, state: ArmState, *, by_angle: bool = False
 ) -> Figures:
-    """Return what can be asked of the gripper of an arm; generation 2 while that is not known.
+    """Return the ranges of an arm's gripper; those of generation 2 while that is unknown.
 
     The stroke is that of the arm (0x47E) where it was read and is not 0, «no limit». How far the
     grippers turn is not published: the arm's own feedback shows where it ends.
 
     Args:
-        generation: The arm's.
-        state: What was read of it.
-        by_angle: Generation 2 is told an angle in the place of the opening (from S-V1.8-8).
+        generation: The arm's generation.
+        state: The arm as heard.
+        by_angle: True if generation 2 is commanded by angles instead of openings (from S-V1.8-8).
     """
     if generation is Generation.ONE:
         angle, speed = RANGES["gripper angle"], RANGES["gripper speed"]
@@ -107,7 +107,7 @@ def figures_of(
 
 
 def check(figure: Figure, value: float) -> Refusal | None:
-    """Tell why a figure may not be sent; ``None``: it may."""
+    """Return why a figure may not be sent; ``None``: it may."""
     params: dict[str, float | int | str] = {
         "gripper": figure.name,
         "value": value,

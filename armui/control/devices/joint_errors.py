@@ -1,4 +1,4 @@
-"""清除错误: the errors of the joints' drivers are cleared, and the arm's answer awaited (0x475)."""
+"""清除错误: clears the errors of the joints' drivers and awaits the arm's answer (0x475)."""
 
 from __future__ import annotations
 
@@ -35,19 +35,19 @@ CLEAR_ERROR_UNANSWERED = Notice(
 
 
 def why_not_clear(now: OperatingState) -> Refusal | None:
-    """Tell why the errors of the drivers may not be cleared; one after the other may be."""
+    """Return why the drivers' errors may not be cleared, or ``None``; one may follow another."""
     return now.unreachable or now.occupied
 
 
 class JointErrors:
-    """Clears errors one after the other: the arm's answer does not name the joint.
+    """Clears errors one at a time, because the arm's answer does not name the joint.
 
     It moves nothing, so it may be done whenever the arm is online, stopped or not; only a run that
     is under way is not given back drivers that it was not started with. The answer says that the
     arm has heard; whether the fault has gone is what the drivers' feedback says.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
         transactions: Carries out commands that are answered.
     """
 
@@ -58,7 +58,7 @@ class JointErrors:
 
     @property
     def busy(self) -> bool:
-        """Whether an answer is awaited."""
+        """True if an answer is awaited."""
         return self._joint is not None
 
     @operation("joints.clear_error", "Clear errors of the drivers", why_not_clear)

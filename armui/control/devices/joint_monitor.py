@@ -1,4 +1,4 @@
-"""Watches the six joints all the time, whether their window is open or not."""
+"""Watches the six joints all the time, also while their window is closed."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ def _now() -> datetime:
 
 
 class JointMonitor(QObject):
-    """Keeps what every joint reports, since when, and the worst state of the six.
+    """Keeps the reports of every joint, the time since when they hold, and the worst state.
 
     Args:
-        controller: Whose arm it watches.
+        controller: The controller of the arm it watches.
         wall_clock: The local time, for «since when».
 
     Signals:
@@ -57,7 +57,7 @@ class JointMonitor(QObject):
 
     @property
     def generation(self) -> Generation | None:
-        """Which protocol the arm speaks, once that is known."""
+        """The protocol generation of the arm, or ``None`` while it is unknown."""
         return self._controller.operating_state.generation
 
     @property
@@ -67,7 +67,7 @@ class JointMonitor(QObject):
 
     @property
     def faults(self) -> list[tuple[int, Item, Word]]:
-        """Every fault the arm has told: joint, item, and what is wrong with it."""
+        """Every fault that the arm reports: the joint, the item and its word."""
         return list(self._faults)
 
     def cell(self, item: Item, joint: int) -> StatusCell:

@@ -47,13 +47,13 @@ RANGES: Final[Mapping[str, range]] = {
     "green": range(256),
     "blue": range(256),
 }
-"""What each figure of the command may be; a lamp may be :data:`ALL_LAMPS` as well."""
+"""The range of each figure of the command; a lamp may be :data:`ALL_LAMPS` as well."""
 
 _COUNTS: Final = 256
 
 
 def why_no_lamps(now: OperatingState) -> Refusal | None:
-    """Tell why no lamp may be set: lamps move nothing, but a run may signal by them."""
+    """Return why no lamp may be set: lamps move nothing, but a run may signal by them."""
     if now.unreachable is None and now.run_sets_lamps:
         return RUN_SETS_LAMPS()
     return now.unreachable
@@ -62,12 +62,12 @@ def why_no_lamps(now: OperatingState) -> Refusal | None:
 class Lights:
     """Sends colours to the lamps and counts the frames.
 
-    The arm neither answers nor reports its lamps: what was sent is all that is known. A lamp moves
-    nothing, so it may be set whenever the arm is online, enabled or not, stopped or not; but a run
-    that sets lamps itself tells something by them, and no one else does meanwhile.
+    The arm neither answers nor reports its lamps: only what was sent is known. A lamp moves
+    nothing, so it may be set whenever the arm is online, enabled or not, stopped or not; but while
+    a run sets lamps itself, as signals, nobody else may set them.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
     """
 
     def __init__(self, context: Context) -> None:
@@ -78,14 +78,14 @@ class Lights:
     def set_light(
         self, joint: int, lamp: int, red: int, green: int, blue: int
     ) -> Started | Refusal:
-        """Colour a lamp of a joint.
+        """Set the colour of a lamp of a joint.
 
         Args:
             joint: 1–6.
             lamp: 0–254, or :data:`ALL_LAMPS`.
             red: Grey value of the red channel, 0–255.
-            green: Of the green one.
-            blue: Of the blue one.
+            green: Grey value of the green channel, 0–255.
+            blue: Grey value of the blue channel, 0–255.
 
         Returns:
             The record of the command, or why nothing was sent.
@@ -115,10 +115,10 @@ class Lights:
 
 
 def check_light(**figures: int) -> Refusal | None:
-    """Tell why figures may not be sent to a lamp; ``None``: they may.
+    """Return why figures may not be sent to a lamp; ``None``: they may.
 
     Args:
-        **figures: Any of those in :data:`RANGES`.
+        **figures: Values by their names in :data:`RANGES`.
     """
     for name, value in figures.items():
         allowed = RANGES[name]

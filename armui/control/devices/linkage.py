@@ -1,4 +1,4 @@
-"""联动控制: the arm's role beside another arm, and its identifier offsets (0x470)."""
+"""联动控制: sets the arm's role beside another arm, and its identifier offsets (0x470)."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ _NO_OFFSET: Final = Addressing()
 
 
 def why_not_link(now: OperatingState) -> Refusal | None:
-    """Tell why role and offsets may not be set; an arm that is silent may be told."""
+    """Return why role and offsets may not be set; an arm that is silent may be told."""
     if (refusal := why_only_heard(now.device)) is not None:
         return refusal
     if now.link is not LinkState.OFFLINE and (refusal := why_unreachable(now.link)) is not None:
@@ -81,17 +81,18 @@ def _why_in_use(now: OperatingState) -> Refusal | None:
 
 
 class LinkageControl(ControllerPart):
-    """Sets role and offsets, and tells when the arm is heard under them.
+    """Sets role and offsets, and tells the operator when the arm is heard under them.
 
     0x470 has no identifier of its own arm: every arm on the bus obeys it. It is answered by 0x476,
-    which does not shift; it cannot be read back. So what counts is where the feedback comes from.
+    which does not shift; it cannot be read back. So only the identifiers of the feedback confirm
+    it.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
         transactions: Carries out commands that are answered.
 
     Attributes:
-        busy: A setting has been sent and its end is not known.
+        busy: True while a setting was sent and its end is not known.
     """
 
     def __init__(self, context: Context, transactions: TransactionQueue) -> None:
@@ -118,10 +119,10 @@ class LinkageControl(ControllerPart):
         An arm that is silent is asked too: a teaching input sends no feedback.
 
         Args:
-            role: What it becomes.
-            feedback_offset: Added to 0x2A1–0x2A8.
-            control_offset: Added to 0x150–0x15F.
-            target_offset: Added to the commands that a teaching input sends.
+            role: The new role.
+            feedback_offset: The offset of the feedback, 0x2A1–0x2A8.
+            control_offset: The offset of the commands, 0x150–0x15F.
+            target_offset: The offset of the commands that a teaching input sends.
 
         Returns:
             The record of the command, or why nothing was sent.
@@ -188,7 +189,7 @@ class LinkageControl(ControllerPart):
     # A part of the controller -----------------------------------------------------------------
 
     def follow_arm(self) -> None:
-        """Tell when the arm is heard under other identifiers."""
+        """Tell the operator when the arm is heard under other identifiers."""
         offsets = self._context.connection.offsets
         if (offsets.addressing, offsets.control_known) == (self._used, self._was_known):
             return
@@ -203,6 +204,6 @@ class LinkageControl(ControllerPart):
         )
 
     def forget_arm(self) -> None:
-        """Begin without offsets with the next device."""
+        """Forget the offsets: the next device begins without any."""
         self._cut_off()
         self._used, self._was_known = _NO_OFFSET, True

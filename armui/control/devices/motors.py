@@ -1,4 +1,4 @@
-"""The motors' power: enabled, disabled, and given back after an emergency stop (manual 1.0.4)."""
+"""Switches the motors' power, also after an emergency stop (manual section 1.0.4)."""
 
 from __future__ import annotations
 
@@ -56,17 +56,17 @@ DISABLE_SENT = Notice(
 
 
 def why_not_enable(now: OperatingState) -> Refusal | None:
-    """Tell why motors must not be enabled; to disable them is possible whatever is under way."""
+    """Return why motors must not be enabled, or ``None``; disabling is always possible."""
     return now.cannot_enable or now.occupied
 
 
 def why_not_disable(now: OperatingState) -> Refusal | None:
-    """Tell why motors cannot be disabled."""
+    """Return why motors cannot be disabled, or ``None``."""
     return now.cannot_enable
 
 
 def why_not_resume(now: OperatingState) -> Refusal | None:
-    """Tell why the stop cannot be ended: there is none, or another arm might drop (0x150)."""
+    """Return why the stop cannot be ended: there is none, or another arm might drop (0x150)."""
     if now.stop is not StopState.STOPPED:
         return NOT_STOPPED()
     if (refusal := why_only_heard(now.device)) is not None:
@@ -78,7 +78,7 @@ class Motors(ControllerPart):
     """Switches the motors, and follows each switching until the drivers' feedback shows it.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
         end_run: Called with the reason when motors are about to be disabled under a run.
     """
 
@@ -93,19 +93,19 @@ class Motors(ControllerPart):
 
     @property
     def busy(self) -> Busy | None:
-        """What the arm has been told and has not shown yet."""
+        """The switching that was sent and that the feedback has not shown yet."""
         return self._busy
 
     @operation("motors.enable", "Enable motors", why_not_enable)
     def enable(self, joint: int = ALL_JOINTS) -> Started | Refusal:
-        """Enable a motor, or all six with 7 (0x471), again until the drivers say that it is on."""
+        """Enable a motor, or all six with 7 (0x471); repeat until the drivers report it."""
         return self._switch(joint, on=True)
 
     @operation("motors.disable", "Disable motors", why_not_disable, consent=Consent.PRESS)
     def disable(self, joint: int = ALL_JOINTS) -> Started | Refusal:
         """Disable a motor, or all six with 7 (0x471): the arm DROPS.
 
-        It is never refused for what is under way: that ends.
+        An activity under way is no reason to refuse it: that activity ends.
         """
         return self._switch(joint, on=False)
 
@@ -130,7 +130,7 @@ class Motors(ControllerPart):
         return started
 
     def follow_arm(self) -> None:
-        """See whether the arm has done it, or time is up."""
+        """Follow the switching in the feedback until it is done or too late."""
         if self._request is None or self._busy is None:
             return
         outcome = self._request.advance()
@@ -143,11 +143,11 @@ class Motors(ControllerPart):
         self._context.close(self._started, ending, notice, **figures)
 
     def halt(self) -> None:
-        """Switch nothing on any more: the arm is to stop."""
+        """Drop a pending request to enable, because the arm is to stop."""
         self._drop_request()
 
     def forget_arm(self) -> None:
-        """Await nothing more: the arm is gone."""
+        """Drop the pending request, because the arm is gone."""
         self._drop_request()
 
     def _drop_request(self) -> None:

@@ -1,4 +1,4 @@
-"""How the arm is mounted: told with 0x151 byte 5 (generation 2), and never told back."""
+"""Tells the arm how it is mounted, by 0x151 byte 5 (generation 2); it cannot be read back."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ MOUNTING_SENT = Notice(
 
 
 def why_not_mount(now: OperatingState) -> Refusal | None:
-    """Tell why the arm may not be told its mounting; its firmware and its speed come on top."""
+    """Return why the arm may not be told its mounting, apart from its firmware and motion."""
     if now.unreachable is not None:
         return now.unreachable
     if now.generation is None:
@@ -57,8 +57,8 @@ class MountingControl:
     """Tells the arm how it is mounted, in the modes it is in.
 
     Args:
-        context: What the parts of the controller share.
-        speed_percent: What the window shows; the mode word carries it.
+        context: The context that the controller's parts share.
+        speed_percent: Returns the speed shown in the window; the mode word carries it.
     """
 
     def __init__(self, context: Context, speed_percent: Callable[[], int]) -> None:
@@ -67,7 +67,7 @@ class MountingControl:
 
     @operation("mounting.tell", "Set the mounting", why_not_mount)
     def tell(self, mounting: Mounting) -> Started | Refusal:
-        """Tell it now. Whether it took it nobody can ask."""
+        """Send the mounting. The arm does not confirm it."""
         context = self._context
         context.refresh()
         refusal = self.why_not(mounting) or context.why_no_motion()

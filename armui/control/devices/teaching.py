@@ -1,4 +1,4 @@
-"""示教: drag teaching is commanded, and followed until the arm says that it obeys (0x150)."""
+"""示教: commands drag teaching and follows it until the arm reports it (0x150)."""
 
 from __future__ import annotations
 
@@ -44,15 +44,16 @@ _LEADS_TO: Final[Mapping[TeachingState, frozenset[TeachingPhase]]] = {
 _ENDS_SOMETHING: Final = frozenset(
     {TeachingState.STOP_RECORDING, TeachingState.PAUSE, TeachingState.ABORT}
 )
-"""Sent again while the arm does not show it. What sets the arm going is sent once: it must not
-start late, when nobody expects it any more."""
+"""The commands sent again while the arm does not show them. A command that sets the arm going is
+sent once: it must not start late, when nobody expects it any more.
+"""
 
 
 class TeachingControl(ControllerPart):
     """Commands drag teaching, one command at a time.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
     """
 
     def __init__(self, context: Context) -> None:
@@ -63,7 +64,7 @@ class TeachingControl(ControllerPart):
 
     @property
     def pending(self) -> TeachingState | None:
-        """The command the arm has not shown yet."""
+        """The command that the feedback has not shown yet, or ``None``."""
         return self._pending
 
     @operation("teaching.command", "Command drag teaching", why_not_teach, moves=True)
@@ -88,7 +89,7 @@ class TeachingControl(ControllerPart):
         return started
 
     def follow_arm(self) -> None:
-        """See whether the arm does it, or time is up."""
+        """Follow the command in the feedback until it is done or too late."""
         if self._request is None or self._pending is None:
             return
         outcome = self._request.advance()
@@ -102,11 +103,11 @@ class TeachingControl(ControllerPart):
         self._context.close(self._started, ending, notice, command=int(command))
 
     def halt(self) -> None:
-        """Give up whatever was asked for: the arm is to stop."""
+        """Drop the pending command, because the arm is to stop."""
         self._drop_request()
 
     def forget_arm(self) -> None:
-        """Await nothing more: the arm is gone."""
+        """Drop the pending command, because the arm is gone."""
         self._drop_request()
 
     def _drop_request(self) -> None:

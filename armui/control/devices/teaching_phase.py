@@ -1,4 +1,4 @@
-"""The phase of drag teaching as reported, and which commands fit it: pure."""
+"""The phase of drag teaching as reported, and the commands that fit it: pure."""
 
 from __future__ import annotations
 
@@ -33,21 +33,22 @@ TEACHING_PAUSED = Reason("teaching_paused", "The replay is paused. Continue or t
 
 
 NEAR_REST_DEG: Final = 15.0
-"""So near to its zero each joint must be for a reset to end drag teaching. The maker says «near
-the rest pose» and no figure; this is what the simulated arm takes it for."""
+"""Each joint must be this near to its zero for a reset to end drag teaching. The maker says «near
+the rest pose» and gives no figure; the simulated arm assumes this one.
+"""
 
 
 class TeachingPhase(enum.Enum):
-    """What drag teaching is doing."""
+    """The phases of drag teaching."""
 
     OFF = enum.auto()
     """The arm is not in drag teaching."""
     IDLE = enum.auto()
-    """In drag teaching, and nothing is under way; other commands are not obeyed."""
+    """The arm is in drag teaching and nothing is under way; it obeys no other commands."""
     RECORDING = enum.auto()
-    """It gives way to the hand and remembers."""
+    """The arm gives way to the hand and records its path."""
     REPLAYING = enum.auto()
-    """It moves along the recording, or to its start."""
+    """The arm moves along the recording, or to its start."""
     PAUSED = enum.auto()
 
 
@@ -69,7 +70,7 @@ _SUITS: Final[Mapping[TeachingState, frozenset[TeachingPhase]]] = {
     TeachingState.ABORT: frozenset({TeachingPhase.REPLAYING, TeachingPhase.PAUSED}),
     TeachingState.MOVE_TO_START: frozenset({TeachingPhase.IDLE}),
 }
-"""In which phase a command of 0x150 byte 2 has something to do."""
+"""The phases in which each command of 0x150 byte 2 has an effect."""
 
 _ASKS_MUCH: Final = frozenset(
     {
@@ -79,7 +80,7 @@ _ASKS_MUCH: Final = frozenset(
         TeachingState.MOVE_TO_START,
     }
 )
-"""They move the arm or hand it over: powered motors and a sound arm are needed."""
+"""The commands that move the arm or hand it over: they need powered motors and no fault."""
 
 _SOUND: Final = frozenset(
     {
@@ -99,11 +100,11 @@ _UNSUITED: Final[Mapping[TeachingPhase, Reason]] = {
     TeachingPhase.REPLAYING: TEACHING_REPLAYING,
     TeachingPhase.PAUSED: TEACHING_PAUSED,
 }
-"""The reason that a phase is against a command it does not suit."""
+"""The reason that each phase gives against a command that does not suit it."""
 
 
 def phase_of(status: Status) -> TeachingPhase:
-    """Return what drag teaching does, from bytes 0, 1, 3 and 4 of 0x2A1.
+    """Return the phase of drag teaching, from bytes 0, 1, 3 and 4 of 0x2A1.
 
     Byte 1 has room for one code only, so that a fault hides what drag teaching does: then byte 3
     tells. It names the last command, which says nothing of a replay that has arrived, nor of an
@@ -124,7 +125,7 @@ def phase_of(status: Status) -> TeachingPhase:
 
 
 def why_under_way(phase: TeachingPhase) -> Refusal | None:
-    """Return what drag teaching is in the middle of, as a reason against what would spoil it."""
+    """Return the teaching activity under way as a reason against disturbing it, or ``None``."""
     return None if phase in {TeachingPhase.OFF, TeachingPhase.IDLE} else Refusal(_UNSUITED[phase])
 
 
@@ -138,7 +139,7 @@ def farthest_from_rest(state: ArmState) -> tuple[int, float] | None:
 
 
 def why_not_teach(now: OperatingState, command: TeachingState) -> Refusal | None:
-    """Tell why a command of 0x150 byte 2 may not be given, or makes no sense."""
+    """Return why a command of 0x150 byte 2 may not be given, or makes no sense, or ``None``."""
     refusal = now.why_pending("teaching") or interlocks.why_no_command(
         now.unreachable, now.stop, now.busy
     )

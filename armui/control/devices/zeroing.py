@@ -1,4 +1,4 @@
-"""零点设置: where a joint stands becomes its zero, if the arm says so (0x475 byte 1, 0x476 byte 1).
+"""零点设置: makes a joint's present place its zero (0x475 byte 1, 0x476 byte 1).
 
 The joint's limits are counted from its zero: with a wrong zero the arm runs into its stops. So it
 is done only to an arm that stands still, and what the arm answers is checked against its angles.
@@ -68,19 +68,19 @@ ZERO_SET_JOINT = Notice(
 ZERO_FAILED = Notice("zero_failed", "Zero setting failed. {reason}", Level.FAULT, EventKind.RESULT)
 
 ZEROING_ENDED: Final = frozenset({ZERO_SET, ZERO_SET_JOINT, ZERO_FAILED})
-"""After these the angles may be counted anew: places entered before are other places."""
+"""After these notices angles may count from another zero: earlier positions no longer hold."""
 
 _AT_ZERO_DEG: Final = 0.5
 _SAME_PLACE_DEG: Final = 0.5
-"""A joint that has moved less since the press stands where the operator put it."""
+"""A joint that has moved less than this since the press still stands where it was put."""
 _LONGEST_S: Final = 0.3
-"""By then the new zero must show in the angles; a moment after the answer they may be old ones."""
+"""The angles must show the new zero within this time; just after the answer they may be old."""
 
 
 def why_not_zero(now: OperatingState) -> Refusal | None:
-    """Tell why no zero may be set, as far as it lies in what is under way.
+    """Return why no zero may be set, as far as it lies in what is under way, or ``None``.
 
-    What was planned, recorded or paused with the old zero would be gone on with under the new.
+    Whatever was planned, recorded or paused with the old zero would continue with the new one.
     """
     refusal = now.cannot_enable or now.occupied
     if refusal is None and now.recording:
@@ -94,9 +94,9 @@ class Zeroing:
     """Sets zeros, one transaction at a time.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
         transactions: Carries out commands that are answered.
-        before_zeroing: Called when angles are about to be counted anew: setpoints are void.
+        before_zeroing: Called just before the zero changes: setpoints become void.
     """
 
     def __init__(
@@ -109,11 +109,11 @@ class Zeroing:
 
     @property
     def busy(self) -> bool:
-        """Whether a zero has been sent and its end is not known."""
+        """True if a zero has been sent and its end is not known."""
         return self._busy
 
     def stands_as(self, before: ArmState, joint: int = ALL_JOINTS) -> bool:
-        """Tell whether a joint (1–6, 7 all) stands where it stood when its zero was spoken of."""
+        """Return whether a joint (1–6, 7 all) still stands where it stood at the question."""
         joints = JOINTS if joint == ALL_JOINTS else (joint,)
         return _why_elsewhere(joints, before, self._context.connection.newest) is None
 
@@ -211,7 +211,7 @@ def _off_zero(joints: Sequence[int], state: ArmState) -> list[int]:
 
 
 def _shown(joints: Sequence[int], state: ArmState, since_s: float) -> bool:
-    """Tell whether the angles tell of the zero: they are at it, or have had time to be."""
+    """Return whether the angles tell of the zero: they are at it, or have had time to be."""
     heard = [state.joints_deg[joint - 1] for joint in joints]
     times = [each.at_s for each in heard if each is not None and each.at_s > since_s]
     if len(times) < len(joints):

@@ -1,1 +1,1 @@
-"""What happened: commands and what became of them, changes of the arm's status, faults, the bus."""
+"""The event log: commands and their outcomes, changes of the arm's status, faults, the bus."""

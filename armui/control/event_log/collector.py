@@ -1,4 +1,4 @@
-"""Writes the event log: what the program tells, what the arm says, what becomes of commands."""
+"""Writes the event log from the program's notices, the arm's reports and command outcomes."""
 
 from __future__ import annotations
 
@@ -48,25 +48,25 @@ _LASTING: Final[Mapping[Notice, frozenset[Notice]]] = {
     OTHER_HOST_MOVES: _GONE | {OTHER_HOST_GONE},
     LEADER_ARM_MOVES: _GONE | {OTHER_HOST_GONE},
 }
-"""What goes on from one notice to another."""
+"""The notices that begin something lasting, each with the notices that end it."""
 _MOST_ENDED: Final = 8
-"""Of the commands that have ended; the arm may answer later than its feedback shows the effect."""
+"""The ended commands that are kept; the arm may answer after its feedback shows the effect."""
 
 
 class EventCollector(ControllerPart):
-    """A part of the controller; it acts after the others.
+    """Collects the events; a part of the controller that acts after the others.
 
     It knows the arm by what was heard, and the time by the clocks it is given: the same log,
     played again, gives the same events.
 
     Args:
-        context: What the parts of the controller share.
-        wall: What the clock on the wall showed at a monotonic time.
-        player: Knows which point of a run was sent last.
+        context: The context that the controller's parts share.
+        wall: Returns the local time of a monotonic time.
+        player: Knows the point of a run that was sent last.
         recovery: Knows whether a command is its own.
 
     Attributes:
-        log: What has happened.
+        log: The events.
     """
 
     def __init__(
@@ -90,11 +90,11 @@ class EventCollector(ControllerPart):
         context.connection.add_listener(self._listener)
 
     def number_of(self, event: Event) -> int | None:
-        """The entry of the newest notice; ``None`` of any other."""
+        """Return the number of the newest notice's entry; ``None`` for any other event."""
         return self._told[1] if self._told is not None and self._told[0] is event else None
 
     def on_problem(self, reason: Refusal) -> EventEntry:
-        """Something stood in the program's own way."""
+        """Add an event for a problem of the program itself, and return its entry."""
         return self._add(
             PROBLEM,
             EventKind.PROGRAM,
@@ -105,7 +105,7 @@ class EventCollector(ControllerPart):
         )
 
     def on_not_kept(self, text: str | None) -> EventEntry:
-        """The events cannot be written: what the system says of it, or ``None``: no answer."""
+        """Add an event for a failed write of the events, with the system's text, if any."""
         return self._add(
             NOT_KEPT,
             EventKind.PROGRAM,
@@ -118,13 +118,13 @@ class EventCollector(ControllerPart):
     # A part of the controller -----------------------------------------------------------------
 
     def follow_arm(self) -> None:
-        """Take in what was heard, and what has become of the commands."""
+        """Take in the feedback and the outcomes of commands."""
         self._take_in()
         self._take_results()
         self._note_point()
 
     def forget_arm(self) -> None:
-        """The arm is gone: what went on was not heard to end."""
+        """Close what was going on as not heard to end, because the arm is gone."""
         self._take_in()
         for change in self._observer.forget(self._context.clock()):
             self._writer.write(change)
@@ -132,7 +132,7 @@ class EventCollector(ControllerPart):
     # What is told -----------------------------------------------------------------------------
 
     def on_noticed(self, event: Event) -> None:
-        """The operator is told an event."""
+        """Add a notice that the operator is told."""
         self._take_in()  # what was heard before stands before
         self._take_results()
         notice, params = event.notice, dict(event.params)

@@ -1,4 +1,4 @@
-"""Keeps the events on the disk, in a file that rotates; nobody waits for it."""
+"""Keeps the events on the disk in a rotating file, without holding anybody up."""
 
 from __future__ import annotations
 
@@ -23,19 +23,19 @@ if TYPE_CHECKING:
 
 _EVERY_MS: Final = 1000
 _AGAIN_TICKS: Final = 30
-"""A disk that is full or read-only is tried again after so many seconds."""
+"""A write that failed is tried again after this many seconds."""
 
 
 class EventKeeper(QObject):
-    """Hands what is new to the thread that writes files, once a second.
+    """Passes new events to the thread that writes files, once a second.
 
-    What cannot be written stays in the log, as far as it reaches back, and is written once the
-    disk allows it. That it cannot be is told, once.
+    Events that cannot be written stay in the log, as far as it reaches back, and are written once
+    the disk allows it. The operator is told of the failure once.
 
     Args:
         collector: Writes the log.
-        folder: Where the file goes; it need not exist.
-        files: Does what waits for a disk.
+        folder: The folder of the file; it need not exist.
+        files: Runs work that waits for a disk.
     """
 
     def __init__(self, collector: EventCollector, folder: Path, files: Executor) -> None:
@@ -54,7 +54,7 @@ class EventKeeper(QObject):
         self._timer.start()
 
     def keep(self) -> None:
-        """Have what is new written, unless a disk is still busy with what came before."""
+        """Have new events written, unless the disk is still busy with earlier ones."""
         if self._writing is not None:
             self._look_after(*self._writing)
         if self._writing is not None:
@@ -65,7 +65,7 @@ class EventKeeper(QObject):
             self._write()
 
     def close(self) -> None:
-        """Have the rest written; the thread that does it ends later."""
+        """Have the rest written; the writing thread ends later."""
         self._timer.stop()
         if self._writing is not None and self._writing[0].done():
             self._look_after(*self._writing)
@@ -104,12 +104,12 @@ class EventKeeper(QObject):
 
 
 def write(folder: Path, run: str, entries: Sequence[EventEntry]) -> None:
-    """Add events to the file. Waits for a disk.
+    """Append events to the file; this waits for the disk.
 
     Args:
-        folder: Where it lies.
+        folder: The folder of the file.
         run: Names the run of the program they belong to: each begins at number 1.
-        entries: What is new.
+        entries: The new events.
 
     Raises:
         OSError: The disk or the folder does not allow it.

@@ -1,4 +1,4 @@
-"""The events of a log that is replayed: those kept beside it, or what its frames tell: pure."""
+"""The events of a replayed log, from its sidecar or from its frames: pure."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ _COMMANDS: Final[Mapping[str, tuple[Observed, Level]]] = {
     "target": (LOGGED_TARGETS, Level.INFO),
 }
 _STATUS: Final = frozenset({"status", "stopped", "beyond_limit", "no_communication", "joint"})
-"""Marks of what the arm says of itself."""
+"""The marks that stand for the arm's own reports."""
 _OF_ARM: Final = EventKind.FAULT, Asker.ARM
 _COMMAND: Final = EventKind.COMMAND, Asker.OTHER_HOST
 _LINK: Final = EventKind.LINK, Asker.PROGRAM
@@ -66,11 +66,11 @@ _BY_PROGRAM: Final = EventKind.PROGRAM, Asker.PROGRAM
 
 @dataclass(frozen=True, slots=True)
 class LoggedEvents:
-    """What happened in a log.
+    """The events of a log.
 
     Attributes:
-        log: In the order of time.
-        marks: The moments worth going to.
+        log: The events in the order of time.
+        marks: The moments that the replay offers to go to.
     """
 
     log: EventLog
@@ -84,17 +84,18 @@ def log_events(
     wall: Wall,
     is_wanted: Callable[[], bool] = lambda: True,
 ) -> LoggedEvents:
-    """Everything that happened, in the order of time; this may take some seconds.
+    """Return the events of a log in the order of time; this may take some seconds.
 
-    Beside a recording made in the window stand its events, as they were told live. Of any other
-    log the arm's frames are looked at as they would be live; commands and silences are its marks.
+    A recording made in the window has its events, as told live, in a file beside it. The events of
+    any other log come from the arm's frames, as they would live, and from its marks of commands and
+    silences.
 
     Args:
         session: The log.
-        channel: What is seen of it.
-        arm: What it tells of its arm.
-        wall: What the clock on the wall showed at a log time.
-        is_wanted: Asked now and then; when it is not, the rest is left out.
+        channel: The channel that is shown.
+        arm: The facts on the arm in the log.
+        wall: Returns the local time of a log time.
+        is_wanted: Called now and then; once it returns false, the rest is left out.
     """
     found: Sequence[SessionMark] = session.marks
     rows: HasDataRows | None = session if isinstance(session, HasDataRows) else None
@@ -129,7 +130,7 @@ def _gathered(
 
 
 def entry_of(mark: SessionMark, wall: Wall) -> EventEntry:
-    """A mark as an event: as it was written down, or in the words that it has live."""
+    """Return a mark as an event: as it was written down, or in the live sentence for it."""
     try:
         return from_record(mark.entry) if "number" in mark.entry else _worded(mark, wall)
     except (ValueError, TypeError):

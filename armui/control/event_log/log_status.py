@@ -1,6 +1,7 @@
-"""What the frames of a whole log say of the arm's status, change by change, as if live: pure.
+"""Finds the changes of the arm's status in the frames of a whole log, as if live: pure.
 
-The same as `StatusListener` notes of them one by one, found in all frames of a message at once.
+It finds the same changes as `StatusListener` does frame by frame, in all frames of a message at
+once.
 """
 
 from __future__ import annotations
@@ -31,18 +32,18 @@ if TYPE_CHECKING:
     from armui.session.session import HasDataRows
 
 MOST: Final = 20_000
-"""Changes; a log that holds more is noise, and further ones are left out."""
+"""The most changes kept; a log with more is noise, and further ones are left out."""
 _BEFORE_ALL, _BEFORE = -0.5, -0.25
 """Of what one frame tells, a silence before it comes first, then how many came, then itself."""
 
 
 def status_changes(session: HasDataRows, channel: Channel, codec: Codec) -> list[StatusChange]:
-    """The changes of everything in `WATCHED`, silences and rates, in the order of the frames.
+    """Return the changes of all of `WATCHED`, silences and rates, in the order of the frames.
 
     Args:
         session: The log.
-        channel: Where the arm is.
-        codec: What it speaks.
+        channel: The channel of the arm.
+        codec: The arm's codec.
     """
     found = [
         (layout, rows)

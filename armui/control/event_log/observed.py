@@ -1,4 +1,4 @@
-"""What the event log says beside the notices: what was seen to begin, to go on and to end."""
+"""Observations in the event log beside the notices: each begins, may grow, and ends."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from armui.telemetry.events import Asker, EventKind, Level
 
 @dataclass(frozen=True, slots=True)
 class Observed(Sentence):
-    """Something that was seen to happen; what the program tells is a `Notice`.
+    """An observed event's sentence; for messages of the program there is `Notice`.
 
     Attributes:
-        streams: It comes again and again, and is counted only while it does so at once.
+        streams: True if it repeats in quick succession and is only counted while it does.
     """
 
     context: ClassVar[str] = "Observed"
@@ -24,31 +24,31 @@ class Observed(Sentence):
 
 
 class EventPhase(Enum):
-    """What of an event is told."""
+    """The phase of an observed event."""
 
     BEGAN = auto()
-    """It goes on until it has ended."""
+    """The event has begun and goes on until it has ended."""
     ENDED = auto()
     GREW = auto()
-    """It happened more often, or has other figures by now."""
+    """The event has happened more often, or its figures have changed."""
     HAPPENED = auto()
 
 
 @dataclass(frozen=True, slots=True)
 class EventChange:
-    """What was observed.
+    """A change of an observed event.
 
     Attributes:
-        phase: Which part of it this is.
-        key: What is the same in its beginning and its end.
+        phase: The phase that has begun.
+        key: The key that its beginning and its end share.
         at_s: Monotonic time.
-        observed: What it is; this and the rest are told with its beginning.
-        kind: What sort it is.
-        who: Whose word it is.
-        level: How grave it is.
+        observed: The event's sentence; this and the following are given with the beginning.
+        kind: The kind of event.
+        who: The source of the report.
+        level: The severity.
         params: The figures of its sentence.
-        count: How often; of what grew, all of it.
-        unheard: Of an end: it was not heard.
+        count: The number of times; for growth, the total.
+        unheard: True if the end was not heard.
     """
 
     phase: EventPhase

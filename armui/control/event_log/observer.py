@@ -1,4 +1,4 @@
-"""What was heard of the arm as events: pure. The same frames give the same events, live or not."""
+"""Turns the arm's reports into events: pure; the same frames give the same events, live or not."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ DRIVER_FAULTS: Final[Mapping[str, tuple[Item, Word]]] = {
     "CollisionProtection": (Item.COLLISION_PROTECTION, Word.TRIGGERED),
     "StallProtection": (Item.STALL_PROTECTION, Word.TRIGGERED),
 }
-"""The rows of the table 关节状态 and their words, by the bit that says so."""
+"""The row of the table 关节状态 and the word for each fault bit of a driver."""
 
 STATUS_LEVELS: Final[Mapping[int, Level]] = {
     ArmStatusCode.TEACHING_RECORDING: Level.INFO,
@@ -60,24 +60,24 @@ STATUS_LEVELS: Final[Mapping[int, Level]] = {
     ArmStatusCode.TARGET_BEYOND_LIMIT: Level.WARNING,
     ArmStatusCode.OVERSPEED_WHILE_TEACHING: Level.WARNING,
 }
-"""How grave a status is; what is not named is a fault, also what no table knows."""
+"""The severity of each status; any code not named here is a fault."""
 
 _MODES: Final = (
     ("ControlMode", CONTROL_MODE, "mode", None),
     ("MoveMode", MOVE_MODE, "mode", 0),
     ("TeachingState", TEACHING, "state", 0),
 )
-"""Signal, what is seen, figure, and the first value that is worth no word."""
+"""For each mode: the signal, the event, the figure, and the first value not worth an event."""
 
 _TOGETHER_S: Final = 0.3
-"""Six drivers report one after the other: their motors are switched together."""
+"""Drivers report one after the other: reports within this time belong to one switching."""
 _QUIET_S: Final = 2.0
-"""Frames that pause for longer have ended."""
+"""Frames that pause for longer than this have ended."""
 _TOLD_AGAIN_S: Final = 10.0
-"""What goes on is told with its count when that has doubled, or after this time."""
+"""A lasting event is reported again once its count has doubled, or after this time."""
 _FEWER: Final = 0.95
 _AS_BEFORE: Final = 0.975
-"""Shares of the best rate so far: below the first fewer frames come, above the second no more."""
+"""Shares of the best rate: below the first, fewer frames come; above the second, all again."""
 
 
 @dataclass(slots=True)
@@ -100,7 +100,7 @@ class _Series:
 
 
 class EventObserver:
-    """Keeps what goes on, and says what has changed."""
+    """Keeps the lasting events and reports their changes."""
 
     def __init__(self) -> None:
         self._modes: dict[str, float] = {}
@@ -122,12 +122,12 @@ class EventObserver:
         traffic: OtherTraffic,
         now_s: float,
     ) -> list[EventChange]:
-        """Take in what was noted since the last look.
+        """Take in everything noted since the last call, and return the changes of events.
 
         Args:
-            noted: By :class:`StatusListener`.
+            noted: The changes noted by :class:`StatusListener`.
             state: The arm as heard.
-            traffic: What other hosts were heard to send.
+            traffic: The frames that other hosts were heard to send.
             now_s: Monotonic time.
         """
         changes: list[EventChange] = []
@@ -143,7 +143,7 @@ class EventObserver:
         return changes
 
     def forget(self, now_s: float) -> list[EventChange]:
-        """The arm is gone: what went on was not heard to end."""
+        """Return the ends of all lasting events as not heard, because the arm is gone."""
         ended = [EventChange(EventPhase.ENDED, key, now_s, unheard=True) for key in self._going_on]
         self._going_on.clear()
         self._modes.clear()

@@ -1,4 +1,4 @@
-"""Notes every change of a status for the event log, in the bus thread, however short it is."""
+"""Notes every change of a status for the event log, in the bus thread, however brief."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ if TYPE_CHECKING:
 STATUS: Final = "ArmStatus"
 GRIPPER: Final = "GripperFeedback"
 GAP: Final = "gap"
-"""Nothing was heard for over half a second: what was known before may be another arm's."""
+"""The name for a silence of over half a second: afterwards another arm may report."""
 RATE: Final = "rate"
-"""How many status frames a second came."""
+"""The name for the number of status frames per second."""
 
 RATE_SPAN_S: Final = 2.0
-"""Over so long they are counted."""
+"""The time over which the frames are counted."""
 _MOST_WAITING: Final = 5_000
 
 DRIVERS: Final[Mapping[str, int]] = {f"DriverSlow{joint}": joint for joint in JOINTS}
@@ -46,19 +46,19 @@ WATCHED: Final[Mapping[str, tuple[str, ...]]] = {
     GRIPPER: _GRIPPER_FLAGS,
     **dict.fromkeys(DRIVERS, DRIVER_FLAGS),
 }
-"""The signals of each message whose change is an event."""
+"""The signals of each message whose changes are events."""
 _COMMON: Final = WATCHED[STATUS][: len(_STATUS_CODES) + len(JOINTS)]
-"""What of the status both generations say alike."""
+"""The signals of the status that both generations have."""
 
 
 @dataclass(frozen=True, slots=True)
 class StatusChange:
-    """A status that differs from the one before.
+    """A status that differs from the last.
 
     Attributes:
         at_s: When its frame was received.
-        name: Of the message, or `GAP`, or `RATE`.
-        values: The signals of `WATCHED`, as far as the generation has them.
+        name: The name of the message, or `GAP`, or `RATE`.
+        values: The values of the signals of `WATCHED`, as far as the generation has them.
     """
 
     at_s: float
@@ -68,13 +68,13 @@ class StatusChange:
 
 @dataclass(frozen=True, slots=True)
 class InvalidFrames:
-    """Frames of one sort that were not understood.
+    """Frames of one sort that could not be decoded.
 
     Attributes:
-        sort: Its name.
-        arbitration_id: Of the last of them.
-        times: How many.
-        first_s, last_s: Monotonic time.
+        sort: The name of the sort.
+        arbitration_id: The identifier of the last one.
+        times: The number of frames.
+        first_s, last_s: The monotonic times of the first and the last.
     """
 
     sort: str
@@ -87,8 +87,7 @@ class InvalidFrames:
 class StatusListener(Listener):
     """Notes changes in the bus thread; the controller's tick takes them away.
 
-    An arm repeats most of what it says, and the same bytes share one decoded message: they cost
-    one comparison.
+    An arm repeats most frames, and equal bytes share one decoded message: they cost one comparison.
     """
 
     def __init__(self) -> None:
@@ -103,14 +102,14 @@ class StatusListener(Listener):
         self._counted_s: float | None = None
 
     def take_changes(self) -> list[StatusChange | InvalidFrames]:
-        """Return what was noted since the last call; called by the controller's thread."""
+        """Return the changes noted since the last call; called by the controller's thread."""
         changes = []
         while self._changes:
             changes.append(self._changes.popleft())
         return changes
 
     def know_generation(self, generation: Generation | None) -> None:
-        """What could not be told before can be told now."""
+        """Take the arm's generation, by which further signals are compared from now on."""
         if generation is not self._generation:
             self._generation = generation
             self._latest = {}
@@ -118,17 +117,17 @@ class StatusListener(Listener):
     # The bus thread ---------------------------------------------------------------------------
 
     def on_open(self, _bitrate: int | None) -> None:
-        """Another device, or the same again."""
+        """Forget the last status: another device was opened, or the same again."""
         self._begin_anew()
         self._last_s = None
 
     def on_codec(self, codec: Codec) -> None:
-        """The same bytes may say something else from now on."""
+        """Forget the last status: the same bytes may mean something else with another codec."""
         self._codec = codec
         self._latest = {}
 
     def on_heard(self, batch: Sequence[ReceivedFrame]) -> None:
-        """Look for changes."""
+        """Note the changes in a batch of frames."""
         latest = self._latest
         for heard, at_s, frame, _flags in batch:
             if isinstance(heard, Message):
@@ -154,7 +153,7 @@ class StatusListener(Listener):
 
     @property
     def _understands(self) -> bool:
-        """Whether bits that the generations use differently can be told."""
+        """True if bits that the generations use differently can be told."""
         codec = self._codec
         return codec is not None and codec.generation is self._generation
 
@@ -190,7 +189,7 @@ class StatusListener(Listener):
         self._invalid[kind] = InvalidFrames(kind, arbitration_id, count + 1, first_s, at_s)
 
     def on_look(self, _now_s: float) -> None:
-        """Hand over what was counted."""
+        """Pass on the invalid frames counted so far."""
         if self._invalid:
             self._changes.extend(self._invalid.values())
             self._invalid.clear()

@@ -1,4 +1,4 @@
-"""Writes what was observed into an event log: each beginning, what it grew to, its end: pure."""
+"""Writes observed events into an event log: beginning, growth and end: pure."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ from armui.telemetry.events import REPEAT_S, Asker, EventEntry, EventKind, Event
 
 _MOST_KEYS: Final = 1_000
 _FLOWS_S: Final = 1.0
-"""What a held button or a slider sends comes faster than this."""
+"""Commands of a held button or a slider follow each other faster than this."""
 
 
 class EventWriter:
-    """Knows which entry belongs to what goes on; the same for an arm and for a log.
+    """Writes into an event log and knows the entry of each lasting event.
 
     Args:
-        log: What has happened.
-        wall: What the clock on the wall showed at a time of the log.
+        log: The event log.
+        wall: Returns the local time of a time of the log.
     """
 
     def __init__(self, log: EventLog, wall: Callable[[float], datetime]) -> None:
@@ -39,7 +39,7 @@ class EventWriter:
         wall: datetime | None = None,
         **more: Any,
     ) -> EventEntry:
-        """Add an event.
+        """Add an event and return its entry.
 
         ``more`` are further fields of `EventEntry`, and ``repeat_key`` of `EventLog.add`.
         """
@@ -56,7 +56,7 @@ class EventWriter:
         )
 
     def write(self, change: EventChange) -> None:
-        """Something was observed."""
+        """Write a change of an observed event."""
         if change.observed is None:
             self._go_on(change)
             return

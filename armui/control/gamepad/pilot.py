@@ -1,7 +1,7 @@
-"""From a gamepad or SpaceMouse in the operator's hand to the arm: under the rules of a held button.
+"""Jogs the arm by gamepad or SpaceMouse, under the rules of a held button.
 
-The devices are read in a thread of their own; here, in the window's thread, each look goes through
-the dead-man logic of :mod:`armui.gamepad.dead_man`, and what comes of it is a steered jog. Whatever
+The devices are read in a thread of their own; here, in the window's thread, each reading goes
+through the dead-man logic of :mod:`armui.gamepad.dead_man`, which yields a steered jog. Whatever
 takes the hold away ends the jog, and only a new press of the dead-man button begins another.
 """
 
@@ -41,7 +41,7 @@ GAMEPAD_NOT_IN_FRONT = Reason(
 
 _TICK_MS: Final = 10
 SILENT_S: Final = 0.08
-"""Devices that were last read so long ago say nothing of the present."""
+"""Readings of devices older than this are not used."""
 
 _FRAMES: Final = {
     JogMode.JOINT: None,
@@ -54,19 +54,19 @@ MakeReader = Callable[[OnButtons, Callable[[], float]], Reader]
 
 @dataclass(frozen=True, slots=True)
 class PilotView:
-    """What the window shows.
+    """The state that the window shows.
 
     Attributes:
-        on: Whether devices are read.
-        devices: Those that were found.
-        mode: What the axes move.
-        phase: How far the hold has come.
-        device: The one whose dead-man button is held; None: none.
-        axes: What moves, as J1+ J3−.
-        refusal: Why the last hold was taken away, while the button is still held.
-        unusable: Names of what was found and cannot be used.
+        on: True while devices are read.
+        devices: The devices found.
+        mode: The motion that the axes steer.
+        phase: The phase of the hold.
+        device: The device whose dead-man button is held, or ``None``.
+        axes: The axes that move, as J1+ J3−.
+        refusal: The reason that ended the last hold, while the button is still held.
+        unusable: The names of devices found that cannot be used.
         missing: The packages that are not installed.
-        problems: What a library says of what does not work.
+        problems: The error messages of libraries.
     """
 
     on: bool = False
@@ -82,16 +82,16 @@ class PilotView:
 
 
 class GamepadPilot(QObject):
-    """Reads devices while it is switched on, and jogs.
+    """Reads devices while it is switched on, and jogs the arm by them.
 
     Args:
-        controller: Whom to ask for jogs and stops.
+        controller: Carries out jogs and stops.
         clock: Monotonic time in seconds.
 
     Attributes:
-        attended: Answers why nothing may be jogged from the window now; without a window nothing
+        attended: Returns why nothing may be jogged from the window now; without a window nothing
             may.
-        make_reader: Begins to read the devices.
+        make_reader: Makes the reader of the devices.
 
     Signals:
         changed: A :class:`PilotView`, when it differs.
@@ -122,16 +122,16 @@ class GamepadPilot(QObject):
 
     @property
     def view(self) -> PilotView:
-        """What the window shows now."""
+        """The state that the window shows now."""
         return self._view
 
     @property
     def snapshot(self) -> DeviceSnapshot | None:
-        """The devices as last read, for whoever shows their axes."""
+        """The last reading of the devices, for a display of their axes."""
         return None if self._reader is None else self._reader.latest
 
     def choose(self, settings: Settings) -> None:
-        """Take over what the operator has chosen; what is held ends."""
+        """Take over the operator's settings; end a hold."""
         before, self._settings = self._settings, settings
         if before is not None and _concerns(before) == _concerns(settings):
             return
@@ -163,25 +163,25 @@ class GamepadPilot(QObject):
         self._holder = None
 
     def end(self) -> bool:
-        """Read no more; whether the thread has ended."""
+        """Stop reading devices and return whether the thread has ended."""
         self._stop_reading()
         self._show()
         return self._leaving is None or self._leaving.end()
 
     def buttons_of(self, info: DeviceInfo) -> Assignment:
-        """Return what the buttons of a device do."""
+        """Return the assignment of a device's buttons."""
         kept = None if self._settings is None else self._settings.gamepad_buttons.get(info.name)
         return assignment(info.kind, kept)
 
     def set_mode(self, mode: JogMode) -> None:
-        """Set what the axes move from now on; what is held ends."""
+        """Set the motion that the axes steer from now on; end a hold."""
         if mode is not self._mode:
             self._take_away(None)
             self._mode = mode
             self._show()
 
     def lose(self, reason: Refusal) -> None:
-        """Take away what is held, and say why; nothing held: nothing."""
+        """End the hold with a reason; do nothing if nothing is held."""
         if any(hand.hold.phase not in _WITHOUT for hand in self._hands.values()):
             self._take_away(reason)
             self._show()
@@ -189,7 +189,7 @@ class GamepadPilot(QObject):
     # Looking ----------------------------------------------------------------------------------
 
     def tick(self) -> None:
-        """Look at the devices; its own timer calls it."""
+        """Read the devices and act on them; the pilot's own timer calls it."""
         settings = self._settings
         if settings is None or not settings.gamepad:
             return
@@ -344,7 +344,7 @@ class GamepadPilot(QObject):
 
 
 _WITHOUT: Final = frozenset({HoldPhase.UP, HoldPhase.SPENT})
-"""Nothing is held that could be taken away."""
+"""The phases in which there is no hold to end."""
 
 
 def _nobody() -> Refusal:

@@ -1,4 +1,4 @@
-"""Whether a CAN interface may be switched while an arm is on it."""
+"""Decides whether a CAN interface may be switched while an arm is on it."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ _SWITCHING: Final = frozenset({"up", "down", "reset"})
 
 
 def why_not_switch(verb: str, interface: str, now: OperatingState) -> Refusal | None:
-    """The reason against a verb of the adapter's helper, or ``None``: it may be done.
+    """Return the reason against a verb of the adapter's helper, or ``None`` if it may be done.
 
-    Setting a bit rate and coming back from bus-off switch the interface off, too. An arm that is
-    heard and moves, by whomever, is not cut off; one that is not heard any more is reached again
-    only by this.
+    Setting a bit rate and recovering from bus-off also switch the interface off. An arm that is
+    heard and moves is not cut off, whoever moves it; an arm that is no longer heard can be reached
+    again only by this.
     """
     device = now.device
     if verb not in _SWITCHING or device is None or device.simulated:

@@ -1,4 +1,4 @@
-"""The arm and the connection that something was shown, asked or checked for."""
+"""The mark of the arm and the connection for which something was shown, asked or checked."""
 
 from __future__ import annotations
 
@@ -14,18 +14,18 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class ArmMark:
-    """What tells one arm on one connection from another, as far as it was heard.
+    """The facts that distinguish one arm on one connection from another.
 
     A question, a check and a press keep the mark of their moment and are carried out only while
-    :meth:`is_still` holds: another arm, or the same one after a silence, is another one.
+    :meth:`is_still` holds: another arm, or the same one after a silence, has another mark.
 
     Attributes:
-        connection: The number of the open device; 0 for none.
-        arms: How many arms have come on this program's connections.
-        heard: Whether the last of them is heard.
-        model: As what it was chosen.
+        connection: The number of the open device, or 0.
+        arms: The number of arms that have come online so far.
+        heard: True if the last of them is heard.
+        model: The model that the operator has chosen.
         addressing: The identifier offsets in use.
-        identity: What it has said of itself; ``None`` while it has not.
+        identity: The identity the arm has reported, or ``None``.
     """
 
     connection: int = 0
@@ -36,7 +36,7 @@ class ArmMark:
     identity: ArmIdentity | None = None
 
     def is_still(self, now: ArmMark) -> bool:
-        """Tell whether ``now`` is the same arm on the same connection; it may have said more."""
+        """Return whether ``now`` is the same arm on the same connection; it may know more of it."""
         before, after = self.identity, now.identity
         told_otherwise = before is not None and (after is None or before.contradicts(after))
         same = replace(self, identity=None) == replace(now, identity=None)

@@ -1,4 +1,4 @@
-"""The bus as the bus monitor needs it: who listens, what was lost, and frames sent by hand."""
+"""The bus access of the bus monitor: listeners, lost frames, and frames sent by hand."""
 
 from __future__ import annotations
 
@@ -44,19 +44,19 @@ FRAME_SENT_BY_HAND = Notice(
 
 
 _KEEP_S: Final = 0.2
-"""A frame that could not be sent within this time is dropped: what was meant may be over."""
+"""A frame that could not be sent within this time is dropped: its reason may be over."""
 _PAUSE_S: Final = 2.0
-"""So long after its last motion frame another host is not interfered with."""
+"""Another host is not interfered with until this long after its last motion frame."""
 
 
 class BusAccess:
-    """What the bus monitor asks of the connection.
+    """Gives the bus monitor access to the connection.
 
-    A frame sent by hand is none of this program's own commands: it counts as another host's, so
-    that whatever was under way here ends, and nothing of ours follows before the arm rests.
+    A frame sent by hand counts as another host's, not as a command of this program: it ends
+    whatever was under way here, and no motion of ours follows before the arm rests.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
     """
 
     def __init__(self, context: Context) -> None:
@@ -64,22 +64,22 @@ class BusAccess:
 
     @property
     def frames_dropped(self) -> int:
-        """Frames lost by the system or the adapter before they could be read."""
+        """The number of frames lost by the system or the adapter before they could be read."""
         return self._context.connection.frames_dropped
 
     def add_listener(self, listener: Listener) -> None:
-        """Have every frame told to somebody."""
+        """Add a listener that gets every frame."""
         self._context.connection.add_listener(listener)
 
     def remove_listener(self, listener: Listener) -> None:
-        """Tell it no more."""
+        """Remove a listener."""
         self._context.connection.remove_listener(listener)
 
     def why_not_send(self, frame: Frame | None = None) -> Refusal | None:
         """Return the reason against sending a frame by hand now, or ``None``.
 
         Args:
-            frame: Which one; ``None``: any at all.
+            frame: The frame; ``None`` for any at all.
         """
         link = self._context.connection.link
         device = self._context.connection.device
@@ -95,11 +95,12 @@ class BusAccess:
         return None if frame is None else why_never(frame) or self._why_not_now(frame)
 
     def send(self, frame: Frame, *, held: bool) -> Refusal | None:
-        """Send a frame by hand, in its turn: ``None``, or why not.
+        """Send a frame by hand, in its turn; return ``None``, or why it was not sent.
 
         Args:
-            frame: Which one.
-            held: The operator has held the button for it. All but harmless ones need it.
+            frame: The frame.
+            held: True if the operator has held the button for it; all but harmless frames need
+                that.
         """
         context, connection = self._context, self._context.connection
         context.refresh()

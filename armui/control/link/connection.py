@@ -1,4 +1,4 @@
-"""The connection to one device: its bus thread, whether an arm answers, and the first questions."""
+"""The connection to one device: its bus thread, its arm, and the first questions to the arm."""
 
 from __future__ import annotations
 
@@ -54,38 +54,38 @@ BUS_UNBLOCKED = Notice(
 
 
 Worker: TypeAlias = "BusWorker | LogWorker"
-"""What stands between the program and its frames."""
+"""The thread that stands between the program and the frames."""
 MakeWorker: TypeAlias = "Callable[[Device, Codec, int, Sequence[Listener]], Worker]"
-"""Makes it for a device, with the codec to begin with, its number, and who is told of frames."""
+"""Makes the worker of a device from its first codec, its number and the listeners."""
 
 LINK_BREAKS: Final = frozenset({LINK_LOST_NOTICE, RECONNECTED})
-"""A device that went, and came back."""
+"""The notices that a device went and came back."""
 _CLOSE_MS: Final = 100
-"""The window waits this long for a device to be closed; a busy driver is left to end by itself."""
+"""The window waits this long for a device to be closed; a busy driver ends later by itself."""
 _IS_OPEN: Final = frozenset({BusState.OPEN, BusState.BLOCKED})
 _OPEN_NOTICES: Final = {
     BusState.LOST: RECONNECTED,
     BusState.BLOCKED: BUS_UNBLOCKED,
 }
-"""The notice that an open bus is worth, by what it was before."""
+"""The notice for an open bus, by its state before."""
 
 
 class Connection(QObject):
-    """The way to an arm.
+    """The connection to an arm.
 
     Args:
         opener: Opens a device.
         clock: Monotonic time in seconds.
         parent: Qt's.
-        make_worker: Makes what stands where the bus does, in the place of a bus thread.
+        make_worker: Makes a worker in the place of the bus thread, as for a log.
 
     Attributes:
-        device: The one that is open, or is being opened.
-        model: Which arm of the family it is, as the operator has chosen; of the last one while no
-            device is open.
+        device: The device that is open or being opened.
+        model: The arm's model as the operator has chosen; while no device is open, that of the last
+            arm.
 
     Signals:
-        changed: A :class:`BusReport` and the notice it is worth.
+        changed: A :class:`BusReport` and the notice for it.
         answered: A decoded message that answers a command.
         arm_came: An arm has come online: another one, or one that was switched off and on, for all
             that is known. Nothing that was read before holds for it.
@@ -126,7 +126,7 @@ class Connection(QObject):
 
     @property
     def telemetry(self) -> Telemetry:
-        """What was heard and commanded, over time, from the first device on."""
+        """The record of feedback and commands over time, from the first device on."""
         if self._telemetry is None:
             # numpy and cantools are loaded with the first device: the window starts without them
             from armui.telemetry.store import Telemetry  # noqa: PLC0415
@@ -135,12 +135,12 @@ class Connection(QObject):
         return self._telemetry
 
     def add_listener(self, listener: Listener) -> None:
-        """Have every frame on the bus told to somebody, also of a device that is open already."""
+        """Add a listener that gets every frame, also of a device that is open already."""
         self._set_listeners((*self._listeners, listener))
         listener.know_generation(self.generation)
 
     def remove_listener(self, listener: Listener) -> None:
-        """Tell it no more; frames that are on their way to it may still reach it."""
+        """Remove a listener; frames on their way may still reach it."""
         self._set_listeners(tuple(each for each in self._listeners if each is not listener))
 
     def _set_listeners(self, listeners: tuple[Listener, ...]) -> None:
@@ -150,14 +150,14 @@ class Connection(QObject):
 
     @property
     def codec(self) -> Codec:
-        """What to speak now; only while a device is open."""
+        """The codec to use now; valid only while a device is open."""
         if self._codec is None:
             raise RuntimeError("no device is open: there is nothing to speak to")
         return self._codec
 
     @property
     def link(self) -> LinkState:
-        """How the program stands to its arm."""
+        """The state of the link to the arm."""
         if self._worker is None:
             return LinkState.NO_DEVICE
         if self._bus_state is BusState.OPENING:
@@ -168,19 +168,19 @@ class Connection(QObject):
 
     @property
     def frames_dropped(self) -> int:
-        """Frames lost before they could be read, since the device was opened."""
+        """The number of frames lost before they could be read, since the device was opened."""
         return 0 if self._worker is None else self._worker.frames_dropped
 
     @property
     def samples(self) -> SampleRing:
-        """Joint angles as they come in; only while a device is open."""
+        """The joint angles as they come in; valid only while a device is open."""
         if self._worker is None:
             raise RuntimeError("no device is open: nothing comes in")
         return self._worker.samples
 
     @property
     def idle(self) -> bool:
-        """Whether everything sent has been handed to the device."""
+        """True if everything sent has been handed to the device."""
         return self._worker is None or self._worker.idle
 
     @property
@@ -193,7 +193,7 @@ class Connection(QObject):
 
     @property
     def mark(self) -> ArmMark:
-        """The arm and the connection of this very moment."""
+        """The arm and the connection at this moment."""
         if self._worker is None:
             return ArmMark(arms=self._arms, model=self.model)
         state, handshake = self._worker.state, self.handshake
@@ -209,11 +209,11 @@ class Connection(QObject):
 
     @property
     def generation(self) -> Generation | None:
-        """Which protocol the arm speaks, once it is known."""
+        """The protocol generation of the arm, or ``None`` while it is unknown."""
         return self.handshake.generation if self.handshake is not None else None
 
     def open(self, device: Device) -> None:
-        """Open a device; nothing may be open."""
+        """Open a device; no other may be open."""
         # python-can and cantools are loaded with the first device: the window starts without them
         from armui.protocol.codec import Codec  # noqa: PLC0415
 
@@ -267,13 +267,13 @@ class Connection(QObject):
         self.handshake = None
 
     def wait_until_sent(self, within_s: float) -> None:
-        """Give a driver that is busy a moment for what waits; only at the end of the program."""
+        """Wait a moment for a busy driver to send waiting frames; only at the program's end."""
         deadline_s = time.monotonic() + within_s
         while not self.idle and time.monotonic() < deadline_s:
             time.sleep(0.005)
 
     def end(self, within_s: float) -> bool:
-        """Close the device; returns whether every thread has ended within a time."""
+        """Close the device; return whether every thread has ended within the time."""
         self.close()
         deadline_s = time.monotonic() + within_s
         for worker in tuple(self._ending):
@@ -292,46 +292,46 @@ class Connection(QObject):
 
     @property
     def newest(self) -> ArmState:
-        """The arm as heard until this very moment, newer than the controller's last tick."""
+        """The arm as heard up to this moment, newer than at the controller's last tick."""
         return ArmState() if self._worker is None else self._understood(self._worker.state)
 
     @property
     def heard_traffic(self) -> OtherTraffic:
-        """What other hosts were heard to send until this very moment."""
+        """The frames that other hosts were heard to send up to this moment."""
         return OtherTraffic() if self._worker is None else self._worker.traffic
 
     @property
     def traffic(self) -> OtherTraffic:
-        """The same, and what was sent from here by hand, which counts as another host's."""
+        """The same with the frames sent by hand from here, which count as another host's."""
         return self.heard_traffic.joined(self._by_hand.traffic())
 
     def note_by_hand(self, frame: Frame) -> None:
-        """Note that a frame the operator wrote is about to be sent to this device."""
+        """Note that a frame typed by the operator is about to be sent to this device."""
         self._by_hand.note(frame.arbitration_id, frame.data, self._clock())
 
     def send(
         self, frames: Sequence[Frame], keep_s: float | None = None, command: int | None = None
     ) -> bool:
-        """Queue frames in order, as one batch; false if no device is open or it is listen-only.
+        """Queue frames as one batch; return false if no device is open or it is listen-only.
 
         Args:
-            frames: What to say.
+            frames: The frames in their order.
             keep_s: A batch that could not begin within this time is dropped.
             command: The number of the command it belongs to; see :meth:`void`.
         """
         return self._worker is not None and self._worker.send(frames, keep_s, command)
 
     def void(self, newest: int) -> None:
-        """Drop what waits to be sent of commands older than this one."""
+        """Drop waiting frames of commands older than this one."""
         if self._worker is not None:
             self._worker.void(newest)
 
     def send_urgent(self, frames: Sequence[Frame]) -> bool:
-        """Send at once, past everything that waits."""
+        """Send frames at once, ahead of all that waits; return whether they could be sent."""
         return self._worker is not None and self._worker.send_urgent(frames)
 
     def follow_arm(self, now_s: float) -> ArmState:
-        """Look at what was heard; called regularly while a device is open."""
+        """Take in and return the arm's state; called regularly while a device is open."""
         if self._worker is None:
             return ArmState()
         state = self._worker.state
@@ -366,7 +366,7 @@ class Connection(QObject):
         return state if self.generation is not None else common_to_generations(state)
 
     def _another_answers(self, state: ArmState) -> bool:
-        """Tell whether an arm has said something else of itself than the one of the handshake."""
+        """Return whether an arm has said something else of itself than the one of the handshake."""
         known = None if self.handshake is None else self.handshake.identity
         return (
             known is not None and state.identity is not None and known.contradicts(state.identity)

@@ -1,4 +1,4 @@
-"""The search for devices, off the GUI thread: some drivers take seconds to answer."""
+"""Searches for devices outside the GUI thread, because some drivers take seconds."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ class DeviceSearch(QThread):
     """Looks for devices once.
 
     Args:
-        simulated: Arms made of software, listed first and always.
-        find: The search itself; :func:`armui.bus.adapters.find_devices` by default.
+        simulated: The simulated arms, always listed first.
+        find: Searches for devices; :func:`armui.bus.adapters.find_devices` by default.
 
     Signals:
         found: A list of :class:`Device`.
@@ -39,15 +39,15 @@ class DeviceSearch(QThread):
 
 
 class DeviceFinder(QObject):
-    """Starts one search at a time and tells what it found.
+    """Runs one search at a time and reports the devices found.
 
     Args:
-        simulated: Arms made of software, listed first and always.
-        find: The search itself; by default python-can's and its plug-ins'.
+        simulated: The simulated arms, always listed first.
+        find: Searches for devices; by default with python-can and its plug-ins.
 
     Signals:
         found: A list of :class:`Device`.
-        searching_changed: Whether a search is under way.
+        searching_changed: True if a search is under way, else false.
     """
 
     found = Signal(object)
@@ -65,7 +65,7 @@ class DeviceFinder(QObject):
         self._search: DeviceSearch | None = None
 
     def start(self) -> None:
-        """Search, unless a search is under way already."""
+        """Start a search, unless one is under way already."""
         if self._search is not None:
             return
         # without a parent: a search that a driver keeps from ending must not be destroyed
@@ -76,7 +76,7 @@ class DeviceFinder(QObject):
         self._search.start()
 
     def end(self, within_s: float) -> bool:
-        """Wait for a search to end; returns whether it has within a time."""
+        """Wait for the search to end; return whether it has ended within the time."""
         return self._search is None or self._search.wait(round(1e3 * within_s))
 
     def _on_finished(self) -> None:

@@ -1,4 +1,4 @@
-"""What the program asks an arm when it comes online: which generation it is, and its limits."""
+"""The first questions to an arm that comes online: its generation and its limits."""
 
 from __future__ import annotations
 
@@ -15,33 +15,33 @@ from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 
 _VERSION_WAIT_S: Final = 0.5
-"""So long an answer is collected. A second question during it would shift its text."""
+"""Answers are collected for this time; a second question within it would shift the text."""
 _VERSION_ROUNDS: Final = 2
-"""Unanswered so often: generation 1 (see the table of the two generations)."""
+"""An arm that leaves so many questions unanswered is of generation 1."""
 _TORN_ROUNDS: Final = 4
-"""Asked so often where something answers: frames of the answer may be lost, or others between."""
+"""The number of questions to an arm that answers: frames may be lost or mixed with others."""
 _LEADER_WAIT_S: Final = 2.0
-"""A teaching input may answer nothing (S-V1.7-3), so its silence proves nothing: asked so often."""
+"""A teaching input may answer nothing (S-V1.7-3), so it is asked at this interval."""
 _FAST_PER_S: Final = 1500.0
-"""Between the frames a second of generation 1 (some 700) and of generation 2 (some 3,000)."""
+"""A rate between that of generation 1 (some 700 frames/s) and generation 2 (some 3,000)."""
 _ASK_AGAIN_S: Final = 0.2
 _LIMIT_ROUNDS: Final = 5
 _PAUSE_ROUNDS: Final = 2
-"""Who it is, an arm is asked so often after each pause in which another may have come."""
+"""The number of identity questions after each pause in which another arm may have come."""
 
 
 class Wire(Protocol):
-    """What a handshake needs of the bus thread."""
+    """The functions of the bus thread that a handshake needs."""
 
     def send(self, frames: Sequence[Frame]) -> bool:
-        """Queue frames; whether they may go out at all."""
+        """Queue frames and return whether they may go out at all."""
 
     def use_codec(self, codec: Codec, *, forget: bool = True) -> None:
-        """Forget what was heard, unless it is not to be, and speak another codec from now on."""
+        """Use another codec from now on; forget the feedback received so far if ``forget``."""
 
 
 class HandshakePhase(enum.Enum):
-    """How far a handshake has come."""
+    """The phases of a handshake."""
 
     GENERATION = enum.auto()
     LIMITS = enum.auto()
@@ -49,23 +49,23 @@ class HandshakePhase(enum.Enum):
 
 
 class Handshake:
-    """Driven by :meth:`advance` from the first feedback on, until :attr:`phase` is ``DONE``.
+    """Asks an arm the first questions; :meth:`follow_arm` drives it until it is :attr:`done`.
 
     It begins with nothing heard. The states it is given must have been heard since it began:
     the bus thread sees to that (:meth:`armui.bus.worker.BusWorker.use_codec`).
 
     Args:
-        wire: Where to ask.
+        wire: Sends the questions.
         now_s: Monotonic time.
         addressing: The identifiers in use.
-        known: Which protocol the arm speaks, where a log that is replayed has told.
-        recorded_firmware: The version such a log names; "" for none.
+        known: The generation, if a replayed log states it.
+        recorded_firmware: The firmware version that such a log states; "" for none.
 
     Attributes:
-        generation: Which protocol the arm speaks, once known.
+        generation: The protocol generation, once known.
         firmware: The version it named; ``None`` in generation 1, and where its text was unreadable.
-        identity: What it has said of itself so far.
-        codec: What to speak now.
+        identity: The identity as reported so far.
+        codec: The codec to use now.
     """
 
     def __init__(
@@ -94,11 +94,11 @@ class Handshake:
 
     @property
     def done(self) -> bool:
-        """Whether the arm has answered everything, or as much as it will."""
+        """True if the arm has answered everything, or as much as it will."""
         return self.phase is HandshakePhase.DONE
 
     def follow_arm(self, state: ArmState, now_s: float) -> None:
-        """Ask what is due, and take in what was heard."""
+        """Ask the questions that are due, and take in the answers."""
         self._take_firmware(state)
         if self.phase is HandshakePhase.GENERATION:
             self._find_generation(state, now_s)
@@ -167,11 +167,11 @@ class Handshake:
         return _VERSION_ROUNDS if state.version_heard_s is None else _TORN_ROUNDS
 
     def _leads(self, state: ArmState, now_s: float) -> bool:
-        """Tell whether it is a teaching input that leads and tells no status."""
+        """Return whether it is a teaching input that leads and tells no status."""
         return state.status is None and is_fresh(state.foreign_targets_s, now_s)
 
     def _speaks_fast(self, state: ArmState, now_s: float) -> bool:
-        """Tell whether an arm that must not be asked speaks as often as generation 2.
+        """Return whether an arm that must not be asked speaks as often as generation 2.
 
         On a connection that only listens its silence says nothing.
         """

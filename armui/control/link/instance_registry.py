@@ -1,4 +1,4 @@
-"""Other copies of this program on the computer, on the same settings file or CAN channel."""
+"""Finds other running copies of this program on the same settings file or CAN channel."""
 
 from __future__ import annotations
 
@@ -43,20 +43,20 @@ NOBODY_MET = Notice(
 )
 
 _IN_THIS_PROCESS: Final = frozenset({"virtual"})
-"""Back-ends whose channels no other program can reach."""
+"""The back-ends whose channels no other program can reach."""
 
 
 class InstanceRegistry(QObject):
-    """Says that another copy of the program is there, when it comes or is found (safety S21).
+    """Warns when another copy of the program starts or is found (safety S21).
 
-    Two copies that drive one arm undo each other's stops and motions; two that change one settings
-    file each keep their own choices and find the other's at the next start.
+    Two copies on one arm undo each other's stops and motions. Of two copies on one settings file
+    each keeps its own choices, and finds the other's at the next start.
 
     Args:
         controller: Tells which device is open, and gets the events.
         settings: The settings file.
-        folder: Where running programs meet.
-        look_s: How often to look.
+        folder: The folder in which running copies register.
+        look_s: The interval of looking for other copies.
     """
 
     _counted = Signal(object, object, object)
@@ -77,7 +77,7 @@ class InstanceRegistry(QObject):
         self._on_operating_state(controller.operating_state)
 
     def close(self) -> None:
-        """Withdraw from every place where copies of the program find each other."""
+        """Remove this copy's registrations."""
         self._controller.operating_state_changed.disconnect(self._on_operating_state)
         self._settings.close()
         if self._channel is not None:

@@ -1,4 +1,4 @@
-"""Tells the operator of the connection: the arm comes, goes and answers; frames are lost."""
+"""Tells the operator when the arm comes, goes and answers, and when frames are lost."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _EVERY_S: Final = 10.0
 
 
 class LinkWatch:
-    """Reports events of the connection; it is told when another begins.
+    """Reports events of the connection; :meth:`reset` tells it that another one begins.
 
     Args:
         connection: The way to the arm.
@@ -43,7 +43,7 @@ class LinkWatch:
         self._answers_told = False
 
     def follow_online(self) -> None:
-        """Tell whether the arm has come or gone."""
+        """Tell the operator when the arm has come or gone."""
         link = self._connection.link
         online = link is LinkState.ONLINE
         if online is self._was_online:
@@ -55,7 +55,7 @@ class LinkWatch:
             self._tell(ONLINE if online else OFFLINE_NOTICE)
 
     def follow_handshake(self, state: ArmState) -> None:
-        """Tell what the arm has answered, once it has answered everything."""
+        """Tell the operator the arm's answers, once it has answered everything."""
         handshake = self._connection.handshake
         if handshake is None or not handshake.done or self._answers_told:
             return
@@ -64,19 +64,19 @@ class LinkWatch:
             self._tell(notice, **figures)
 
     def arm_came(self) -> None:
-        """Tell its answers once more: the arm that came may be another one."""
+        """Tell the answers once more, because the arm that came may be another one."""
         self._answers_told = False
 
     def reset(self) -> None:
-        """Take the arm for away: another connection begins."""
+        """Regard the arm as offline, because another connection begins."""
         self._was_online = False
 
 
 class DroppedFrames(ControllerPart):
-    """Tells the first loss at once, and of those that follow no more often than every 10 s.
+    """Tells the first loss of frames at once, and further losses at most every 10 s.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
     """
 
     def __init__(self, context: Context) -> None:
@@ -85,7 +85,7 @@ class DroppedFrames(ControllerPart):
         self._told_s: float | None = None
 
     def follow_arm(self) -> None:
-        """Look at the count; called regularly while a device is open."""
+        """Compare the count; called regularly while a device is open."""
         dropped = self._context.connection.frames_dropped
         if dropped <= self._told:
             return
@@ -95,5 +95,5 @@ class DroppedFrames(ControllerPart):
             self._told, self._told_s = dropped, now_s
 
     def forget_arm(self) -> None:
-        """Count from 0: the next device counts anew."""
+        """Count from 0 again, as the next device does."""
         self._told, self._told_s = 0, None

@@ -1,4 +1,4 @@
-"""Compares the chosen model with what the arm tells, and warns; the choice stays the operator's.
+"""Compares the chosen model with the arm's reports and warns; the operator decides.
 
 What is found out here, too, is where the arm counts joints 2 and 3 from: by its version, and by the
 pose it reports, which goes before the version.
@@ -49,20 +49,20 @@ MODEL_WAS_OTHER = Notice(
 
 _EVERY_S: Final = 0.5
 _LOOKS: Final = 2
-"""So often in a row the arm must say the same before it is believed."""
+"""The number of equal results in a row before a result counts."""
 
 
 class ModelWatch(ControllerPart):
-    """Looks at a standing arm twice a second.
+    """Compares the model twice a second while the arm stands still.
 
     A single pose that fits more than one model decides nothing; together with the poses before it
     may.
 
     Args:
-        context: What the parts share.
+        context: The context that the controller's parts share.
 
     Attributes:
-        fitting: The models that fit what the arm tells; ``None``: not compared yet.
+        fitting: The models that fit the arm's reports; ``None`` before the first comparison.
     """
 
     def __init__(self, context: Context) -> None:
@@ -77,7 +77,7 @@ class ModelWatch(ControllerPart):
         self._zeros: tuple[Device, PiperModel, bool] | None = None
 
     def fit(self) -> ModelFit:
-        """Return what is known of the model that was chosen."""
+        """Return the chosen model and whether the arm's reports fit it."""
         connection = self._context.connection
         arm = connection.device, connection.model
         older_zeros = self._zeros is not None and self._zeros == (*arm, True)
@@ -85,13 +85,13 @@ class ModelWatch(ControllerPart):
         return ModelFit(connection.model, self.fitting, older_zeros, before)
 
     def recall(self, model: PiperModel, node: str) -> None:
-        """Take over what this very arm was connected as the last time; it has named itself.
+        """Take over the model with which this very arm was last connected, by its identity.
 
-        It is taken in the place of a model that was only offered, while nothing is under way. What
-        the operator has chosen this time stays, and is asked about.
+        It replaces a model that was only offered, while nothing is under way. A model that the
+        operator has chosen this time stays, and the operator is asked.
 
         Args:
-            model: Kept for the arm, which had confirmed it.
+            model: The model stored for the arm, which had confirmed it.
             node: Its node number.
         """
         connection = self._context.connection
@@ -118,14 +118,14 @@ class ModelWatch(ControllerPart):
         self._context.refresh()
 
     def assume(self, model: PiperModel) -> None:
-        """Plan for a model while no device is open."""
+        """Plan for this model while no device is open."""
         connection = self._context.connection
         if connection.device is None and connection.model is not model:
             connection.model = model
             self._context.refresh()
 
     def follow_arm(self) -> None:
-        """Look at the arm, if it stands."""
+        """Compare the model while the arm stands still."""
         now_s = self._context.clock()
         self._look_for_zeros()
         if now_s - self._looked_s < _EVERY_S or not self._context.authority.at_rest:
@@ -141,7 +141,7 @@ class ModelWatch(ControllerPart):
         self._take(frozenset(arm.model for arm in found))
 
     def forget_arm(self) -> None:
-        """Another arm may be another model."""
+        """Forget the comparison, because another arm may be another model."""
         self.fitting = self._seen = self._warned = None
         self._looks = 0
         self._pose_tells = self._before = None

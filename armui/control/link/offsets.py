@@ -1,4 +1,4 @@
-"""Which identifiers the arm uses (0x470): asked for, heard, followed. Pure; driven by the link.
+"""Follows the arm's identifier offsets (0x470) from requests and feedback: pure.
 
 What moves is 0x2A1–0x2A8 and 0x150–0x15F. The feedback tells its own offset; the offset of the
 commands cannot be heard or asked for, so it is known only from what was set and seen to be taken.
@@ -14,9 +14,9 @@ from armui.protocol.addressing import OFFSETS, Addressing
 from armui.protocol.codes import ArmStatusCode, ControlMode
 
 _SILENT_S: Final = 0.5
-"""So long the known feedback must be away before another is taken for the same arm's."""
+"""Other feedback is taken for the same arm's after the known one was silent for this time."""
 _SETTLED_S: Final = 0.05
-"""A status this much after the setting was made after it."""
+"""A status this much later than the setting was reported after it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,10 +24,11 @@ class RequestedOffset:
     """Offsets that were sent to the arm and have not been seen in use.
 
     Attributes:
-        addressing: What was sent.
-        since_s: When.
-        answered_s: When 0x476 has said that the arm keeps them; ``None``: it has not.
-        ends_input: Sent to a teaching input: that it gives feedback shows that it has heard.
+        addressing: The offsets that were sent.
+        since_s: The monotonic time of sending.
+        answered_s: The time at which 0x476 confirmed that the arm keeps them, or ``None``.
+        ends_input: True if sent to a teaching input: any feedback of it then shows that it has
+            obeyed.
     """
 
     addressing: Addressing
@@ -37,16 +38,16 @@ class RequestedOffset:
 
 
 class OffsetFollower:
-    """Decides under which identifiers the arm is spoken to.
+    """Determines the identifiers under which the arm is addressed.
 
     Two arms with different offsets are never mixed: as long as the feedback in use goes on, other
     feedback is another arm's.
 
     Attributes:
-        addressing: What is in use.
-        control_known: Whether the arm takes commands under it: false for an arm that was found
-            with shifted feedback and has not been set since.
-        requested: What was sent and may come into use at any time.
+        addressing: The offsets in use.
+        control_known: True if the arm is known to take commands under them: false for an arm that
+            was found with shifted feedback and has not been set since.
+        requested: The offsets that were sent and may come into use at any time.
     """
 
     def __init__(self, addressing: Addressing = Addressing()) -> None:  # noqa: B008 - frozen
@@ -57,10 +58,10 @@ class OffsetFollower:
 
     @property
     def certain(self) -> bool:
-        """Whether commands reach the arm.
+        """True if commands reach the arm.
 
-        Feedback and commands move together: while the old feedback is heard, so are old commands,
-        unless only the commands are to move.
+        Feedback and commands move together: while the old feedback is heard, the old commands reach
+        the arm, unless only the commands are to move.
         """
         requested = self.requested
         moves_unseen = (
@@ -70,13 +71,13 @@ class OffsetFollower:
         return self.control_known and not moves_unseen
 
     def request(self, addressing: Addressing, now_s: float, *, ends_input: bool = False) -> None:
-        """Note offsets that were sent to the arm: it may use them from now on, or later."""
+        """Note offsets that were sent to the arm, which may use them now or later."""
         same = addressing == self.addressing and self.control_known
         requested = RequestedOffset(addressing, now_s, ends_input=ends_input)
         self.requested = None if same and self.requested is None else requested
 
     def answered(self, now_s: float) -> None:
-        """Note that the arm keeps what was sent to it last: it has answered (0x476)."""
+        """Note the arm's answer (0x476) that it keeps the offsets sent last."""
         if self.requested is not None:
             self.requested = replace(self.requested, answered_s=now_s)
 
@@ -85,12 +86,12 @@ class OffsetFollower:
         self._listening_since_s = now_s
 
     def follow_arm(self, state: ArmState, now_s: float, *, came: bool) -> bool:
-        """Take in what was heard; tell whether other identifiers are in use from now on.
+        """Take in the feedback; return whether other identifiers have just come into use.
 
         Args:
             state: The arm as heard.
             now_s: Monotonic time.
-            came: It has come online just now: what it keeps is in use after a power cycle.
+            came: True if it has just come online: after a power cycle it uses the offsets it keeps.
         """
         if self._listening_since_s is None or came:
             self._listening_since_s = now_s
@@ -116,7 +117,7 @@ class OffsetFollower:
         return self._use(Addressing(heard[0], self.addressing.control_offset), now_s, known=False)
 
     def _taken_unseen(self, requested: RequestedOffset, state: ArmState, *, came: bool) -> bool:
-        """Tell whether commands alone moved: an arm takes that in standby, or at its next start.
+        """Return whether commands alone moved: an arm takes that in standby, or at its next start.
 
         Nothing it sends shows that it has, so it must have said that it keeps it: a setting that
         got lost would be taken for one in use, and every motion after it would vanish.

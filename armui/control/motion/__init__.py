@@ -1,1 +1,1 @@
-"""Motions that the operator sends by hand: joints, poses, lines, arcs and jogging."""
+"""Motions by hand: joints, poses, lines, arcs and jogging."""

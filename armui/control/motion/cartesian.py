@@ -1,8 +1,8 @@
-"""末端控制: the tool is sent to poses, on lines and arcs, and step by step (0x152–0x154, 0x158).
+"""末端控制: sends the tool to poses, on lines and arcs, and in steps (0x152–0x154, 0x158).
 
-Every target is checked before it is sent, by the inverse kinematics and the limits of the joints;
-a line and an arc over their whole length. What the arm itself then says of a target (0x2A1 byte 1)
-still counts.
+Every target is checked before it is sent, by the inverse kinematics and the limits of the joints; a
+line and an arc over their whole length. The arm's own verdict on a target (0x2A1 byte 1) still
+counts.
 """
 
 from __future__ import annotations
@@ -78,11 +78,11 @@ STEPPED_TOOL = Notice(
 _NO_TOOL: Final = (0.0,) * 6
 _MODEL_MM: Final = 5.0
 _MODEL_DEG: Final = 2.0
-"""The program's kinematics and the arm's own may differ by this, and not more."""
+"""The most by which the program's kinematics and the arm's own may differ."""
 _ARRIVED_MM: Final = 5.0
 _ARRIVED_DEG: Final = 0.5
 _AWAY_MM: Final = 1.0
-"""So near to its target the tool has arrived: it is what half a degree of a joint makes of it."""
+"""A tool this near to its target has arrived: half a degree of a joint moves it so far."""
 _AT_START_MM: Final = 1.0
 _AT_START_DEG: Final = 1.0
 
@@ -91,9 +91,9 @@ class Cartesian(ControllerPart):
     """Motions of the tool centre point.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
         motion: Owns the speed.
-        floor: Knows how low a step may lead.
+        floor: Checks how low a step leads.
     """
 
     def __init__(self, context: Context, motion: Motion, floor: JogFloor) -> None:
@@ -107,7 +107,7 @@ class Cartesian(ControllerPart):
     def tool(self) -> tuple[float, ...]:
         """The tool centre point in the flange: X, Y, Z in mm, RX, RY, RZ in degrees.
 
-        The arm knows nothing of it: it is told, and tells, where the flange is.
+        The arm knows nothing of it: its commands and feedback refer to the flange.
         """
         return self._tool
 
@@ -119,28 +119,28 @@ class Cartesian(ControllerPart):
     # What is known --------------------------------------------------------------------------
 
     def prepare(self) -> None:
-        """Load what computes with poses, before there is an arm that must not wait for it."""
+        """Load the modules for poses before an arm is connected, so that it need not wait."""
         from armui.trajectory.planning import planning  # noqa: F401, PLC0415 - scipy, for a line
 
         all_models()  # an arm is compared with each of them: files, which are read now
         self.kinematics()
 
     def kinematics(self) -> Kinematics:
-        """Return those of the chosen model, with the zeros this arm counts from."""
+        """Return the kinematics of the chosen model, with the joint zeros of this arm."""
         geometry = self._context.operating_state().model_fit.geometry
         if self._model is None or self._model.geometry != geometry:
             self._model = Kinematics(geometry)
         return self._model
 
     def tool_pose(self, state: ArmState) -> Pose | None:
-        """Return where the tool centre point is measured; ``None``: the pose is not known."""
+        """Return the measured pose of the tool centre point, or ``None`` if it is unknown."""
         flange = state.end_pose()
         if flange is None:
             return None
         return poses.tool_pose(flange, self.tool) if any(self.tool) else poses.Pose(*flange)
 
     def why_unknown(self) -> Refusal | None:
-        """Tell why poses cannot be computed: not heard, or not those of this kind of arm."""
+        """Return why poses cannot be computed: not heard, or not those of this kind of arm."""
         state = self._context.state()
         if state.angles_deg() is None:
             return JOINTS_UNKNOWN()
@@ -172,7 +172,7 @@ class Cartesian(ControllerPart):
     # Motions --------------------------------------------------------------------------------
 
     def check(self, target: Sequence[float], move_mode: MoveMode) -> Refusal | None:
-        """Tell whether the tool centre point can go from where it is to a pose.
+        """Return why the tool centre point cannot go from its place to a pose, or ``None``.
 
         Args:
             target: X, Y, Z in mm and RX, RY, RZ in degrees.
@@ -206,13 +206,13 @@ class Cartesian(ControllerPart):
     def step(self, axis: int, amount: float, frame: JogFrame) -> Started | Refusal:
         """Move the tool centre point by a step, on a straight line.
 
-        It is added to the target of the motion before, while that is ours and the tool is on its
-        way there or has arrived; otherwise to where the tool is measured.
+        The step is added to the target of the last motion, while that is ours and the tool is on
+        its way there or has arrived; otherwise to the measured pose.
 
         Args:
             axis: 0–5 for X, Y, Z, RX, RY, RZ.
             amount: In mm or degrees.
-            frame: Whose axes.
+            frame: The frame of the axes.
         """
         unknown = self._context.refresh().cannot_move or self.why_unknown()
         if unknown is not None:
@@ -236,7 +236,7 @@ class Cartesian(ControllerPart):
     def move_arc(self, *points: Sequence[float]) -> Started | Refusal:
         """Move on the arc through three poses of the tool centre point (MOVE C).
 
-        The arm must stand at the first of them, so that it goes no way nobody has checked.
+        The arm must stand at the first of them, so that it takes no unchecked path.
 
         Args:
             *points: Start, middle and end.
@@ -257,7 +257,7 @@ class Cartesian(ControllerPart):
         )
 
     def check_arc(self, *points: Sequence[float]) -> Refusal | None:
-        """Tell whether the arm stands at the start of an arc and can follow it to its end."""
+        """Return why the arm cannot follow an arc from where it stands, or ``None``."""
         from armui.arm.reach import check_path  # noqa: PLC0415 - scipy
         from armui.kinematics.tool_path import Arc, ArcError  # noqa: PLC0415 - scipy
 
@@ -319,7 +319,7 @@ class Cartesian(ControllerPart):
         return started
 
     def _leads_away(self, target: Sequence[float]) -> bool:
-        """Tell whether the tool is measured elsewhere than at a pose."""
+        """Return whether the tool is measured elsewhere than at a pose."""
         here = self.tool_pose(self._context.state())
         if here is None:
             return False

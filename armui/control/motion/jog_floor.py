@@ -1,4 +1,4 @@
-"""How low the arm reaches, and how low a jog may take it.
+"""Computes how low the arm reaches, and limits how low a jog may take it.
 
 Heights are of the base frame: 0 mm is the plane the arm stands on. The lowest of flange and
 fingertip counts, as in the check before a run.
@@ -26,19 +26,19 @@ JOG_TOO_LOW = Reason(
 
 
 _PLACES: Final = 16
-"""A step is looked at in so many places: a circle may have its lowest point on the way."""
+"""The number of places at which a step is checked: a circle may be lowest on its way."""
 _SAME_MM: Final = 1e-6
 
 
 class JogFloor:
-    """Ends jogs and steps that lead lower than the operator has chosen.
+    """Ends jogs and steps that lead below the operator's limit.
 
     Args:
         context: Knows the arm's geometry.
         tool: Returns the tool centre point in the flange.
 
     Attributes:
-        lowest_mm: The least height of the fingertip for jogs; ``None``: any.
+        lowest_mm: The least height of the fingertip for jogs, or ``None`` for no limit.
     """
 
     def __init__(self, context: Context, tool: Callable[[], Sequence[float]]) -> None:
@@ -71,13 +71,13 @@ class JogFloor:
         return self._below_mm
 
     def why_lower(self, ahead_deg: Sequence[float], now_deg: Sequence[float]) -> Refusal | None:
-        """Return why a jog does not go on to six angles; an arm below its limit may come up."""
+        """Return why a jog may not go on to six angles; an arm below its limit may come up."""
         if self.lowest_mm is None:
             return None
         return self._why(self.height_mm(ahead_deg), lambda: self.height_mm(now_deg))
 
     def why_step_lower(self, end_deg: Sequence[float], now_deg: Sequence[float]) -> Refusal | None:
-        """Return why a step to six angles is not taken: somewhere on its way it is too low."""
+        """Return why a step to six angles is refused: it is too low somewhere on its way."""
         if self.lowest_mm is None:
             return None
         parts = [part / _PLACES for part in range(1, _PLACES + 1)]
@@ -88,7 +88,7 @@ class JogFloor:
         return self._why(lowest, lambda: self.height_mm(now_deg))
 
     def why_pose_lower(self, flange: Matrix, now: Matrix) -> Refusal | None:
-        """Return why the flange does not step to a place on a straight line."""
+        """Return why a straight step of the flange is refused, or ``None``."""
         if self.lowest_mm is None:
             return None
         ahead, here = (self._lowest(each[2][3], each[2][2]) for each in (flange, now))

@@ -1,4 +1,4 @@
-"""How fast a jog may be, and how far its setpoints may run ahead, so that it ends in time.
+"""The limits of a jog's speed and of the lead of its setpoints, so that it ends in time.
 
 A jog is a stream of joint setpoints. Whatever ends the stream, the arm goes on to the last one and
 rests there; no further word is needed. A joint with the acceleration ``a`` that is never asked to
@@ -25,26 +25,26 @@ from armui.arm.limits import JointLimits
 from armui.arm.state import Reading
 
 HORIZON_S: Final = 0.045
-"""τ: a setpoint is at most as far ahead as a joint gets in this time."""
+"""τ: a setpoint leads by at most the way a joint goes in this time."""
 
 BRAKING_S: Final = 0.045
-"""A joint is jogged no faster than it can brake from within this time."""
+"""A joint is jogged at most as fast as it can brake from in this time."""
 
 REST_S: Final = HORIZON_S + BRAKING_S
-"""After the last setpoint was heard the arm rests within this time."""
+"""The arm rests within this time after the last setpoint was heard."""
 
 _LEAST_SHARE: Final = 0.1
-"""The lead shrinks no further with the speed: it must span some steps of the protocol."""
+"""The smallest share of the lead, whatever the speed: it must span some protocol steps."""
 
 
 @dataclass(frozen=True, slots=True)
 class Pace:
-    """What a jog may do now, joint 1 first.
+    """The present limits of a jog, joint 1 first.
 
     Attributes:
-        share: Part of the highest jog speed that the speed percentage leaves, 0–1.
-        speeds_deg_s: How fast the setpoint of each joint may move.
-        leads_deg: How far it may be ahead of the joint.
+        share: The share of the highest jog speed that the speed percentage allows, 0–1.
+        speeds_deg_s: The greatest speed of each joint's setpoint.
+        leads_deg: The greatest lead of each setpoint over the joint.
         arm_percent: The speed percentage the arm is given (0x151 byte 2): its own limit, just
             above the jog's, so that it runs evenly from setpoint to setpoint.
     """
@@ -86,9 +86,9 @@ def pace(
 def accelerations(
     heard: Sequence[Reading[float] | None], factory: Sequence[float]
 ) -> tuple[float, ...]:
-    """Return what to rely on for braking: as read from the arm, and never more than the factory's.
+    """Return the accelerations to plan braking with: as read, but at most the factory's.
 
-    A corrupted flash answers with far too much; an arm that brakes harder than this only rests
+    A corrupted flash reports far too high values; an arm that brakes harder than this only rests
     sooner.
 
     Args:

@@ -1,4 +1,4 @@
-"""Where a jog leads: one joint turning, or the tool centre point on a straight line or turning."""
+"""Paths of jogs: joints that turn, or the tool centre point along or about an axis."""
 
 from __future__ import annotations
 
@@ -33,20 +33,20 @@ _NOWHERE_DEG: Final = float("inf")
 
 @dataclass(frozen=True, slots=True)
 class JointJog:
-    """A joint, 1–6, and the direction, +1 or −1."""
+    """A joint, 1–6, and its direction, +1 or −1."""
 
     joint: int
     direction: int
 
     @property
     def rates(self) -> tuple[float, ...]:
-        """Of the six joints: its direction for this one, 0 for the others."""
+        """The rates of the six joints: its direction for this one, 0 for the others."""
         return tuple(float(self.direction) if each == self.joint else 0.0 for each in JOINTS)
 
 
 @dataclass(frozen=True, slots=True)
 class ToolJog:
-    """An axis, 0–5 for X, Y, Z, RX, RY, RZ, the direction, +1 or −1, and whose axis it is."""
+    """An axis, 0–5 for X, Y, Z, RX, RY, RZ, its direction, +1 or −1, and its frame."""
 
     axis: int
     direction: int
@@ -54,27 +54,27 @@ class ToolJog:
 
 
 class JogPath(Protocol):
-    """The way of a jog, by how far it has gone, in mm or degrees."""
+    """The path of a jog as a function of the distance gone, in mm or degrees."""
 
     def speed(self, pace: Pace) -> float:
-        """Return how fast to go along it, in mm/s or °/s."""
+        """Return the speed along the path, in mm/s or °/s."""
         ...
 
     def room(self) -> float:
-        """Return how far it leads."""
+        """Return the length of the path."""
         ...
 
     def joints_at(self, gone: float, near_deg: Sequence[float]) -> tuple[float, ...] | Refusal:
-        """Return six angles at a place of the way, or why it cannot be gone so far."""
+        """Return six angles at a distance along the path, or why it cannot be gone so far."""
         ...
 
     def why_no_further(self) -> Refusal:
-        """Return what to say at its end."""
+        """Return the reason to give at its end."""
         ...
 
 
 class JointJogPath:
-    """Joints turn together, each at its rate, until one is at its limit; often it is one alone.
+    """Joints that turn together, each at its rate, until one is at its limit.
 
     Args:
         rates: Six, −1 to 1, not all 0.
@@ -91,22 +91,22 @@ class JointJogPath:
         self._ways = tuple(rate / self._most for rate in rates)
 
     def speed(self, pace: Pace) -> float:
-        """Return the speed of the joint of highest rate; the others keep their share of it."""
+        """Return the speed of the joint with the highest rate; the others keep their share."""
         speeds = zip(pace.speeds_deg_s, self._ways, strict=True)
         return self._most * min(speed for speed, way in speeds if way)
 
     def room(self) -> float:
-        """Return how far it is to the first limit, in degrees of the fastest joint."""
+        """Return the angle to the first limit, in degrees of the fastest joint."""
         return min(self._room_of(place) for place in range(len(self._ways)))
 
     def joints_at(self, gone: float, near_deg: Sequence[float]) -> tuple[float, ...]:  # noqa: ARG002 - one way only
-        """Return six angles when the fastest joint has turned so far, in degrees."""
+        """Return six angles after the fastest joint has turned by so many degrees."""
         return tuple(
             base + way * gone for base, way in zip(self._base_deg, self._ways, strict=True)
         )
 
     def why_no_further(self) -> Refusal:
-        """Return the limit that is nearest."""
+        """Return the nearest limit as a reason."""
         place = min(range(len(self._ways)), key=self._room_of)
         return JOG_AT_LIMIT(joint=place + 1, limit=self._bound_deg(place))
 
@@ -122,7 +122,7 @@ class JointJogPath:
 
 
 class HeldToolPath:
-    """What the ways of the tool centre point share: they are gone as far as the arm reaches.
+    """The common base of the tool's paths, which lead as far as the arm reaches.
 
     Args:
         kinematics: Of the arm.
@@ -145,11 +145,11 @@ class HeldToolPath:
         self._start: Matrix = tool_matrix(kinematics.matrix(base_deg), self._tool)
 
     def room(self) -> float:
-        """Return no end: how far the arm reaches is found out on the way."""
+        """Return infinity: the reach is found out on the way."""
         return float("inf")
 
     def why_no_further(self) -> Refusal:
-        """Return the edge of the arm's reach."""
+        """Return the end of the arm's reach as a reason."""
         return JOG_OUT_OF_REACH()
 
     def _joints_of(self, target: Matrix, near_deg: Sequence[float]) -> tuple[float, ...] | Refusal:
@@ -163,7 +163,7 @@ class HeldToolPath:
 
 
 class ToolJogPath(HeldToolPath):
-    """The tool centre point goes straight along an axis, or turns about one.
+    """The path of the tool centre point straight along an axis, or turning about one.
 
     Args:
         jog: Which axis, and where to; for the others see :class:`HeldToolPath`.
@@ -181,7 +181,7 @@ class ToolJogPath(HeldToolPath):
         self._jog = jog
 
     def speed(self, pace: Pace) -> float:
-        """Return the tool's, at the present speed percentage."""
+        """Return the tool's speed at the present speed percentage."""
         return pace.share * (TOOL_MM_S if self._jog.axis < LINEAR_AXES else TOOL_DEG_S)
 
     def joints_at(self, gone: float, near_deg: Sequence[float]) -> tuple[float, ...] | Refusal:
@@ -192,6 +192,6 @@ class ToolJogPath(HeldToolPath):
 
 
 def at_limit(beyond: Refusal) -> Refusal:
-    """Return what to say of a jog at the limit that six angles would be beyond."""
+    """Return the reason for a jog to end at a limit that its next angles would exceed."""
     bound = "minimum" if beyond.params["value"] < beyond.params["minimum"] else "maximum"  # type: ignore[operator]  # both are angles
     return JOG_AT_LIMIT(joint=beyond.params["joint"], limit=beyond.params[bound])

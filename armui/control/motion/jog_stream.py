@@ -1,4 +1,4 @@
-"""The setpoints of one jog: each a little further along its way, none far ahead of the arm."""
+"""The setpoints of one jog: each a little further along its path, none far ahead of the arm."""
 
 from __future__ import annotations
 
@@ -26,27 +26,27 @@ JOG_SINGULAR = Reason(
 
 _TRIES: Final = 3
 _LEAST_SHARE: Final = 0.05
-"""A joint that would have to turn twenty times as fast as it may is at a singular pose."""
+"""The pose is singular if a joint would have to turn over twenty times its jog speed."""
 _STRETCHES: Final = (2, 3)
 """The joints that stretch the arm."""
 _SMALL_DEG: Final = 1e-9
 _CLOSE: Final = 1e-9
-"""Nearer to its end than this, in mm or degrees, a way is gone."""
+"""A path is at its end with less than this left, in mm or degrees."""
 _STALLED_S: Final = 0.5
 
 
 class JogStream:
-    """Follows a way at the pace of the arm that is measured; pure, with no clock of its own.
+    """Follows a path at the pace of the measured arm; pure, with no clock of its own.
 
     Args:
-        way: Where to go.
-        base_deg: Six angles the way begins at.
+        way: The path.
+        base_deg: The six angles at which the path begins.
         measured_deg: Where the joints are then. What lies between the two is the joints' sag
             under load, and no lead.
         why_barred: Returns why the setpoint may not go from the second six angles to the first.
 
     Attributes:
-        setpoint_deg: What the arm is to be sent to now.
+        setpoint_deg: The six angles to send the arm to now.
     """
 
     def __init__(
@@ -64,19 +64,19 @@ class JogStream:
         self._stalled_s = 0.0
 
     def follow_path(self, way: JogPath) -> None:
-        """Go on along another way, which begins at the setpoint of now."""
+        """Continue along another path, which begins at the present setpoint."""
         self._way = way
         self._gone = 0.0
 
     def advance_setpoint(
         self, measured_deg: Sequence[float], dt_s: float, pace: Pace
     ) -> Refusal | None:
-        """Put the setpoint on for the time gone by, as far as the arm has followed.
+        """Advance the setpoint for the time gone by, as far as the arm has followed.
 
         Args:
-            measured_deg: Where the joints are.
+            measured_deg: The measured angles of the joints.
             dt_s: Since the last call.
-            pace: What may be done now.
+            pace: The present limits.
 
         Returns:
             ``None``, or why it goes no further; the setpoint then stays where it may be.

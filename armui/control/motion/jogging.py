@@ -1,4 +1,4 @@
-"""Jogging: the arm moves while something is held, and rests when it is not.
+"""Jogging: the arm moves while a button or key is held, and rests when it is not.
 
 While the operator holds a button or key, joint setpoints are streamed (MOVE J, 0x155–0x157), each
 so near that the arm rests within 100 ms of the last one it heard (see
@@ -84,15 +84,15 @@ if TYPE_CHECKING:
 
 _TICK_MS: Final = 10
 _SHORTEST_S: Final = 0.004
-"""Between two setpoints: two timers drive the stream, and one of them is enough."""
+"""The least time between two setpoints: two timers drive the stream, and one is enough."""
 _HELD_UP_S: Final = 0.08
-"""A program that was stuck for so long must not go on by itself: who held on may have let go."""
+"""A program stuck for this long must not go on by itself: the holder may have let go."""
 _FEEDBACK_S: Final = 0.1
-"""Angles older than this are none to jog by."""
+"""A jog needs angles younger than this."""
 _KEEP_S: Final = 0.03
 """A setpoint that could not be sent within this time is dropped."""
 _SETTLE_S: Final = 0.3
-"""So long a jog waits for the arm to come to rest from the last one."""
+"""A jog waits for this time at most for the arm to come to rest from the last one."""
 
 
 @dataclass(slots=True)
@@ -118,13 +118,13 @@ class _Hold:
 
 
 class Jogging(ControllerPart):
-    """Moves while it is held: :meth:`start` on the press, :meth:`stop` when it ends.
+    """Moves the arm while something is held, from :meth:`start` to :meth:`stop`.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
         motion: Owns the speed.
         cartesian: Knows the tool and the kinematics.
-        floor: Knows how low a jog may lead.
+        floor: Limits how low a jog leads.
     """
 
     def __init__(
@@ -143,25 +143,25 @@ class Jogging(ControllerPart):
 
     @property
     def active(self) -> bool:
-        """Whether something is held."""
+        """True if something is held."""
         return self._hold is not None
 
     @property
     def steered(self) -> SteeredJog | None:
-        """What a device steers now."""
+        """The jog that a device steers now, or ``None``."""
         hold = self._hold
         return hold.jog if hold is not None and isinstance(hold.jog, SteeredJog) else None
 
     @operation("jog.begin", "Jog", why_not_move, moves=True, consent=Consent.HELD)
     def start(self, jog: Jog) -> Started | Refusal:
-        """Begin to move, and go on until :meth:`stop`; a jog under way ends.
+        """Begin a jog that goes on until :meth:`stop`; a jog under way ends.
 
         A steered one ends as well if :meth:`steer` is not called for longer than a program may be
         stuck.
 
         Returns:
-            The record of the jog, or why it does not begin. What ends it later is told by the
-            notice ``jog_ended``.
+            The record of the jog, or why it does not begin. The notice ``jog_ended`` tells what
+            ends it later.
         """
         self.stop()
         context = self._context
@@ -188,11 +188,11 @@ class Jogging(ControllerPart):
             tell(_STEERED[jog.frame], started, axes=axes_text(jog), device=jog.device)
 
     def steer(self, jog: SteeredJog) -> bool:
-        """Go on as a device steers now, in the frame in which it began.
+        """Continue as a device steers now, in the frame in which the jog began.
 
         Returns:
-            Whether a steered jog is still under way: False, and nothing is changed, once it has
-            ended or something else is held.
+            True if a steered jog is still under way; false, with no effect, if it has ended or
+            something else is held.
         """
         hold, before = self._hold, self.steered
         if hold is None or before is None or before.frame is not jog.frame:
@@ -205,12 +205,12 @@ class Jogging(ControllerPart):
         return True
 
     def end_jog(self, reason: Refusal) -> None:
-        """Stop, and say why."""
+        """End the jog and tell the operator why."""
         if self._hold is not None:
             self._end(reason)
 
     def stop(self) -> None:
-        """Send no more setpoints: the arm rests at the last one, within 100 ms."""
+        """Send no more setpoints: the arm rests at the last one within 100 ms."""
         if self._hold is not None:
             self._let_go()
             self._context.refresh()
@@ -223,7 +223,7 @@ class Jogging(ControllerPart):
             hold.started.close(Ending.CUT_OFF)
 
     def tick(self) -> None:
-        """Send the next setpoint; its own timer calls it, and the controller's."""
+        """Send the next setpoint; called by the jog's own timer and by the controller's."""
         hold = self._hold
         if hold is None:
             return
@@ -250,7 +250,7 @@ class Jogging(ControllerPart):
             self._go_on(hold, hold.stream, measured_deg, dt_s)
 
     def _is_replaced(self, hold: _Hold) -> bool:
-        """Tell whether a command that is not this jog's has been given since it began."""
+        """Return whether a command that is not this jog's has been given since it began."""
         ours = self._context.authority.command
         if hold.command is not None:
             return ours is None or ours.number != hold.command.number
@@ -341,7 +341,7 @@ class Jogging(ControllerPart):
     # The controller's tick ------------------------------------------------------------------
 
     def follow_arm(self) -> None:
-        """Watch the arm."""
+        """Observe whether the arm rests, and send the next setpoint if it is due."""
         self._rest.observe(self._context.connection.newest, self._context.clock())
         self.tick()
 
@@ -350,13 +350,13 @@ class Jogging(ControllerPart):
         self._let_go()
 
     def forget_arm(self) -> None:
-        """The arm is gone."""
+        """End the jog, because the arm is gone."""
         self.halt()
         self._rest.reset()
 
 
 def _why_blind(state: ArmState, dt_s: float, now_s: float) -> Refusal | None:
-    """Tell why the program cannot know where the arm is, or whether the operator still holds on."""
+    """Return why the arm's place, or the operator's hold, is not certain, or ``None``."""
     if dt_s > _HELD_UP_S:
         return JOG_HELD_UP(value=round(1000 * dt_s))
     if any(heard is None or now_s - heard.at_s > _FEEDBACK_S for heard in state.joints_deg):

@@ -1,4 +1,4 @@
-"""运动控制: the joints are sent to angles, together or one step at a time (manual 1.0.7.1)."""
+"""运动控制: sends the joints to angles, together or in steps (manual section 1.0.7.1)."""
 
 from __future__ import annotations
 
@@ -49,25 +49,25 @@ _HOME_DEG: Final = (0.0,) * 6
 _FIRST_SPEED_PERCENT: Final = 30
 _LAG_STEPS: Final = 2
 _AGAIN_S: Final = 0.1
-"""So long after it a lower percentage is told once more: a frame may be lost."""
+"""A lower percentage is sent once more after this time, because a frame may be lost."""
 _SETTLE_S: Final = 0.3
-"""So long after a command of ours the operator's speed is not given back yet."""
+"""The operator's speed is not restored until this long after a command of ours."""
 
 
 def why_not_move(now: OperatingState) -> Refusal | None:
-    """Tell why the joints may not be sent anywhere."""
+    """Return why the joints may not be sent anywhere, or ``None``."""
     return now.cannot_move
 
 
 def why_no_speed(now: OperatingState) -> Refusal | None:
-    """Tell why the speed of motions may not be set; without an arm it waits for one."""
+    """Return why the speed of motions may not be set; without an arm it waits for one."""
     return RUN_UNDER_WAY() if now.running else None
 
 
 def _why_no_step(
     joint: int, base_deg: float, delta_deg: float, limits: JointLimits
 ) -> Refusal | None:
-    """Tell why a joint can't go a step further: it is at its limit, or the step is too long."""
+    """Return why a joint can't go a step further: it is at its limit, or the step is too long."""
     bound_deg = limits.max_deg if delta_deg > 0 else limits.min_deg
     if check_joint(joint, base_deg + delta_deg, limits) is None:
         return None
@@ -80,11 +80,11 @@ class Motion(ControllerPart):
     """Joint motions, and the speed of every motion.
 
     Args:
-        context: What the parts of the controller share.
-        floor: Knows how low a step may lead.
+        context: The context that the controller's parts share.
+        floor: Checks how low a step leads.
 
     Attributes:
-        speed_percent: What motions are sent with, of the arm's maximum.
+        speed_percent: The speed of motions, in percent of the arm's maximum.
     """
 
     def __init__(self, context: Context, floor: JogFloor) -> None:
@@ -95,7 +95,7 @@ class Motion(ControllerPart):
 
     @property
     def setpoint_deg(self) -> tuple[float, ...] | None:
-        """The angles last sent, as long as a step starts from them."""
+        """The six angles sent last, as long as a step starts from them, or ``None``."""
         command = self._context.authority.command
         return None if command is None else command.joints_deg
 
@@ -103,9 +103,9 @@ class Motion(ControllerPart):
     def set_speed_percent(self, percent: float) -> Started | Refusal:
         """Set the speed of motions, 0–100 % of the arm's maximum (0x151 byte 2).
 
-        The arm is told at once, in the mode it is in; it keeps that mode. The next motion brings
-        it to the arm while a jog goes on, while it is not known where the arm listens, while
-        somebody else moves it and while a motion is held back in it.
+        The arm is told at once, in its present mode. Only the next motion brings the speed to the
+        arm during a jog, while its identifiers are uncertain, while somebody else moves it and
+        while a motion is held back in it.
         """
         context = self._context
         if not 0 <= percent <= 100:
@@ -133,12 +133,12 @@ class Motion(ControllerPart):
         return started
 
     def tell_speed(self) -> bool:
-        """Send the speed in the mode the arm is in; whether that is possible now."""
+        """Send the speed in the arm's present mode; return false if that is impossible now."""
         return self._context.tell_percent(self.speed_percent)
 
     @operation("motion.step", "Move a joint by a step", why_not_move, moves=True)
     def jog(self, joint: int, delta_deg: float) -> Started | Refusal:
-        """Move one joint by a step at once; the other five stay where they are or were going."""
+        """Move one joint by a step at once; the other five keep their targets."""
         context = self._context
         operating_state = context.refresh()
         base_deg = context.authority.joint_base_deg()
@@ -159,7 +159,7 @@ class Motion(ControllerPart):
         return self._move(record_start(self.jog), target_deg, JOGGED, **figures)
 
     def jog_lagging(self, joint: int, step_deg: float) -> bool:
-        """Tell whether the arm is so far behind that a held button should not step on."""
+        """Return whether the arm lags so far that a held button should not step on."""
         asked_deg, heard = self.setpoint_deg, self._context.state().joints_deg[joint - 1]
         if asked_deg is None or heard is None:
             return False
@@ -203,10 +203,10 @@ class Motion(ControllerPart):
         return started
 
     def follow_arm(self) -> None:
-        """A motion goes on by itself; afterwards the arm gets the operator's speed back.
+        """Restore the operator's speed after a motion, and repeat a lower speed that is due.
 
-        A lower speed that could not be told, as while the arm was not heard, does not wait for the
-        end of the motion. One that was told in a motion is told once more.
+        A lower speed that could not be sent, as while the arm was not heard, does not wait for the
+        end of the motion. One that was sent during a motion is sent once more.
         """
         self._tell_lower_speed_again()
         context = self._context
@@ -238,7 +238,7 @@ class Motion(ControllerPart):
             self.tell_speed()
 
     def forget_arm(self) -> None:
-        """Tell another arm nothing."""
+        """Drop a speed that is still to be sent, because another arm may come."""
         self._again_s = None
 
     def _settled(self) -> bool:

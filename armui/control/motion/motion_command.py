@@ -1,4 +1,4 @@
-"""A motion command of ours, who else may move the arm, and what is known of it: plain data."""
+"""The data of our motion commands, of other movers and of observations."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ HELD_AT_ZERO = Reason(
 
 
 class Mover(enum.Enum):
-    """Who moves the arm, its gripper included."""
+    """The party that moves the arm, its gripper included."""
 
     NOBODY = enum.auto()
     OURS = enum.auto()
@@ -42,15 +42,15 @@ class Mover(enum.Enum):
     LEADER = enum.auto()
     """A teaching-input arm that this arm follows (0x470)."""
     HAND = enum.auto()
-    """Drag teaching."""
+    """A hand, in drag teaching."""
     GRAVITY = enum.auto()
-    """Motors without power: the arm is limp, or lies where it fell."""
+    """Gravity: the motors have no power, and the arm is limp or lies where it fell."""
     UNKNOWN = enum.auto()
-    """The arm is not heard, or moves and nobody is known to move it."""
+    """Nobody known: the arm is not heard, or moves without a known cause."""
 
 
 class CommandKind(enum.Enum):
-    """What a command of ours is."""
+    """The kinds of our motion commands."""
 
     JOINTS = enum.auto()
     POSE = enum.auto()
@@ -60,7 +60,7 @@ class CommandKind(enum.Enum):
 
 
 class End(enum.Enum):
-    """What ended a command of ours; its target is nothing to start from any more."""
+    """The causes that end a command of ours; no step starts from its target any more."""
 
     REPLACED = enum.auto()
     CANCELLED = enum.auto()
@@ -75,21 +75,21 @@ class End(enum.Enum):
     LIMITS_CHANGED = enum.auto()
     ZERO_CHANGED = enum.auto()
     MOVED_AWAY = enum.auto()
-    """The arm stands elsewhere than it was sent, and is at rest."""
+    """The arm is at rest elsewhere than where it was sent."""
     NOT_SENT = enum.auto()
     FORGOTTEN = enum.auto()
-    """Another connection."""
+    """Another connection has begun."""
 
 
 class Hold(enum.Enum):
-    """What holds a motion back."""
+    """The causes that hold a motion back."""
 
     PAUSE = "pause"
     SPEED_ZERO = "speed_zero"
 
 
 def why_held(holds: Collection[Hold]) -> Refusal | None:
-    """Tell what holds back a motion in the arm, as a reason against another one."""
+    """Return the cause that holds a motion back, as a reason against another one, or ``None``."""
     if Hold.PAUSE in holds:
         return PLAN_PAUSED()
     return HELD_AT_ZERO() if holds else None
@@ -100,14 +100,14 @@ class MotionCommand:
     """A command of ours that moves the joints.
 
     Attributes:
-        number: Counts up; a frame of a lower number is outdated.
-        kind: What it is.
+        number: The number, which counts up; frames of lower numbers are outdated.
+        kind: The kind.
         sent_s: Monotonic time at which its last frames were sent.
-        speed_percent: What it was sent with, of the arm's maximum.
+        speed_percent: The speed it was sent with, in percent of the arm's maximum.
         joints_deg: The six target angles, where the command names them.
         tool: The target of the tool centre point, where the command names it.
-        leads_away: Whether that is measurably elsewhere than the tool was when it was sent; the
-            angles tell for themselves.
+        leads_away: True if that is measurably elsewhere than the tool was at sending; for angles
+            this is evident.
         pace: Of a line or an arc: how fast the tool goes at 100 %.
         started: The operation that it carries out.
     """
@@ -125,16 +125,16 @@ class MotionCommand:
 
 @dataclass(frozen=True, slots=True)
 class Observation:
-    """What is known of the arm at one moment.
+    """The knowledge of the arm at one moment.
 
     Attributes:
         state: The arm as heard.
-        traffic: What other hosts were heard to send.
+        traffic: The frames that other hosts were heard to send.
         offsets: The identifier offsets under which the arm may take commands (0x470).
-        online: Whether the arm is heard at all.
+        online: True if the arm is heard at all.
         now_s: Monotonic time.
-        waiting: Whether frames of ours have not left yet.
-        model: Which arm it is: its table stands in for what the arm has not told.
+        waiting: True if frames of ours have not left yet.
+        model: The arm's model, whose factory values stand in for unread ones.
     """
 
     state: ArmState
@@ -147,11 +147,11 @@ class Observation:
 
     @property
     def factory_limits(self) -> tuple[JointLimits, ...]:
-        """The limits of its model."""
+        """The factory limits of the model."""
         return model_data(self.model).limits
 
     @property
     def accelerations_deg_s2(self) -> tuple[float, ...]:
-        """The accelerations to rely on for braking; see :func:`accelerations`."""
+        """The accelerations to plan braking with; see :func:`accelerations`."""
         factory = model_data(self.model).accelerations_deg_s2
         return accelerations(self.state.accelerations_deg_s2, factory)

@@ -1,4 +1,4 @@
-"""Motions the arm has planned are paused, continued, cleared or ended (0x150 byte 1)."""
+"""Pauses, continues, clears and ends motions that the arm has planned (0x150 byte 1)."""
 
 from __future__ import annotations
 
@@ -34,15 +34,15 @@ PLAN_SENT = Notice(
 
 
 _PAUSE_AGAIN_S: Final = 0.1
-"""So long after it a pause is told once more."""
+"""A pause is sent once more after this time."""
 _ENDS: Final = frozenset(
     {TrajectoryCommand.CLEAR_CURRENT, TrajectoryCommand.CLEAR_ALL, TrajectoryCommand.ABORT}
 )
-"""What only ends motions is never refused for what is under way: that ends."""
+"""The commands that only end motions: an activity under way is no reason against them."""
 
 
 def why_not_plan(now: OperatingState, command: TrajectoryCommand) -> Refusal | None:
-    """Tell why a command of 0x150 byte 1 may not be given."""
+    """Return why a command of 0x150 byte 1 may not be given, or ``None``."""
     refusal = interlocks.why_no_command(now.unreachable, now.stop, now.busy)
     if refusal is None and not now.control_certain:
         refusal = CONTROL_OFFSET_UNKNOWN()
@@ -69,7 +69,7 @@ class PauseCommand:
     It is sent twice: a frame may be lost, and too slow a motion is not seen to go on.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
     """
 
     def __init__(self, context: Context) -> None:
@@ -77,13 +77,13 @@ class PauseCommand:
         self._again_s: float | None = None
 
     def send(self) -> bool:
-        """Send it, and once more after 0.1 s; returns False where there is no bus to send it on."""
+        """Send the pause, and once more after 0.1 s; return false if no bus is open."""
         self._context.authority.paused()
         self._again_s = self._context.clock() + _PAUSE_AGAIN_S
         return self._send()
 
     def repeat(self) -> None:
-        """Send it once more when that is due and the motion is still held back."""
+        """Send the pause once more when that is due and the motion is still held back."""
         if self._again_s is None or self._context.clock() < self._again_s:
             return
         self._again_s = None
@@ -91,7 +91,7 @@ class PauseCommand:
             self._send()
 
     def drop(self) -> None:
-        """Send it no more: the motion is to go on."""
+        """Do not repeat the pause, because the motion is to go on."""
         self._again_s = None
 
     def _send(self) -> bool:
@@ -104,9 +104,9 @@ class PlannedMotion(ControllerPart):
     """Sends commands that the feedback does not confirm: 0x2A1 has no code for a paused motion.
 
     Args:
-        context: What the parts of the controller share.
-        end_all: Ends whatever run, replay or jog is under way.
-        tell_speed: Gives the arm the operator's speed percentage; says whether it could.
+        context: The context that the controller's parts share.
+        end_all: Ends a run, replay or jog that is under way.
+        tell_speed: Sends the operator's speed percentage; returns false if it cannot.
     """
 
     def __init__(
@@ -127,7 +127,7 @@ class PlannedMotion(ControllerPart):
         """Give a command of 0x150 byte 1.
 
         Raises:
-            EncodeError: The command is one of the transfer of points.
+            EncodeError: The command belongs to the transfer of points.
         """
         context = self._context
         refusal = why_not_plan(context.refresh(), command)
@@ -170,5 +170,5 @@ class PlannedMotion(ControllerPart):
         self._pause.repeat()
 
     def forget_arm(self) -> None:
-        """Send nothing to another arm."""
+        """Drop a pause that is due, because the arm is gone."""
         self._pause.drop()

@@ -1,4 +1,4 @@
-"""Points of a trajectory as frames, in the generation the arm speaks."""
+"""Encodes points of a trajectory as frames, in the arm's protocol generation."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def point_frames(
 ) -> list[Frame] | Refusal:
     """Return the frames that send the arm to a point, or why there are none.
 
-    An arc begins where the arm says that it is.
+    An arc begins at the pose that the arm reports.
     """
     if point.is_joint:
         return commands.move_joints(codec, point.target, speed_percent=speed_percent)
@@ -53,7 +53,7 @@ def point_frames(
 
 
 def tool_way(point: Waypoint, state: ArmState) -> tuple[Sequence[float], ...]:
-    """Return the poses of the flange that a line or an arc is told by; none for other motions."""
+    """Return the poses of the flange in a line's or an arc's command; none for other motions."""
     if point.move is MoveMode.MOVE_L:
         return (point.target,)
     start = state.end_pose()
@@ -65,11 +65,11 @@ def tool_way(point: Waypoint, state: ArmState) -> tuple[Sequence[float], ...]:
 def leading_mode(
     codec: Codec, state: ArmState, move_mode: MoveMode, speed_percent: int
 ) -> list[Frame]:
-    """0x151 ahead of a pose, where the arm would take the pose for a target of another kind.
+    """Return 0x151 to precede a pose that the arm would take for a target of another kind.
 
     An arm in MOVE L that hears a pose sets out in a line before it hears of MOVE P or C. From MOVE
-    J nothing goes ahead: there a pose is only kept, and a mode without a new pose might bring the
-    arm to an old one.
+    J nothing goes ahead: there the arm only keeps a pose, and a mode without a new pose might send
+    it to an old one.
     """
     mode = None if state.status is None else state.status.value.move_mode
     if mode == move_mode or mode not in _POSE_MODES:
@@ -83,7 +83,7 @@ def leading_mode(
 
 
 def action_frames(codec: Codec, point: Waypoint) -> list[Frame]:
-    """Return the frames for what a point does on arrival."""
+    """Return the frames for a point's action on arrival."""
     frames: list[Frame] = []
     gripper, light = point.gripper, point.light
     if isinstance(gripper, GripperOpening):
@@ -101,7 +101,7 @@ def action_frames(codec: Codec, point: Waypoint) -> list[Frame]:
 
 
 def why_not_possible(generation: Generation | None, points: Sequence[Waypoint]) -> Refusal | None:
-    """Return the first point this arm's protocol has no frame for: the gripper differs."""
+    """Return the first point that the protocol has no frame for (its gripper), or ``None``."""
     for row, point in enumerate(points, start=1):
         angle = isinstance(point.gripper, GripperAngle)
         opening = isinstance(point.gripper, GripperOpening)

@@ -1,4 +1,4 @@
-"""Where a steered jog leads: several axes at once, each as fast as its rate says."""
+"""The path of a steered jog: several axes at once, each at its own rate."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class SteeredJog:
-    """What a device with axes asks for now.
+    """The jog that a device with axes asks for now.
 
     Attributes:
-        rates: Of J1–J6, or X, Y, Z, RX, RY, RZ, the share of its highest speed, −1 to 1.
-        frame: Whose axes; None: the joints.
+        rates: The share of its highest speed, −1 to 1, for each of J1–J6, or X, Y, Z, RX, RY, RZ.
+        frame: The frame of the axes, or ``None`` for the joints.
         device: The name of the device that steers.
     """
 
@@ -33,9 +33,9 @@ class SteeredJog:
 
 
 class SteeredToolPath(HeldToolPath):
-    """The tool centre point goes along and turns about the axes of a frame at once.
+    """The path of the tool centre point along and about several axes of a frame at once.
 
-    The way is told in seconds at full speed.
+    Distances along the path are in seconds at full speed.
 
     Args:
         rates: Six, −1 to 1, not all 0. The point is never faster than along one axis alone.
@@ -59,7 +59,7 @@ class SteeredToolPath(HeldToolPath):
         self._frame = frame
 
     def speed(self, pace: Pace) -> float:
-        """Return the present share of full speed."""
+        """Return the present share of full speed, 0–1."""
         return pace.share
 
     def joints_at(self, gone: float, near_deg: Sequence[float]) -> tuple[float, ...] | Refusal:

@@ -1,1 +1,1 @@
-"""Operations: each action of the operator on the arm is declared once, beside what sends it."""
+"""Operations: each operator's action on the arm is declared once, at the method that does it."""

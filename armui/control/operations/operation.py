@@ -1,4 +1,4 @@
-"""The declaration of an action: its name, why it may not be done, what it does to the arm."""
+"""The declaration of an operation: its name, the reason against it, its effect on the arm."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _Method = TypeVar("_Method", bound=Callable[..., object])
 _ATTRIBUTE: Final = "_operation"
 
 WhyNot = Callable[..., Refusal | None]
-"""Takes the operating state and, by name, the arguments that matter; answers with a reason."""
+"""Returns a reason or ``None`` from the operating state and the arguments it depends on."""
 
 
 class Consent(enum.Enum):
@@ -23,9 +23,9 @@ class Consent(enum.Enum):
 
     NONE = enum.auto()
     PRESS = enum.auto()
-    """A question is answered first."""
+    """The operator answers a question first."""
     HELD = enum.auto()
-    """A button is held for as long as the operation goes on, or for a second before it begins."""
+    """The operator holds a button throughout the operation, or for a second before it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,10 +35,11 @@ class Operation:
     Attributes:
         id: Its stable name: the part of the arm, a dot, the act.
         title: The English title; the translation context is ``Operation``.
-        why_not: Tells why it may not be done now, from the operating state alone.
-        moves: It sets a joint or the gripper in motion.
-        consent: What the operator has to do beside choosing it.
-        shown_first: It does what stands on its page, and is only done where that is seen.
+        why_not: Returns why it may not be done now, from the operating state alone.
+        moves: True if it sets a joint or the gripper in motion.
+        consent: The operator's consent that it needs beside the choice.
+        shown_first: True if it applies the contents of its page, and so needs that page to be
+            shown.
     """
 
     id: str
@@ -82,7 +83,7 @@ def operation_of(method: Callable[..., object]) -> Operation:
 
 
 def record_start(method: Callable[..., object]) -> Started:
-    """Return a record for a declared method that begins now; the part that follows it closes it."""
+    """Return the record of a declared method that begins now; the following part closes it."""
     return Started(operation_of(method).id)
 
 
@@ -92,7 +93,7 @@ class BoundOperation:
 
     Attributes:
         operation: Its declaration.
-        carry_out: Does it; the method's own arguments.
+        carry_out: The method that does it.
     """
 
     operation: Operation
@@ -100,7 +101,7 @@ class BoundOperation:
 
 
 class Operations(Mapping[str, BoundOperation]):
-    """The registry: the operations of the parts of a controller, by their ids.
+    """The registry of the operations of a controller's parts, by id.
 
     Args:
         parts: The parts.
@@ -131,7 +132,7 @@ class Operations(Mapping[str, BoundOperation]):
         return len(self._bound)
 
     def why_not(self, name: str, now: OperatingState, **arguments: object) -> Refusal | None:
-        """Tell why an operation may not be done now, or ``None``.
+        """Return why an operation may not be done now, or ``None``.
 
         Args:
             name: Its id.

@@ -1,4 +1,4 @@
-"""A command that was begun, and what became of it: told by the part that follows it; pure."""
+"""The record of a command that was begun, with its outcome: pure."""
 
 from __future__ import annotations
 
@@ -56,16 +56,16 @@ _NUMBERS: Final[Callable[[], int]] = count(1).__next__
 
 
 class Ending(enum.Enum):
-    """The way a command ended."""
+    """The ways in which a command ends."""
 
     SENT = enum.auto()
-    """The arm says nothing of it: all that is known is that it was sent."""
+    """The command was sent; the arm does not confirm it."""
     ANSWERED = enum.auto()
-    """The arm has answered (0x476), and what it did cannot be read back."""
+    """The arm has answered (0x476); the effect cannot be read back."""
     DONE = enum.auto()
-    """It was read back from the arm."""
+    """The effect was read back from the arm."""
     REFUSED = enum.auto()
-    """The arm, or the program after the operator's press, has refused it."""
+    """The arm has refused it, or the program has after the operator's press."""
     FAILED = enum.auto()
     """The arm has not done it, or not in time."""
     CUT_OFF = enum.auto()
@@ -74,14 +74,14 @@ class Ending(enum.Enum):
 
 @dataclass(eq=False, slots=True)
 class Started:
-    """A command from its beginning to its end.
+    """The record of a command from its beginning to its end.
 
     Attributes:
-        operation: The id of the operation; of a command that is none, a name of its own.
+        operation: The id of the operation, or another name if the command is none.
         number: Counts up over the whole program.
-        answer: What the arm has answered last (0x476).
-        result: The last that is known of it; there is none where the operator is told nothing.
-        ending: How it ended; ``None``: it goes on.
+        answer: The arm's last answer (0x476).
+        result: The last known result; ``None`` if the operator is told nothing.
+        ending: The way it ended, or ``None`` while it goes on.
     """
 
     operation: str
@@ -91,49 +91,49 @@ class Started:
     ending: Ending | None = field(default=None, init=False)
 
     def answered(self, index: int, at_s: float) -> None:
-        """Note that the arm has answered (0x476).
+        """Note the arm's answer (0x476).
 
         Args:
-            index: What the answer names.
+            index: The setting that the answer names.
             at_s: Monotonic time.
         """
         figures = {"index": f"0x{index:02X}"}
         self.answer = EventOutcome(ANSWERED.id, at_s, Level.DONE, figures)
 
     def report(self, result: EventOutcome) -> None:
-        """Note what is known of it by now, which is not its end."""
+        """Note an interim result."""
         if self.ending is None:
             self.result = result
 
     def close(self, ending: Ending, result: EventOutcome | None = None) -> None:
-        """Note how it ended; nothing changes that any more.
+        """Note the way it ended; the first one counts.
 
         Args:
-            ending: How.
-            result: What the operator is told of it.
+            ending: The way it ended.
+            result: The result as told to the operator.
         """
         if self.ending is None:
             self.ending, self.result = ending, result or self.result
 
 
 class Tell(Protocol):
-    """Tells the operator an event: the notice, the command that begins with it, and its figures."""
+    """A function that tells the operator an event."""
 
     def __call__(self, notice: Notice, started: Started | None = None, /, **params: object) -> None:
-        """Tell it; the command is told with its beginning alone."""
+        """Tell an event; the command is given only with the notice of its beginning."""
 
 
 def report_and_tell(
     tell: Tell, at_s: float, started: Started | None, notice: Notice, **params: object
 ) -> None:
-    """Tell the operator what is known of a command that has not ended, and note it there.
+    """Tell the operator an interim result of a command, and note it in the record.
 
     Args:
         tell: Takes the event.
         at_s: Monotonic time.
-        started: The command; ``None``: the event is of none.
-        notice: What the operator is told.
-        **params: The figures of that.
+        started: The command, or ``None`` if the event belongs to none.
+        notice: The sentence.
+        **params: Its figures.
     """
     if started is not None:
         started.report(EventOutcome(notice.id, at_s, notice.level, params))
@@ -148,7 +148,7 @@ def close_and_tell(
     notice: Notice,
     **params: object,
 ) -> None:
-    """Note how a command ended, and tell the operator so; see :func:`report_and_tell`."""
+    """Note how a command ended, and tell the operator; see :func:`report_and_tell`."""
     if started is not None:
         started.close(ending, EventOutcome(notice.id, at_s, notice.level, params))
     tell(notice, **params)
@@ -160,7 +160,7 @@ def refusal_of(answer: Started | Refusal | None) -> Refusal | None:
 
 
 def ending_of(refusal: Refusal) -> Ending:
-    """Return how a command ended that this is told of: cut off, in vain, or refused."""
+    """Return the way a command ends by this reason: cut off, failed or refused."""
     if refusal.reason in _CUT_OFF:
         return Ending.CUT_OFF
     return Ending.FAILED if refusal.reason in _IN_VAIN else Ending.REFUSED

@@ -1,1 +1,1 @@
-"""The parameters the arm keeps: read, edited as a draft, saved and read back."""
+"""The parameters that the arm keeps: reading, editing as a draft, saving and reading back."""

@@ -1,4 +1,4 @@
-"""The arm for planning: the values it has reported, the factory's where it has not."""
+"""The arm's model for planning: its reported values, and the factory's for unread ones."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ HOME_DEG: Final = (0.0,) * 6
 
 
 def arm_model(controller: ArmController) -> ArmModel:
-    """Return what is known of the arm that is connected, or of one as it leaves the factory."""
+    """Return the model of the connected arm, or of an arm as it leaves the factory."""
     return planning_model(
         controller.state, controller.operating_state, controller.cartesian.tool[2]
     )
 
 
 def planning_model(state: ArmState, now: OperatingState, tool_z_mm: float = 0.0) -> ArmModel:
-    """Return the model of an arm as heard, with a tool that reaches beyond the flange."""
+    """Return the model of an arm as heard, with a tool that extends beyond the flange."""
     handle, data = state.teaching_handle, model_data(now.model)
     return ArmModel(
         limits=now.limits,
@@ -43,5 +43,5 @@ def planning_model(state: ArmState, now: OperatingState, tool_z_mm: float = 0.0)
 
 
 def start_deg(controller: ArmController) -> tuple[float, ...]:
-    """Return where a run would begin: measured angles, or home while there are none."""
+    """Return the six angles at which a run would begin: as measured, or home if unknown."""
     return tuple(controller.state.angles_deg() or HOME_DEG)

@@ -1,4 +1,4 @@
-"""The parameters the arm keeps: read, set, read back and compared (manual 1.0.7.4–1.0.7.6)."""
+"""Reads, sets, reads back and compares the arm's parameters (manual 1.0.7.4–1.0.7.6)."""
 
 from __future__ import annotations
 
@@ -89,7 +89,7 @@ _UNREAD: Final = SettingCellState()
 
 
 def why_no_settings(now: OperatingState) -> Refusal | None:
-    """Tell why parameters may not be set."""
+    """Return why parameters may not be set, or ``None``."""
     if now.unreachable is not None:
         return now.unreachable
     if now.generation is None:
@@ -98,22 +98,22 @@ def why_no_settings(now: OperatingState) -> Refusal | None:
 
 
 def why_not_read(now: OperatingState) -> Refusal | None:
-    """Tell why parameters cannot be read."""
+    """Return why parameters cannot be read, or ``None``."""
     if now.unreachable is not None:
         return now.unreachable
     return GENERATION_UNKNOWN() if now.generation is None else None
 
 
 class ArmSettings(QObject, ControllerPart):
-    """Follows every parameter; the values themselves are those last heard (:class:`ArmState`).
+    """Follows the state of every parameter; :class:`ArmState` has the values last heard.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
         transactions: Carries out commands that are answered.
 
     Signals:
-        changed: How some parameter stands is another.
-        finished: Nothing is being read or saved any more.
+        changed: The state of some parameter has changed.
+        finished: All reading and saving has ended.
     """
 
     changed = Signal()
@@ -132,11 +132,11 @@ class ArmSettings(QObject, ControllerPart):
 
     @property
     def busy(self) -> bool:
-        """Whether something is being read or saved."""
+        """True if something is being read or saved."""
         return self._open > 0
 
     def cell(self, parameter: Parameter) -> SettingCellState:
-        """Return how a parameter stands."""
+        """Return the state of a parameter between the program and the arm."""
         cell = self._cells.get(parameter, _UNREAD)
         if cell.state not in {CellState.READ, CellState.SAVED}:
             return cell
@@ -144,7 +144,7 @@ class ArmSettings(QObject, ControllerPart):
         return _UNREAD if heard(self._context.state(), parameter) is None else cell
 
     def everything(self) -> list[Batch] | Refusal:
-        """Return all that a backup holds of this arm, or why that is not known now."""
+        """Return the batches that a backup holds, or why they are not known now."""
         refusal = self._context.why_unknown()
         if refusal is not None:
             return refusal
@@ -154,9 +154,9 @@ class ArmSettings(QObject, ControllerPart):
         return list(all_batches(teaching=second, drag_assistance=assistance))
 
     def holds(self, parameter: Parameter, value: float) -> bool:
-        """Tell whether the arm's last word is a value, as far as its frames can tell.
+        """Return whether the arm reported this value last, as far as its frames can express it.
 
-        Only while a device is open.
+        It may be called only while a device is open.
         """
         state = self._context.state()
         codec = self._context.connection.codec
@@ -165,7 +165,7 @@ class ArmSettings(QObject, ControllerPart):
         )
 
     def why_not_kept(self, batches: Iterable[Batch]) -> Refusal | None:
-        """Tell why this arm has no such parameters: its generation, or its firmware, has none."""
+        """Return why this arm has no such parameters: its generation, or its firmware, has none."""
         generation = self._context.connection.generation
         groups = {batch.group for batch in batches}
         if generation is Generation.ONE and groups & _SECOND_ONLY:
@@ -178,10 +178,10 @@ class ArmSettings(QObject, ControllerPart):
 
     @operation("settings.read", "Read parameters", why_not_read)
     def read(self, batches: Iterable[Batch]) -> Refusal | None:
-        """Ask the arm for what it holds; what is being read or saved already is left alone.
+        """Ask the arm for batches; those being read or saved already are left alone.
 
         Returns:
-            ``None`` if it was asked, or why not.
+            ``None`` if the arm was asked, or why not.
         """
         batches = list(batches)
         refusal = self._context.why_unknown() or self.why_not_kept(batches)
@@ -198,10 +198,10 @@ class ArmSettings(QObject, ControllerPart):
 
     @operation("settings.save", "Set parameters", why_no_settings, shown_first=True)
     def save(self, changes: Changes) -> Started | Refusal:
-        """Set parameters and see whether the arm has taken them.
+        """Set parameters and read back whether the arm has taken them.
 
-        Only what is named is changed; what a frame carries beside it is marked «leave it»
-        (generation 2) or sent as it was read.
+        Only these are changed; the other fields of a frame are marked «leave unchanged» (generation
+        2) or sent as they were read.
 
         Args:
             changes: New values in the operator's units.
@@ -233,7 +233,7 @@ class ArmSettings(QObject, ControllerPart):
         consent=Consent.PRESS,
     )
     def reset_end_limits(self) -> Started | Refusal:
-        """【初始化】: the end's limits as they left the factory (0x477), then read back."""
+        """【初始化】: restore the end's factory limits (0x477) and read them back."""
         started = record_start(self.reset_end_limits)
         return self._reset(started, commands.reset_end_limits, [Batch(Group.END_LIMITS)])
 
@@ -244,12 +244,12 @@ class ArmSettings(QObject, ControllerPart):
         consent=Consent.PRESS,
     )
     def reset_joint_limits(self) -> Started | Refusal:
-        """Limits, speeds and accelerations of all joints as they left the factory (0x477)."""
+        """Restore all joints' factory limits, speeds and accelerations (0x477)."""
         started = record_start(self.reset_joint_limits)
         return self._reset(started, commands.reset_joint_limits, _JOINT_BATCHES)
 
     def settle(self, parameters: Iterable[Parameter]) -> None:
-        """Forget how the last saving of parameters ended: the operator has seen it."""
+        """Forget the outcome of the last saving of parameters, which the operator has seen."""
         for parameter in parameters:
             if self.cell(parameter).state in {CellState.SAVED, CellState.REFUSED}:
                 known = heard(self._context.state(), parameter)
@@ -390,7 +390,7 @@ class ArmSettings(QObject, ControllerPart):
     # A part of the controller -----------------------------------------------------------------
 
     def forget_arm(self) -> None:
-        """Another arm may come: only what was refused is kept, so that it can be read."""
+        """Forget all states except refused ones, whose reasons must stay readable."""
         self._cells = {
             parameter: cell
             for parameter, cell in self._cells.items()

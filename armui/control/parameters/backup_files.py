@@ -1,4 +1,4 @@
-"""Reading and writing the files of 参数备份; what goes wrong is told as data."""
+"""Reads and writes the files of 参数备份, and returns errors as data."""
 
 from __future__ import annotations
 
@@ -27,11 +27,11 @@ BACKUP_NOT_WRITTEN = Reason(
 
 
 _LARGEST_BYTES: Final = 1_000_000
-"""A backup has a few thousand; anything like this is another file."""
+"""A backup has a few thousand bytes; a file this large is no backup."""
 
 
 def read_backup(path: Path) -> Backup | Refusal:
-    """Return the backup in a file, or why it is none."""
+    """Return the backup in a file, or why the file is none."""
     try:
         return from_text(read_file(path, _LARGEST_BYTES).decode("utf-8-sig"))
     except UnicodeDecodeError:
@@ -44,7 +44,7 @@ def read_backup(path: Path) -> Backup | Refusal:
 
 
 def write_backup(path: Path, backup: Backup) -> Refusal | None:
-    """Keep a backup in a file; ``None``, or why it could not be written."""
+    """Write a backup to a file; return ``None``, or why it could not be written."""
     try:
         write_whole(path, to_text(backup).encode())
     except OSError as error:
@@ -62,7 +62,7 @@ def backup_of(
     *,
     model: PiperModel | None = None,
 ) -> Backup:
-    """Return what is known of an arm now; what has not been read is not in it."""
+    """Return a backup of the arm's known values; unread ones are left out."""
     return Backup(
         saved_at=now,
         program=f"armui {__version__}",

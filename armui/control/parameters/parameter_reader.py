@@ -1,4 +1,4 @@
-"""Reads every parameter of the arm, one question after the other, and can be stopped."""
+"""Reads every parameter of the arm, one question after the other, until stopped."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from armui.control.parameters.arm_settings import ArmSettings
 
 
 class ParameterReader(QObject):
-    """Asks the next question when the one before has been answered, or given up.
+    """Asks each question after the one before was answered or given up.
 
     Args:
         settings: Asks the arm.
 
     Signals:
-        progressed: How many questions are done, and how many there are.
-        finished: ``None``, or the reason why it ended early.
+        progressed: The number of questions done, and their total.
+        finished: ``None``, or the reason of an early end.
     """
 
     progressed = Signal(int, int)
@@ -35,11 +35,11 @@ class ParameterReader(QObject):
 
     @property
     def running(self) -> bool:
-        """Whether questions are under way."""
+        """True if questions are under way."""
         return self._running
 
     def start(self) -> Refusal | None:
-        """Begin with the first question; ``None``, or why the arm cannot be asked."""
+        """Ask the first question; return ``None``, or why the arm cannot be asked."""
         batches = self._settings.everything()
         if isinstance(batches, Refusal):
             return batches
@@ -51,7 +51,7 @@ class ParameterReader(QObject):
         return None
 
     def stop(self) -> None:
-        """Ask no more; what was read stays read."""
+        """Ask no more; the values read so far stay."""
         if self._running:
             self._end(None)
 

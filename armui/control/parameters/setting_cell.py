@@ -1,4 +1,4 @@
-"""How one parameter stands between the program and the arm."""
+"""The state of one parameter between the program and the arm."""
 
 from __future__ import annotations
 
@@ -9,16 +9,16 @@ from armui.arm.refusal import Refusal
 
 
 class CellState(enum.Enum):
-    """How a parameter stands between the program and the arm."""
+    """The states of a parameter between the program and the arm."""
 
     UNREAD = enum.auto()
     READING = enum.auto()
     READ = enum.auto()
     SAVING = enum.auto()
     SAVED = enum.auto()
-    """Asked for, read back, and the same."""
+    """The parameter was set, read back, and is the same."""
     REFUSED = enum.auto()
-    """Not read or not taken; the reason says why."""
+    """The parameter was not read or not taken, for the reason given."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,4 +1,4 @@
-"""What speaks against setting parameters, before and after: pure, by what was read of the arm."""
+"""Checks of changes to parameters, before and after saving: pure, by the values read."""
 
 from __future__ import annotations
 
@@ -36,14 +36,14 @@ SETTING_UNKNOWN = Reason(
 
 
 _SAME_STEPS: Final = 0.51
-"""Of the frame's resolution: this close, what was read is what was asked for."""
+"""A value read back within this many steps of the frame is the one asked for."""
 
 Changes = Mapping[Parameter, float]
-"""New values in the operator's units."""
+"""New values by parameter, in the operator's units."""
 
 
 def batches_of(parameters: Iterable[Parameter]) -> list[Batch]:
-    """Return the frames that parameters need, each once, in their order."""
+    """Return the batches that contain the parameters, each once, in their order."""
     return list(dict.fromkeys(parameter.batch for parameter in parameters))
 
 
@@ -63,7 +63,7 @@ def why_not(codec: Codec, state: ArmState, changes: Changes) -> Refusal | None:
 def frame_values(
     codec: Codec, state: ArmState, batch: Batch, changes: Changes
 ) -> dict[Parameter, float | None]:
-    """Return what the frame of a batch carries: the changes, and the rest as it is."""
+    """Return the values in the frame of a batch: the changes, and the rest unchanged."""
     leaves = can_leave_unchanged(codec, batch)
     values: dict[Parameter, float | None] = {}
     for parameter in batch.parameters():
@@ -74,7 +74,7 @@ def frame_values(
 
 
 def not_taken(codec: Codec, state: ArmState, wanted: Changes) -> dict[Parameter, Refusal]:
-    """Return the parameters asked for that the arm does not hold, by what was read back."""
+    """Return the parameters that the arm has not taken, by the values read back."""
     return {
         parameter: SETTING_NOT_TAKEN(
             parameter=parameter.name, joint=parameter.joint, value=value, held=known.value
@@ -87,7 +87,7 @@ def not_taken(codec: Codec, state: ArmState, wanted: Changes) -> dict[Parameter,
 
 
 def crossed(state: ArmState, batch: Batch, changes: Changes) -> Refusal | None:
-    """Return a joint whose smallest angle would not be below its greatest."""
+    """Return a joint whose smallest angle would not be below its greatest, or ``None``."""
     if batch.group is not Group.JOINT_LIMITS:
         return None
     ends = [Parameter(name, batch.joint) for name in ("min_angle_deg", "max_angle_deg")]

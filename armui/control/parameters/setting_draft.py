@@ -1,4 +1,4 @@
-"""What an operator has entered for the arm's parameters and not saved yet: pure, without Qt."""
+"""The operator's unsaved entries for the arm's parameters: pure, without Qt."""
 
 from __future__ import annotations
 
@@ -14,30 +14,30 @@ from armui.control.parameters.setting_checks import Changes, crossed
 
 
 class CellStatus(enum.Enum):
-    """How a parameter is shown."""
+    """The ways in which a parameter is shown."""
 
     READ = "read"
-    """As the arm holds it: nothing is to be said."""
+    """The value is as the arm holds it, with no remark."""
     NOT_READ = "not_read"
     READING = "reading"
     CORRUPT = "corrupt"
-    """What was read can only be a corrupted memory."""
+    """The value read can only come from a corrupted memory."""
     CHANGED = "changed"
     WRONG = "wrong"
-    """What was entered cannot be saved."""
+    """The entry cannot be saved."""
     SAVING = "saving"
     SAVED = "saved"
     NOT_SAVED = "not_saved"
-    """What was entered is not in the arm, as far as is known."""
+    """The entry is not in the arm, as far as is known."""
 
 
 @dataclass(frozen=True, slots=True)
 class DraftEntry:
-    """What was entered.
+    """An entry of the operator.
 
     Attributes:
-        text: As it was typed.
-        value: The figure in it, in the operator's unit; ``None`` if it is none.
+        text: The text as typed.
+        value: Its value in the operator's unit, or ``None`` if it is no number.
     """
 
     text: str
@@ -45,13 +45,13 @@ class DraftEntry:
 
 
 class SettingDraft:
-    """The entries beside what the arm holds; what is entered as the arm holds it is no change.
+    """The entries that differ from the arm's values.
 
     Args:
-        parameters: Those that can be entered.
+        parameters: The parameters that can be entered.
 
     Attributes:
-        editing: Whether the operator has begun to edit.
+        editing: True if the operator has begun to edit.
     """
 
     def __init__(self, parameters: Sequence[Parameter]) -> None:
@@ -60,37 +60,37 @@ class SettingDraft:
         self._entries: dict[Parameter, DraftEntry] = {}
 
     def begin_editing(self) -> None:
-        """Let entries be made."""
+        """Permit entries."""
         self.editing = True
 
     def end_editing(self) -> None:
-        """Forget every entry; what the arm holds is shown again."""
+        """Forget every entry; the arm's values are shown again."""
         self.editing = False
         self._entries.clear()
 
     def enter(self, state: ArmState, parameter: Parameter, text: str, value: float | None) -> None:
-        """Take what was typed; what the arm holds already, as it is shown, is no entry."""
+        """Take an entry; one that equals the arm's value as shown is not kept."""
         if _differs(state, parameter, text, value):
             self._entries[parameter] = DraftEntry(text, value)
         else:
             self._entries.pop(parameter, None)
 
     def drop_entries(self, parameters: Iterable[Parameter]) -> None:
-        """Drop entries that are in the arm, or not wanted any more."""
+        """Drop entries that are in the arm or no longer wanted."""
         for parameter in parameters:
             self._entries.pop(parameter, None)
 
     def entry(self, parameter: Parameter) -> DraftEntry | None:
-        """Return what was entered for a parameter."""
+        """Return the entry for a parameter, or ``None``."""
         return self._entries.get(parameter)
 
     @property
     def changed(self) -> bool:
-        """Whether something differs from what the arm holds."""
+        """True if an entry differs from the arm's value."""
         return bool(self._entries)
 
     def changes(self) -> Changes:
-        """Return the figures entered, in the order of the panel."""
+        """Return the values entered, in the order of the panel."""
         return {
             parameter: entry.value
             for parameter in self.parameters
@@ -98,7 +98,7 @@ class SettingDraft:
         }
 
     def why_wrong(self, state: ArmState, parameter: Parameter) -> Refusal | None:
-        """Return what speaks against an entry, by itself and beside its neighbours."""
+        """Return the reason against an entry, by itself and with its neighbours, or ``None``."""
         entry = self._entries.get(parameter)
         if entry is None:
             return None
@@ -115,12 +115,12 @@ class SettingDraft:
         return next((reason for reason in reasons if reason is not None), None)
 
     def status(self, state: ArmState, parameter: Parameter, cell: SettingCellState) -> CellStatus:
-        """Return how a parameter is to be shown.
+        """Return the way in which a parameter is to be shown.
 
         Args:
             state: The arm as last heard.
-            parameter: Which one.
-            cell: How it stands between the program and the arm.
+            parameter: The parameter.
+            cell: Its state between the program and the arm.
         """
         under_way = {CellState.SAVING: CellStatus.SAVING, CellState.READING: CellStatus.READING}
         if cell.state in under_way:
@@ -137,7 +137,7 @@ class SettingDraft:
 
 
 def shown_as(parameter: Parameter, value: float) -> float:
-    """Return a value to the last decimal the operator sees."""
+    """Return a value rounded to the last decimal that the operator sees."""
     return round(value, parameter.kind.decimals)
 
 

@@ -1,4 +1,4 @@
-"""Parameters of an arm as frames: asked for, set, and what of a value fits into a frame."""
+"""Encodes questions and settings of parameters as frames, and rounds values to frames."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ INDEX: Final[Mapping[Group, SettingIndex]] = {
     Group.TEACHING: SettingIndex.TEACHING_SETTING,
     Group.DRAG_ASSISTANCE: SettingIndex.DRAG_ASSISTANCE_SETTING,
 }
-"""What 0x476 names when it answers a setting."""
+"""The setting that 0x476 names in its answer, for each group."""
 
 Values = Mapping[Parameter, float | None]
-"""``None``: leave it as it is."""
+"""Values by parameter; ``None`` leaves one unchanged."""
 
 
 def query_frames(codec: Codec, batch: Batch) -> list[Frame]:
@@ -49,7 +49,7 @@ def setting_frames(codec: Codec, batch: Batch, values: Values) -> list[Frame]:
 
     Args:
         codec: The arm's codec.
-        batch: What to set.
+        batch: The batch to set.
         values: Every parameter of the batch, in the operator's units.
     """
     signals = {
@@ -61,14 +61,14 @@ def setting_frames(codec: Codec, batch: Batch, values: Values) -> list[Frame]:
 
 
 def can_leave_unchanged(codec: Codec, batch: Batch) -> bool:
-    """Tell whether single values of a batch can be left out of its frame (0x7FFF, generation 2)."""
+    """Return whether a batch's frame can leave out single values (0x7FFF, generation 2)."""
     first = batch.parameters()[0]
     signal = first.kind.signal.format(joint=first.joint)
     return codec.can_leave(first.kind.message, signal)
 
 
 def to_wire(codec: Codec, parameter: Parameter, value: float | None) -> float | None:
-    """Return a value in the unit of the frame, rounded to what the frame can carry."""
+    """Return a value in the unit of the frame, rounded to the frame's resolution."""
     if value is None:
         return None
     kind = parameter.kind
@@ -78,7 +78,7 @@ def to_wire(codec: Codec, parameter: Parameter, value: float | None) -> float | 
 
 
 def as_carried(codec: Codec, parameter: Parameter, value: float) -> float:
-    """Return the value nearest to one asked for that a frame can carry, in the operator's unit."""
+    """Return the nearest value that a frame can carry, in the operator's unit."""
     wire = to_wire(codec, parameter, value)
     return value if wire is None else wire * _factor(codec, parameter)
 

@@ -1,4 +1,4 @@
-"""【保存】 followed to its end: what the arm is seen to hold leaves the draft, the rest stays."""
+"""Follows 【保存】 to its end: values that the arm holds leave the draft, the rest stay."""
 
 from __future__ import annotations
 
@@ -18,18 +18,18 @@ class Saves(Protocol):
     """The part of the controller that sets parameters and reads them back."""
 
     def save(self, changes: Changes) -> Started | Refusal:
-        """Set parameters, or tell why nothing was sent."""
+        """Set parameters."""
 
     def cell(self, parameter: Parameter) -> SettingCellState:
-        """Return how a parameter stands between the program and the arm."""
+        """Return the state of a parameter between the program and the arm."""
 
 
 class SettingSaving:
-    """Saves what stands in a draft, one saving at a time.
+    """Saves the entries of a draft, one saving at a time.
 
     Args:
         settings: Sets the parameters and reads them back.
-        draft: What was entered.
+        draft: The entries.
     """
 
     def __init__(self, settings: Saves, draft: SettingDraft) -> None:
@@ -40,16 +40,16 @@ class SettingSaving:
 
     @property
     def running(self) -> bool:
-        """Whether the arm has not answered everything yet."""
+        """True until the arm has answered everything."""
         return self._running
 
     @property
     def asked(self) -> Mapping[Parameter, float]:
-        """What was sent last; empty once the operator has gone on."""
+        """The values sent last; empty once the operator has gone on."""
         return self._asked
 
     def begin(self, state: ArmState) -> Refusal | None:
-        """Send what was entered.
+        """Send the entries.
 
         Args:
             state: The arm as last heard.
@@ -68,7 +68,7 @@ class SettingSaving:
         return refusal
 
     def ended(self) -> bool:
-        """Look at how the parameters stand; tell whether the saving has just come to its end."""
+        """Take in the parameters' states; return whether the saving has just ended."""
         if not self._running or any(self._stands(each) is CellState.SAVING for each in self._asked):
             return False
         self._running = False
@@ -79,7 +79,7 @@ class SettingSaving:
         return True
 
     def forget_outcome(self) -> None:
-        """Tell no more how it ended: the operator has gone on."""
+        """Forget the outcome of the saving, because the operator has gone on."""
         self._asked = {}
 
     def _stands(self, parameter: Parameter) -> CellState:

@@ -1,1 +1,1 @@
-"""A command from sending to its end: answered, read back, refused or timed out."""
+"""Requests: commands from sending to their end, answered, read back, refused or timed out."""

@@ -1,4 +1,4 @@
-"""The events told when a request has ended, as notices and figures: pure."""
+"""The notices and figures told at the end of a request: pure."""
 
 from __future__ import annotations
 
@@ -78,12 +78,12 @@ Report = tuple[Notice, Mapping[str, object]]
 
 
 def numbered(angles_deg: Sequence[float]) -> dict[str, float]:
-    """Return six angles as figures of a sentence: ``j1`` … ``j6``."""
+    """Return six angles as the figures ``j1`` … ``j6`` of a sentence."""
     return {f"j{number}": angle for number, angle in enumerate(angles_deg, start=1)}
 
 
 def on_handshake(state: ArmState, generation: Generation | None) -> Iterator[Report]:
-    """Return what an arm has answered to the first questions."""
+    """Yield the reports of an arm's answers to the first questions."""
     yield (
         GENERATION,
         {"generation": int(generation or 0), "firmware": state.firmware or ""},
@@ -99,7 +99,7 @@ def on_handshake(state: ArmState, generation: Generation | None) -> Iterator[Rep
 
 
 def on_motors(busy: Busy, state: ArmState, joints: Sequence[int], *, done: bool) -> Report:
-    """Return how switching motors, or recovering from a stop, ended."""
+    """Return the report of the end of switching motors or of recovering from a stop."""
     if busy is Busy.RESUMING:
         return (RESUMED if done else RESUME_FAILED), {}
     wanted = busy is Busy.ENABLING

@@ -1,4 +1,4 @@
-"""An action that is sent, repeated if need be, and followed until seen in the feedback or late."""
+"""A request is sent, repeated if needed, and followed until the feedback shows it or time is up."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from armui.protocol.frame import Frame
 
 
 class RequestOutcome(enum.Enum):
-    """How a request stands."""
+    """The states of a request."""
 
     WAITING = enum.auto()
     DONE = enum.auto()
@@ -21,14 +21,15 @@ class RequestOutcome(enum.Enum):
 
 @dataclass(slots=True)
 class Request:
-    """An action that is over when the arm says so.
+    """A request that is over once the arm's feedback shows its effect.
 
     Attributes:
-        context: The way to the arm, and what is known of it.
-        frames: What to send.
-        seen: Whether the arm's feedback shows the action done.
-        repeat_s: Send again after so long without the effect (real arms want some commands twice).
-        attempts: How often to send at most; the last attempt waits ``repeat_s`` too.
+        context: Gives access to the arm and its state.
+        frames: The frames to send.
+        seen: Returns whether the arm's feedback shows the action done.
+        repeat_s: The time without effect after which to send again (real arms need some commands
+            twice).
+        attempts: The most times to send; the last attempt waits ``repeat_s`` too.
     """
 
     context: Context
@@ -40,7 +41,7 @@ class Request:
     _next_s: float = 0.0
 
     def advance(self) -> RequestOutcome:
-        """Look at what was heard, send if it is time to; called regularly until not ``WAITING``."""
+        """Take in the feedback, send if it is time to; called regularly until not ``WAITING``."""
         state, now_s = self.context.state(), self.context.clock()
         if self._sent and self.seen(state):
             return RequestOutcome.DONE

@@ -37,23 +37,23 @@ if TYPE_CHECKING:
 
 _WAIT_S: Final = 0.5
 _ATTEMPTS: Final = 2
-"""A frame can get lost; most of these commands may be given twice."""
+"""The most times to send: a frame can be lost, and most of these may be repeated."""
 _WITHIN_S: Final = 1.0
-"""A command leaves within this time of the press, or not at all."""
+"""A command is sent within this time of the press, or not at all."""
 _KEEP_S: Final = 0.5
-"""So long a frame may wait in the program, if no time limit comes before."""
+"""A frame may wait in the program for this time, unless a time limit comes first."""
 
 
 @dataclass(frozen=True, slots=True)
 class ReadBack:
-    """How a transaction is checked.
+    """The check of a transaction by reading back.
 
     Attributes:
         query: The question.
-        heard_since: Whether the arm has answered it since a monotonic time.
-        against: What speaks against its having been taken, by what was read.
-        proves: Whether reading what was wanted shows that it was taken: not where the arm
-            held just that before.
+        heard_since: Returns whether the arm has answered it since a monotonic time.
+        against: Returns why the setting has not been taken, by the values read, or ``None``.
+        proves: True if reading the wanted values proves that they were taken: not if the arm held
+            them before.
     """
 
     query: Sequence[Frame]
@@ -64,21 +64,21 @@ class ReadBack:
 
 @dataclass(frozen=True, slots=True)
 class Transaction:
-    """A command that is answered.
+    """A command that the arm answers.
 
     Attributes:
-        frames: What to send; nothing, if something is only to be read.
-        finished: Told ``None``, it is done, or why not.
-        index: What the answer names; ``None``: no answer is awaited.
-        against: What speaks against it by the answer itself.
-        read_back: How it is checked, where that can be.
+        frames: The frames to send; empty if something is only to be read.
+        finished: Called at the end with ``None``, or with the reason of its failure.
+        index: The setting that the answer names; ``None`` if no answer is awaited.
+        against: Returns why it has failed by the answer itself, or ``None``.
+        read_back: The check by reading back, where that is possible.
         recheck: Asked before each sending of the frames, by the newest operating state: the
             reason against it now, or ``None``.
-        attempts: How often the frames are sent at most while no answer comes.
-        ends_with_stop: It must not be given again to an arm that is being stopped.
-        alters: What it sets that a motion counts on, as a key of the words for what is under way;
-            ``None``: nothing moves differently for it.
-        started: The command that it carries out, which is told the arm's answer.
+        attempts: The most times to send the frames while no answer comes.
+        ends_with_stop: True if it must not be repeated to an arm that is being stopped.
+        alters: The setting it changes that motions rely on, by its key in the words for activities;
+            ``None`` if motions do not depend on it.
+        started: The record of the command that it carries out, which gets the arm's answer.
     """
 
     frames: Sequence[Frame]
@@ -123,14 +123,14 @@ class _Task:
 
 
 class TransactionQueue(ControllerPart):
-    """Carries out transactions, one after the other; a part of the controller.
+    """Carries out transactions one after the other.
 
     Commands go in the order in which they came, the first step of an action before the further
     steps of an older one, and every command before every question.
 
     Attributes:
-        alterations: How often something was set that a motion counts on: what was checked before
-            the last time was checked for an arm that is no more.
+        alterations: The number of changes to settings that motions rely on; a check made before the
+            last change no longer holds.
     """
 
     def __init__(self, context: Context) -> None:
@@ -143,17 +143,17 @@ class TransactionQueue(ControllerPart):
 
     @property
     def busy(self) -> bool:
-        """Whether a transaction is under way or waits."""
+        """True if a transaction is under way or waits."""
         return self._task is not None
 
     @property
     def altering(self) -> str | None:
-        """What of the arm is being set, or waits to be, that a motion counts on."""
+        """The setting being changed, or waiting to be, that motions rely on, or ``None``."""
         altered = (task.transaction.alters for task in self._all())
         return next((what for what in altered if what is not None), None)
 
     def submit(self, *transactions: Transaction) -> None:
-        """Take the transactions of one action on.
+        """Queue the transactions of one action.
 
         Its first command begins within a second or is dropped; the others follow it.
         """
@@ -170,7 +170,7 @@ class TransactionQueue(ControllerPart):
         self._begin_next()
 
     def follow_arm(self) -> None:
-        """See whether something was read, or is overdue."""
+        """Follow the answers and readings under way, and end those overdue."""
         self._drop_late()
         task = self._task
         if task is None:
@@ -194,7 +194,7 @@ class TransactionQueue(ControllerPart):
             self._end(ENDED_BY_STOP())
 
     def forget_arm(self) -> None:
-        """Drop whatever waits: the arm is gone."""
+        """Drop everything that waits, because the arm is gone."""
         tasks = self._all()
         self._task = None
         self._commands.clear()
@@ -277,7 +277,7 @@ class TransactionQueue(ControllerPart):
             self._after_answer(task)
 
     def _why_another_arm(self, task: _Task) -> Refusal | None:
-        """Tell why the arm it was meant for is not the one to be spoken to now."""
+        """Return why the arm it was meant for is not the one to be spoken to now, or ``None``."""
         connection = self._context.connection
         if task.arm is None or task.arm == connection.arm:
             return None

@@ -1,4 +1,4 @@
-"""Whether the arm has come where a point asks for: by its own flag and by what it measures."""
+"""Decides whether the arm has arrived at a point, by its own flag and its measured pose."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ PLACE_TOLERANCE_MM: Final = 0.5
 TURN_TOLERANCE_DEG: Final = 0.3
 
 _TAKEN_IN_S: Final = 0.1
-"""What the arm said sooner after a point was sent may be about the point before."""
+"""Feedback sooner than this after a point was sent may still be about the last point."""
 _AT_REST_S: Final = 1.0
-"""So long may an arm that says «reached» be elsewhere: its angles come in other frames."""
+"""An arm that reports «reached» may measure elsewhere this long: angles have own frames."""
 
 _REFUSED: Final = frozenset(
     {ArmStatusCode.NO_SOLUTION, ArmStatusCode.SINGULARITY, ArmStatusCode.TARGET_BEYOND_LIMIT}
@@ -35,7 +35,7 @@ _REFUSED: Final = frozenset(
 
 
 class Arrival(enum.Enum):
-    """How it stands."""
+    """The states of a motion towards its point."""
 
     UNDER_WAY = enum.auto()
     REACHED = enum.auto()
@@ -50,7 +50,7 @@ class ArrivalWatch:
         self._elsewhere_since_s: float | None = None
 
     def look(self, state: ArmState, now_s: float) -> Arrival | Refusal:
-        """Return how the motion stands, or why it will not be carried out."""
+        """Return the state of the motion, or why it will not be carried out."""
         status = state.status
         if status is None or status.at_s < self._sent_s + _TAKEN_IN_S:
             return Arrival.UNDER_WAY
@@ -72,7 +72,7 @@ class ArrivalWatch:
 
 
 def distance(point: Waypoint, state: ArmState) -> float | None:
-    """Return how far the arm is from a point, 1 being as far as it may be; ``None``: unknown."""
+    """Return the distance to a point, in units of the tolerance; ``None``: unknown."""
     if point.is_joint:
         angles_deg = state.angles_deg()
         if angles_deg is None:

@@ -1,4 +1,4 @@
-"""What a run of points and a replay of a recording share: one at a time, followed to its end."""
+"""The common base of runs of points and replays: one at a time, followed to its end."""
 
 from __future__ import annotations
 
@@ -30,14 +30,14 @@ RUN_DONE = Notice("run_done", "“{name}” has finished.", Level.DONE, EventKin
 
 
 class Execution(QObject, ControllerPart):
-    """Moves the arm by several commands; each follows from the arm's feedback to the one before.
+    """Moves the arm by several commands, each sent on the feedback to the one before.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
 
     Signals:
         progressed: A :class:`Progress`, when it differs.
-        gripper_sent: The gripper was sent somewhere, with an effort.
+        gripper_sent: The gripper was sent to a target, with an effort.
     """
 
     progressed = Signal(object)
@@ -58,21 +58,21 @@ class Execution(QObject, ControllerPart):
 
     @property
     def progress(self) -> Progress:
-        """How far it has come."""
+        """The progress of the run."""
         return self._progress
 
     @property
     def running(self) -> bool:
-        """Whether it moves the arm, or will."""
+        """True if a run moves the arm, or will."""
         return self._phase not in OVER
 
     @property
     def phase(self) -> RunPhase:
-        """What it is doing now, or how it ended."""
+        """The phase of the run, or the way it ended."""
         return self._phase
 
     def end_run(self, reason: Refusal) -> None:
-        """End it at once, because something else happens that it cannot go on beside."""
+        """End the run at once, because something else happens that excludes it."""
         if self.running:
             self._fail(reason, Ending.CUT_OFF)
             self._publish()
@@ -88,9 +88,9 @@ class Execution(QObject, ControllerPart):
     # What each of the two does its own way ----------------------------------------------------
 
     def set_override(self, percent: int) -> None:
-        """Go at another share of its own speed from now on; at 0 % it is paused.
+        """Continue at another share of the run's own speed; 0 % pauses it.
 
-        A run that is paused does not go on by it.
+        This does not continue a paused run.
 
         Args:
             percent: 0–100.
@@ -98,7 +98,7 @@ class Execution(QObject, ControllerPart):
         raise NotImplementedError
 
     def tell_speed(self) -> None:
-        """Tell the arm the speed of the motion under way once more, where there is one to tell."""
+        """Send the speed of the motion under way once more, if it has one to send."""
         raise NotImplementedError
 
     def _snapshot(self, reason: Refusal | None) -> Progress:
@@ -168,7 +168,7 @@ class Execution(QObject, ControllerPart):
         return self._send(commands.trajectory_command(self._codec, TrajectoryCommand.CONTINUE))
 
     def _rests(self) -> bool:
-        """Tell whether the arm is measured to have come to rest since the motion was ended."""
+        """Return whether the arm is measured to have come to rest since the motion was ended."""
         self._rest.observe(self._context.state(), self._context.clock())
         return self._rest.at_rest
 
@@ -177,5 +177,5 @@ class Execution(QObject, ControllerPart):
         return self._context.connection.codec
 
     def _send(self, frames: Sequence[Frame]) -> bool:
-        """Send them; whether they are under way, or there was nothing to send."""
+        """Send them and return whether they are under way, or there was nothing to send."""
         return not frames or self._context.connection.send(frames)

@@ -1,4 +1,4 @@
-"""【发送】: runs a trajectory point by point, each followed until the arm says that it is there."""
+"""【发送】: runs a trajectory point by point, each followed until the arm has arrived."""
 
 from __future__ import annotations
 
@@ -74,31 +74,31 @@ _REST_WITHIN_S: Final = 2.0
 
 _UNKNOWN_FOR_S: Final = 1.0
 _PASSING: Final = frozenset({ENABLED_UNKNOWN, JOINTS_UNKNOWN, FEEDBACK_SILENT})
-"""Reasons that may be gone with the next frame."""
+"""The reasons that the next frame may remove."""
 
 
 def why_not_run(now: OperatingState) -> Refusal | None:
-    """Tell why no trajectory may be run now, whichever it is."""
+    """Return why no trajectory may be run now, whichever it is, or ``None``."""
     return now.occupied or now.cannot_run or now.model_fit.wrong
 
 
 def why_not_go_on(now: OperatingState) -> Refusal | None:
-    """Tell why the run that is paused cannot go on."""
+    """Return why the run that is paused cannot go on, or ``None``."""
     if now.running and now.override_percent == 0:
         return OVERRIDE_ZERO()
     return now.cannot_run if now.running else NOT_PAUSED()
 
 
 def why_not_pause(now: OperatingState) -> Refusal | None:
-    """Tell why nothing can be paused."""
+    """Return why nothing can be paused, or ``None``."""
     return None if now.running else NOT_RUNNING()
 
 
 class Player(Execution):
-    """Carries out one run at a time; each step follows from the arm's feedback.
+    """Carries out one run at a time; the arm's feedback triggers each step.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
     """
 
     def __init__(self, context: Context, parent: QObject | None = None) -> None:
@@ -117,14 +117,14 @@ class Player(Execution):
 
     @property
     def sets_lamps(self) -> bool:
-        """Whether the run under way tells something by the lamps."""
+        """True if the run under way signals by the lamps."""
         return self.running and self._has_lights
 
     # What the operator wants ------------------------------------------------------------------
 
     @operation("run.start", "Run a trajectory", why_not_run, moves=True, shown_first=True)
     def start(self, run: Run) -> Started | Refusal:
-        """Begin a run: the arm goes to the first point."""
+        """Begin a run."""
         context = self._context
         operating_state = context.refresh()
         refusal = why_not_run(operating_state) or _why_empty(run)
@@ -143,7 +143,7 @@ class Player(Execution):
 
     @operation("run.pause", "Pause the run", why_not_pause)
     def pause(self) -> Started | Refusal:
-        """Have the arm hold where it is (0x150 byte 1 = 1)."""
+        """Have the arm stop where it is and keep its motion (0x150 byte 1 = 1)."""
         if self._phase not in {RunPhase.MOVING, RunPhase.DWELLING}:
             return self._context.refuse(NOT_RUNNING())
         if self._phase is RunPhase.MOVING:
@@ -180,7 +180,7 @@ class Player(Execution):
         return started
 
     def set_override(self, percent: int) -> None:
-        """Go at another share of the points' speeds: the arm is told at once, mid-motion, too."""
+        """Set the share of the points' speeds; the arm is told at once, even in mid-motion."""
         self._keep_time()
         self._override_percent = percent
         if percent == 0 and self._phase in {RunPhase.MOVING, RunPhase.DWELLING}:
@@ -191,7 +191,7 @@ class Player(Execution):
             self._publish()
 
     def tell_speed(self) -> None:
-        """Tell the arm the speed of the point under way once more."""
+        """Send the speed of the point under way once more."""
         if self._phase is RunPhase.MOVING:
             self._untold = not self._context.tell_percent(self._percent)
 
@@ -212,7 +212,7 @@ class Player(Execution):
         self._publish()
 
     def drop(self) -> None:
-        """Forget how the last run ended: it is not to be gone on with."""
+        """Forget the last run, so that it cannot be continued."""
         if not self.running:
             self._run = self._schedule = None
             self._phase = RunPhase.IDLE
@@ -221,7 +221,7 @@ class Player(Execution):
     # What time and the arm bring --------------------------------------------------------------
 
     def follow_arm(self) -> None:
-        """Move on with the run; the controller's tick calls it."""
+        """Advance the run; the controller's tick calls it."""
         if not self.running:
             return
         reason = self._reason()
@@ -240,7 +240,7 @@ class Player(Execution):
         self._publish()
 
     def _reason(self) -> Refusal | None:
-        """Tell why the run cannot go on; what is not known for a moment is waited for."""
+        """Return why the run cannot go on; what is not known for a moment is waited for."""
         reason = self._context.operating_state().cannot_run
         now_s = self._context.clock()
         self._known = reason is None

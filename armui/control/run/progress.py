@@ -1,4 +1,4 @@
-"""What a run of a trajectory is, and how far it has come: plain data."""
+"""The data of a trajectory's run and of its progress."""
 
 from __future__ import annotations
 
@@ -11,49 +11,49 @@ from armui.arm.refusal import Refusal
 from armui.trajectory.points.program import Waypoint
 
 ENDLESS = 0
-"""As a number of cycles: until the operator ends it."""
+"""The number of cycles that stands for «until the operator ends it»."""
 
 
 class RunPhase(enum.Enum):
-    """What the run is doing."""
+    """The phases of a run."""
 
     IDLE = enum.auto()
     MOVING = enum.auto()
-    """A point has been sent; the arm has not said that it is there."""
+    """A point has been sent, and the arm has not reported its arrival."""
     DWELLING = enum.auto()
     WAITING = enum.auto()
-    """Step by step: for the operator's word."""
+    """A run step by step waits for the operator."""
     PAUSED = enum.auto()
     STOPPING = enum.auto()
-    """Ended by the operator; the arm has not come to rest."""
+    """The operator has ended the run, and the arm has not come to rest."""
     DONE = enum.auto()
     STOPPED = enum.auto()
-    """Ended by the operator, the arm is at rest."""
+    """The operator has ended the run, and the arm is at rest."""
     FAILED = enum.auto()
-    """Ended by something else; the reason says what."""
+    """Something else has ended the run; the reason tells what."""
 
 
 OVER = frozenset({RunPhase.IDLE, RunPhase.DONE, RunPhase.STOPPED, RunPhase.FAILED})
-"""The arm is not under the run's control."""
+"""The phases in which the run does not control the arm."""
 
 
 def sent_percent(own_percent: int, speed_factor: float) -> int:
-    """Return the speed percentage a point is sent with: its own times that of the run, 1–100."""
+    """Return the speed percentage of a point: its own times the run's factor, 1–100."""
     return min(100, max(1, round(own_percent * speed_factor)))
 
 
 @dataclass(frozen=True, slots=True)
 class Run:
-    """What the operator wants to have run.
+    """A run as the operator wants it.
 
     Attributes:
-        name: The trajectory's.
-        points: All of them.
-        expected_s: How long each takes, dwell included, from the one before.
-        cycles: How often; :data:`ENDLESS` until it is ended.
+        name: The name of the trajectory.
+        points: All points.
+        expected_s: The time of each from the one before, dwell included.
+        cycles: The number of cycles, or :data:`ENDLESS`.
         first: The index of the point to begin with, in the first cycle.
-        speed_factor: On each point's own speed.
-        step_by_step: Whether to wait for the operator after each point.
+        speed_factor: The factor on each point's own speed.
+        step_by_step: True to wait for the operator after each point.
     """
 
     name: str
@@ -67,18 +67,18 @@ class Run:
 
 @dataclass(frozen=True, slots=True)
 class Progress:
-    """How far a run has come.
+    """The progress of a run.
 
     Attributes:
-        phase: What it is doing.
-        name: The trajectory's.
+        phase: The phase.
+        name: The name of the trajectory.
         index: The point under way, from 0; the one it ended at, once it has ended.
-        count: How many points a cycle has.
-        cycle, cycles: Which cycle, from 1, of how many; 0 endless.
-        done: Share of the cycle that is done, 0–1.
-        remaining_s: Of the whole run at the override of now; ``None`` if it has no end, or is held
-            back at 0 %.
-        refusal: Why it failed.
+        count: The number of points in a cycle.
+        cycle, cycles: The cycle, from 1, and the number of cycles, 0 for endless.
+        done: The share of the cycle that is done, 0–1.
+        remaining_s: The time left of the whole run at the present override; ``None`` if it has no
+            end, or is held back at 0 %.
+        refusal: The reason of its failure.
     """
 
     phase: RunPhase = RunPhase.IDLE
@@ -93,7 +93,7 @@ class Progress:
 
 
 class RunSchedule:
-    """When a run as planned is where."""
+    """The planned times of a run."""
 
     def __init__(self, run: Run) -> None:
         self._run = run
@@ -109,28 +109,28 @@ class RunSchedule:
 
     @property
     def cycle_s(self) -> float:
-        """How long a cycle takes."""
+        """The duration of a cycle."""
         return self._ends_s[-1] if self._ends_s else 0.0
 
     def time_limit_s(self, index: int) -> float:
-        """After this long a point has not been reached; generous, for an arm may be slower."""
+        """Return the time after which a point counts as not reached; generous, as arms differ."""
         return 5.0 + 3.0 * self._lengths_s[index]
 
     def in_cycle_s(self, index: int, elapsed_s: float) -> float:
-        """Return how far a cycle is, so long after a point was sent."""
+        """Return the planned time in the cycle, this long after a point was sent."""
         length_s = self._lengths_s[index]
         return self._ends_s[index] - length_s + min(elapsed_s, length_s)
 
     def remaining_s(
         self, index: int, cycle: int, elapsed_s: float, share: float = 1.0
     ) -> float | None:
-        """Return how long the rest of the run takes; ``None`` if it has no end.
+        """Return the time that the rest of the run takes; ``None`` if it has no end.
 
         Args:
             index: The point under way.
-            cycle: Which cycle, from 1.
-            elapsed_s: Since that point was sent, as planned.
-            share: How fast the arm moves, of what was planned; dwells stay as long as they are.
+            cycle: The cycle, from 1.
+            elapsed_s: The planned time since that point was sent.
+            share: The arm's speed as a share of the planned one; dwells keep their time.
         """
         if self._run.cycles == ENDLESS or share <= 0.0:
             return None

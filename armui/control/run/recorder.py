@@ -1,4 +1,4 @@
-"""Records where the arm goes while it is led by hand, or moved by anything."""
+"""Records the arm's path while it is led by hand, or moved by anything else."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ RECORDING_ENDED = Notice(
 
 
 def why_not_record(now: OperatingState) -> Refusal | None:
-    """Tell why no recording may begin: there is nothing to hear, or one is under way."""
+    """Return why no recording may begin: there is nothing to hear, or one is under way."""
     if (refusal := why_unreachable(now.link)) is not None:
         return refusal
     return BUSY(what="recording") if now.recording else None
@@ -44,10 +44,10 @@ class Recorder(QObject, ControllerPart):
     When the arm is lost, what has been recorded is kept.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
 
     Signals:
-        changed: More samples, or recording has begun or ended.
+        changed: There are more samples, or recording has begun or ended.
     """
 
     changed = Signal()
@@ -62,22 +62,22 @@ class Recorder(QObject, ControllerPart):
 
     @property
     def recording(self) -> bool:
-        """Whether it records now."""
+        """True while it records."""
         return self._recording
 
     @property
     def count(self) -> int:
-        """How many samples there are."""
+        """The number of samples."""
         return 0 if self._samples is None else len(self._samples)
 
     @property
     def duration_s(self) -> float:
-        """From the first sample to the last."""
+        """The time from the first sample to the last."""
         return 0.0 if self._samples is None else self._samples.duration_s
 
     @operation("recorder.start", "Record the arm's motion", why_not_record)
     def start(self) -> Started | Refusal:
-        """Begin anew."""
+        """Begin a new recording."""
         refusal = why_not_record(self._context.refresh())
         if refusal is not None:
             return self._context.refuse(refusal)
@@ -101,18 +101,18 @@ class Recorder(QObject, ControllerPart):
         """End recording.
 
         Args:
-            name: What it is to be called.
+            name: The name of the recording.
 
         Returns:
-            What was recorded since :meth:`start`, to be joined in another thread; ``None`` if
-            that is nothing.
+            The samples since :meth:`start`, to be joined in another thread; ``None`` if there are
+            none.
         """
         if self._recording:
             self._end()
         return None if self._samples is None else self._samples.recorded(name)
 
     def follow_arm(self) -> None:
-        """Take in what has come; the controller's tick calls it."""
+        """Take in the new samples; the controller's tick calls it."""
         if not self._recording:
             return
         taken = self._context.connection.samples.take_samples()
@@ -122,7 +122,7 @@ class Recorder(QObject, ControllerPart):
             self.changed.emit()
 
     def forget_arm(self) -> None:
-        """End the recording and keep what there is: the arm is gone."""
+        """End the recording and keep its samples, because the arm is gone."""
         if self._recording:
             self._end()
 

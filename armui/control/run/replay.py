@@ -1,4 +1,4 @@
-"""What a replay of a recording asks of the arm: pure, on the recording's samples."""
+"""The demands of a replay on the arm: pure, by the recording's samples."""
 
 from __future__ import annotations
 
@@ -34,18 +34,18 @@ _LAG_SLACK_DEG: Final = 5.0
 _LAG_S: Final = 0.15
 _LAG_MEMORY_S: Final = 1.0
 _ACCELERATION_DEG_S2: Final = math.degrees(5.0)
-"""Taken where the arm has not told its own."""
+"""The acceleration assumed while the arm has not reported its own."""
 
 
 @dataclass(frozen=True)
 class Replay:
-    """What the operator wants to have replayed.
+    """A replay as the operator wants it.
 
     Attributes:
         recording: The samples.
-        factor: On the recorded speed.
-        cycles: How often; :data:`armui.control.run.progress.ENDLESS` until it is ended.
-        profile: What was worked out of the recording before; it takes long for a long one.
+        factor: The factor on the recorded speed.
+        cycles: The number of cycles, or :data:`armui.control.run.progress.ENDLESS`.
+        profile: The profile, if it was computed before; for a long recording that takes long.
     """
 
     recording: Recording
@@ -55,17 +55,17 @@ class Replay:
 
     @property
     def duration_s(self) -> float:
-        """How long a cycle takes, without the approach."""
+        """The duration of a cycle, without the approach."""
         return self.recording.duration_s / self.factor
 
     @property
     def first_deg(self) -> tuple[float, ...]:
-        """Where it begins."""
+        """The six angles at which it begins."""
         return tuple(float(angle) for angle in self.recording.joints_deg[0])
 
     @cached_property
     def known(self) -> ReplayProfile:
-        """Extremes and speeds at the recorded speed."""
+        """The extremes and speeds at the recorded speed."""
         return replay_profile(self.recording) if self.profile is None else self.profile
 
     @cached_property
@@ -78,16 +78,16 @@ class Replay:
         return SampleCursor(self.recording)
 
     def joints_deg_at(self, at_s: float) -> tuple[float, ...]:
-        """Return where the joints shall be, so long after the first sample of a cycle."""
+        """Return the target angles, this long after the first sample of a cycle."""
         return self._cursor.joints_deg_at(at_s * self.factor)
 
     def gripper_mm_at(self, at_s: float) -> float | None:
-        """Return how far open the gripper shall be, ``None`` where that was not recorded."""
+        """Return the target opening of the gripper, or ``None`` if none was recorded."""
         opening_mm = self._cursor.gripper_mm_at(at_s * self.factor)
         return None if math.isnan(opening_mm) else opening_mm
 
     def braking_s(self, at_s: float, state: ArmState) -> float:
-        """Return how long the slowest joint takes to brake from how fast it went of late."""
+        """Return the time in which the slowest joint brakes from its speed of late."""
         speeds = self._speeds_deg_s(at_s)
         return max(
             speed / (heard.value if heard is not None else _ACCELERATION_DEG_S2)
@@ -102,11 +102,11 @@ class Replay:
         return [float(speed) for speed in self.factor * highest]
 
     def lag_allowed_deg(self, at_s: float, state: ArmState) -> tuple[float, ...]:
-        """Return how far an arm may be behind: what its own braking explains, and a bit.
+        """Return the lag that the arm's braking explains, in degrees, with a small margin.
 
-        An arm that brakes late for a target that has turned round already is no obstacle's work:
-        the fastest of the last second counts. Joints arrive together: all take as long to brake as
-        the one that takes longest.
+        An arm that brakes late for a target that has already turned round has met no obstacle: so
+        the highest speed of the last second counts. Joints arrive together: all take as long to
+        brake as the slowest one.
         """
         braking_s = self.braking_s(at_s, state)
         return tuple(
@@ -116,7 +116,7 @@ class Replay:
 
 
 def why_not(replay: Replay, operating_state: OperatingState) -> Refusal | None:
-    """Tell what is against a replay: too little of it, limits, speeds out of reach."""
+    """Return why a replay is refused: too short, beyond limits, too fast; or ``None``."""
     recording = replay.recording
     if len(recording.samples) < 2 or recording.duration_s <= 0.0:
         return RUN_EMPTY(name=recording.name)
@@ -146,7 +146,7 @@ def why_not(replay: Replay, operating_state: OperatingState) -> Refusal | None:
 
 
 def why_behind(replay: Replay, at_s: float, state: ArmState) -> Refusal | None:
-    """Tell which joint is too far behind, and how far; ``None``: the arm follows."""
+    """Return the joint that lags too far, and by how much; ``None``: the arm follows."""
     measured_deg = state.angles_deg()
     if measured_deg is None:
         return None

@@ -1,4 +1,4 @@
-"""Replays a recording: a slow approach to its first sample, then joint targets at a fixed rate."""
+"""Replays a recording: a slow approach to its first sample, then targets at a fixed rate."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ REPLAY_FAILED_NOTICE = Notice(
 
 
 PERIOD_MS: Final = 20
-"""50 targets a second; the arm plans anew at each."""
+"""The period of the targets, 50 a second; the arm plans anew at each."""
 
 _APPROACH_PERCENT: Final = 15
 _FULL_PERCENT: Final = 100
@@ -68,20 +68,20 @@ _GAP_S: Final = 0.08
 """After a longer pause of the program the recorded time goes on by one period only, so that the arm
 is never asked to catch up; jogs end after the same time."""
 _SLOWED_WITHIN_S: Final = 0.2
-"""The recorded time goes over to another pace no faster than this, from full to none."""
+"""The least time in which the recorded time changes from full pace to standstill."""
 _LONGEST_GAP_S: Final = 0.5
-"""After a pause this long, or a sleep of the computer, a replay does not go on by itself."""
+"""After a pause of the program this long, or a sleep of the computer, a replay is held."""
 
 
 class Replayer(Execution):
-    """One replay at a time.
+    """Carries out one replay at a time.
 
     If the program stops sending, for whatever reason, the arm ends in the target sent last, which
     is never more than a period ahead of what was recorded. An override slows the recorded time: the
-    way stays the one that was checked.
+    path stays as checked.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
     """
 
     def __init__(self, context: Context, parent: QObject | None = None) -> None:
@@ -104,7 +104,7 @@ class Replayer(Execution):
 
     @operation("replay.start", "Replay a recording", why_not_run, moves=True, shown_first=True)
     def start(self, replay: Replay) -> Started | Refusal:
-        """Begin a replay: the arm goes to the first sample."""
+        """Begin a replay."""
         context = self._context
         operating_state = context.refresh()
         refusal = why_not_run(operating_state) or why_not(replay, operating_state)
@@ -120,7 +120,7 @@ class Replayer(Execution):
 
     @operation("replay.pause", "Pause the replay", why_not_pause)
     def pause(self) -> Started | Refusal:
-        """Hold where the arm is: by 0x150 on the way to the first sample, later by silence."""
+        """Pause: by 0x150 on the way to the first sample, afterwards by sending no targets."""
         if self._phase is not RunPhase.MOVING:
             return self._context.refuse(NOT_RUNNING())
         self._pace = 0.0
@@ -157,7 +157,7 @@ class Replayer(Execution):
         return started
 
     def set_override(self, percent: int) -> None:
-        """Let the recorded time go by at another pace; at 0 % it comes to a stand: a pause."""
+        """Let the recorded time pass at another pace; 0 % brings it to a stop, as a pause."""
         self._override_percent = percent
         if percent == 0 and self._phase is RunPhase.MOVING:
             self._pause()
@@ -167,7 +167,7 @@ class Replayer(Execution):
             self._publish()
 
     def tell_speed(self) -> None:
-        """Tell the arm the speed of the way to the first sample; later the targets tell it."""
+        """Send the speed of the approach once more; afterwards the targets set the speed."""
         if self._phase is RunPhase.MOVING and self._watch is not None:
             self._untold = not self._context.tell_percent(self._approach_percent)
 
@@ -186,7 +186,7 @@ class Replayer(Execution):
     # What time and the arm bring --------------------------------------------------------------
 
     def follow_arm(self) -> None:
-        """Send what is due; called at each tick and by a timer of its own."""
+        """Send the targets that are due; called at each tick and by a timer of its own."""
         replay = self._replay
         if replay is None or not self.running:
             return
@@ -204,7 +204,7 @@ class Replayer(Execution):
         self._publish()
 
     def _comes_to_a_stand(self, replay: Replay) -> bool:
-        """Tell whether it has been paused by 0 %, and the recorded time still slows down.
+        """Return whether it has been paused by 0 %, and the recorded time still slows down.
 
         After a long pause of the program it does so no more: the arm rests at the last target.
         """
@@ -266,7 +266,7 @@ class Replayer(Execution):
         )
 
     def _why_late(self) -> Refusal | None:
-        """Tell why a stream of targets does not go on after a long pause of the program."""
+        """Return why a stream of targets does not go on after a long pause of the program."""
         if self._phase is not RunPhase.MOVING or self._watch is not None:
             return None
         gap_s = self._context.clock() - self._since_s

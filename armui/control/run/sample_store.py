@@ -1,4 +1,4 @@
-"""Samples as they come in: appended to arrays of a fixed size, never copied while it records."""
+"""Stores samples in arrays of a fixed size, which are never copied during recording."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ if TYPE_CHECKING:
     from armui.bus.samples import Sample
 
 _CHUNK: Final = 12_000
-"""Samples, a minute at 200 Hz: 0.8 MB at a time."""
+"""The samples in an array: a minute at 200 Hz, 0.8 MB."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Recorded:
-    """What a recorder has kept, not joined yet.
+    """The samples that a recorder has kept, not joined yet.
 
     Attributes:
-        name: What it is to be called.
-        chunks: One after the other, as the samples of a `Recording`.
-        ended: When it was.
-        taught_on: The arm it was recorded of; "": not known.
+        name: The name of the recording.
+        chunks: The arrays in their order, in the form of a `Recording`'s samples.
+        ended: The time at which it ended.
+        taught_on: The arm of the recording, or "" if unknown.
     """
 
     name: str
@@ -37,14 +37,14 @@ class Recorded:
 
     @property
     def count(self) -> int:
-        """How many samples there are."""
+        """The number of samples."""
         return sum(len(chunk) for chunk in self.chunks)
 
     def joined(self, name: str | None = None) -> Recording:
         """Return the recording: two hours at 200 Hz are 92 MB, so this belongs in another thread.
 
         Args:
-            name: Another name for it.
+            name: Another name; by default its own.
         """
         return Recording(
             name or self.name,
@@ -55,10 +55,10 @@ class Recorded:
 
 
 class SampleStore:
-    """Takes samples; the time of the first one is 0.
+    """Stores samples; the time of the first one is 0.
 
     Args:
-        taught_on: The arm they are of, as `ModelFit.taught_on` tells.
+        taught_on: The arm of the samples, as in `ModelFit.taught_on`.
     """
 
     def __init__(self, taught_on: str = "") -> None:
@@ -92,7 +92,7 @@ class SampleStore:
         return np.concatenate((chunks[0][rest:], *chunks[1:]))
 
     def recorded(self, name: str) -> Recorded | None:
-        """Return what there is; ``None`` if that is nothing."""
+        """Return the samples so far, or ``None`` if there are none."""
         if not len(self):
             return None
         chunks = (*self._full, self._chunk[: self._used])

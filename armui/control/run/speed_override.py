@@ -1,4 +1,4 @@
-"""The speed override: runs and replays go at a share of their own speed, changed while they go."""
+"""The speed override: the share of their own speed at which runs and replays go."""
 
 from __future__ import annotations
 
@@ -25,15 +25,15 @@ OVERRIDE_SET = Notice(
 )
 
 _AGAIN_S: Final = 0.1
-"""So long after it a lower percentage is told once more: a frame may be lost."""
+"""A lower percentage is sent once more after this time, because a frame may be lost."""
 FULL_PERCENT: Final = 100
-"""Everything goes at its own speed."""
+"""The override at which everything goes at its own speed."""
 STEP_PERCENT: Final = 10
-"""How much a key changes a speed."""
+"""The change of a speed by one press of a key."""
 
 
 def why_no_override(now: OperatingState, percent: float) -> Refusal | None:
-    """Tell why the override may not be set: 0 % is a pause, so there must be a run to pause."""
+    """Return why the override may not be set: 0 % is a pause, so there must be a run to pause."""
     if not 0 <= percent <= 100:
         return SPEED_OUT_OF_RANGE(value=percent)
     if percent < 1 and not now.running:
@@ -42,18 +42,18 @@ def why_no_override(now: OperatingState, percent: float) -> Refusal | None:
 
 
 class SpeedOverride(ControllerPart):
-    """Keeps the override and passes it on to what runs.
+    """Keeps the override and passes it on to runs and replays.
 
-    It stays as the operator has chosen it, from one run to the next. A run that was held back at
-    0 % leaves what was chosen before, for the next one.
+    It keeps the operator's choice from one run to the next. After a run held back at 0 % the choice
+    before that holds again.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
         motion: Owns the speed of every other motion.
-        runs: What it slows.
+        runs: The executions that it slows.
 
     Attributes:
-        percent: 0–100, of the speed that a run or a replay has by itself.
+        percent: The share of a run's or replay's own speed, 0–100.
     """
 
     def __init__(self, context: Context, motion: Motion, runs: Sequence[Execution]) -> None:
@@ -65,10 +65,9 @@ class SpeedOverride(ControllerPart):
 
     @operation("run.override", "Set the speed override of runs", why_no_override)
     def set_percent(self, percent: float) -> Started | Refusal | None:
-        """Let runs and replays go at a share of their own speed, from this moment on.
+        """Set the share of their own speed for runs and replays, from this moment on.
 
-        It may be lowered at once. At 0 % what runs is held back, and goes on by nothing but a held
-        press on 继续.
+        It may be lowered at once. At 0 % a run is held back until a held press on 继续.
 
         Args:
             percent: 0–100.
@@ -96,10 +95,10 @@ class SpeedOverride(ControllerPart):
         return started
 
     def step(self, by_percent: int) -> Started | Refusal | None:
-        """Change the speed that counts now: of what runs, else of every other motion.
+        """Change the present speed: of the run under way, else of every other motion.
 
         Args:
-            by_percent: How much; it ends at 0 % and at 100 %.
+            by_percent: The change; the result is limited to 0–100 %.
         """
         running = self._context.refresh().running
         now = self.percent if running else self._motion.speed_percent
@@ -109,7 +108,7 @@ class SpeedOverride(ControllerPart):
         return self.set_percent(wanted) if running else self._motion.set_speed_percent(wanted)
 
     def follow_arm(self) -> None:
-        """Tell a lower speed once more; forget 0 % when nothing is left to hold back."""
+        """Send a lower speed once more; forget 0 % when nothing is left to hold back."""
         running = any(run.running for run in self._runs)
         if self.percent == 0 and not running:
             self.percent = self._before_zero

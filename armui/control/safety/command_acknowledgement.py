@@ -1,4 +1,4 @@
-"""Watches whether the arm takes up the motions it is sent, so that a lost one is told: pure.
+"""Watches whether the arm takes up the motions sent, so that a lost one is noticed: pure.
 
 A frame may be lost, or the arm may listen under other identifiers than the program speaks under: a
 control offset it has kept (0x470) can be neither heard nor asked for.
@@ -16,18 +16,18 @@ if TYPE_CHECKING:
     from armui.control.motion.motion_command import MotionCommand
 
 _SHOWS_DEG: Final = 0.2
-"""A joint that was measured to turn by this much is on its way."""
+"""A joint that has turned by this much since sending is on its way."""
 _AWAY_DEG: Final = 0.5
-"""A target nearer than this may be where the arm stands already, sagging under its load."""
+"""A nearer target may be where the arm stands already, sagging under its load."""
 _WITHIN_S: Final = 1.0
-"""The slowest motion, at 1 % of 180°/s, shows by then."""
+"""Within this time even the slowest motion shows, at 1 % of 180°/s."""
 
 _SINGLE: Final = frozenset({CommandKind.JOINTS, CommandKind.POSE, CommandKind.JOG})
-"""Runs and replays say for themselves where the arm is not."""
+"""The kinds that are watched; runs and replays notice by themselves an arm that is elsewhere."""
 
 
 class AcknowledgementMonitor:
-    """Follows each single motion of ours until the arm shows that it has taken it, or does not."""
+    """Follows each single motion of ours until the arm has taken it up, or has not."""
 
     def __init__(self) -> None:
         self._number = 0
@@ -37,17 +37,17 @@ class AcknowledgementMonitor:
 
     @property
     def waits(self) -> bool:
-        """Whether the arm has yet to show that it has taken a motion that leads it away."""
+        """True if the arm has yet to show that it has taken a motion that leads it away."""
         return self._command is not None and self._leads_away(self._command)
 
     def observe(
         self, command: MotionCommand | None, ended: End | None, state: ArmState, now_s: float
     ) -> bool:
-        """Tell whether it shows just now that the arm has not taken the last motion.
+        """Return whether it has just turned out that the arm did not take up the last motion.
 
         Args:
-            command: Ours, while its target is one to start from.
-            ended: What ended the last one.
+            command: Our command, as long as a step may start from its target.
+            ended: The cause that ended the last command.
             state: The arm as heard.
             now_s: Monotonic time.
         """
@@ -77,11 +77,11 @@ class AcknowledgementMonitor:
         return True
 
     def reset(self) -> None:
-        """Watch no motion any more: another connection begins, or a motion is held back."""
+        """Stop watching: another connection begins, or a motion is held back."""
         self._command = None
 
     def _shows(self, state: ArmState, angles_deg: tuple[float, ...] | None) -> bool:
-        """Tell whether the arm has begun to move, or has said why it does not."""
+        """Return whether the arm has begun to move, or has said why it does not."""
         status = state.status
         if status is not None and status.value.arm_status != ArmStatusCode.NORMAL:
             return True

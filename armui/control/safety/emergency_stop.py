@@ -1,4 +1,4 @@
-"""The emergency stop, followed until the arm itself says that it has stopped. Pure."""
+"""The emergency stop, followed until the arm itself reports that it has stopped: pure."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from armui.protocol.frame import Frame
 _REPEAT_S: Final = 0.1
 _UNCONFIRMED_S: Final = 0.5
 _BY_ITSELF_S: Final = 10.0
-"""A stop older than this is sent to an arm that was away only when the operator asks again."""
+"""A stop older than this goes to an arm that was away only if the operator asks again."""
 _AWAY_S: Final = 1.0
-"""An arm not heard for so long was away: it may be another, or switched on again."""
+"""An arm not heard for this long was away: it may be another one, or switched on again."""
 
 
 @dataclass(slots=True)
@@ -41,14 +41,14 @@ class _Outstanding:
 
 
 class EmergencyStop:
-    """Sends a stop at once and again every 100 ms until 0x2A1 confirms it.
+    """Sends a stop at once, and every 100 ms until 0x2A1 confirms it.
 
     A stop asked for while the device is lost is kept and goes out as soon as it is back. After ten
     seconds it goes out by itself only to an arm that has been heard all the time; else it has
-    lapsed, and the operator decides: ask for it again, or withdraw it.
+    lapsed, and the operator either asks for it again or withdraws it.
 
     Args:
-        send: Puts frames on the bus past everything that waits; says whether it could.
+        send: Puts frames on the bus ahead of everything that waits; returns false if it cannot.
     """
 
     def __init__(self, send: Callable[[Sequence[Frame]], bool]) -> None:
@@ -57,27 +57,27 @@ class EmergencyStop:
 
     @property
     def requested(self) -> bool:
-        """Whether a stop has been asked for that the arm has not confirmed."""
+        """True if a stop has been asked for that the arm has not confirmed."""
         return self._stop is not None
 
     @property
     def lapsed(self) -> bool:
-        """Whether it is outstanding and not sent by itself any more."""
+        """True if the stop is outstanding and no longer sent automatically."""
         return self._stop is not None and self._stop.lapsed
 
     def unconfirmed(self, now_s: float) -> bool:
-        """Tell whether the confirmation is overdue."""
+        """Return whether the confirmation is overdue."""
         return self._stop is not None and now_s - self._stop.since_s > _UNCONFIRMED_S
 
     def request(self, frames: Sequence[Frame], now_s: float) -> bool:
-        """Stop now; says whether the frames are on the bus."""
+        """Send a stop now; return whether the frames are on the bus."""
         before = self._stop
         since_s = now_s if before is None or before.lapsed else before.since_s
         self._stop = _Outstanding(frames, since_s, asked_s=now_s, sent_s=now_s, reached_s=now_s)
         return self._send(frames)
 
     def follow_arm(self, state: ArmState, now_s: float, *, online: bool) -> bool:
-        """Take in what was heard, repeat the stop if due; tell whether it was just confirmed."""
+        """Take in the feedback, repeat a stop that is due; return whether it was just confirmed."""
         stop = self._stop
         if stop is None:
             return False
@@ -94,14 +94,14 @@ class EmergencyStop:
         return False
 
     def reset(self) -> None:
-        """Ask for no stop any more: it is withdrawn, or another arm is connected."""
+        """Drop the request: it is withdrawn, or another arm is connected."""
         self._stop = None
 
     def state(self, state: ArmState, now_s: float, *, online: bool, resuming: bool) -> StopState:
-        """Return where the stop stands.
+        """Return the state of the stop.
 
-        Of an arm whose status is not heard nobody knows whether it still is stopped: the button
-        that recovers a stopped arm must be one that stops it.
+        An arm whose status is not heard may no longer be stopped: for it the button must stop, not
+        recover.
         """
         if self.requested:
             return StopState.REQUESTED
@@ -112,21 +112,21 @@ class EmergencyStop:
 
 
 def is_stopped(state: ArmState) -> bool:
-    """Tell whether the last status heard says that the arm is stopped."""
+    """Return whether the last status heard says that the arm is stopped."""
     status = state.status
     return status is not None and status.value.arm_status == ArmStatusCode.EMERGENCY_STOP
 
 
 def status_is_fresh(state: ArmState, now_s: float) -> bool:
-    """Tell whether the status was heard within the last half second."""
+    """Return whether the status was heard within the last half second."""
     return state.status is not None and state.status.fresh(now_s)
 
 
 class StopWatch:
-    """Watches over a confirmed stop: nobody but this program's operator may undo it.
+    """Watches a confirmed stop: only this program's operator may undo it.
 
     Attributes:
-        holds: A stop of the operator has been confirmed, and nobody has undone it.
+        holds: True while the operator's stop is confirmed and nobody has undone it.
     """
 
     def __init__(self) -> None:
@@ -137,12 +137,12 @@ class StopWatch:
         self.holds = True
 
     def undone(self, state: ArmState, now_s: float, *, resuming: bool) -> bool:
-        """Tell whether somebody else has just undone the stop.
+        """Return whether somebody else has just undone the stop.
 
         Args:
             state: The arm as heard.
             now_s: Monotonic time.
-            resuming: This program's own resume is under way.
+            resuming: True if this program's own resume is under way.
         """
         if not self.holds or not status_is_fresh(state, now_s) or is_stopped(state):
             return False
@@ -150,5 +150,5 @@ class StopWatch:
         return not resuming
 
     def reset(self) -> None:
-        """Another connection: what it was is over."""
+        """Forget the stop, because another connection begins."""
         self.holds = False

@@ -1,4 +1,4 @@
-"""Checks of what is heard of the arm: fresh feedback, motors with power, no drag teaching. Pure."""
+"""Checks of the feedback: is it fresh, are motors without power, is drag teaching on. Pure."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ FEEDBACK_SILENT = Reason(
 
 
 def why_silent(state: ArmState, now_s: float) -> Refusal | None:
-    """Return a refusal that names the feedback a motion needs and that is silent, or ``None``.
+    """Return why feedback that a motion needs is missing, or ``None``.
 
     A motion needs the status (0x2A1) and the six joint angles (0x2A5 to 0x2A7).
     """
@@ -34,7 +34,7 @@ def _fresh(heard: Reading[Any] | None, now_s: float) -> bool:
 
 
 def any_motor_off(state: ArmState, now_s: float) -> bool | None:
-    """Tell whether a motor is without power; ``None`` if not every driver has told its state."""
+    """Return whether a motor is without power; ``None`` if not every driver has told its state."""
     known = True
     for each in state.drivers_slow:
         if each is None or not is_fresh(each.at_s, now_s):
@@ -45,7 +45,7 @@ def any_motor_off(state: ArmState, now_s: float) -> bool | None:
 
 
 def in_drag_teaching(state: ArmState) -> bool:
-    """Tell whether the arm is in drag teaching, or is a teaching input: a hand leads it."""
+    """Return whether the arm is in drag teaching, or is a teaching input: a hand leads it."""
     status = state.status
     if status is None:
         return False

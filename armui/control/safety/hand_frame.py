@@ -1,4 +1,4 @@
-"""A frame typed by the operator: whether it is one, and what it does to the arm: pure."""
+"""Parses a frame typed by the operator, and determines its effect on the arm: pure."""
 
 from __future__ import annotations
 
@@ -54,20 +54,20 @@ FRAME_RESUMES = Reason(
 
 
 class FrameEffect(enum.StrEnum):
-    """What a frame does to the arm when it gets there."""
+    """The effects of a frame on the arm."""
 
     HARMLESS = "harmless"
-    """A question, or a lamp."""
+    """The frame is a question, or sets a lamp."""
     ENDS = "ends"
     """The motion under way ends or pauses."""
     SINKS = "sinks"
     """An emergency stop: the joints go limp under damping."""
     DROPS = "drops"
-    """Motors lose their power; there are no brakes."""
+    """Motors lose their power and the arm drops: it has no brakes."""
     LIMP = "limp"
-    """A mode in which the joints are limp until their next setpoint."""
+    """The mode leaves the joints limp until their next setpoint."""
     DIRECT = "direct"
-    """A setpoint of one motor, past the arm's own planning."""
+    """The frame is a setpoint of one motor, past the arm's own planning."""
     MOVES = "moves"
     GRIPPER = "gripper"
     HAND = "hand"
@@ -75,17 +75,17 @@ class FrameEffect(enum.StrEnum):
     POWER = "power"
     """Motors get their power."""
     ROLE = "role"
-    """Leader or follower, and identifiers (0x470)."""
+    """The role of leader or follower changes, or the identifiers (0x470)."""
     SETTING = "setting"
-    """Something that the arm keeps."""
+    """The arm keeps a setting."""
     SILENCE = "silence"
     """The arm is told to say nothing (0x422)."""
     UNKNOWN = "unknown"
-    """No public text says what."""
+    """The effect is not published."""
 
 
 NEVER_REFUSED: Final = frozenset({FrameEffect.ENDS, FrameEffect.SINKS, FrameEffect.DROPS})
-"""For what the arm does, or somebody else: these end it."""
+"""The effects that are permitted whoever moves the arm: they end its motion."""
 MOVING: Final = frozenset(
     {
         FrameEffect.LIMP,
@@ -96,7 +96,7 @@ MOVING: Final = frozenset(
         FrameEffect.POWER,
     }
 )
-"""The arm moves, or may: by itself, by gravity or by a hand."""
+"""The effects by which the arm moves or may move: by itself, by gravity or by a hand."""
 
 _MODE_ID: Final = 0x151
 _CPV_IDS: Final = range(0x181, 0x188)
@@ -123,13 +123,13 @@ _EFFECTS: Final = {
     **dict.fromkeys(_CPV_IDS, FrameEffect.DIRECT),
     0x470: FrameEffect.ROLE,
 }
-"""Of the identifiers that 0x470 moves not, whatever the bytes are."""
+"""The effects of identifiers that 0x470 does not shift, whatever their bytes are."""
 _HEX: Final = re.compile(r"(?:0[xX])?([0-9a-fA-F]+)")
 _BETWEEN: Final = re.compile(r"[\s,.:_-]+")
 
 
 def parse_frame(identifier: str, data: str) -> Frame | Refusal:
-    """Return the frame that two fields hold in hexadecimal figures, or what is wrong with them.
+    """Return the frame in two fields of hexadecimal digits, or what is wrong with them.
 
     Args:
         identifier: ``155``, ``0x155``.
@@ -165,12 +165,12 @@ def why_never(frame: Frame) -> Refusal | None:
 
 
 def is_upgrade(arbitration_id: int) -> bool:
-    """Tell whether an identifier is kept for firmware upgrades."""
+    """Return whether an identifier is kept for firmware upgrades."""
     return arbitration_id != VERSION_ID and any(arbitration_id in each for each in _UPGRADE)
 
 
 def sets_mode(frame: Frame) -> bool:
-    """Tell whether it is a mode word (0x151) for any arm."""
+    """Return whether a frame is a mode word (0x151) under any offset."""
     return command_id(frame.arbitration_id) == _MODE_ID
 
 
@@ -183,7 +183,7 @@ def command_id(arbitration_id: int) -> int | None:
 
 
 def effect_of(frame: Frame) -> FrameEffect:
-    """Return what a frame does, on any arm: whichever offset it listens to (0x470)."""
+    """Return the effect of a frame, on an arm with any offset (0x470)."""
     arbitration_id = frame.arbitration_id
     base = command_id(arbitration_id)
     if base is not None:

@@ -1,4 +1,4 @@
-"""Whether the arm may be moved or enabled now: pure checks that answer with the reason why not."""
+"""Checks whether the arm may be moved or enabled now: pure; they return the reason why not."""
 
 from __future__ import annotations
 
@@ -66,12 +66,12 @@ MOVABLE_STATUSES: Final = frozenset(
 def why_no_command(
     unreachable: Refusal | None, stop: StopState, busy: Busy | None
 ) -> Refusal | None:
-    """Return the reason against any command but the stop.
+    """Return the reason against any command but the stop, or ``None``.
 
     Args:
         unreachable: Why nothing can be sent at all.
-        stop: Where the emergency stop stands.
-        busy: What the program is waiting for.
+        stop: The state of the emergency stop.
+        busy: The effect that the program waits for.
     """
     if unreachable is not None:
         return unreachable
@@ -85,7 +85,7 @@ def why_no_command(
 
 
 def why_not_enabled(enabled: Six[bool | None]) -> Refusal | None:
-    """Return the reason motors give against a motion: some are off, or were not heard."""
+    """Return why the motors prevent a motion (off or not heard), or ``None``."""
     off = [joint for joint, on in enumerate(enabled, start=1) if on is False]
     if off:
         return NOT_ENABLED(joints=joint_list(off))
@@ -93,7 +93,7 @@ def why_not_enabled(enabled: Six[bool | None]) -> Refusal | None:
 
 
 def why_not_ready(state: ArmState) -> Refusal | None:
-    """Return the reason the arm itself gives against a motion: who controls it, and its status."""
+    """Return why the arm's control mode or status prevents a motion, or ``None``."""
     if state.status is None or state.angles_deg() is None:
         return JOINTS_UNKNOWN()
     status = state.status.value
@@ -105,5 +105,5 @@ def why_not_ready(state: ArmState) -> Refusal | None:
 
 
 def joint_list(joints: list[int]) -> str:
-    """Joint numbers for a sentence: ``1, 3``."""
+    """Return joint numbers for a sentence, as ``1, 3``."""
     return ", ".join(str(joint) for joint in joints)

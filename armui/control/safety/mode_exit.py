@@ -1,4 +1,4 @@
-"""The way back from MIT, CPV or high-follow without a reset, where the firmware has one."""
+"""Leaves MIT, CPV or high-follow without a reset, if the firmware can do that."""
 
 from __future__ import annotations
 
@@ -44,13 +44,13 @@ MODE_LEFT = Notice(
 
 
 _WITHIN_S: Final = 0.9
-"""An action's first frame leaves within a second of its press or not at all."""
+"""An action's first frame is sent within this time of its press, or not at all."""
 _ASK_EVERY_S: Final = 0.4
-"""A second question during an answer would shift its text; the arm takes some milliseconds."""
+"""The interval of the questions: one during an answer would shift its text."""
 _KEEP_S: Final = 0.1
-"""A bus that is full for longer gets none of it: the answer was of another moment then."""
+"""Frames that a full bus holds up for longer are dropped: the answer is too old then."""
 _OTHERS_WITHIN_S: Final = 0.1
-"""By then a second arm on the bus has answered the same question, too."""
+"""Within this time a second arm on the bus has answered the same question, too."""
 
 
 @dataclass(slots=True)
@@ -71,16 +71,16 @@ class _Question:
 
 
 class ModeExitCommand(ControllerPart):
-    """Takes the arm out of another host's mode: a mode word, and targets where it stands.
+    """Takes the arm out of another host's mode: a mode word, and targets at its present place.
 
-    The word voids what the joints were told, so the targets follow it at once: until they have
+    The mode word voids the joints' setpoints, so the targets follow it at once: until they have
     arrived the joints may give way. Older firmware lets the arm fall instead. So the version that
     was named when the arm came is not enough: it is asked for at the press, and only an answer that
     began after the press counts. Without one nothing is sent.
 
     Args:
-        context: What the parts of the controller share.
-        speed_percent: What the window shows; the mode word carries it.
+        context: The context that the controller's parts share.
+        speed_percent: Returns the speed shown in the window; the mode word carries it.
     """
 
     def __init__(self, context: Context, speed_percent: Callable[[], int]) -> None:
@@ -90,11 +90,11 @@ class ModeExitCommand(ControllerPart):
 
     @property
     def asking(self) -> bool:
-        """Whether the arm's answer is waited for."""
+        """True while the arm's answer is awaited."""
         return self._question is not None
 
     def send(self) -> Refusal | None:
-        """Begin now: ``None``, or why nothing comes of it. What does is told."""
+        """Begin now; return ``None``, or why it cannot. A notice tells the outcome."""
         context = self._context
         context.refresh()
         refusal = self.why_not()
@@ -137,7 +137,7 @@ class ModeExitCommand(ControllerPart):
         self._question = None
 
     def forget_arm(self) -> None:
-        """Await no answer: the arm is gone."""
+        """Drop the pending answer, because the arm is gone."""
         self._question = None
 
     def _give_up(self, reason: Refusal) -> None:
@@ -185,7 +185,7 @@ class ModeExitCommand(ControllerPart):
         return None
 
     def why_not(self) -> Refusal | None:
-        """Return the reason against it now, or ``None``; against a stream only the stop wins."""
+        """Return why it is refused now, or ``None``; against a stream only the stop helps."""
         authority = self._context.authority
         if (silent := authority.why_silent()) is not None:
             return silent

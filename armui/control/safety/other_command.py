@@ -1,4 +1,4 @@
-"""What another host does to the arm, and when this program may move it again: pure."""
+"""Follows what another host does to the arm, and when this program may move it again: pure."""
 
 from __future__ import annotations
 
@@ -44,18 +44,18 @@ LEADER_ARM = Reason(
 
 
 _GONE_AFTER_S: Final = 2.0
-"""So long after its last motion frame another host counts as moving the arm."""
+"""Another host counts as moving the arm until this long after its last motion frame."""
 _TAKE_OVER_AFTER_S: Final = 0.5
 _TAKEN_IN_S: Final = 0.3
-"""A status this much after a mode word was made after it."""
+"""A status this much later than a mode word was reported after it."""
 _MODE_BYTE: Final = 1
 _MIT_BYTE: Final = 3
 _LEAVING_S: Final = 0.5
-"""So long after our own mode word the arm may still report the mode it is told to leave."""
+"""The arm may still report the mode it leaves this long after our own mode word."""
 
 
 class OtherMode(enum.Enum):
-    """A mode in which any new mode word leaves the joints limp until their next setpoint."""
+    """The modes in which any new mode word leaves the joints limp until their next setpoint."""
 
     MIT = "mit"
     CPV = "cpv"
@@ -73,13 +73,13 @@ class OtherCommand:
     """Follows the motion frames of other hosts.
 
     Attributes:
-        commands: Whether another host moves the arm: until two seconds after its last motion frame
-            and until the arm is at rest, unless the operator has taken over.
-        is_leader: Whether it is a leader arm, or streams as one.
-        last_s: When its last motion frame was heard.
-        since_s: When it began.
-        series: Its motion frames of late.
-        mode: The mode it has left the arm in, where a mode word of ours would make it fall.
+        commands: True while another host moves the arm: until two seconds after its last motion
+            frame and until the arm is at rest, unless the operator has taken over.
+        is_leader: True if it is a leader arm, or streams like one.
+        last_s: The time of its last motion frame.
+        since_s: The time at which it began.
+        series: Its recent motion frames.
+        mode: The mode it has left the arm in, if a mode word of ours would make the arm fall.
     """
 
     def __init__(self) -> None:
@@ -103,14 +103,14 @@ class OtherCommand:
         *,
         at_rest: bool,
     ) -> bool:
-        """Take in what was heard; whether another host has sent a motion frame since.
+        """Take in what was heard and return whether another host has sent a motion frame since.
 
         Args:
-            traffic: What other hosts send.
+            traffic: The frames of other hosts.
             offsets: The control offsets under which the arm may listen (0x470).
             state: The arm as heard.
             now_s: Monotonic time.
-            at_rest: Whether the arm is measured to stand still.
+            at_rest: True if the arm is measured to stand still.
         """
         self._now_s = now_s
         if traffic is not self._sorted[0] or offsets != self._sorted[1]:
@@ -131,21 +131,21 @@ class OtherCommand:
         return new
 
     def reconnected(self) -> None:
-        """Another connection begins: a host that moved the arm just before may still do so."""
+        """Note another connection; a host that moved the arm just before may still do so."""
         self.mode = None
         self._void_before_s = self._left_s = -math.inf
 
     def leave_mode(self, now_s: float) -> None:
-        """Note that the operator takes the arm out of the mode by a mode word, which goes out now.
+        """Note that a mode word of the operator takes the arm out of the mode now.
 
-        If the arm stays in it, it counts again soon.
+        If the arm stays in it, the mode soon counts again.
         """
         self.commands, self.mode = False, None
         self._left_s = now_s
 
     @property
     def drives(self) -> bool:
-        """Whether the arm does what another host says: it commands, or has left it in a mode."""
+        """True if another host commands the arm, or has left it in a mode."""
         return self.commands or self.mode is not None
 
     def _mode_of(
@@ -183,13 +183,13 @@ class OtherCommand:
 
     @property
     def may_be_taken_over(self) -> bool:
-        """Whether the operator may take the arm over: against a stream only the stop wins."""
+        """True if the operator may take the arm over; from a stream nobody can."""
         if not self.commands or self.last_s is None:
             return False
         return self._now_s - self.last_s >= _TAKE_OVER_AFTER_S
 
     def take_over(self) -> Refusal | None:
-        """Take the arm for the operator: ``None``, or why not."""
+        """Take the arm over for the operator; return ``None``, or why not."""
         if not self.commands:
             return NOBODY_ELSE()
         if not self.may_be_taken_over:
@@ -204,7 +204,7 @@ class OtherCommand:
 
     @property
     def rate_hz(self) -> int:
-        """How often its most frequent motion frame comes, in two digits."""
+        """The rate of its most frequent motion frame, rounded to two digits."""
         rate_hz = max((each.rate_hz for each in self.series), default=0.0)
         return 10 * round(rate_hz / 10.0) if rate_hz >= 20.0 else round(rate_hz)
 

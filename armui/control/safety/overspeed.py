@@ -1,4 +1,4 @@
-"""Whether a motion of ours is measured to be faster than the window shows: pure."""
+"""Watches whether a motion of ours is measured to be faster than shown: pure."""
 
 from __future__ import annotations
 
@@ -36,28 +36,28 @@ TOOL_TURNS_TOO_FAST = Reason(
 
 _TOO_FAST: Final = 1.5
 _SLACK_DEG_S: Final = 2.0
-"""What the trembling of the last digit and the bus's jitter can look like."""
+"""The speed that the last digit's noise and the bus's jitter can feign."""
 _SLACK_MM_S: Final = 3.0
 _TOOL_SLACK_DEG_S: Final = 2.0
-"""The same of the flange, at the end of the arm."""
+"""The same for the flange, at the end of the arm."""
 _UNKNOWN_RAMP_S: Final = 1.0
 _TAKEN_UP_S: Final = 0.2
-"""By then a percentage that was sent shows in what is measured."""
+"""A new percentage shows in the measured speed after this time."""
 _FOR_S: Final = 0.1
 _HALF_S: Final = 0.05
 _BRAKING: Final = 0.95
-"""A joint that gets this much slower in 0.05 s is on its way to the speed it was told."""
+"""A joint whose speed falls to this share within 0.05 s is braking to its new speed."""
 
 
 @dataclass(frozen=True, slots=True)
 class ToolPace:
-    """How fast a line or an arc leads the flange at 100 %: the most along its way.
+    """The greatest speed of the flange along a line or an arc at 100 %.
 
     Attributes:
         kinematics: Of the arm that is measured.
-        linear_mm_s: Of its place.
-        angular_deg_s: Of its turning.
-        ramp_s: How long it brakes from there to rest.
+        linear_mm_s: The speed of its position.
+        angular_deg_s: The speed of its turning.
+        ramp_s: The braking time from this speed to rest.
     """
 
     kinematics: Kinematics
@@ -66,7 +66,7 @@ class ToolPace:
     ramp_s: float
 
     def slowed_within_s(self, percent: float) -> float:
-        """Return how long it may take until the tool is slower by so many percent."""
+        """Return the longest time in which the tool becomes slower by so many percent."""
         return self.ramp_s * percent / 100.0 + _TAKEN_UP_S
 
 
@@ -137,18 +137,18 @@ class OverspeedWatch:
         accelerations_deg_s2: Sequence[float],
         pace: ToolPace | None = None,
     ) -> Refusal | None:
-        """Take in what is measured.
+        """Compare the measured speeds with the one shown.
 
         Args:
             state: The arm as heard.
             percent: The speed shown for the motion under way, of its highest; ``None``: there is
                 nothing to compare with.
-            factory: Of the arm's model: they stand in where the arm has told none.
+            factory: The factory limits of the model, for unread ones.
             accelerations_deg_s2: Of the six joints: how they slow down.
-            pace: Of a line or an arc: how fast the tool goes at 100 %.
+            pace: The tool's speed at 100 %, for a line or an arc.
 
         Returns:
-            Which joint is too fast, or that the tool is, or ``None``.
+            The joint that is too fast, or the tool, as a reason, or ``None``.
         """
         angles_deg, last = state.angles_deg(), state.joints_deg[-1]
         if percent is None or angles_deg is None or last is None:
@@ -189,13 +189,13 @@ class _Window:
 def tool_pace(
     way: Sequence[Sequence[float]], start_deg: Sequence[float] | None, arm: ArmModel
 ) -> ToolPace:
-    """Return how fast the arm leads its flange along a line or an arc at 100 %.
+    """Return the speed of the arm's flange along a line or an arc at 100 %.
 
     Args:
         way: Poses of the flange: the end of a line, or start, middle and end of an arc.
-        start_deg: Where the joints stand; ``None``: they move, and where the way begins is not
-            known yet. Then the limits of the tool are all that is known of its pace; before they
-            are heard there is nothing to compare it with but the joints.
+        start_deg: The angles of the joints at rest; ``None`` if they move, so that the beginning of
+            the path is unknown. Then only the limits of the tool give its pace; before they are
+            heard only the joints can be compared.
         arm: The arm.
     """
     limits = arm.end_limits

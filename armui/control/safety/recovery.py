@@ -1,4 +1,4 @@
-"""Guided recovery: the next step, its one action, and whether the arm has done what was asked."""
+"""Guided recovery: the next step, its one action, and the check that the arm has done it."""
 
 from __future__ import annotations
 
@@ -59,14 +59,15 @@ STEP_IN_VAIN_NOTICE = Notice(
 
 
 _SHOWS_LATER_S: Final = 0.5
-"""Between an answer and the feedback that shows its effect: drivers report ten times a second."""
+"""An answer's effect shows in the feedback this much later: drivers report ten times a second."""
 
 _SETTLE_S: Final = 0.25
 _MAY_BE_BRIEF: Final = frozenset(
     {StepKind.HANDSHAKE, StepKind.STATUS_UNKNOWN, StepKind.MOTORS_UNKNOWN, StepKind.MOTORS_MIXED}
 )
-"""Drivers and controller report one after the other: what lasts shorter than ``_SETTLE_S`` is no
-step, and a line that flickers leads to wrong clicks."""
+"""The steps that may be only transitional: drivers and controller report one after the other. Such
+a step is shown only if it lasts for ``_SETTLE_S``, because a flickering line leads to wrong clicks.
+"""
 
 _TEACH: Final = operation_of(TeachingControl.command)
 _PLAN: Final = operation_of(PlannedMotion.command)
@@ -80,7 +81,7 @@ _OPERATIONS: Final[Mapping[Action | None, tuple[Operation, Mapping[str, object]]
     Action.GO_ON: (_PLAN, {"command": TrajectoryCommand.CONTINUE}),
     Action.GIVE_UP: (_PLAN, {"command": TrajectoryCommand.ABORT}),
 }
-"""The actions that are operations: they may not be taken for the operation's own reason."""
+"""The operations of actions: an operation's own reason also stands against its action."""
 
 _AT_ONCE: Final = frozenset(
     {
@@ -93,7 +94,7 @@ _AT_ONCE: Final = frozenset(
         Action.LEAVE_MODE,
     }
 )
-"""Nothing is waited for: what comes of them is another step."""
+"""The actions without anything to wait for: they lead to another step."""
 
 _Handler = Callable[[Step], Started | Refusal | None]
 
@@ -115,20 +116,20 @@ class Recovery(ControllerPart):
     """Determines the next step of recovery and carries it out on request.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
         motors: Switches the motors.
         joint_errors: Clears the errors of the drivers.
         teaching: Commands drag teaching.
         stop: The emergency stop.
         withdraw_stop: Gives up a stop that is outstanding.
-        planned_motion: Goes on with a motion held back, or drops it.
+        planned_motion: Continues a motion held back, or drops it.
         take_over: Takes the arm from another host.
         mode_exit: Takes the arm out of another host's mode.
         announce: Called with each new step.
 
     Attributes:
         step: The next step.
-        acts: It gives a command at this moment.
+        acts: True while it gives a command itself.
     """
 
     def __init__(
@@ -185,16 +186,16 @@ class Recovery(ControllerPart):
     def act(
         self, step: Step, action: Action | None = None, mark: ArmMark | None = None
     ) -> Refusal | None:
-        """Take a step that was shown: ``None`` if it is under way, or why nothing was sent.
+        """Take a step that was shown; return ``None`` if it is under way, or why not.
 
         Args:
-            step: What the operator agreed to. If the arm is in another state by now, the step is
-                not taken: its action may mean something else there.
-            action: Its alternative, where that is meant.
-            mark: The arm it was shown for, where the caller has not looked at that itself.
+            step: The step that the operator agreed to. If the arm is in another state by now, the
+                step is not taken: its action may mean something else there.
+            action: Its alternative, if that is meant.
+            mark: The arm it was shown for, if the caller has not checked that itself.
 
         Raises:
-            KeyError: The action is none of the controller's: connecting is the window's.
+            KeyError: The action is not the controller's: the window does the connecting.
         """
         self._context.refresh()
         if mark is not None and not mark.is_still(self._context.connection.mark):
@@ -218,11 +219,11 @@ class Recovery(ControllerPart):
         return refusal
 
     def why_not(self, step: Step, action: Action | None = None) -> Refusal | None:
-        """Return the reason against taking a step now that does not lie in the step, or ``None``.
+        """Return the reason against taking a step now beside the step's own, or ``None``.
 
         Args:
-            step: What is shown.
-            action: Its alternative, where that is meant.
+            step: The step shown.
+            action: Its alternative, if that is meant.
         """
         action, now = action or step.action, self._context.operating_state()
         if action is Action.TAKE_OVER:
@@ -243,7 +244,7 @@ class Recovery(ControllerPart):
         return OTHER_HOST_STREAMS(frames=other.frames)
 
     def follow_arm(self) -> None:
-        """Look at what was heard; called regularly while a device is open."""
+        """Determine the step anew; called regularly while a device is open."""
         now_s = self._context.clock()
         if self._request is not None:
             outcome = self._request.advance()
@@ -263,11 +264,11 @@ class Recovery(ControllerPart):
             self._announce(step)
 
     def halt(self) -> None:
-        """Take back what was begun: a stop was asked for."""
+        """Drop the action under way, because a stop was asked for."""
         self._give_up()
 
     def forget_arm(self) -> None:
-        """Await no answer: the arm is gone."""
+        """Drop the action under way, because the arm is gone."""
         self._give_up()
 
     def _look(self) -> Step:
@@ -307,7 +308,7 @@ class Recovery(ControllerPart):
 
     @property
     def _under_way(self) -> bool:
-        """Whether something of the action may still have an effect."""
+        """True if something of the action may still have an effect."""
         return (
             self._request is not None
             or bool(self._to_clear)
@@ -318,7 +319,7 @@ class Recovery(ControllerPart):
         )
 
     def _holds(self, step: Step, now_s: float) -> bool:
-        """Tell whether a step is to be shown: some states are passed through in a moment."""
+        """Return whether a step is to be shown: some states are passed through in a moment."""
         if step.kind not in _MAY_BE_BRIEF or step.kind is self.step.kind:
             self._brief_since_s = None
             return True

@@ -1,4 +1,4 @@
-"""The conditions of recovery: what a rule looks at, and when it applies. Pure."""
+"""The conditions of the rules of recovery: pure."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ _KNOWN_CODES: Final = frozenset(map(int, ArmStatusCode))
 
 @dataclass(frozen=True, slots=True)
 class RecoveryView:
-    """What the rules look at: only what is heard of late counts."""
+    """The data that the rules look at; only recent feedback counts."""
 
     state: ArmState
     operating_state: OperatingState
@@ -40,7 +40,7 @@ class RecoveryView:
 
     @property
     def code(self) -> int | None:
-        """The status code, if it is heard."""
+        """The status code, or ``None`` if it is not heard."""
         return None if self.status is None else self.status.arm_status
 
     @property
@@ -50,43 +50,43 @@ class RecoveryView:
 
     @property
     def in_drag_mode(self) -> bool:
-        """Whether the arm may be led by hand."""
+        """True if the arm may be led by hand."""
         return self.status is not None and self.status.control_mode == ControlMode.TEACHING
 
     @property
     def enabled(self) -> bool:
-        """Whether all six motors are on."""
+        """True if all six motors are on."""
         return all(self.operating_state.enabled)
 
 
 Applies = Callable[[RecoveryView], Params | None]
-"""The figures of a rule's sentence if the rule applies, else ``None``."""
+"""Returns the figures of a rule's sentence if the rule applies, else ``None``."""
 
 
 def when(condition: Callable[[RecoveryView], bool]) -> Applies:
-    """Applies while a condition holds; its sentence has no figures."""
+    """Return a check that applies while a condition holds; its sentence has no figures."""
     return lambda view: _NONE if condition(view) else None
 
 
 def link_is(link: LinkState) -> Applies:
-    """Applies while the link is in one state."""
+    """Return a check that applies in one state of the link."""
     return when(lambda view: view.operating_state.link is link)
 
 
 def has_code(code: ArmStatusCode) -> Applies:
-    """Applies while the arm reports one status code (0x2A1 byte 1)."""
+    """Return a check that applies while the arm reports one status code (0x2A1 byte 1)."""
     return when(lambda view: view.code == code)
 
 
 def in_phase(phase: TeachingPhase) -> Applies:
-    """Applies in one phase of drag teaching."""
+    """Return a check that applies in one phase of drag teaching."""
     return when(lambda view: view.phase is phase)
 
 
 def joints_flagged(
     flagged: Callable[[RecoveryView], list[bool]], code: ArmStatusCode | None = None
 ) -> Applies:
-    """Some joints are flagged, or the arm's status says so without naming one."""
+    """Return a check that applies if joints are flagged, or the status reports it unnamed."""
 
     def applies(view: RecoveryView) -> Params | None:
         flags = flagged(view)
@@ -99,53 +99,53 @@ def joints_flagged(
 
 
 def drivers(fault: Callable[[DriverSlow], bool | None]) -> Callable[[RecoveryView], list[bool]]:
-    """Return the joints whose drivers report a fault (0x261–0x266)."""
+    """Return a function for the flags of the joints whose drivers report a fault (0x261–0x266)."""
     return lambda view: [each is not None and bool(fault(each)) for each in view.drivers]
 
 
 def status_flags(
     flags: Callable[[Status], tuple[bool, ...]],
 ) -> Callable[[RecoveryView], list[bool]]:
-    """Return the joints that the status flags (0x2A1 bytes 6–7)."""
+    """Return a function for the joint flags in the status (0x2A1 bytes 6–7)."""
     return lambda view: [False] * len(JOINTS) if view.status is None else list(flags(view.status))
 
 
 _AWAY: Final = frozenset({LinkState.NO_DEVICE, LinkState.OPENING, LinkState.LOST})
-"""No device is open: nothing can be sent."""
+"""The states of the link in which no device is open and nothing can be sent."""
 
 
 def stop_waits(view: RecoveryView) -> bool:
-    """A stop was asked for and no device is there to send it."""
+    """Return whether a stop was asked for and no device is there to send it."""
     operating_state = view.operating_state
     return operating_state.link in _AWAY and operating_state.stop is StopState.REQUESTED
 
 
 def stop_lapsed_away(view: RecoveryView) -> bool:
-    """A stop has lapsed, and no device is there."""
+    """Return whether a stop has lapsed and no device is there."""
     return view.operating_state.stop_lapsed and view.operating_state.link in _AWAY
 
 
 def is_teaching_input(view: RecoveryView) -> bool:
-    """The arm is a teaching input: it obeys nothing but its linkage."""
+    """Return whether the arm is a teaching input, which obeys only its linkage."""
     status = view.status
     told = status is not None and status.control_mode == ControlMode.LINKED_TEACHING_INPUT
     return view.operating_state.teaching_input or told
 
 
 def working(view: RecoveryView) -> Params | None:
-    """The program is busy with the arm."""
+    """Return the activity with which the program is busy, as figures, or ``None``."""
     busy = view.operating_state.busy
     return None if busy is None else {"what": busy.value}
 
 
 def unknown_status(view: RecoveryView) -> Params | None:
-    """The arm reports a status code that the protocol does not list."""
+    """Return the reported status code if the protocol does not list it, or ``None``."""
     known = view.code in _KNOWN_CODES
     return None if known or view.code is None else {"status": view.code}
 
 
 def other_control(view: RecoveryView) -> Params | None:
-    """The arm is in a control mode that takes no motions."""
+    """Return the control mode if it takes no motions, or ``None``."""
     mode = None if view.status is None else view.status.control_mode
     if mode is None or mode in interlocks.MOVABLE_MODES or mode == ControlMode.TEACHING:
         return None
@@ -153,13 +153,13 @@ def other_control(view: RecoveryView) -> Params | None:
 
 
 def not_heard(view: RecoveryView) -> bool:
-    """Whether something is silent that a motion counts on."""
+    """Return whether feedback that a motion needs is missing."""
     silent = view.operating_state.cannot_send_motion
     return view.status is None or (silent is not None and silent.reason == FEEDBACK_SILENT)
 
 
 def other_mode(view: RecoveryView) -> Params | None:
-    """Another host has put the joints into MIT, CPV or high-follow."""
+    """Return the mode (MIT, CPV, high-follow) another host has set, or ``None``."""
     other = view.operating_state.other_host
     if other is None or other.refusal.reason != OTHER_MODE:
         return None
@@ -167,12 +167,12 @@ def other_mode(view: RecoveryView) -> Params | None:
 
 
 def other_mode_that_ends(view: RecoveryView) -> Params | None:
-    """The same, where the arm's firmware leaves such a mode by a mode word."""
+    """Return the same if the arm's firmware leaves such a mode by a mode word."""
     return other_mode(view) if exits_by_mode_word(view.state) else None
 
 
 def other_host_is(code: Reason) -> Applies:
-    """Another host moves the arm, for one reason."""
+    """Return a check that applies while another host moves the arm, for one reason."""
 
     def applies(view: RecoveryView) -> Params | None:
         other = view.operating_state.other_host
@@ -185,7 +185,7 @@ def other_host_is(code: Reason) -> Applies:
 
 
 def held_back(hold: Hold) -> Applies:
-    """A motion is held back, and not by a run, which has a pause of its own."""
+    """Return a check that applies while a motion is held back, but not by a run's own pause."""
 
     def applies(view: RecoveryView) -> Params | None:
         operating_state = view.operating_state
@@ -197,29 +197,29 @@ def held_back(hold: Hold) -> Applies:
 
 
 def run_is(*phases: RunPhase) -> Applies:
-    """Applies while a run or a replay is in one of these phases."""
+    """Return a check that applies while a run or a replay is in one of these phases."""
     return when(lambda view: view.operating_state.run_phase in phases)
 
 
 def moves(view: RecoveryView) -> bool:
-    """Tell whether the arm is on its way, or comes to rest after a run that was ended."""
+    """Return whether the arm is on its way, or comes to rest after a run was ended."""
     return view.operating_state.moving or view.operating_state.running
 
 
 def below_base(view: RecoveryView) -> Params | None:
-    """Tell by how much the arm reaches below the plane it stands on."""
+    """Return by how much the arm reaches below the plane it stands on, or ``None``."""
     below = view.operating_state.below_base_mm
     return None if below is None else {"value": below}
 
 
 def near_rest(view: RecoveryView) -> bool:
-    """Led by hand, and near the rest pose."""
+    """Return whether the arm is led by hand and near the rest pose."""
     farthest = farthest_from_rest(view.state) if view.in_drag_mode else None
     return farthest is not None and abs(farthest[1]) <= NEAR_REST_DEG
 
 
 def far_from_rest(condition: Callable[[RecoveryView], bool]) -> Applies:
-    """Led by hand, away from the rest pose, and a condition holds."""
+    """Return a check for an arm led by hand away from the rest pose, with a condition."""
 
     def applies(view: RecoveryView) -> Params | None:
         farthest = farthest_from_rest(view.state) if view.in_drag_mode else None
@@ -232,7 +232,7 @@ def far_from_rest(condition: Callable[[RecoveryView], bool]) -> Applies:
 
 
 def motors_mixed(view: RecoveryView) -> list[bool]:
-    """Return the motors that are off while others are on."""
+    """Return a flag for each motor that is off while others are on."""
     enabled = view.operating_state.enabled
     return [on is False and any(enabled) for on in enabled]
 

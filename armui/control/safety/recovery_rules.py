@@ -1,8 +1,8 @@
-"""The next valid step towards an arm that may be moved: pure, a table read from top to bottom.
+"""The rules for the next step of recovery: pure, a table read from top to bottom.
 
-What stands higher must be settled before what stands lower can be: without a link nothing else
-matters, a stop hides every other fault, a driver with a fault keeps its motor off, motors without
-power cannot be moved out of a limit.
+A higher row must be settled before a lower one can be: without a link nothing else matters, a stop
+hides every other fault, a driver with a fault keeps its motor off, motors without power cannot be
+moved out of a limit.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ STEP_IN_VAIN = Reason("step_in_vain", "The arm did not react.")
 
 
 _IN_VAIN_TWICE: Final = 2
-"""The gentle action is worth a second try, with the cause gone; then a stronger one is offered."""
+"""The gentle action gets a second try; after that a stronger one is offered."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,9 +65,9 @@ class _Rule:
     action: Action | None
     applies: Applies
     escalation: Action | None = None
-    """What to offer once the action has come to nothing twice."""
+    """The action offered once the usual one has come to nothing twice."""
     alternative: Action | None = None
-    """What a second button does."""
+    """The action of a second button."""
 
 
 def next_step(
@@ -76,13 +76,13 @@ def next_step(
     now_s: float,
     in_vain: Mapping[StepKind, int] | None = None,
 ) -> Step:
-    """The one next step.
+    """Return the one next step.
 
     Args:
         state: The arm as last heard.
-        operating_state: What the operator can do, assessed from the same state.
+        operating_state: The operating state, assessed from the same state.
         now_s: Monotonic time.
-        in_vain: How often the action against the present problem came to nothing.
+        in_vain: The number of times that the action against the present problem came to nothing.
     """
     heard = state.status
     view = RecoveryView(

@@ -1,4 +1,4 @@
-"""The steps of recovery as data: what stands in the way, and what the one button does about it."""
+"""The steps of recovery as data: the obstacle, and the action of the one button against it."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from armui.system.sentence import Sentence
 
 @dataclass(frozen=True, slots=True)
 class ActionText(Sentence):
-    """What a button of a step is called.
+    """The texts of a step's button.
 
     Attributes:
-        question: The title of the question before what may surprise.
-        danger: What will physically happen then; without one the operator is not asked.
+        question: The title of the question before an action that may surprise.
+        danger: The physical effect to expect; without one the operator is not asked.
     """
 
     context: ClassVar[str] = "RecoveryAction"
@@ -27,7 +27,7 @@ class ActionText(Sentence):
 
 
 class Action(enum.Enum):
-    """What the one button of a step does, and how that is said."""
+    """The actions of a step's button, with their texts."""
 
     CONNECT = ActionText("connect", "Connection…")
     LEAVE_TEACHING_INPUT = ActionText("leave_teaching_input", "Motion output")
@@ -47,7 +47,7 @@ class Action(enum.Enum):
         "First the emergency stop: the motors go limp and the arm sinks. Then Resume cuts their "
         "power: the arm will drop. Hold the arm from now on.",
     )
-    """Emergency stop; the resume is the next step."""
+    """The arm gets an emergency stop; the resume is the next step."""
     STOP_RECORDING = ActionText("stop_recording", "Stop recording")
     ABORT_REPLAY = ActionText("abort_replay", "Terminate")
     LEAD_BY_HAND = ActionText(
@@ -60,7 +60,7 @@ class Action(enum.Enum):
     )
     """Drag teaching is entered again, so that the arm gives way to the hand."""
     STOP = ActionText("stop", "Emergency stop")
-    """The emergency stop, at once."""
+    """The arm gets an emergency stop at once."""
     GO_ON = ActionText("go_on", "Continue")
     """The motion held back goes on."""
     GIVE_UP = ActionText("give_up", "Give up")
@@ -91,19 +91,19 @@ class Action(enum.Enum):
         "The arm is not stopped: it goes on with whatever it is doing, and obeys again. Look at "
         "the arm before.",
     )
-    """The stop button stands beside it: this is the other answer."""
+    """The stop is withdrawn; the stop button beside it is the other choice."""
 
 
 HELD: Final = frozenset({Action.GO_ON, Action.TAKE_OVER})
-"""The button is held for a second: the arm moves, or another host loses it."""
+"""The actions whose button is held for a second: the arm moves, or another host loses it."""
 
 
 @dataclass(frozen=True, slots=True)
 class StepText(Sentence):
-    """What stands in the way and what to do.
+    """The sentence of a step: the obstacle and what to do.
 
     Attributes:
-        somewhere: The same where the arm does not tell which joint it is.
+        somewhere: The same for an arm that does not name the joint.
     """
 
     context: ClassVar[str] = "RecoveryStep"
@@ -111,7 +111,7 @@ class StepText(Sentence):
 
 
 class StepKind(enum.Enum):
-    """What stands between the operator and a ready arm, and how that is said."""
+    """The kinds of steps between the operator and a ready arm, with their texts."""
 
     NO_DEVICE = StepText(
         "no_device", "No arm is connected. Connect one, or the simulated arm to try everything out."
@@ -319,26 +319,26 @@ UNHINDERED: Final = frozenset(
         StepKind.READY,
     }
 )
-"""Nothing stands in the way: the arm moves as it was told, or may be moved."""
+"""The steps without an obstacle: the arm moves as it was told, or may be moved."""
 
 
 Params = Mapping[str, object]
-"""The figures of a sentence by name."""
+"""The figures of a sentence, by name."""
 
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """The next step.
+    """A step of recovery.
 
     Attributes:
-        kind: What stands in the way.
-        level: How much it matters.
+        kind: The obstacle.
+        level: The severity.
         params: The figures of its sentence.
-        action: What the button does; ``None``: the step is taken at the arm, or by waiting.
-        alternative: What a second button does.
+        action: The action of the button; ``None`` if the step is taken at the arm, or by waiting.
+        alternative: The action of a second button.
         joints: The joints it is about, where some are.
-        waiting: The action has been taken and the arm has not shown it yet.
-        failed: The action was taken, and why it came to nothing.
+        waiting: True if the action was taken and the arm has not shown it yet.
+        failed: The reason why the action came to nothing, once it was taken.
     """
 
     kind: StepKind
@@ -352,20 +352,20 @@ class Step:
 
     @property
     def actions(self) -> frozenset[Action]:
-        """What its buttons do."""
+        """The actions of its buttons."""
         both = (self.action, self.alternative)
         return frozenset(action for action in both if action is not None)
 
     @property
     def held(self) -> bool:
-        """Whether its button must be held for a second."""
+        """True if its button must be held for a second."""
         return self.action in HELD
 
     @property
     def dangerous(self) -> bool:
-        """Whether the operator is to be asked before the action is taken."""
+        """True if the operator is asked before the action is taken."""
         return self.action is not None and bool(self.action.value.danger)
 
 
 NO_DEVICE: Final = Step(StepKind.NO_DEVICE, Level.INFO, action=Action.CONNECT)
-"""The step before all others."""
+"""The step while no device is connected."""

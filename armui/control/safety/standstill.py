@@ -1,4 +1,4 @@
-"""Whether the joints stand still: by the angles the arm reports, or the speeds of its drivers."""
+"""Decides whether the joints stand still, by the reported angles or the drivers' speeds."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ SPEED_UNKNOWN = Reason(
 
 SETTLED_DEG: Final = 0.02
 SETTLED_S: Final = 0.3
-"""An arm whose joints have not moved so far for so long is at rest."""
+"""An arm whose joints have moved by at most ``SETTLED_DEG`` in this time is at rest."""
 
 QUIET_DEG: Final = 0.03
 QUIET_S: Final = 0.03
@@ -46,8 +46,8 @@ class RestWatch:
     """Compares the measured angles over time.
 
     Args:
-        within_deg: How far a joint may move and still count as standing.
-        for_s: How long.
+        within_deg: The most that a joint may move and still count as standing.
+        for_s: The time for which it must do so.
     """
 
     def __init__(self, within_deg: float = SETTLED_DEG, for_s: float = SETTLED_S) -> None:
@@ -56,7 +56,7 @@ class RestWatch:
         self._standing: _Standing | None = None
 
     def observe(self, state: ArmState, now_s: float) -> None:
-        """Take in what is measured; angles that are not fresh are none."""
+        """Take in the measured angles; angles that are not fresh are ignored."""
         angles_deg = state.angles_deg()
         # the angle heard longest ago tells when the arm was measured
         measured_s = min((each.at_s for each in state.joints_deg if each is not None), default=None)
@@ -71,12 +71,12 @@ class RestWatch:
 
     @property
     def at_rest(self) -> bool:
-        """Whether no joint has moved of late."""
+        """True if no joint has moved recently."""
         standing = self._standing
         return standing is not None and standing.measured_s - standing.since_s >= self._for_s
 
     def reset(self) -> None:
-        """Forget what was measured."""
+        """Forget the measured angles."""
         self._standing = None
 
 
@@ -85,7 +85,7 @@ def _apart(angles_deg: Sequence[float], others_deg: Sequence[float], within_deg:
 
 
 def why_moving(state: ArmState) -> Refusal | None:
-    """Return the joints measured to move, as a reason; silent ones are no reason."""
+    """Return the joints measured to move, as a reason, or ``None``; silent ones are ignored."""
     moving = [
         joint
         for joint, speed in zip(JOINTS, _speeds_deg_s(state), strict=True)
@@ -95,7 +95,7 @@ def why_moving(state: ArmState) -> Refusal | None:
 
 
 def why_not_still(state: ArmState) -> Refusal | None:
-    """As :func:`why_moving`, and the speed of each joint must be known."""
+    """Return the same reason; the speed of each joint must also be known."""
     speeds = zip(JOINTS, _speeds_deg_s(state), strict=True)
     unknown = [joint for joint, speed in speeds if speed is None]
     if unknown:

@@ -1,4 +1,4 @@
-"""How the operator ends motion: the emergency stop, followed until confirmed, and halt and hold."""
+"""Ends motion for the operator: the emergency stop, followed until confirmed, and the halt."""
 
 from __future__ import annotations
 
@@ -115,14 +115,14 @@ STOP_UNCONFIRMED = Notice(
 
 
 _AT_REST_S: Final = 1.3
-"""So long after a halt the rest of the arm is its doing: 1 s, and what measuring it takes."""
+"""Rest within this time of a halt is its effect: 1 s, and the time to measure it."""
 
 
 class Stopping:
-    """Sends stops and halts on every identifier offset, and follows what becomes of them.
+    """Sends stops and halts on every identifier offset, and follows their effect.
 
-    The offset of the commands cannot be heard: an arm obeys the frame that reaches it, whichever
-    of 0x150, 0x160 and 0x170 it listens to.
+    The offset of the commands cannot be heard, so each of 0x150, 0x160 and 0x170 is sent: the arm
+    obeys the one it listens to.
 
     Args:
         connection: The way to the arm.
@@ -131,7 +131,7 @@ class Stopping:
         end_all: Has every part of the program give up what would move the arm.
 
     Attributes:
-        stop_again: A stop that another host undoes is sent again by itself.
+        stop_again: True if a stop that another host undoes is sent again automatically.
     """
 
     def __init__(
@@ -181,7 +181,7 @@ class Stopping:
             self._close(self._stop_started, Ending.CUT_OFF, STOP_WITHDRAWN)
 
     def on_connecting(self, device: Device) -> None:
-        """Drop a stop that is outstanding, unless it was asked of this very device."""
+        """Drop an outstanding stop, unless it was meant for this very device."""
         self._watch.reset()
         self._halted_s = None
         if (
@@ -193,7 +193,7 @@ class Stopping:
             self._close(self._stop_started, Ending.CUT_OFF, STOP_ABANDONED, device=self._asked_of)
 
     def follow_arm(self, state: ArmState, now_s: float, *, resuming: bool, still: bool) -> None:
-        """Take in what was heard; called at each tick, whatever else fails."""
+        """Follow stop and halt in the feedback; called at each tick, whatever else fails."""
         emergency_stop = self.emergency_stop
         online = self._connection.link is LinkState.ONLINE
         if emergency_stop.follow_arm(state, now_s, online=online):
@@ -212,7 +212,7 @@ class Stopping:
         self._follow_halt(now_s, still=still)
 
     def state(self, state: ArmState, now_s: float, *, resuming: bool) -> StopState:
-        """Return where the stop stands; see :meth:`EmergencyStop.state`."""
+        """Return the state of the stop; see :meth:`EmergencyStop.state`."""
         online = self._connection.link is LinkState.ONLINE
         return self.emergency_stop.state(state, now_s, online=online, resuming=resuming)
 
@@ -247,8 +247,8 @@ class Stopping:
     def halt(self, end_driven: Callable[[], None]) -> Refusal | None:
         """End any motion with power on (0x150 byte 1 = 6): the joints hold where they come to rest.
 
-        Past everything that waits, which is dropped. A replay of drag teaching is aborted, too
-        (0x150 byte 2 = 6).
+        The frames go ahead of everything that waits, which is dropped. A replay of drag teaching is
+        aborted, too (0x150 byte 2 = 6).
 
         Args:
             end_driven: Ends whatever this program drives; called when the frames are on their way.

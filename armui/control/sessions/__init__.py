@@ -1,1 +1,1 @@
-"""Sessions as they happen: what the operator has recorded and saved of them."""
+"""Sessions in the making: recording and saving them."""

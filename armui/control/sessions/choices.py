@@ -1,4 +1,4 @@
-"""What the operator chose for the recordings of sessions."""
+"""The operator's choices for the recordings of sessions."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ MEGABYTE: Final = 1_000_000
 
 @dataclass(frozen=True, slots=True)
 class SessionChoices:
-    """How and where sessions are recorded.
+    """The choices for the recordings of sessions.
 
     Attributes:
-        folder: Where.
-        kind: The format of what is recorded next.
-        as_mf4: Whether an .mf4 file is made of it when it has ended.
-        rotate_bytes: A file that is as large is followed by another.
-        save_at_faults: Whether the ring is saved by itself when a fault or a stop happens.
+        folder: The folder of the recordings.
+        kind: The format of the next recording.
+        as_mf4: True to make an .mf4 file of it when it has ended.
+        rotate_bytes: The size at which a file is followed by another.
+        save_at_faults: True to save the ring automatically at a fault or a stop.
     """
 
     folder: Path
@@ -33,7 +33,7 @@ class SessionChoices:
 
 
 def choices_of(settings: Settings) -> SessionChoices:
-    """Return the choices as they stand in the settings."""
+    """Return the choices in the settings."""
     as_mf4 = settings.session_format == MF4_SUFFIX
     return SessionChoices(
         folder=Path(settings.session_folder) if settings.session_folder else paths.sessions(),

@@ -1,4 +1,4 @@
-"""Has .mf4 files made of recordings that have ended, in a process that holds nobody up."""
+"""Makes .mf4 files of ended recordings, in a process of its own."""
 
 from __future__ import annotations
 
@@ -36,11 +36,11 @@ _END_S: Final = 1.0
 
 @dataclass(frozen=True, slots=True)
 class Mf4Made:
-    """What became of one.
+    """The outcome of one conversion.
 
     Attributes:
-        name: Of the recording.
-        refusal: Why there is no .mf4 file of it; ``None``: there is.
+        name: The name of the recording.
+        refusal: The reason why there is no .mf4 file of it, or ``None``.
     """
 
     name: str
@@ -77,7 +77,7 @@ class Mf4Converter:
     """Converts recordings to MF4 one after another, in a thread that waits for disk and process.
 
     Args:
-        make_helper: Makes what does the work, for each a new one.
+        make_helper: Makes the process for one conversion.
     """
 
     def __init__(self, make_helper: Callable[[], Executor] = _helper) -> None:
@@ -87,28 +87,28 @@ class Mf4Converter:
 
     @property
     def names(self) -> frozenset[str]:
-        """The recordings of which one is being made: their files must not be moved."""
+        """The recordings under conversion or waiting for it: their files must not be moved."""
         return frozenset(self._conversions)
 
     @property
     def share(self) -> float | None:
-        """How much of the one that is being made is done, 0 to 1; ``None``: nobody knows."""
+        """The share of the present conversion that is done, 0–1, or ``None`` if unknown."""
         return next((conversion.share for conversion, _done in self._conversions.values()), None)
 
     def begin(self, folder: Path, name: str) -> None:
-        """Have one made of a recording that was written as .blf."""
+        """Queue the conversion of a recording that was written as .blf."""
         if self._thread is None:
             self._thread = ThreadPoolExecutor(1, "armui-mf4")
         conversion = _Conversion(folder, name)
         self._conversions[name] = conversion, self._thread.submit(self._work, conversion)
 
     def call_off(self) -> None:
-        """Make none of them; nothing remains of the one that was begun. `take_done` tells it."""
+        """Cancel all conversions; nothing remains of the one under way. `take_done` reports it."""
         for conversion, _done in self._conversions.values():
             conversion.called_off.set()
 
     def take_done(self) -> list[Mf4Made]:
-        """Return those that are done since the last call."""
+        """Return the conversions that have ended since the last call."""
         done = [each for each in self._conversions.values() if each[1].done()]
         for conversion, _future in done:
             del self._conversions[conversion.name]

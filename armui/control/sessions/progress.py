@@ -1,4 +1,4 @@
-"""How a recording goes, and what is kept in memory."""
+"""The progress of a recording, and the contents of the ring."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ SESSION_FRAMES_LOST = Notice(
 
 @dataclass(frozen=True, slots=True)
 class RecordingProgress:
-    """The recording under way.
+    """The progress of the recording under way.
 
     Attributes:
-        name: As it is called; "" until its folder was found writable.
-        folder: Where it is.
-        elapsed_s: Since it was begun.
-        frames, total_bytes: On the disk by now.
-        lost: Frames that are missing in it.
+        name: Its name; "" until its folder was found writable.
+        folder: Its folder.
+        elapsed_s: The time since its beginning.
+        frames, total_bytes: The frames and bytes on the disk so far.
+        lost: The number of frames missing in it.
     """
 
     name: str
@@ -38,12 +38,12 @@ class RecordingProgress:
 
 @dataclass(frozen=True, slots=True)
 class RingContent:
-    """What the ring holds.
+    """The contents of the ring.
 
     Attributes:
-        frames: How many.
-        span_s: From the first to the last.
-        bytes_kept, most_bytes: The memory it takes now, and at most.
+        frames: The number of frames.
+        span_s: The time from the first to the last.
+        bytes_kept, most_bytes: The memory in use, and its limit.
     """
 
     frames: int = 0

@@ -1,4 +1,4 @@
-"""Saves the ring by itself after a fault or a stop, and not over and over: pure."""
+"""Decides when the ring is saved after a fault or a stop, and not too often: pure."""
 
 from __future__ import annotations
 
@@ -7,18 +7,18 @@ from typing import Final
 from armui.session.session import MarkKind
 
 AFTER_S: Final = 5.0
-"""What follows a fault belongs to it."""
+"""The time after a fault that is saved with it."""
 
 
 class SaveAtFaults:
-    """Tells when the ring is to be saved.
+    """Decides when the ring is to be saved.
 
     It is saved a few seconds after a fault or a stop. Faults that come one after another are saved
-    together: the next save comes when what the last one has is about to leave the ring, so that
-    nothing is lost and hardly anything is saved twice.
+    together: the next save comes when the frames after the last one are about to leave the ring, so
+    that nothing is lost and hardly anything is saved twice.
 
     Args:
-        keep_s: How long the ring reaches back.
+        keep_s: The time that the ring reaches back.
     """
 
     def __init__(self, keep_s: float) -> None:
@@ -28,7 +28,7 @@ class SaveAtFaults:
         self._kind = MarkKind.FAULT
 
     def happened(self, mark: MarkKind, at_s: float) -> None:
-        """Something happened; what is neither fault nor stop changes nothing."""
+        """Note an event; only faults and stops count."""
         if mark not in {MarkKind.FAULT, MarkKind.STOP} or self._due_s is not None:
             return
         self._kind = mark
@@ -37,12 +37,12 @@ class SaveAtFaults:
             self._due_s = max(self._due_s, self._saved_s + self._keep_s - 2 * AFTER_S)
 
     def take_due(self, now_s: float) -> MarkKind | None:
-        """Return what it is to be saved for now; ``None``: not now."""
+        """Return the event for which the ring is to be saved now, or ``None``."""
         if self._due_s is None or now_s < self._due_s:
             return None
         self._due_s, self._saved_s = None, now_s
         return self._kind
 
     def reset(self) -> None:
-        """Save nothing by itself: the operator does not want it any more."""
+        """Forget the events: the operator no longer wants automatic saving."""
         self._due_s = None

@@ -1,4 +1,4 @@
-"""Records what is on the bus: the last minutes in memory always, files when the operator asks."""
+"""Records the bus: the last minutes always in memory, files when the operator asks."""
 
 from __future__ import annotations
 
@@ -93,25 +93,25 @@ RING_NOT_SAVED = Notice(
 
 _LOOK_MS: Final = 250
 KEPT_S: Final = 300.0
-"""So far back the ring reaches."""
+"""The time that the ring reaches back."""
 _MOST_RECENT: Final = 10_000
 _END_S: Final = 1.0
 _OPENED: Final = frozenset({CONNECTED, RECONNECTED})
 
 
 class SessionRecorder(QObject):
-    """Everything the operator can do about recordings of sessions.
+    """Carries out all that the operator can do about recordings of sessions.
 
     It takes frames where the bus thread leaves them, and never holds that thread up. It goes on
     when the arm is lost or another one is connected. Files are only touched by threads of its own.
 
     Args:
-        context: What the parts of the controller share.
-        events: What happens.
+        context: The context that the controller's parts share.
+        events: The event log.
 
     Attributes:
-        choices: Where and how.
-        mf4: Makes .mf4 files of recordings that have ended; it can be called off.
+        choices: The operator's choices.
+        mf4: Makes .mf4 files of ended recordings.
 
     Signals:
         changed: A recording has begun or ended, or the ring was saved.
@@ -148,12 +148,12 @@ class SessionRecorder(QObject):
 
     @property
     def recording(self) -> bool:
-        """Whether something is being recorded to the disk."""
+        """True if something is being recorded to the disk."""
         return self._recording is not None
 
     @property
     def saving(self) -> bool:
-        """Whether the ring is being saved."""
+        """True if the ring is being saved."""
         return self._saving is not None
 
     def busy_names(self) -> frozenset[str]:
@@ -165,7 +165,7 @@ class SessionRecorder(QObject):
         return self.mf4.names | names
 
     def progress(self) -> RecordingProgress | None:
-        """Return the recording under way, if any."""
+        """Return the progress of the recording under way, or ``None``."""
         recording = self._recording
         if recording is None:
             return None
@@ -179,16 +179,16 @@ class SessionRecorder(QObject):
         )
 
     def ring(self) -> RingContent:
-        """Return what the ring holds now."""
+        """Return the contents of the ring."""
         if self._ring is None:
             return RingContent()
         frames, span_s = self._ring.span()
         return RingContent(frames, span_s, self._ring.bytes_kept, self._ring.most_bytes)
 
     def ring_as_text(self) -> Callable[[], bytes] | None:
-        """Return what writes the ring down as a candump log; ``None``: nothing was heard.
+        """Return a function that writes the ring as a candump log; ``None`` if the ring is empty.
 
-        It takes seconds: for another thread.
+        The function takes seconds: call it in another thread.
         """
         if self._ring is None or self._collector is None or not self._ring.span()[0]:
             return None
@@ -201,16 +201,16 @@ class SessionRecorder(QObject):
     # What the operator asks for ---------------------------------------------------------------
 
     def choose(self, choices: SessionChoices) -> None:
-        """Set where and how to record; a recording under way goes on as it was begun."""
+        """Take over the operator's choices; a recording under way goes on as it was begun."""
         self.choices = choices
         if not choices.save_at_faults:
             self._at_faults.reset()
 
     def start(self, name: str | None = None) -> Refusal | None:
-        """Record to the disk: ``None``, it is under way, or why not.
+        """Record to the disk; return ``None`` if it is under way, or why not.
 
         Args:
-            name: What it is to be called; by default after the time.
+            name: The name of the recording; by default the time.
         """
         refusal = None
         if self._recording is not None:
@@ -235,7 +235,10 @@ class SessionRecorder(QObject):
         return None
 
     def stop(self) -> Refusal | None:
-        """End the recording: ``None``, or there is none. Its last frames are written behind."""
+        """End the recording; return ``None``, or that there is none.
+
+        The last frames follow later.
+        """
         recording = self._recording
         if recording is None:
             return self._context.refuse(SESSION_NONE())
@@ -245,10 +248,10 @@ class SessionRecorder(QObject):
         return None
 
     def save_ring(self, reason: str = "operator") -> Refusal | None:
-        """Keep what has just happened: ``None``, it is being written, or why not.
+        """Save the ring; return ``None`` if it is being written, or why not.
 
         Args:
-            reason: Who or what asked: ``operator``, ``fault``, ``stop``.
+            reason: The origin of the request: ``operator``, ``fault``, ``stop``.
         """
         refusal = None
         if self._saving is not None:
@@ -274,10 +277,10 @@ class SessionRecorder(QObject):
         return None
 
     def end(self) -> bool:
-        """At the end of the program: end what is written, and every thread.
+        """End everything being written, and every thread, at the end of the program.
 
         Returns:
-            Whether all have ended within a second: a disk may hang.
+            True if all have ended within a second; a disk may hang.
         """
         self._context.connection.remove_listener(self._lane)
         if self._recording is not None:
@@ -301,7 +304,7 @@ class SessionRecorder(QObject):
     # What happens -----------------------------------------------------------------------------
 
     def look(self) -> None:
-        """Take in what has happened; called by its own timer, four times a second."""
+        """Take in the events; called by its own timer, four times a second."""
         for each in self._feed.take_events():
             self._recent.append(each)
             if self.choices.save_at_faults and each.is_new:
@@ -427,7 +430,7 @@ class SessionRecorder(QObject):
 
 
 _WORDS: Final = {"operator": "saved"}
-"""What the name of a saved ring ends with, by who asked for it."""
+"""The ending of a saved ring's name, by the origin of the request."""
 
 
 def _line(each: FedEvent, shift_s: float) -> Line:

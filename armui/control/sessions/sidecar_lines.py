@@ -1,4 +1,4 @@
-"""What a recording keeps beside its frames: what happened, and what is known of the arm."""
+"""The lines that a recording keeps beside its frames: events, and facts on the arm."""
 
 from __future__ import annotations
 
@@ -40,13 +40,13 @@ _STOPS: Final = frozenset(
 
 @dataclass(frozen=True, slots=True)
 class FedEvent:
-    """Something that happened.
+    """An event from the log.
 
     Attributes:
-        at_s: By the program's clock.
-        mark: What sort of moment it is.
+        at_s: The time by the program's clock.
+        mark: The kind of moment.
         entry: JSON values, as a line of the sidecar has them.
-        is_new: It has just happened; not so if only its end, or a repeat, was noted.
+        is_new: True if it has just happened; false if only its end, or a repeat, was noted.
     """
 
     at_s: float
@@ -59,7 +59,7 @@ class EventFeed:
     """Follows the log of events.
 
     Args:
-        log: What happens.
+        log: The event log.
     """
 
     def __init__(self, log: EventLog) -> None:
@@ -67,7 +67,7 @@ class EventFeed:
         self._revision = self._newest = 0
 
     def take_events(self) -> list[FedEvent]:
-        """Return what has happened, or has changed, since the last call."""
+        """Return the events that are new, or have changed, since the last call."""
         self._revision, entries = self._log.since(self._revision)
         newest = self._newest
         self._newest = self._log.newest
@@ -86,10 +86,10 @@ def _mark_of(entry: EventEntry) -> MarkKind:
 
 
 class SidecarLines:
-    """Lines for the sidecar, whenever they would say something new.
+    """Makes lines for the sidecar whenever there is something new.
 
     Args:
-        context: What the parts of the controller share.
+        context: The context that the controller's parts share.
     """
 
     def __init__(self, context: Context) -> None:
@@ -97,11 +97,11 @@ class SidecarLines:
         self._told: dict[str, Line] = {}
 
     def reset(self) -> None:
-        """Take everything for new: another recording begins."""
+        """Take everything for new, because another recording begins."""
         self._told = {}
 
     def news(self) -> list[Line]:
-        """Return what is known now and was not told."""
+        """Return the lines for everything known now and not yet written."""
         connection = self._context.connection
         state = self._context.state()
         lines: list[Line] = []

@@ -127,7 +127,7 @@ class AdapterLine(Translated, QWidget):
         return self._line.text()
 
     def is_there(self) -> bool:
-        """Whether a button is of use; where the system forbids it, there are the commands."""
+        """Return whether a button is useful; if the system forbids it, commands are shown."""
         return not self._forbidden and self._helper_is_there()
 
     # What the operator does -------------------------------------------------------------------

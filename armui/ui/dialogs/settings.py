@@ -105,7 +105,7 @@ class SettingsDialog(ArmDialog):
         self.retranslate_ui()
 
     def show_robot_problem(self, reason: Refusal) -> None:
-        """Say why the robot description chosen cannot be shown; the old one stays in view."""
+        """Show why the chosen robot description cannot be shown; the old one stays in view."""
         self._show_problem(reason)
 
     def command_targets(self) -> Mapping[str, Target]:

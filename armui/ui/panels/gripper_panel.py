@@ -168,7 +168,7 @@ class GripperRow(QWidget):
         return self._figure
 
     def refusal(self) -> Refusal | None:
-        """Return what is to be said against what stands in the field; an empty one is no figure."""
+        """Return the reason against the field's content, or ``None``; an empty field is invalid."""
         if self.field.value is None:
             return GRIPPER_NOT_A_NUMBER(**self._params(), value=self.field.text())
         return check(self._figure, self.field.value)

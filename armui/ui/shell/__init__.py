@@ -1,1 +1,1 @@
-"""The parts of the main window around the panels: top bar, menu, status bar, pages."""
+"""The main window around the panels: top bar, menu, status bar, pages."""

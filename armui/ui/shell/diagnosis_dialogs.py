@@ -1,4 +1,4 @@
-"""The windows about this computer, the arm and the program; made when they are first opened."""
+"""Opens the windows about computer, arm and program; creates each when first opened."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ if TYPE_CHECKING:
 
 
 class DiagnosisDialogs:
-    """Opens them.
+    """The windows about this computer, the arm and the program.
 
     Args:
-        controller: Who knows the arm.
-        files: Who does what waits for the operating system.
+        controller: Gives the arm's state.
+        files: Runs work that waits for the operating system.
         window: The main window.
         settings: The program's file of settings.
     """
@@ -45,10 +45,10 @@ class DiagnosisDialogs:
         self._about: AboutDialog | None = None
 
     def open_doctor(self, device: Device | None = None) -> None:
-        """Show what is wrong with this computer, the bus and the arm.
+        """Show the faults of this computer, the bus and the arm.
 
         Args:
-            device: The one that could not be connected; all of them by default.
+            device: The device that could not be connected; by default all devices.
         """
         from armui.ui.dialogs.doctor import DoctorDialog  # noqa: PLC0415 - cantools
 
@@ -58,7 +58,7 @@ class DiagnosisDialogs:
         self._doctor.examine_device(device)
 
     def open_about_arm(self) -> None:
-        """Show which arm this is, and by which way it is reached."""
+        """Show the facts on the arm and its connection."""
         if self._about_arm is None:
             self._about_arm = AboutArmDialog(
                 self._controller, self._online, self._background(), self._window
@@ -66,7 +66,7 @@ class DiagnosisDialogs:
         self._about_arm.open()
 
     def open_report(self) -> None:
-        """Show what a report of a problem has in it, to be saved."""
+        """Show the contents of a problem report and let the user save it."""
         from armui.ui.dialogs.problem_report import ProblemReportDialog  # noqa: PLC0415 - cantools
 
         if self._report is None:
@@ -76,7 +76,7 @@ class DiagnosisDialogs:
         self._report.open()
 
     def open_about(self) -> None:
-        """Show which program this is, and the licences of all of it."""
+        """Show the program's version and the licences of its parts."""
         from armui.ui.dialogs.about import AboutDialog  # noqa: PLC0415 - importlib.metadata
 
         if self._about is None:
@@ -89,7 +89,7 @@ class DiagnosisDialogs:
         return Background(self._files, parent=self._window)
 
     def dialog(self, key: str) -> ArmDialog | None:
-        """Return a window by its key; ``None``: there is no such one, or it was never opened."""
+        """Return a window by its key, or ``None`` if it is unknown or was never opened."""
         made: dict[str, ArmDialog | None] = {
             "doctor": self._doctor,
             "about_arm": self._about_arm,
@@ -99,7 +99,7 @@ class DiagnosisDialogs:
         return made.get(key)
 
     def close(self) -> None:
-        """The program ends: nobody waits for an examination any more."""
+        """Cancel running examinations, because the program ends."""
         for each in (self._doctor, self._report):
             if each is not None:
                 each.close()

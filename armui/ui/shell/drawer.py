@@ -1,4 +1,4 @@
-"""The drawer below panels and picture: what is watched and read beside the work, one at a time."""
+"""The drawer below panels and picture: pages to watch or read beside the work, one at a time."""
 
 from __future__ import annotations
 
@@ -40,14 +40,14 @@ class DrawerEntry:
 
 
 class Drawer(Translated, QWidget):
-    """A tab a page; each is made when it is first wanted. Folded away at first.
+    """Tabs of pages, each created when it is first wanted; closed at first.
 
     Args:
         entries: The pages, from left to right.
 
     Signals:
-        take_out_wanted: The page that is seen shall stand in a window of its own.
-        turned: It was opened (``True``) or folded away.
+        take_out_wanted: The visible page shall move to a window of its own.
+        turned: It was opened (``True``) or closed.
     """
 
     take_out_wanted = Signal(object)
@@ -80,7 +80,7 @@ class Drawer(Translated, QWidget):
 
     @property
     def current(self) -> Page | None:
-        """The page that is seen, or would be if the drawer were open."""
+        """The page that is visible, or would be if the drawer were open."""
         return self._stack.current
 
     def show_page(self, page: Page) -> None:
@@ -93,7 +93,7 @@ class Drawer(Translated, QWidget):
         page.take_focus()
 
     def drop_page(self, page: Page) -> None:
-        """Release a page; if it is the one that is seen, fold the drawer away."""
+        """Release a page, and close the drawer if it was the visible one."""
         if not self._stack.holds(page):
             return
         if page is self.current:
@@ -101,7 +101,7 @@ class Drawer(Translated, QWidget):
         self._stack.drop_page(page)
 
     def fold(self) -> None:
-        """Put it away; what is not seen does no work."""
+        """Close the drawer; hidden pages do no work."""
         if not self.isHidden():
             self.hide()
             self.turned.emit(False)

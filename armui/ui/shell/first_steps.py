@@ -1,4 +1,4 @@
-"""The first start: what to press next is lit, until the arm has been moved for the first time."""
+"""Highlights the next button at the first start, until the arm has been moved once."""
 
 from __future__ import annotations
 
@@ -19,13 +19,16 @@ if TYPE_CHECKING:
 
 
 class FirstSteps(QObject):
-    """Lights the first jog. Connecting and enabling are lit by the line of the next step, always.
+    """Highlights the button of the first jog.
+
+    Connecting and enabling are always highlighted by the line of the next step.
 
     Args:
         window: The main window.
-        first_jog: Returns the button that jogs joint 1 upwards; ``None``: it is not there yet.
-        controller: Tells when the arm may be moved, and when it is.
-        store: Remembers that this is no first start any more.
+        first_jog: Returns the button that jogs joint 1 upwards, or ``None`` if it was not created
+            yet.
+        controller: Gives the moments when the arm may be moved, and when it is.
+        store: Stores that the arm has been moved.
     """
 
     def __init__(

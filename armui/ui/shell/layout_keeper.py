@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from armui.ui.background import Background
 
 _AFTER_MS: Final = 1000
-"""Nothing is written while a border is still being drawn."""
+"""The delay of writing, so that nothing is written while a border is being dragged."""
 
 
 class LayoutKeeper(QObject):
@@ -30,11 +30,11 @@ class LayoutKeeper(QObject):
 
     Args:
         settings: The file of the operator's settings.
-        background: Writes.
+        background: Writes the file.
         parent: The main window.
 
     Attributes:
-        layout: As it was read, and changed since.
+        layout: The arrangement as read, with the changes since.
     """
 
     def __init__(self, settings: Path, background: Background, parent: QObject) -> None:
@@ -49,15 +49,15 @@ class LayoutKeeper(QObject):
         self._timer.timeout.connect(self.keep)
 
     def collect_by(self, collect: Callable[[WorkspaceLayout], WorkspaceLayout]) -> None:
-        """Before it is written, have what changes all the time looked up."""
+        """Set a function that adds frequently changing values before writing."""
         self._collect = collect
 
     def note(self, *_: object) -> None:
-        """Something was moved: keep it soon."""
+        """Write the arrangement soon, because something was moved."""
         self._timer.start()
 
     def keep(self) -> None:
-        """Write it now, if it is another."""
+        """Write the arrangement now, if it has changed."""
         self._timer.stop()
         self.layout = self._collect(self.layout)
         if self.layout == self._written:
@@ -67,10 +67,10 @@ class LayoutKeeper(QObject):
         self._background.begin_here(job, write_text, self._file, to_text(self.layout))
 
     def follow(self, name: str, header: QHeaderView) -> None:
-        """Give a table the columns it had, and keep what becomes of them.
+        """Restore the columns of a table, and store their changes.
 
         Args:
-            name: Of the table.
+            name: The name of the table.
             header: The titles of its columns.
         """
         kept = self.layout.columns.get(name)

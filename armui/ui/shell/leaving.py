@@ -1,4 +1,4 @@
-"""Asking before the arm, the program or a panel is left: motion is ended, entries are saved."""
+"""Asks before the arm, the program or a panel is left: motion is ended, entries are saved."""
 
 from __future__ import annotations
 
@@ -22,19 +22,19 @@ _REST_WITHIN_MS: Final = 3000
 
 @runtime_checkable
 class KeepsDraft(Protocol):
-    """A panel in which something can be entered that is saved by a deliberate act."""
+    """A panel with entries that are saved only on purpose."""
 
     def has_unsaved_changes(self) -> bool:
-        """Return whether leaving the panel would lose something."""
+        """Return whether leaving the panel would lose entries."""
 
     def discard_changes(self) -> None:
-        """Forget what was entered."""
+        """Discard the entries."""
 
     def why_no_saving(self) -> str:
-        """Return why what was entered cannot be saved now; empty: it can."""
+        """Return why the entries cannot be saved now; empty if they can."""
 
     def save_changes(self, then: Callable[[], object]) -> None:
-        """Save what was entered; go on once it has proved to be saved, and never otherwise."""
+        """Save the entries; go on only when they are known to be saved."""
 
 
 @runtime_checkable
@@ -42,11 +42,11 @@ class KeepsWork(Protocol):
     """A window whose unsaved work is kept on the disk and offered the next time."""
 
     def keep_work(self) -> None:
-        """The program ends: bring what is kept up to date."""
+        """Save all unsaved work, because the program ends."""
 
 
 def unsaved(panels: Iterable[object]) -> list[KeepsDraft]:
-    """Return the panels in which something is not saved; the others need not know of this."""
+    """Return the panels with unsaved entries; other objects are ignored."""
     return [
         panel for panel in panels if isinstance(panel, KeepsDraft) and panel.has_unsaved_changes()
     ]
@@ -58,13 +58,13 @@ def leave_then(
     panels: Iterable[object],
     proceed: Callable[[], object],
 ) -> None:
-    """Go on at once, or after what was entered has been saved, or the operator has given it up.
+    """Go on at once, or after the entries have been saved or discarded.
 
     Args:
         parent: The window that asks.
         controller: Whom the emergency stop in the question tells.
-        panels: Those that would be left.
-        proceed: What would lose the changes.
+        panels: The panels that would be left.
+        proceed: The function that would lose the changes.
     """
     left = unsaved(panels)
     if not left:
@@ -86,7 +86,7 @@ def leave_then(
 
 
 def save_then(panels: Sequence[KeepsDraft], proceed: Callable[[], object]) -> None:
-    """Save one panel after the other, and go on when the last has proved to be saved."""
+    """Save one panel after the other, and go on when all are known to be saved."""
     if not panels:
         proceed()
         return
@@ -95,12 +95,12 @@ def save_then(panels: Sequence[KeepsDraft], proceed: Callable[[], object]) -> No
 
 
 class UnsavedQuestion(SaveQuestion):
-    """Save to the arm, discard, or stay; withdrawn once there is nothing left to lose.
+    """A question to save to the arm, discard, or stay; withdrawn when nothing is unsaved any more.
 
     Args:
         controller: Receives the emergency stop.
         parent: The window that asks.
-        panels: Those in which something is not saved.
+        panels: The panels with unsaved entries.
     """
 
     def __init__(
@@ -122,7 +122,7 @@ class UnsavedQuestion(SaveQuestion):
         self._follow()
 
     def holds(self) -> bool:
-        """Stay while no arm is heard: nothing can be saved then, and the button says why."""
+        """Return true also while no arm is heard: saving is disabled then, with the reason."""
         return not self._controller.mark.heard or super().holds()
 
     def _follow(self) -> None:
@@ -136,17 +136,17 @@ class UnsavedQuestion(SaveQuestion):
 def end_motion_then(
     parent: QWidget, controller: ArmController, proceed: Callable[[], object]
 ) -> None:
-    """Go on at once, or after the operator has agreed to end what this program drives.
+    """Go on at once, or after the operator has agreed to end the program's motion.
 
     A run that dwells, waits or is paused counts, and so does a motion paused from here: the arm
-    stands still, and it would go on, or be left with a target nobody remembers. So does a stop the
-    arm has not confirmed. A jog ends without a question: nobody holds a button and leaves.
+    would go on later, or be left with a forgotten target. A stop that the arm has not confirmed
+    counts as well. A jog ends without a question.
 
     Args:
         parent: The window that asks.
         controller: Whom the emergency stop in the question tells, and who ends it.
-        proceed: What would leave the arm. It is called when the arm has come to rest, or has not
-            within the time a run is given for it.
+        proceed: The function that would leave the arm. It is called when the arm is at rest, or
+            when the time limit of a run's end is over.
     """
     question = _question(controller.operating_state)
     if question is None:
@@ -209,12 +209,13 @@ def _question(operating_state: OperatingState) -> tuple[str, str, str] | None:
 def end_single_motion_then(
     parent: QWidget, controller: ArmController, proceed: Callable[[], object]
 ) -> None:
-    """End whatever this program moves, single motions too; go on at rest, or after 3 s.
+    """End all motion by this program, single motions too; go on at rest, or after 3 s.
 
     Args:
-        parent: What waits belongs to it.
+        parent: The parent of the waiting object.
         controller: Ends it.
-        proceed: What would leave the arm; not called if the operator stops the arm meanwhile.
+        proceed: The function that would leave the arm; not called if the operator stops the arm
+            meanwhile.
     """
     _Ending(parent, controller, proceed, single=True).begin()
 
@@ -239,7 +240,7 @@ class _Ending(QObject):
         self._limit.timeout.connect(self._on_late)
 
     def begin(self) -> None:
-        """End what is under way; go on as soon as nothing is, but not from an emergency stop."""
+        """End the motion, and go on as soon as it has ended, unless by an emergency stop."""
         self._controller.end_motion(single=self._single)
         self._controller.operating_state_changed.connect(self._look)
         if self._single:
@@ -266,7 +267,7 @@ class _Ending(QObject):
 def close_unless_moving(
     window: QWidget, controller: ArmController, close_now: Callable[[], object]
 ) -> None:
-    """Close at once, or after the operator has said what becomes of the motion.
+    """Close at once, or after the operator has decided about the motion.
 
     Args:
         window: The main window, which asks.

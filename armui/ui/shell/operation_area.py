@@ -1,4 +1,4 @@
-"""The panels of the menu, each made when it is first shown (region 7)."""
+"""The panels of the menu, each created when it is first shown (region 7)."""
 
 from __future__ import annotations
 
@@ -34,18 +34,18 @@ if TYPE_CHECKING:
 
 
 MakePanel = Callable[["ArmController", "SettingsStore", Callable[[], object]], Panel]
-"""Makes a panel for a controller, with the operator's settings; the last opens 参数备份."""
+"""Creates a panel from a controller, the settings, and a function that opens 参数备份."""
 
 
 @dataclass(frozen=True, slots=True)
 class PanelEntry:
-    """A panel.
+    """A panel in the menu.
 
     Attributes:
         key: Its stable name, also of its icon, of its section in the guide and of its commands.
         title: The title in the menu.
-        kind: The class, which knows its commands.
-        make: Makes it.
+        kind: The class, which declares its commands.
+        make: Creates it.
         synonyms: Other names of it, for the command palette.
     """
 
@@ -87,7 +87,7 @@ PANELS: Final = (
                lambda arm, _store, open_backup: TeachingPanel(arm, open_backup)),
 )
 # fmt: on
-"""The panels from top to bottom of the menu, in the manual's order where it has them."""
+"""The panels from top to bottom of the menu, in the manual's order as far as it has them."""
 
 
 def menu_entries(
@@ -96,8 +96,8 @@ def menu_entries(
     """Return the entries of the menu from top to bottom.
 
     Args:
-        controller: Whom the panels talk to.
-        preferences: What the operator chose.
+        controller: The controller for the panels.
+        preferences: The operator's settings.
         open_backup: Opens the window 参数备份.
     """
     return tuple(
@@ -113,17 +113,17 @@ def menu_entries(
 
 @runtime_checkable
 class ShowsJoints(Protocol):
-    """A panel with something for each joint."""
+    """A panel with controls for each joint."""
 
     def focus_joint(self, joint: int) -> None:
-        """Bring the operator to a joint's controls."""
+        """Focus the controls of a joint."""
 
 
 class OperationArea(QStackedWidget):
     """Holds the panels that have been shown, and empty pages for the others.
 
     Args:
-        entries: What can be shown, in the order of the menu.
+        entries: The panels, in the order of the menu.
     """
 
     def __init__(self, entries: Sequence[MenuEntry]) -> None:
@@ -138,20 +138,20 @@ class OperationArea(QStackedWidget):
 
     @property
     def current_key(self) -> str:
-        """The key of the panel that is chosen."""
+        """The key of the chosen panel."""
         return self._entries[self.currentIndex()].key
 
     def panel(self, key: str) -> Panel | None:
-        """Return a panel by its key; ``None``: it has not been shown yet."""
+        """Return a panel by its key, or ``None`` if it has not been shown yet."""
         keys = [entry.key for entry in self._entries]
         panel = self._made.get(keys.index(key))
         return panel if isinstance(panel, Panel) else None
 
     def sources(self, open_panel: Callable[[str], object]) -> list[CommandSource]:
-        """Return what the command palette offers of each panel.
+        """Return the commands of each panel.
 
         Args:
-            open_panel: Opens a panel by its key, and asks first about what is not saved.
+            open_panel: Opens a panel by its key, after asking about unsaved entries.
         """
         return [
             CommandSource(
@@ -169,7 +169,7 @@ class OperationArea(QStackedWidget):
         return [self._made[place] for place in sorted(self._made)]
 
     def show_panel(self, place: int) -> None:
-        """Show a panel, made at the first time."""
+        """Show a panel, creating it the first time."""
         if place not in self._made:
             empty = self._empty.pop(place)
             panel = self._made[place] = self._entries[place].make_panel()
@@ -179,7 +179,7 @@ class OperationArea(QStackedWidget):
         self.setCurrentIndex(place)
 
     def focus_joint(self, joint: int) -> None:
-        """Bring the operator to a joint in the panel that is shown, if it has one for it."""
+        """Focus a joint in the visible panel, if it has controls for one."""
         panel: object = self.currentWidget()
         if isinstance(panel, ShowsJoints):
             panel.focus_joint(joint)

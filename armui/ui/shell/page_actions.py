@@ -1,4 +1,4 @@
-"""Opens pages by their keys, takes them out and puts them back: for the palette, at a start."""
+"""Opens pages by their keys, takes them out and puts them back, by the palette and at the start."""
 
 from __future__ import annotations
 
@@ -37,18 +37,18 @@ if TYPE_CHECKING:
 
 
 class PageActions(QObject):
-    """Knows how each place is opened, and why it cannot be.
+    """The actions on pages and windows, with the reasons against them.
 
     Args:
         window: The main window.
-        workspace: Knows where each page stands.
-        pages: Open the library and what it leads to.
+        workspace: Manages the places of pages.
+        pages: Opens the library and its pages.
         watch: Opens the drawer's pages and the recordings.
-        drawer: Is folded away.
-        diagnosis: Opens the windows that tell what is wrong, and which arm this is.
+        drawer: The drawer that is closed.
+        diagnosis: Opens the windows 诊断 and «About this arm».
 
     Attributes:
-        startup_done: Whether what was open at the end of the program before is open again.
+        startup_done: True when the windows open at the last end of the program have been reopened.
     """
 
     commands = (
@@ -105,7 +105,7 @@ class PageActions(QObject):
         self._actions = {name: new_action(self, do) for name, do in does.items()}
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return the actions that take pages out, put them back, and fold the drawer away."""
+        """Return the actions that take pages out, put them back, and close the drawer."""
         for key in MOVABLE:
             allow(self._actions[f"{key}.take_out"], self._why_no_take_out(key))
             allow(self._actions[f"{key}.put_back"], self._why_no_put_back(key))
@@ -113,7 +113,7 @@ class PageActions(QObject):
         return self._actions
 
     def sources(self) -> list[CommandSource]:
-        """Return what the command palette offers of each page and each window beside them."""
+        """Return the commands of each page and each window."""
         # loaded when nothing else is to be done, or here
         from armui.ui.dialogs.about import AboutDialog  # noqa: PLC0415
         from armui.ui.dialogs.doctor import DoctorDialog  # noqa: PLC0415
@@ -155,9 +155,10 @@ class PageActions(QObject):
         return self._page(key) or self._window.dialog(key) or self._diagnosis.dialog(key)
 
     def reopen(self) -> None:
-        """Open the windows that were open when the program ended, one at each turn of the loop.
+        """Open the windows that were open when the program ended, one in each turn of the loop.
 
-        The first window is seen and its modules are loaded by then: a start waits for none of them.
+        The main window is visible and its modules are loaded by then, so that the start is not
+        delayed.
         """
         left = self._workspace.next_left_open()
         if left is None:

@@ -1,4 +1,4 @@
-"""The pages beside the 3D picture: one is seen, those below it wait as they were left."""
+"""The pages beside the 3D picture: one is visible, the others below it keep their state."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ _ICON_PX: Final = 18
 
 
 class PageBar(Translated, QWidget):
-    """One line: back, the pages that lead here, the name of this one, a button to take it out.
+    """One line: back, the pages that lead here, the title of this one, a button to take it out.
 
     Signals:
         back_wanted: The page shall be left.
         page_wanted: One of the pages that lead here was clicked.
-        take_out_wanted: The page shall stand in a window of its own.
+        take_out_wanted: The page shall move to a window of its own.
     """
 
     back_wanted = Signal()
@@ -51,10 +51,10 @@ class PageBar(Translated, QWidget):
         self._recolor()
 
     def show_path(self, path: Sequence[Page]) -> None:
-        """Say where one is.
+        """Show the way to the present page.
 
         Args:
-            path: The pages that lead to the one that is shown, and it.
+            path: The pages that lead to the visible one, and that one.
         """
         *before, shown = path
         while (item := self._crumbs.takeAt(0)) is not None:
@@ -118,12 +118,12 @@ def _tool(name: str) -> QToolButton:
 
 
 class PageArea(QWidget):
-    """Stands in the place of the panels while a page is seen.
+    """Replaces the panels while a page is visible.
 
     Signals:
-        shown: A page is to be seen: the area is to be shown.
+        shown: The area shall be shown with a page.
         emptied: The last page was left.
-        take_out_wanted: The page that is seen shall stand in a window of its own.
+        take_out_wanted: The visible page shall move to a window of its own.
     """
 
     shown = Signal()
@@ -145,12 +145,12 @@ class PageArea(QWidget):
 
     @property
     def pages(self) -> tuple[Page, ...]:
-        """The pages that are open here; the last one is seen."""
+        """The pages that are open here; the last one is visible."""
         return tuple(self._open)
 
     @property
     def current(self) -> Page | None:
-        """The page that is seen, or would be if the area were."""
+        """The page that is visible, or would be if the area were."""
         return self._open[-1] if self._open else None
 
     def show_page(self, page: Page) -> None:

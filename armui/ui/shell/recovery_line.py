@@ -36,25 +36,25 @@ _TWO_LINES: Final = "急\n急"
 _CALM: Final = frozenset(
     {StepKind.OPENING, StepKind.HANDSHAKE, StepKind.RUNNING, StepKind.MOVING, StepKind.READY}
 )
-"""Nothing is wrong: said in muted words without a ground, and without a button."""
+"""Steps without a fault, shown in muted text without background and button."""
 
 
 class StepButton(QPushButton):
-    """Takes a step; the second click of a double click is no answer to the step that follows."""
+    """Carries out a step; a double click does not also confirm the step that follows."""
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        """Do nothing."""
+        """Ignore the second click."""
         event.accept()
 
 
 class RecoveryLine(Translated, QWidget):
-    """Says the next step and takes it; dangerous steps ask first.
+    """Shows the next step and carries it out; dangerous steps ask first.
 
-    Its room is kept when there is nothing to do: nothing moves under the mouse when a fault comes
-    or goes.
+    Its room is kept when there is nothing to do, so that nothing moves under the mouse when a fault
+    comes or goes.
 
     Args:
-        controller: Who knows the step.
+        controller: Gives the step.
         open_connection: Opens the window in which a CAN device is chosen.
     """
 
@@ -98,15 +98,15 @@ class RecoveryLine(Translated, QWidget):
 
     @property
     def step_button(self) -> QPushButton | HoldButton | None:
-        """The button that takes the next step; ``None`` while there is none to take."""
+        """The button that carries out the next step, or ``None`` if there is none."""
         shown = (each for each in (self._button, self._hold_button) if each.isVisible())
         return next(shown, None)
 
     def show_asking(self, name: str) -> None:
-        """Say that a trajectory was sent and waits for the operator to agree.
+        """Show that a trajectory waits for the operator's confirmation.
 
         Args:
-            name: The trajectory; "": none does.
+            name: The trajectory; "" if none waits.
         """
         self._asking = name
         self._show_step()
@@ -227,21 +227,21 @@ class RecoveryLine(Translated, QWidget):
         self._show_step()
 
     def hasHeightForWidth(self) -> bool:  # noqa: N802 - the name Qt calls
-        """The height is what is said below, however the text wraps."""
+        """Return false: the height does not depend on the width."""
         return False
 
     def sizeHint(self) -> QSize:
-        """Always room for two lines and the button."""
+        """Return a size with room for two lines and the button."""
         text = self.fontMetrics().size(0, _TWO_LINES).height()
         height = max(text, self._button.sizeHint().height())
         return QSize(400, height + 2 * _PADDING_PX + _TOP_PX)
 
     def minimumSizeHint(self) -> QSize:
-        """Never lower than that."""
+        """Return the same height without a minimal width."""
         return QSize(0, self.sizeHint().height())
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw the ground, unless there is nothing to do."""
+        """Draw the background, unless there is nothing to do."""
         if self._is_calm:
             return
         fill, _ink = _paint_colors(colors_of(self), self._level)

@@ -1,7 +1,7 @@
-"""Which robot description the 3D picture shows: the operator's own file, or that of the arm.
+"""Chooses the robot description of the 3D picture: the operator's own file, or that of the arm.
 
-The arm's is that of its model, with the zeros its firmware counts from: all that the picture shows
-of six angles (arm, ghost, path, handles) is then where the arm itself says that its flange is.
+The arm's is that of its model, with the zeros of its firmware: the picture of six angles (arm,
+ghost, path, handles) then agrees with the flange's pose that the arm reports.
 """
 
 from __future__ import annotations
@@ -28,14 +28,14 @@ if TYPE_CHECKING:
 def show_in_view(
     view: ArmView, state: ArmState, operating_state: OperatingState, tool: Sequence[float] = ()
 ) -> None:
-    """Show angles and pose; what is no longer fresh looks so.
+    """Show angles and pose; stale values look so.
 
     Args:
         view: The 3D picture.
-        state: Of the arm.
-        operating_state: Of the program.
+        state: The arm's state.
+        operating_state: The operating state.
         tool: The tool centre point in the flange, mm and degrees, whose pose is shown; zeros or
-            nothing: that of the flange.
+            nothing for the flange.
     """
     joints_stale, pose_stale = (
         any(is_stale(heard, state, operating_state) for heard in six)
@@ -57,13 +57,13 @@ def show_in_view(
 
 
 class RobotInView(QObject):
-    """Has the picture follow the arm that is connected.
+    """Shows the robot description of the connected arm in the picture.
 
     Args:
         view: The 3D picture.
-        controller: Knows which model that is, and which zeros it has.
-        urdf_path: The operator's own robot description, which goes before it.
-        parent: Qt's.
+        controller: Gives the model and its zeros.
+        urdf_path: The operator's own robot description, which takes precedence.
+        parent: The parent object.
     """
 
     def __init__(
@@ -83,11 +83,11 @@ class RobotInView(QObject):
 
     @property
     def path(self) -> Path:
-        """The robot description that is shown."""
+        """The robot description in use."""
         return self._shown
 
     def choose(self, urdf_path: str | None) -> None:
-        """Show the operator's own robot description; ``None``: the model's."""
+        """Set the operator's own robot description; ``None`` for the model's."""
         self._urdf_path = urdf_path
         self._show(self._controller.operating_state.model_fit)
 

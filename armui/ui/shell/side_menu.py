@@ -1,4 +1,4 @@
-"""The menu at the left: panels, library, what watches, joint status (regions 2, 9 and 10)."""
+"""The menu at the left: panels, library, monitors, joint status (regions 2, 9 and 10)."""
 
 from __future__ import annotations
 
@@ -46,10 +46,10 @@ _MARKS: Final = {
 
 
 class JointStatusButton(Translated, QAbstractButton):
-    """A mark, the name of the page, and in words how the joints are.
+    """A button with a mark, the name of the page, and the state of the joints in words.
 
     Args:
-        monitor: Knows the joints.
+        monitor: Gives the state of the joints.
     """
 
     def __init__(self, monitor: JointMonitor) -> None:
@@ -69,7 +69,7 @@ class JointStatusButton(Translated, QAbstractButton):
 
     @property
     def state_text(self) -> str:
-        """The state shown in words: how it is, and which joints it is about."""
+        """The state in words, with the joints it concerns."""
         worst = self._monitor.worst
         text = words.joint_verdict(worst.verdict)
         if worst.joints and len(worst.joints) < len(JOINTS):
@@ -79,7 +79,7 @@ class JointStatusButton(Translated, QAbstractButton):
         return f"{text} {fmt.NOTHING}" if worst.verdict is StatusVerdict.UNKNOWN else text
 
     def retranslate_ui(self) -> None:
-        """Say how the joints are in the operator's language."""
+        """Set the texts in the operator's language."""
         self.setText(self.tr("Joint status"))
         self.setAccessibleName(f"{self.text()} {self.state_text}")
         faults = [
@@ -91,7 +91,7 @@ class JointStatusButton(Translated, QAbstractButton):
         self.update()
 
     def sizeHint(self) -> QSize:
-        """Return the size it has where there is room."""
+        """Return the preferred size."""
         return QSize(_BUTTON_WIDTH_PX, _HEIGHT_PX)
 
     def minimumSizeHint(self) -> QSize:
@@ -99,7 +99,7 @@ class JointStatusButton(Translated, QAbstractButton):
         return self.sizeHint()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw it."""
+        """Draw the button."""
         colors = colors_of(self)
         fault = self._monitor.worst.verdict is StatusVerdict.FAULT
         painter = painting.begin(self)
@@ -129,11 +129,11 @@ class JointStatusButton(Translated, QAbstractButton):
 
 @dataclass(frozen=True, slots=True)
 class WatchEntry:
-    """A page that watches the arm or the bus.
+    """A page that monitors the arm or the bus.
 
     Attributes:
-        key: Its icon's name; the button is called ``<key>_button``.
-        title: What the button says.
+        key: The name of its icon; the button is called ``<key>_button``.
+        title: The text of the button.
         tip: The purpose of the page.
         open_page: Shows it.
         command: Opens it from the command palette.
@@ -147,10 +147,10 @@ class WatchEntry:
 
 
 class WatchMenu(Translated, QWidget):
-    """A button a page, two in a row; a single one is as wide as the menu.
+    """A button for each page, two in a row; a single one is as wide as the menu.
 
     Args:
-        entries: Row by row.
+        entries: The pages, row by row.
     """
 
     def __init__(self, entries: Sequence[WatchEntry]) -> None:
@@ -204,7 +204,7 @@ class LibraryButton(Translated, QToolButton):
         self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
-        """Put its name into the operator's language."""
+        """Set its name in the operator's language."""
         self.setText(f" {self.tr('Trajectory library')}")
         self.setAccessibleName(self.tr("Trajectory library"))
         self.setToolTip(self.tr("Make, check, run and record trajectories"))
@@ -218,10 +218,10 @@ class MenuEntry:
     """An entry of the menu: a panel of the operation area.
 
     Attributes:
-        key: Its name in the program and its icon's; the button is called ``menu_<key>``.
-        title: What the menu says.
-        make_panel: Makes the panel.
-        commands: What the command palette offers of the panel.
+        key: Its name and that of its icon; the button is named ``menu_<key>``.
+        title: The text in the menu.
+        make_panel: Creates the panel.
+        commands: The panel's commands for the command palette.
         synonyms: Other names of the panel, for the command palette.
     """
 
@@ -233,14 +233,16 @@ class MenuEntry:
 
 
 class SideMenu(Translated, QWidget):
-    """One entry a panel; the chosen one stands on pale blue. Scrolls on a low screen.
+    """One entry for each panel; the chosen one is on pale blue.
+
+    It scrolls on a low screen.
 
     Args:
-        entries: From top to bottom.
-        at_bottom: What stands apart from them at the lower end.
+        entries: The entries from top to bottom.
+        at_bottom: A widget apart from them at the lower end.
 
     Signals:
-        chosen: The entry's place in the list.
+        chosen: The index of the entry.
     """
 
     chosen = Signal(int)
@@ -286,14 +288,14 @@ class SideMenu(Translated, QWidget):
         self.chosen.emit(place)
 
     def open_entry(self, key: str) -> None:
-        """Have an entry opened, as by a press on it, unless it is open already."""
+        """Open an entry as by a press on it, unless it is open already."""
         keys = [entry.key for entry in self._entries]
         place = keys.index(key)
         if place != self._chosen and self.isVisible():
             self._on_clicked(place)
 
     def choose(self, place: int | None) -> None:
-        """Show an entry, or none, as the chosen one, without telling anyone."""
+        """Show an entry, or none, as the chosen one, without emitting a signal."""
         self._chosen = place
         for number, button in enumerate(self._buttons):
             button.setChecked(number == place)
@@ -320,7 +322,7 @@ class SideMenu(Translated, QWidget):
         self.setFixedWidth(_WIDTH_PX + (self._bar.sizeHint().width() if most else 0))
 
     def retranslate_ui(self) -> None:
-        """Put the entries into the operator's language."""
+        """Set the entries in the operator's language."""
         for place, entry in enumerate(self._entries):
             title = entry.title.text()
             self._buttons[place].setText(f" {title}")

@@ -1,4 +1,4 @@
-"""Region 11: on the left what happened last, on the right how the arm is (0x2A1)."""
+"""Region 11: on the left the last event, on the right the arm's status (0x2A1)."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ _MARK_ICON_PX: Final = 14
 
 
 class FailureLine(Translated, QWidget):
-    """Hidden until something goes wrong; shows the newest failure, and how often it happened."""
+    """Shows the newest unexpected failure and its count; hidden until there is one."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -82,14 +82,14 @@ class FailureLine(Translated, QWidget):
         self.hide()
 
     def text(self) -> str:
-        """The text that is shown."""
+        """Return the text."""
         return self._message.text()
 
     def show_failure(self, failure: Failure, *, motion_ended: bool) -> None:
-        """Tell of a failure; the same one again only counts.
+        """Show a failure; the same one again is only counted.
 
         Args:
-            failure: What went wrong.
+            failure: The failure.
             motion_ended: Whether every motion of this program was ended because of it.
         """
         again = self._failure is not None and self._failure.error == failure.error
@@ -123,7 +123,7 @@ class FailureLine(Translated, QWidget):
         self._message.show_message(text, Level.FAULT)
 
     def retranslate_ui(self) -> None:
-        """Say everything again, in the language of now."""
+        """Update the texts in the operator's language."""
         self._copy.setText(self.tr("Copy details"))
         self._close.setText(self.tr("Close"))
         for button in (self._copy, self._close):
@@ -132,11 +132,11 @@ class FailureLine(Translated, QWidget):
 
 
 class ModelMark(Translated, QToolButton):
-    """The model's name while a device is open; a click opens the window that chooses it.
+    """The model's name while a device is open; a click opens the window to choose it.
 
     Args:
-        controller: Knows it.
-        open_connection: Shows that window.
+        controller: Gives the model.
+        open_connection: Opens that window.
     """
 
     def __init__(self, controller: ArmController, open_connection: Callable[[], object]) -> None:
@@ -198,11 +198,11 @@ class ModelMark(Translated, QToolButton):
 
 
 class StatusBar(Translated, QWidget):
-    """The notice gives way when there is no room; what the arm says never does.
+    """The last event and the arm's status; the event is shortened if there is no room.
 
     Args:
-        controller: Tells what happens and how the arm is.
-        with_notices: Whether what happened last is told; of a log its time line tells.
+        controller: Gives the events and the arm's state.
+        with_notices: True to show the last event; for a log its time line shows them.
 
     Signals:
         event_wanted: The number of the notice's entry in the event log, or ``None``, when the
@@ -254,7 +254,7 @@ class StatusBar(Translated, QWidget):
         self.retranslate_ui()
 
     def add_mark(self, mark: QWidget) -> None:
-        """Show something more in it, at the left."""
+        """Add a widget at the left."""
         self._layout.insertWidget(0, mark)
 
     # -- notice -------------------------------------------------------------------------------
@@ -265,7 +265,7 @@ class StatusBar(Translated, QWidget):
         self._show_notice()
 
     def show_problem(self, reason: Refusal) -> None:
-        """Say what went wrong in the program itself."""
+        """Show a problem of the program itself."""
         self._problem = (datetime.now().astimezone(), reason)
         self._entry = self._controller.event_collector.on_problem(reason).number
         self._show_notice()
@@ -288,7 +288,7 @@ class StatusBar(Translated, QWidget):
             self._draw_warning(self._notice_icon, color)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """A click on the notice wants to know more."""
+        """Open the details of the event at a click on it."""
         if event.type() == QEvent.Type.MouseButtonRelease and isinstance(event, QMouseEvent):
             within = self._notice_label.rect().contains(event.position().toPoint())
             if within and event.button() is Qt.MouseButton.LeftButton and self._notice_label.text():
@@ -389,7 +389,7 @@ class StatusBar(Translated, QWidget):
     # -- appearance ---------------------------------------------------------------------------
 
     def retranslate_ui(self) -> None:
-        """Say everything again, in the language and colours of now."""
+        """Update texts and colours to the present language and theme."""
         self._shown = None
         self._notice_label.setAccessibleName(self.tr("Last event"))
         self._show_notice()
@@ -399,7 +399,7 @@ class StatusBar(Translated, QWidget):
         self.retranslate_ui()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Catch up with what went by while the bar was hidden."""
+        """Update the status, which was not updated while the bar was hidden."""
         super().showEvent(event)
         self._show_status(self._controller.state)
 

@@ -61,11 +61,11 @@ _WIDEST_PX: Final = 620
 class SpeedControl(Translated, QWidget):
     """Slider and field for 0–100 % of the arm's highest speed (manual 1.0.3, 0x151 byte 2).
 
-    Dragging sends a lower speed at once, a higher one when the handle is let go; keys, clicks and
-    the field send at once.
+    While dragging, a lower speed is sent at once, a higher one when the handle is released; keys,
+    clicks and the field send at once.
 
     Attributes:
-        field: Takes a figure.
+        field: The field for a figure.
     """
 
     def __init__(self, controller: ArmController) -> None:
@@ -133,7 +133,7 @@ class SpeedControl(Translated, QWidget):
 
 
 class EnableButton(Translated, QAbstractButton):
-    """Filled mark: enabled. Hollow: disabled. Dashed: not heard. Each joint by the arm's word."""
+    """Shows for each joint whether it is enabled: filled, hollow, or dashed if not heard."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -156,13 +156,13 @@ class EnableButton(Translated, QAbstractButton):
         return all(self._enabled)
 
     def show_operating_state(self, operating_state: OperatingState) -> None:
-        """Show what the arm says of its motors."""
+        """Show the state of the motors as reported by the arm."""
         if (operating_state.enabled, operating_state.busy) != (self._enabled, self._busy):
             self._enabled, self._busy = operating_state.enabled, operating_state.busy
             self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
-        """Put the word into the operator's language."""
+        """Set the text in the operator's language."""
         self.setText(_WORDS.text(self._stands()))
         known = [fmt.joints([j for j, on in zip(JOINTS, self._enabled, strict=True) if on])]
         self.setAccessibleName(f"{self.text()} {known[0]}".strip())
@@ -185,16 +185,16 @@ class EnableButton(Translated, QAbstractButton):
         return max(metrics.horizontalAdvance(_WORDS.text(word)) for word in _WORDS)
 
     def sizeHint(self) -> QSize:
-        """As large as it wants to be."""
+        """Return the preferred size."""
         marks = len(JOINTS) * (_MARK_PX + _GAP_PX) - _GAP_PX
         return QSize(int(2 * _PAD_PX + self._word_width() + _PAD_PX + marks), 40)
 
     def minimumSizeHint(self) -> QSize:
-        """No smaller than that."""
+        """Return the same size."""
         return self.sizeHint()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw it."""
+        """Draw the button."""
         colors = colors_of(self)
         painter = painting.begin(self)
         active = self.isEnabled() and (self.underMouse() or self.isDown())
@@ -255,7 +255,7 @@ class CommunicationButton(Translated, QAbstractButton):
         return "" if self._device is None else words.device_name(self._device)
 
     def show_operating_state(self, operating_state: OperatingState) -> None:
-        """Show how the program stands to its arm."""
+        """Show the state of the connection."""
         shown = (self._link, self._device, self._addressing)
         if (operating_state.link, operating_state.device, operating_state.addressing) != shown:
             self._link, self._device = operating_state.link, operating_state.device
@@ -263,7 +263,7 @@ class CommunicationButton(Translated, QAbstractButton):
             self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
-        """Put the word into the operator's language."""
+        """Set the text in the operator's language."""
         tips = {
             LinkState.NO_DEVICE: self.tr("No CAN device is connected. Press to choose one."),
             LinkState.OPENING: self.tr("The CAN device is being opened."),
@@ -302,11 +302,11 @@ class CommunicationButton(Translated, QAbstractButton):
         }
 
     def sizeHint(self) -> QSize:
-        """As large as it wants to be."""
+        """Return the preferred size."""
         return self.minimumSizeHint().expandedTo(QSize(_WIDTH_PX, _HEIGHT_PX))
 
     def minimumSizeHint(self) -> QSize:
-        """The word is never cut; the device's name gives way."""
+        """Return a size for the word, which is never cut; the device's name is shortened."""
         metrics = QFontMetrics(self._word_font())
         word = max(metrics.horizontalAdvance(word) for word in self._link_words().values())
         return QSize(int(_TEXT_LEFT_PX + word + _TEXT_RIGHT_PX) + 1, _HEIGHT_PX)
@@ -318,7 +318,7 @@ class CommunicationButton(Translated, QAbstractButton):
         return self.device_name or self.tr("Choose a device")
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw it."""
+        """Draw the button."""
         colors = colors_of(self)
         painter = painting.begin(self)
         active = self.underMouse() or self.isDown()
@@ -381,10 +381,10 @@ _CONNECT: Final = also("open port device adapter can 设备 端口 打开")
 
 
 class TopBar(Translated, QWidget):
-    """Connection, speed, motors and stops: seen and reached whatever panel is open.
+    """Connection, speed, motors and stops: always visible, whatever panel is open.
 
     Args:
-        controller: Whom to tell.
+        controller: The controller of the arm.
         open_connection: Opens the window in which a CAN device is chosen.
     """
 

@@ -1,4 +1,4 @@
-"""轨迹库 and the pages it leads to; loaded when the library is first opened."""
+"""Loads 轨迹库 and its pages when the library is first opened."""
 
 from __future__ import annotations
 
@@ -26,22 +26,22 @@ if TYPE_CHECKING:
 
 
 class TrajectoryPages(QObject):
-    """Makes the library, and has every page of it stand where pages stand.
+    """Creates the library, and shows each of its pages in the place of pages.
 
     Args:
-        controller: Runs trajectories, and knows where the arm is.
-        workspace: Takes care of the pages.
-        area: Where they stand in the main window.
-        preferences: Keep the tool.
-        workers: Who does what takes long.
-        files: Who does what waits for a disk; the workers by default.
-        folder: Of the library; the user's own by default.
+        controller: Runs trajectories, and gives the arm's state.
+        workspace: Manages the pages.
+        area: Their place in the main window.
+        preferences: The settings with the tool.
+        workers: Runs long work.
+        files: Runs work that waits for a disk; by default the workers.
+        folder: The folder of the library; by default the user's own.
         preview: Shows the path that was checked last.
-        picture: What is clicked and dragged in the 3D picture leads to a page.
+        picture: The 3D picture, in which points are clicked and dragged.
         parent: The main window.
 
     Signals:
-        run_asks: The name of what was sent and waits for the operator to agree; "": nothing does.
+        run_asks: The name of the trajectory that waits for confirmation; "" if none does.
     """
 
     run_asks = Signal(str)
@@ -81,7 +81,8 @@ class TrajectoryPages(QObject):
         """Show an editor.
 
         Args:
-            name: Of the trajectory; the editor that was used last by default, if one is open.
+            name: The name of the trajectory; by default the editor used last is shown, if one is
+                open.
         """
         if name:
             self._made().open_trajectory(name)
@@ -89,20 +90,20 @@ class TrajectoryPages(QObject):
             self.editor.open()
 
     def open_file(self, path: Path) -> None:
-        """Show what a file holds in an editor, or why it cannot be shown, in the library."""
+        """Open a file in an editor, or show in the library why that fails."""
         self._made().open_file(path)
 
     def open_recorder(self) -> None:
-        """Show the page that records; the way back from it leads to the library."""
+        """Show the page that records, from which the way back leads to the library."""
         self._made().open_recorder()
 
     def keep_drafts(self) -> None:
-        """Write down what is not saved; the program may go on."""
+        """Save unsaved trajectories as drafts; the program may go on."""
         if self._library is not None:
             self._library.editors.keep_drafts()
 
     def keep_work(self) -> None:
-        """The program ends: what is not saved is offered the next time."""
+        """Save all unsaved work, because the program ends; it is offered the next time."""
         if self._library is not None:
             self._library.keep_work()
 

@@ -25,12 +25,12 @@ _RIM_PX = 14
 
 
 class ViewRegion(Translated, QWidget):
-    """Lays 使用帮助, 视角还原 and 设置 over whatever widget shows the arm (manual 1.0.8).
+    """Lays 使用帮助, 视角还原 and 设置 over the widget that shows the arm (manual 1.0.8).
 
     Args:
         view: Shows the arm.
-        bar: Stands under it while it has something to offer.
-        work: Whose strip and note stand over the picture.
+        bar: The bar below it, visible while it has something to offer.
+        work: The object with the strip and the note over the picture.
     """
 
     commands = (
@@ -91,7 +91,7 @@ class ViewRegion(Translated, QWidget):
         }
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """The arm stands beside the buttons."""
+        """Report the areas covered by buttons, beside which the arm is shown."""
         super().resizeEvent(event)
         self._tell_covered()
 

@@ -1,4 +1,4 @@
-"""The pages of the drawer, and the windows that replay and export; made when first opened."""
+"""The pages of the drawer, and the windows for replay and export; created when first opened."""
 
 from __future__ import annotations
 
@@ -35,10 +35,10 @@ if TYPE_CHECKING:
 
 
 Opener = Callable[[str, Callable[[], ArmDialog]], ArmDialog]
-"""Shows a dialog by its name, and makes it at the first time."""
+"""Shows a dialog by its name, creating it the first time."""
 
 PageOpener = Callable[[str, Callable[[], "Page"]], "Page"]
-"""Shows a page by its name, and makes it at the first time."""
+"""Shows a page by its name, creating it the first time."""
 
 
 class Uncover(Protocol):
@@ -82,19 +82,19 @@ _TABS: Final = (
 
 
 class WatchWindows(QObject):
-    """Opens them, and what one shows at the wish of another.
+    """Opens these windows, and connects them with each other.
 
     Args:
-        controller: Who knows what was heard and done.
-        joint_monitor: Knows what the joints say of themselves.
+        controller: Gives feedback and events.
+        joint_monitor: Gives the state of the joints.
         settings: The file of the operator's settings.
-        background: Where what takes long is done, and files are read and written.
+        background: Runs long work, and reads and writes files.
         window: The main window.
-        open_window: How it shows a dialog.
-        open_page: How it shows a page of the drawer.
-        uncover: Brings a page in front of the windows that lie over it.
+        open_window: Shows a dialog.
+        open_page: Shows a page of the drawer.
+        uncover: Brings a page in front of windows that cover it.
         store: The operator's settings.
-        robot: The operator's own robot description; ``None``: the program's.
+        robot: The operator's own robot description; ``None`` for the program's.
     """
 
     def __init__(
@@ -127,7 +127,7 @@ class WatchWindows(QObject):
         self._bar: StatusBar | None = None
 
     def entries(self) -> tuple[WatchEntry, ...]:
-        """The buttons below the menu."""
+        """Return the buttons below the menu."""
         openers: dict[str, Callable[[], object]] = {
             "plots": lambda: self.show_as_curves(()),
             "events": self.show_events,
@@ -190,7 +190,7 @@ class WatchWindows(QObject):
             page.show_entry(number)
 
     def show_moment(self, at_s: float) -> None:
-        """Show the page 曲线, its first cursor at a monotonic time; no other page covers it."""
+        """Show a monotonic time in the page 曲线 by its first cursor; no other page covers it."""
         self.show_as_curves(())
         if self._plots is not None:
             self._uncover(self._plots)
@@ -233,7 +233,7 @@ class WatchWindows(QObject):
         """Show the page 使用指南; the window it was asked for in does not cover it.
 
         Args:
-            section: Of where the operator is; by default the guide is as it was left.
+            section: The section to show; by default the guide is as it was left.
         """
         reads = self._guide is not None and self._guide.has_focus_inside
 
@@ -252,7 +252,7 @@ class WatchWindows(QObject):
         self._open_page("help", HelpPage)
 
     def show_marks_in(self, bar: StatusBar) -> None:
-        """Have the status bar show what goes on of them; made with the first recording."""
+        """Show the progress of recordings in the status bar, from the first recording on."""
         self._bar = bar
         self._controller.noticed.connect(self._on_noticed)
 
@@ -264,7 +264,7 @@ class WatchWindows(QObject):
             bar.add_mark(mark)
 
     def open_replay(self, path: Path | None = None) -> None:
-        """Show a log in the window 回放; without one the operator chooses there.
+        """Show a log in the window 回放; without one the operator chooses it there.
 
         Args:
             path: The log.

@@ -1,4 +1,4 @@
-"""Between the next step and the status bar: panels or pages, the picture, a run, the drawer."""
+"""The area between next step and status bar: panels or pages, the picture, a run, the drawer."""
 
 from __future__ import annotations
 
@@ -31,10 +31,10 @@ _MOVED: Final = frozenset({QEvent.Type.Move, QEvent.Type.Resize, QEvent.Type.Win
 
 
 class RunPlace(QWidget):
-    """Takes no room before something has run.
+    """The place of a run's strip, empty before the first run.
 
     Args:
-        controller: Knows whether something runs.
+        controller: Gives the state of runs.
     """
 
     def __init__(self, controller: ArmController) -> None:
@@ -46,12 +46,12 @@ class RunPlace(QWidget):
 
     @property
     def strip(self) -> RunStrip | None:
-        """The line of a run; ``None``: nothing has run yet."""
+        """The strip of a run; ``None`` before the first run."""
         return self._strip
 
     @property
     def go_on_button(self) -> QWidget | None:
-        """The button that goes on with a run that pauses or waits, while it is seen."""
+        """The visible button that continues a paused or waiting run, or ``None``."""
         return None if self._strip is None else self._strip.go_on_button
 
     def _on_operating_state(self, operating_state: OperatingState) -> None:
@@ -65,21 +65,21 @@ class RunPlace(QWidget):
 
 
 class WorkArea(QSplitter):
-    """Keeps two widths: that of the panels, and the share of the pages, which grow with the window.
+    """Panels or pages beside the picture, with a width for the panels and a share for the pages.
 
-    A width that the window cannot hold is not used, and not forgotten.
+    A width that does not fit is not applied, but kept.
 
     Args:
-        panels: The panel that is chosen in the menu.
-        pages: Stands in its place while a page is seen.
-        view: The picture; never narrower than what its figures need.
+        panels: The chosen panel of the menu.
+        pages: Replaces it while a page is visible.
+        view: The picture; never narrower than its figures need.
 
     Attributes:
-        panel_px: How wide the panels are.
-        page_share: How much of the room the pages take, 0–1.
+        panel_px: The width of the panels.
+        page_share: The share of the width for pages, 0–1.
 
     Signals:
-        turned: Pages are seen now (``True``), or panels.
+        turned: Pages are visible now (``True``), or panels.
         sized: The operator has moved the border.
     """
 
@@ -107,7 +107,7 @@ class WorkArea(QSplitter):
 
     @property
     def shows_pages(self) -> bool:
-        """True if a page stands in the place of the panels."""
+        """True if a page replaces the panels."""
         return not self._pages.isHidden()
 
     def show_pages(self) -> None:
@@ -116,11 +116,11 @@ class WorkArea(QSplitter):
             self._turn(pages=True)
 
     def show_panels(self) -> None:
-        """Show the panels; the pages stay as they are."""
+        """Show the panels; the pages keep their state."""
         self._turn(pages=False)
 
     def set_widths(self, panel_px: int, page_share: float) -> None:
-        """Take other widths."""
+        """Set other widths."""
         self.panel_px, self.page_share = panel_px, page_share
         self.fit()
 
@@ -133,7 +133,7 @@ class WorkArea(QSplitter):
         self.turned.emit(pages)
 
     def fit(self) -> None:
-        """Give each its width, as far as there is room."""
+        """Apply the widths, as far as there is room."""
         room = self.width() - self.handleWidth()
         _left, least = self._least()
         wanted = round(self.page_share * room) if self.shows_pages else self.panel_px
@@ -147,7 +147,7 @@ class WorkArea(QSplitter):
         return left, max(left.minimumWidth(), left.minimumSizeHint().width())
 
     def event(self, event: QEvent) -> bool:
-        """Another page, or the same with other controls, may need more width."""
+        """Fit again when a page's controls have changed and may need more width."""
         done = super().event(event)
         if event.type() == QEvent.Type.LayoutRequest:
             left, least = self._least()
@@ -156,7 +156,7 @@ class WorkArea(QSplitter):
         return done
 
     def left_of_picture(self) -> QRect:
-        """The room between the window's left edge and the picture, in pixels of the desktop."""
+        """Return the area between window's left edge and picture, in pixels of the desktop."""
         top = self.mapToGlobal(QPoint(0, 0)).y()
         left = self.window().mapToGlobal(QPoint(0, 0)).x()
         return QRect(left, top, self._view.mapToGlobal(QPoint(0, 0)).x() - left, self.height())
@@ -170,22 +170,22 @@ class WorkArea(QSplitter):
         self.sized.emit()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """The picture gets what panels leave it; pages keep their share."""
+        """Fit again: the picture gets the rest beside panels; pages keep their share."""
         super().resizeEvent(event)
         self.fit()
 
 
 class WorkColumn(QSplitter):
-    """The drawer takes its height from panels and picture while it is open, and gives it back.
+    """The work area with the drawer below, which takes height from it only while open.
 
     Args:
         area: Panels or pages, and the picture.
-        run: Tells the run under way, below them.
-        drawer: Below that.
+        run: Shows the present run, below them.
+        drawer: The drawer below that.
 
     Attributes:
         area: As given.
-        drawer_px: How high the drawer is when it is open.
+        drawer_px: The height of the open drawer.
 
     Signals:
         sized: The operator has moved a border.
@@ -212,12 +212,12 @@ class WorkColumn(QSplitter):
         area.sized.connect(self.sized)
 
     def set_drawer(self, height_px: int) -> None:
-        """Take another height of the drawer."""
+        """Set the height of the drawer."""
         self.drawer_px = height_px
         self.fit()
 
     def fit(self, *_: object) -> None:
-        """Give the drawer its height, as far as there is room."""
+        """Apply the height of the drawer, as far as there is room."""
         if self._drawer.isHidden():
             return
         room = self.height() - self.handleWidth()
@@ -230,19 +230,19 @@ class WorkColumn(QSplitter):
         self.sized.emit()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """The drawer keeps its height."""
+        """Keep the height of the drawer."""
         super().resizeEvent(event)
         self.fit()
 
 
 class WindowLayout(QObject):
-    """Puts the window and its borders where they were, and has changes kept.
+    """Restores the place of the window and its borders, and stores changes.
 
     Args:
-        keeper: Knows how it was.
+        keeper: The stored arrangement.
         window: The main window, before it is shown.
         column: The borders in it.
-        first_size: Of the window the first time.
+        first_size: The size of the window at the first start.
     """
 
     def __init__(
@@ -267,7 +267,7 @@ class WindowLayout(QObject):
         window.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """The window was moved."""
+        """Store the place when the window was moved or resized."""
         if event.type() in _MOVED and self._window.isVisible():
             self._keeper.note()
         return super().eventFilter(watched, event)

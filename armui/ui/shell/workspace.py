@@ -1,4 +1,4 @@
-"""Where each page stands: in the main window, or taken out into a window of its own."""
+"""The place of each page: in the main window, or in a window of its own."""
 
 from __future__ import annotations
 
@@ -27,26 +27,27 @@ if TYPE_CHECKING:
 
 
 _ASIDE_PX: Final = 32
-"""The second window of a kind does not hide the first."""
+"""The offset of a second window of a kind, so that it does not hide the first."""
 _AROUND: Final = QMargins(20, -16, 20, 20)
-"""The margins of a page in its window, whose stops come to stand lower than the button that was
-pressed: a second press of it, too quick, stops nothing."""
+"""The margins of a page in its window. The stops are thus lower than the button that took the page
+out, so that a double click on it does not press one.
+"""
 _LEAST: Final = QSize(640, 460)
 _SIZE: Final = QSize(1180, 760)
 _ICON_PX: Final = 18
 
 
 class PageWindow(ArmDialog):
-    """Closing it leaves the page, which may ask; a button puts the page back.
+    """The window of a page: closing it leaves the page, a button puts the page back.
 
     Args:
-        controller: Whom halt and emergency stop tell.
-        page: What it holds.
+        controller: Receives halt and emergency stop.
+        page: The page in it.
         parent: The main window.
 
     Signals:
-        put_back_wanted: The page shall stand in the main window again.
-        placed: It was moved, or is of another size.
+        put_back_wanted: The page shall return to the main window.
+        placed: It was moved or resized.
     """
 
     put_back_wanted = Signal()
@@ -72,7 +73,7 @@ class PageWindow(ArmDialog):
         self._recolor()
 
     def release(self) -> Page | None:
-        """Release the page, which is hidden then, and delete this window."""
+        """Release the page, hidden, and delete this window."""
         page, self._page = self._page, None
         if page is not None:
             page.titled.disconnect(self._name)
@@ -85,20 +86,20 @@ class PageWindow(ArmDialog):
         return page
 
     def open(self) -> None:
-        """Show it in front, the keys with what is worked with."""
+        """Show the window in front, and focus the page's main widget."""
         super().open()
         if self._page is not None:
             self._page.take_focus()
 
     def reject(self) -> None:
-        """To close it is to leave the page."""
+        """Leave the page, because the window is closed."""
         if self._page is None:
             super().reject()
         else:
             self._page.leave()
 
     def room_for_questions(self) -> QRect:
-        """Return the rectangle below its stops."""
+        """Return the area below its stops."""
         top = self.stop_button.mapToGlobal(self.stop_button.rect().bottomLeft()).y()
         left = self.mapToGlobal(self.rect().topLeft())
         return QRect(left.x(), top, self.width(), left.y() + self.height() - top)
@@ -118,17 +119,17 @@ class PageWindow(ArmDialog):
         self._put_back.setIcon(icons.icon("put_back", colors_of(self).muted))
 
     def moveEvent(self, event: QMoveEvent) -> None:
-        """Tell where the window stands now."""
+        """Report the new place."""
         super().moveEvent(event)
         self.placed.emit()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Tell how large the window is now."""
+        """Report the new size."""
         super().resizeEvent(event)
         self.placed.emit()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """A held control in it is let go of by the guards that watch for this."""
+        """Report the change; guards release any held control."""
         super().hideEvent(event)
         self.placed.emit()
 
@@ -144,11 +145,11 @@ class PageHome(Protocol):
 
 
 class Workspace(QObject):
-    """Knows every page, and brings it to where the operator wants pages of its kind.
+    """Manages all pages, and shows each where the operator wants pages of its kind.
 
     Args:
-        controller: Whom the stops of the windows tell.
-        keeper: Remembers what was taken out, and where to.
+        controller: Receives the stops of the windows.
+        keeper: Stores which pages were taken out, with their places.
         window: The main window.
     """
 
@@ -166,11 +167,11 @@ class Workspace(QObject):
         self._ends = False
 
     def add(self, page: Page, home: PageHome) -> None:
-        """Take care of a page from now on; nothing is shown before the page wants it.
+        """Manage a page from now on; nothing is shown until the page wants it.
 
         Args:
-            page: Made a moment ago.
-            home: Where it stands while it is not taken out.
+            page: A new page.
+            home: Its region in the main window.
         """
         page.hide()
         page.setParent(self._window)
@@ -182,12 +183,12 @@ class Workspace(QObject):
         page.destroyed.connect(partial(self._forget, page))
 
     def open_kept(self, key: str, make: Callable[[], Page], home: PageHome) -> Page:
-        """Show the one page of a kind, made at the first time.
+        """Show the single page of a kind, creating it the first time.
 
         Args:
             key: The kind.
             make: Makes the page.
-            home: Where it stands while it is not taken out.
+            home: Its region in the main window.
         """
         if key not in self._kept:
             self._kept[key] = make()
@@ -196,20 +197,20 @@ class Workspace(QObject):
         return self._kept[key]
 
     def kept(self, key: str) -> Page | None:
-        """The one page of a kind, if it was made."""
+        """Return the single page of a kind, or ``None`` if it was not created."""
         return self._kept.get(key)
 
     def page_of(self, key: str) -> Page | None:
-        """A page of a kind, the one that is seen if there are several; ``None``: there is none."""
+        """Return a page of a kind, preferably a visible one, or ``None``."""
         found = [page for page in self._homes if page.key == key]
         return next((page for page in found if page.isVisible()), found[0] if found else None)
 
     def is_taken_out(self, page: Page) -> bool:
-        """Return whether it stands in a window of its own now."""
+        """Return whether a page is in a window of its own."""
         return page in self._windows
 
     def take_out(self, page: Page) -> None:
-        """Give a page a window of its own; pages of its kind open in one from now on."""
+        """Move a page to a window of its own; pages of its kind open so from now on."""
         stood = QRect(page.mapToGlobal(page.rect().topLeft()), page.size())
         self._homes[page].drop_page(page)
         window = self._window_of(page)
@@ -219,11 +220,11 @@ class Workspace(QObject):
         window.open()
 
     def uncover(self, page: Page, *, for_now: bool = False) -> None:
-        """Give a page a window if that of another page lies over it, which stays in front.
+        """Move a page to a window if the window of another page covers it, which stays in front.
 
         Args:
-            page: Is seen.
-            for_now: If any window of the program lies over it; the next time it is at home again.
+            page: The visible page.
+            for_now: True to do so if any window of the program covers it, for this time only.
         """
         stands = QRect(page.mapToGlobal(page.rect().topLeft()), page.size())
         others = QApplication.topLevelWidgets() if for_now else self._windows.values()
@@ -235,7 +236,7 @@ class Workspace(QObject):
             self.take_out(page)
 
     def put_back(self, page: Page) -> None:
-        """Bring a page home; pages of its kind open there from now on."""
+        """Move a page back; pages of its kind open in the main window from now on."""
         self._let_go(page)
         layout = self._keeper.layout
         left = {key: place for key, place in layout.taken_out.items() if key != page.key}
@@ -246,17 +247,17 @@ class Workspace(QObject):
         self._window.activateWindow()
 
     def close_windows(self) -> None:
-        """The program ends: where they stand is remembered, the pages are not left."""
+        """Close all windows because the program ends, keeping their places."""
         self._ends = True
         for page in list(self._windows):
             self._let_go(page)
 
     def next_left_open(self) -> OpenWindow | None:
-        """Return the next page that stood in a window when the program ended; ``None``: no more."""
+        """Return the next page that was in a window when the program ended, or ``None``."""
         return self._left_open.pop(0) if self._left_open else None
 
     def note_windows(self) -> None:
-        """Remember which pages stand in windows, and which of the last time still have to."""
+        """Store which pages are in windows, with those of the last time still to be opened."""
         if self._ends:
             return
         lasting = (page for page in self._windows if page not in self._out_for_now)
@@ -318,10 +319,10 @@ class Workspace(QObject):
 
 
 def first_place(stood: QRect, window: QWidget, main: QWidget) -> QRect:
-    """Return the place of a page that is taken out for the first time.
+    """Return the place of a page's window when it is taken out for the first time.
 
-    In the middle of a second screen, if there is one; else where it stood, no larger: the picture
-    stays in sight.
+    It is the middle of a second screen, if there is one; else the page's own place and size, so
+    that the picture stays visible.
 
     Args:
         stood: The page in the main window, in pixels of the desktop.

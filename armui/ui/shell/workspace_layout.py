@@ -1,6 +1,6 @@
-"""How the operator has arranged the window: plain data, its text in a file, and what fits a screen.
+"""The operator's arrangement of the window: plain data, its text in a file, its fit to a screen.
 
-Pure. Whatever the text holds, a layout comes of it: what is not possible is as it is at first.
+Pure. Any text gives a layout: impossible values become those of the first start.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ class ColumnLayout:
     """The columns of a table.
 
     Attributes:
-        widths_px: From left to right.
+        widths_px: The widths from left to right.
         sorted_by: The column of the order, −1 for none.
         ascending: The direction of the order.
     """
@@ -48,11 +48,11 @@ class ColumnLayout:
 
 @dataclass(frozen=True, slots=True)
 class OpenWindow:
-    """A page that stands in a window of its own.
+    """A page in a window of its own.
 
     Attributes:
-        key: Of the page.
-        subject: What it works on, where there are several of its kind: the name of a trajectory.
+        key: The key of the page.
+        subject: The object it works on, if there are several of its kind: the name of a trajectory.
     """
 
     key: str
@@ -64,13 +64,13 @@ class WorkspaceLayout:
     """The arrangement of the window.
 
     Attributes:
-        window: Where the main window stands; ``None``: as it is at first.
-        maximized: Whether it fills its screen.
-        panel_px: How wide the panels are; 0: as at first.
-        page_share: How much of the room the pages take; 0: as at first.
-        drawer_px: How high the drawer is when it is open; 0: as at first.
-        taken_out: Where the window of each page stands that was taken out, by the page's key.
-        columns: Of each table by its name.
+        window: The place of the main window; ``None`` for the first one.
+        maximized: True if it is maximized.
+        panel_px: The width of the panels; 0 for the first one.
+        page_share: The share of the width for pages; 0 for the first one.
+        drawer_px: The height of the open drawer; 0 for the first one.
+        taken_out: The place of each page's window, by the page's key.
+        columns: The columns of each table by its name.
         open_windows: The pages that stood in windows of their own when the program ended.
     """
 
@@ -107,7 +107,7 @@ def to_text(layout: WorkspaceLayout) -> str:
 
 
 def from_text(text: str) -> WorkspaceLayout:
-    """The layout in a file; what is wrong in it is as at first."""
+    """Return the layout in a file; invalid values become those of the first start."""
     try:
         found = json.loads(text)
     except (ValueError, RecursionError):
@@ -136,11 +136,11 @@ def from_text(text: str) -> WorkspaceLayout:
 
 
 def fitted(place: Place, screens: Sequence[Place]) -> Place:
-    """A place for a window that is wholly on a screen: the one that shows most of it now.
+    """Return a place that is completely on a screen: the one that shows most of it now.
 
     Args:
-        place: Where it stood.
-        screens: What can be used of each, the first one the main one; at least one.
+        place: The former place.
+        screens: The usable area of each, the main one first; at least one.
     """
     screen = max(screens, key=lambda each: _overlap(place, each))
     width, height = min(place.width, screen.width), min(place.height, screen.height)

@@ -1,1 +1,1 @@
-"""Watching the arm over time: curves, events, the bus; recordings, their replay and exports."""
+"""Monitoring the arm over time: curves, events, the bus; recordings, their replay and exports."""

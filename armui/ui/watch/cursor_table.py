@@ -30,11 +30,11 @@ class CursorTable(QWidget):
     """Shown while the cursors are.
 
     Args:
-        board: Whose curves and cursors.
-        telemetry: Knows the values.
+        board: The board with the curves and cursors.
+        telemetry: Gives the values.
 
     Attributes:
-        is_wanted: Whether it is shown while the cursors are.
+        is_wanted: True if it is shown together with the cursors.
     """
 
     def __init__(
@@ -54,7 +54,7 @@ class CursorTable(QWidget):
         self.refresh()
 
     def refresh(self) -> None:
-        """Say the values."""
+        """Update the values."""
         self.setVisible(self.is_wanted and self._board.has_cursors)
         if not self._board.has_cursors:
             return
@@ -74,7 +74,7 @@ class CursorTable(QWidget):
                 self.table.setItem(row, column, item)
 
     def text(self) -> str:
-        """All of it, for a spreadsheet."""
+        """Return the whole table as text for a spreadsheet."""
         rows = [[self.tr("Quantity"), *CURSOR_NAMES, "B − A"]]
         for row in range(self.table.rowCount()):
             items = [self.table.item(row, column) for column in range(4)]
@@ -112,7 +112,7 @@ class CursorTable(QWidget):
         return found[1]
 
     def changeEvent(self, event: QEvent) -> None:
-        """Follow the language."""
+        """Update the texts after a change of language."""
         if event.type() == QEvent.Type.LanguageChange:
             self.refresh()
         super().changeEvent(event)

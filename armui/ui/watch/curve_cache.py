@@ -1,4 +1,4 @@
-"""The lines of one series' curves, kept from picture to picture: the newest end alone is new."""
+"""Keeps the lines of one series' curves between pictures, so that only new ends are drawn."""
 
 from __future__ import annotations
 
@@ -28,27 +28,26 @@ if TYPE_CHECKING:
 Drawn = TypeVar("Drawn")
 
 _LONGEST_TAIL: Final = 96
-"""So many buckets may be made anew for each picture."""
+"""The most buckets computed again for each picture."""
 
 _BEHIND_PX: Final = 4.0
 _BEHIND_S: Final = 0.3
-"""The newest end may be so far behind: half of the curves are made for one picture, half for the
-next."""
+"""The most that the newest end may be late: each picture updates half of the curves."""
 
 Extent = tuple[float, float] | None
 
 
 class CurveCache(Generic[Drawn]):
-    """What of one series is drawn in one plot.
+    """The lines of one series in one plot.
 
     Args:
-        series: Where it is kept.
+        series: The series.
         fields: The figures or codes drawn; all of one kind.
-        make: Makes what is drawn of the times and figures of a line.
+        make: Makes the drawable object from the times and figures of a line.
 
     Attributes:
-        drawn: For each field what is to be drawn; a few pieces, in any order.
-        extents: For each field its smallest and largest figure; ``None`` where there is none.
+        drawn: For each field its drawable pieces, in any order.
+        extents: For each field its smallest and largest figure; ``None`` if there is none.
     """
 
     def __init__(
@@ -70,13 +69,13 @@ class CurveCache(Generic[Drawn]):
         self.extents: list[Extent] = [None] * len(self.fields)
 
     def update(self, begin_s: float, end_s: float, width_px: int, *, turn: bool = True) -> None:
-        """Make what is to be drawn of a time; the end must not be in the future.
+        """Compute the lines of a time, whose end must not be in the future.
 
         Args:
             begin_s: Monotonic time at the left end.
             end_s: And at the right.
             width_px: How many pixels they are apart.
-            turn: Else what is there is good enough while no more than some pixels are missing.
+            turn: If false, the present lines are kept while only some pixels are missing.
         """
         px_s = (end_s - begin_s) / max(width_px, 1)
         same = (px_s, width_px) == self._scale and begin_s >= self._begin_s
@@ -146,11 +145,11 @@ def _both(one: Extent, other: Extent) -> Extent:
 
 
 class CurveBook(Generic[Drawn]):
-    """Keeps a cache for each series that is shown.
+    """A cache for each series that is shown.
 
     Args:
-        telemetry: Where they are kept.
-        make: Makes what is drawn of the times and figures of a line.
+        telemetry: The series.
+        make: Makes the drawable object from the times and figures of a line.
     """
 
     def __init__(
@@ -164,20 +163,20 @@ class CurveBook(Generic[Drawn]):
         self._picture = 0
 
     def show(self, quantities: Iterable[Quantity]) -> None:
-        """What is shown from now on; the caches of series of which it is the same stay."""
+        """Set the quantities shown; caches of unchanged series are kept."""
         fields: dict[tuple[str, bool], dict[str, None]] = {}
         for each in quantities:
             fields.setdefault(self._place(each), {})[each.field] = None
         self._caches = {place: self._kept(place, tuple(names)) for place, names in fields.items()}
 
     def begin_picture(self) -> None:
-        """Half of the caches are brought up to date for one picture, half for the next."""
+        """Begin a picture, for which half of the caches are updated in turn."""
         self._picture += 1
 
     def curve(
         self, what: Quantity, begin_s: float, end_s: float, width_px: int
     ) -> tuple[Sequence[Drawn], Extent]:
-        """What is to be drawn of a quantity, and how far it reaches.
+        """Return the drawable pieces of a quantity, and its extent.
 
         Args:
             what: The quantity; it must be shown.

@@ -1,7 +1,7 @@
-"""From series to the lines that are drawn: as many points as a screen can show, no more. Pure.
+"""Computes lines from series, with no more points than a screen can show. Pure.
 
-A line is a pair of arrays: monotonic times in seconds, and figures. Where nothing was heard for
-half a second one line ends and another begins.
+A line is a pair of arrays: monotonic times in seconds, and figures. A gap of half a second splits a
+line.
 """
 
 from __future__ import annotations
@@ -23,32 +23,33 @@ if TYPE_CHECKING:
 Line = tuple["NDArray[np.float64]", "NDArray[np.float64]"]
 
 _SAMPLES_PER_PX: Final = 1.5
-"""So many samples a pixel are drawn one by one; of more only the extremes."""
+"""Up to this density every sample is drawn; above it only the extremes."""
 _BUCKETS_PER_PX: Final = 0.75
 Extent = tuple[float, float]
 
 _MARGIN: Final = 0.16
-"""Of the height, above and below: half a figure of the axis, in the lowest plot there is."""
+"""The share of the height left free above and below: half a figure of the axis, in the lowest plot.
+"""
 _LEAST: Final = {"°C": 4.0, "V": 1.0, "A": 0.2, "%": 5.0, "1/s": 10.0}
 _LEAST_ELSE: Final = 0.1
-"""The smallest height, by unit: noise of the last digit is not to fill a plot."""
+"""The smallest height for other units, so that noise of the last digit does not fill a plot."""
 _LEAST_SHARE: Final = 1e-5
-"""And as a share of the figures themselves."""
+"""The smallest height as a share of the figures themselves."""
 _TOO_EMPTY: Final = 0.45
-"""A plot of which less is used is fitted anew."""
+"""A plot that is used less than this is fitted again."""
 
 
 def together(extents: Iterable[Extent | None]) -> Extent | None:
-    """The extent of several curves."""
+    """Return the common extent of several curves."""
     told = [each for each in extents if each is not None]
     return (min(low for low, _ in told), max(high for _, high in told)) if told else None
 
 
 class AutoHeight:
-    """Grows at once, and shrinks when more than half of it stays empty.
+    """The height of a plot: grows at once, and shrinks when more than half of it stays empty.
 
     Args:
-        unit: Of the curves, where they have one in common.
+        unit: The common unit of the curves, if they have one.
     """
 
     def __init__(self, unit: str = "") -> None:
@@ -56,7 +57,7 @@ class AutoHeight:
         self._shown: Extent | None = None
 
     def fit(self, extent: Extent | None, *, codes: bool = False) -> Extent:
-        """What to show; codes begin at zero."""
+        """Return the extent to show; codes begin at zero."""
         if extent is None:
             return self._shown or (0.0, 1.0)
         low, high = (min(extent[0], 0.0), max(extent[1], 1.0)) if codes else extent
@@ -75,7 +76,7 @@ class AutoHeight:
 
 
 def bucket_exponent(span_s: float, width_px: int) -> int:
-    """Buckets 2^this wide are hardly wider than a pixel."""
+    """Return the exponent of 2 at which buckets are hardly wider than a pixel."""
     return math.ceil(math.log2(span_s / (_BUCKETS_PER_PX * max(width_px, 50))))
 
 
@@ -87,7 +88,7 @@ def is_dense(series: Series, begin_s: float, end_s: float, width_px: int) -> boo
 def sample_lines(
     series: Series, fields: Sequence[str], begin_s: float, end_s: float
 ) -> list[list[Line]]:
-    """Every sample from one time to another, for each field."""
+    """Return every sample from one time to another, for each field."""
     samples = series.samples(begin_s, end_s, around=True)
     times_s = samples["time_s"].astype(np.float64)
     if series.shape.held:
@@ -97,7 +98,7 @@ def sample_lines(
 
 
 def envelope_lines(envelope: Envelope, *, held: bool = False) -> list[list[Line]]:
-    """The extremes of buckets, for each field: a line that goes up and down once in two of them."""
+    """Return the extremes of buckets, for each field, as a line that goes up and down."""
     width_s = 2.0**envelope.exponent
     lines: list[list[Line]] = []
     for low, high in zip(envelope.low, envelope.high, strict=True):
@@ -123,7 +124,7 @@ def envelope_lines(envelope: Envelope, *, held: bool = False) -> list[list[Line]
 
 
 def extent(lines: Sequence[Line]) -> tuple[float, float] | None:
-    """The smallest and the largest figure."""
+    """Return the smallest and the largest figure, or ``None``."""
     ends = [(float(figures.min()), float(figures.max())) for _times, figures in lines]
     return (min(low for low, _ in ends), max(high for _, high in ends)) if ends else None
 

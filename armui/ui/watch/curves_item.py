@@ -1,4 +1,4 @@
-"""The one item of a plot that draws all its curves and the cursors."""
+"""The item of a plot that draws all its curves and the cursors."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class DrawnCurve:
 
     Attributes:
         color: As ``#rrggbb``.
-        pieces: What is drawn, over monotonic times.
+        pieces: The drawable pieces, over monotonic times.
     """
 
     color: str
@@ -32,11 +32,11 @@ class DrawnCurve:
 
 @dataclass(frozen=True, slots=True)
 class Missing:
-    """A time of which the curves are not there yet.
+    """A time whose curves are not loaded yet.
 
     Attributes:
         begin_s, end_s: Monotonic times.
-        text: What is said of it.
+        text: The text on it.
     """
 
     begin_s: float
@@ -45,11 +45,11 @@ class Missing:
 
 
 polygon = pg.functions.arrayToQPolygonF
-"""Times and figures as what Qt draws fastest."""
+"""Converts times and figures to Qt's fastest form."""
 
 
 def thin_pen(color: str) -> QPen:
-    """A pen of one pixel at any scale: Qt draws it several times as fast as a wider one."""
+    """Return a pen of one pixel at any scale, which Qt draws faster than wider ones."""
     pen = QPen(QColor(color), 1.0)
     pen.setCosmetic(True)
     return pen
@@ -73,19 +73,19 @@ class CurvesItem(pg.GraphicsObject):  # type: ignore[misc]
         self.setFlag(self.GraphicsItemFlag.ItemUsesExtendedStyleOption, enabled=False)
 
     def show_curves(self, curves: Sequence[DrawnCurve], edge_s: float) -> None:
-        """Draw these curves; the axis' zero is a monotonic time."""
+        """Set the curves; the axis' zero is a monotonic time."""
         self._curves = [(self._pen(each.color), each.pieces) for each in curves]
         self._edge_s = edge_s
         self.update()
 
     def show_cursors(self, at_s: Sequence[float | None], color: str) -> None:
-        """Draw upright lines at monotonic times."""
+        """Set the cursors, vertical lines at monotonic times."""
         self._cursors = tuple(at_s)
         self._cursor_pen = self._pen(color)
         self.update()
 
     def show_missing(self, missing: Missing | None, color: str) -> None:
-        """Hatch a time of which there is nothing yet."""
+        """Hatch a time whose curves are not loaded yet."""
         if missing != self._missing:
             self._missing = missing
             self._missing_brush = QBrush(QColor(color), Qt.BrushStyle.BDiagPattern)
@@ -94,7 +94,7 @@ class CurvesItem(pg.GraphicsObject):  # type: ignore[misc]
     def show_grid(
         self, times_s: Sequence[float], figures: Sequence[float], color: str | None = None
     ) -> None:
-        """Draw lines at times and figures of the axes."""
+        """Set the grid lines at times and figures of the axes."""
         bounds = self._bounds
         self._grid = [QLineF(at, bounds.top(), at, bounds.bottom()) for at in times_s]
         self._grid += [QLineF(bounds.left(), at, bounds.right(), at) for at in figures]
@@ -108,17 +108,17 @@ class CurvesItem(pg.GraphicsObject):  # type: ignore[misc]
         return self._pens[color]
 
     def set_bounds(self, bounds: QRectF) -> None:
-        """How far axis and figures reach."""
+        """Set the extent of the plot."""
         if bounds != self._bounds:
             self.prepareGeometryChange()
             self._bounds = bounds
 
     def boundingRect(self) -> QRectF:  # noqa: N802 - the name Qt calls
-        """As far as the plot reaches."""
+        """Return the extent of the plot."""
         return self._bounds
 
     def paint(self, painter: QPainter, *_args: Any) -> None:
-        """Draw."""
+        """Draw curves, grid and cursors."""
         painter.save()
         painter.setPen(self._grid_pen)
         painter.drawLines(self._grid)

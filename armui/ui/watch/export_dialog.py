@@ -61,11 +61,11 @@ _FORMATS: Final = {
 _LOGS: Final = "*.blf *.log *.asc *.trc *.csv *.db *.mf4 *.txt *.gz"
 _GENERATIONS: Final = (None, Generation.ONE, Generation.TWO)
 _BELOW_FORMATS: Final = 2
-"""The row in which stands what the chosen format is."""
+"""The row with the description of the chosen format."""
 
 
 def about_text(export_format: ExportFormat) -> str:
-    """What a format holds, and who opens it."""
+    """Return the content of a format, and the programs that open it."""
     if export_format is ExportFormat.MCAP:
         return QCoreApplication.translate(
             "ExportDialog",
@@ -92,7 +92,7 @@ def about_text(export_format: ExportFormat) -> str:
 
 
 def problem_text(done: ExportDone, target: Path) -> str:
-    """Why nothing was written, and what helps."""
+    """Return why nothing was written, with the remedy."""
     translate = QCoreApplication.translate
     texts = {
         ExportProblem.NO_LOG: translate("ExportDialog", "The log cannot be read: {detail}"),
@@ -135,7 +135,7 @@ def problem_text(done: ExportDone, target: Path) -> str:
 
 
 def finished_text(report: dict[str, Any], export_format: ExportFormat, target: Path) -> str:
-    """What was written."""
+    """Return the text on a finished export."""
     text = QCoreApplication.translate("ExportDialog", "Saved: {target} ({items:,} rows)")
     if export_format is ExportFormat.MCAP:
         text = QCoreApplication.translate("ExportDialog", "Saved: {target} ({items:,} messages)")
@@ -143,7 +143,7 @@ def finished_text(report: dict[str, Any], export_format: ExportFormat, target: P
 
 
 def remarks_text(report: dict[str, Any]) -> list[str]:
-    """What was noticed on the way, a line each; the damaged places first."""
+    """Return remarks on an export, a line each, the damaged places first."""
     translate = QCoreApplication.translate
     lines = []
     if report["damage_count"]:
@@ -183,7 +183,7 @@ def remarks_text(report: dict[str, Any]) -> list[str]:
 
 
 class ExportForm(Translated, QWidget):
-    """The fields.
+    """The fields of the export.
 
     Args:
         controller: For the emergency stop in the file choosers.
@@ -296,23 +296,23 @@ class ExportForm(Translated, QWidget):
 
     @property
     def format(self) -> ExportFormat:
-        """The chosen one."""
+        """The chosen format."""
         return tuple(ExportFormat)[self.formats.checkedId()]
 
     def show_log(self, path: Path) -> None:
-        """Take a log; the target is proposed beside it."""
+        """Set the log; the target is proposed beside it."""
         self._log = path
         self._target_chosen = False
         self._propose_target()
 
     def show_target(self, path: Path) -> None:
-        """Write there."""
+        """Set the target."""
         self._target, self._target_chosen = path, True
         self._show_paths()
         self.changed.emit()
 
     def reason(self) -> str:
-        """Why nothing can be exported with this; empty: it can."""
+        """Return why the export is not possible; empty if it is."""
         if self._log is None:
             return self.tr("Choose the recording first.")
         begin_s, end_s = self.begin_field.value or 0.0, self.end_field.value
@@ -326,7 +326,7 @@ class ExportForm(Translated, QWidget):
         return self._log is not None
 
     def request(self) -> ExportRequest | None:
-        """What to export; ``None`` while something is missing or wrong."""
+        """Return the request, or ``None`` if something is missing or wrong."""
         if self._log is None or self._target is None or self.reason():
             return None
         end_s = self.end_field.value
@@ -409,27 +409,27 @@ def _choice(names: Sequence[str]) -> tuple[QButtonGroup, QWidget]:
 
 
 class RunningExport(Protocol):
-    """An export under way."""
+    """An export in progress."""
 
     def end(self) -> None:
-        """End it; nothing remains of it."""
+        """End the export; nothing remains of it."""
 
 
 BeginExport = Callable[
     [ExportRequest, Callable[[ExportProgress | ExportDone], object]], RunningExport
 ]
-"""Begins an export; see :class:`armui.export.process.ExportProcess`."""
+"""Starts an export; see :class:`armui.export.process.ExportProcess`."""
 
 
 class ExportDialog(ArmDialog):
-    """Takes a log, a format, a stretch of time and a target.
+    """The choice of a log, a format, a stretch of time and a target.
 
-    The export runs in a process of its own; the window goes on. Closing the dialog cancels it.
+    The export runs in a process of its own. Closing the dialog cancels it.
 
     Args:
         controller: Receives the emergency stop.
         parent: The main window.
-        begin: Begins an export.
+        begin: Starts an export.
     """
 
     _told = Signal(int, object)
@@ -479,12 +479,12 @@ class ExportDialog(ArmDialog):
     # What the operator does -------------------------------------------------------------------
 
     def open(self) -> None:
-        """Show the dialog; what is chosen first is the recording."""
+        """Show the dialog, and focus the choice of the recording."""
         super().open()
         self.form.log_button.setFocus()
 
     def show_log(self, path: Path) -> None:
-        """Offer a recording to be exported; what is under way goes on."""
+        """Set the recording, unless an export is running."""
         if self._under_way is None:
             self.form.show_log(path)
 
@@ -586,13 +586,13 @@ class ExportDialog(ArmDialog):
     # The end ----------------------------------------------------------------------------------
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """What is under way is cancelled."""
+        """Cancel a running export."""
         if self._under_way is not None:
             self._cancel()
         super().closeEvent(event)
 
     def reject(self) -> None:
-        """Escape does the same."""
+        """Cancel a running export, and close, by Escape."""
         if self._under_way is not None:
             self._cancel()
         super().reject()

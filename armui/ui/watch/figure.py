@@ -1,4 +1,4 @@
-"""The plots as a picture on paper: drawn from what was copied, so in any thread."""
+"""The plots as a picture, drawn from copied data, so in any thread."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _LEFT_PX: Final = 72.0
 _PLOT_PX: Final = 150.0
 _TICKS: Final = 4
 _SCALE: Final = 2
-"""Of a picture of pixels: sharp enough to be printed."""
+"""The scale of pixel pictures: fine enough for printing."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,11 +34,11 @@ class FigurePlot:
     """One plot.
 
     Attributes:
-        names: Of its curves, each with its colour.
+        names: The names of its curves, each with its colour.
         lines: For each curve its pieces, over monotonic times.
-        heights: What of the figures is shown.
-        title: What the curves have in common; "" if nothing.
-        unit: Of the figures; "" where they are codes or bare numbers.
+        heights: The range of figures shown.
+        title: The common part of the curves' names; "" if none.
+        unit: The unit of the figures; "" for codes or bare numbers.
     """
 
     names: Sequence[tuple[str, str]]
@@ -50,16 +50,16 @@ class FigurePlot:
 
 @dataclass(frozen=True, slots=True)
 class CurveFigure:
-    """Plots over one time.
+    """Several plots over the same time.
 
     Attributes:
-        heading: When it was.
-        plots: From top to bottom.
+        heading: The text on its time.
+        plots: The plots from top to bottom.
         edge_s: Monotonic time of the axis' zero.
         begin_s: The left end of the axis, from there.
         end_s: The right end.
-        cursors: Names of the cursors, and where they stand on the axis.
-        font: Of all words.
+        cursors: The names of the cursors, and their places on the axis.
+        font: The font of all texts.
     """
 
     heading: str
@@ -72,14 +72,14 @@ class CurveFigure:
 
 
 def size_of(figure: CurveFigure) -> QSize:
-    """How large it is, in pixels of a screen."""
+    """Return its size, in pixels of a screen."""
     line_px = QFontMetricsF(figure.font).height()
     height = 2 * _MARGIN_PX + 3 * line_px + len(figure.plots) * (_PLOT_PX + 2.2 * line_px)
     return QSize(round(_WIDTH_PX), round(height))
 
 
 def to_image(figure: CurveFigure) -> QImage:
-    """As pixels, twice as fine as on a screen."""
+    """Return it as pixels, twice as fine as on a screen."""
     size = size_of(figure)
     image = QImage(size * _SCALE, QImage.Format.Format_RGB32)
     image.setDevicePixelRatio(_SCALE)
@@ -91,7 +91,7 @@ def to_image(figure: CurveFigure) -> QImage:
 
 
 def to_png(figure: CurveFigure) -> bytes:
-    """As a PNG file."""
+    """Return it as a PNG file."""
     data = QByteArray()
     buffer = QBuffer(data)
     buffer.open(QIODevice.OpenModeFlag.WriteOnly)
@@ -100,7 +100,7 @@ def to_png(figure: CurveFigure) -> bytes:
 
 
 def to_svg(figure: CurveFigure) -> bytes:
-    """As an SVG file."""
+    """Return it as an SVG file."""
     size = size_of(figure)
     data = QByteArray()
     buffer = QBuffer(data)
@@ -121,7 +121,7 @@ WRITERS: Final[dict[str, Callable[[CurveFigure], bytes]]] = {"png": to_png, "svg
 
 
 def write(path: Path, figure: CurveFigure, kind: str) -> None:
-    """Write a picture; a file that was there is replaced when the new one is whole.
+    """Write a picture, replacing an existing file in one step.
 
     Raises:
         OSError: The disk or the folder does not allow it.

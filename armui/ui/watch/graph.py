@@ -1,4 +1,4 @@
-"""Axes, mouse and the curves' item of one plot."""
+"""The axes, the mouse and the curves' item of one plot."""
 
 from __future__ import annotations
 
@@ -22,26 +22,26 @@ if TYPE_CHECKING:
     from armui.ui.watch.time_frame import Range, Shown
 
 AXIS_PX: Final = 76
-"""Room on the left for figures and unit: the same in every plot, so that their times align."""
+"""The width of figures and unit at the left, the same in every plot, so that their times align."""
 _TIMES_PX: Final = 5
 
 _GRAB_PX: Final = 6.0
 _FLAT_PX: Final = 12.0
-"""A frame drawn lower than this means the time alone."""
+"""A frame drawn lower than this selects only the time."""
 _WHEEL_STEP: Final = 1.25
 
 
 class TimeViewBox(pg.ViewBox):  # type: ignore[misc]
-    """Turns what the mouse does into wishes; it never changes its range by itself.
+    """Emits the mouse's gestures, and never changes its range itself.
 
     Signals:
         framed: A frame was drawn: begin and end on the axis, and a range of figures or ``None``.
         turned: The wheel: by which factor longer, and where on the axis.
         turned_height: The wheel over the figures: by which factor, and at which figure.
         panned: By how many seconds.
-        cursor_dragged: Which one, and where to on the axis.
-        clicked: Where on the axis.
-        let_go: A gesture is over.
+        cursor_dragged: The cursor, and its new place on the axis.
+        clicked: The place on the axis.
+        let_go: The gesture is over.
     """
 
     framed = Signal(float, float, object)
@@ -63,7 +63,7 @@ class TimeViewBox(pg.ViewBox):  # type: ignore[misc]
         self._frame.hide()
 
     def set_frame_color(self, color: str) -> None:
-        """The colour of the frame that is drawn to zoom."""
+        """Set the colour of the zoom frame."""
         pen = QPen(QColor(color))
         pen.setCosmetic(True)
         self._frame.setPen(pen)
@@ -72,7 +72,7 @@ class TimeViewBox(pg.ViewBox):  # type: ignore[misc]
         self._frame.setBrush(filled)
 
     def mouseDragEvent(self, ev: Any, axis: int | None = None) -> None:
-        """Draw a frame, move a cursor, or with the middle button or shift move along the time."""
+        """Draw a frame, move a cursor, or with the middle button or shift pan."""
         if axis is not None or ev.button() == Qt.MouseButton.RightButton:
             ev.ignore()
             return
@@ -107,7 +107,7 @@ class TimeViewBox(pg.ViewBox):  # type: ignore[misc]
             self.framed.emit(first.x(), last.x(), heights)
 
     def mouseClickEvent(self, ev: Any) -> None:
-        """Tell where; the right button is the window's."""
+        """Emit the place of a left click; the window handles the right button."""
         if ev.button() == Qt.MouseButton.LeftButton:
             ev.accept()
             self.clicked.emit(self.mapToView(ev.pos()).x())
@@ -115,7 +115,7 @@ class TimeViewBox(pg.ViewBox):  # type: ignore[misc]
             ev.ignore()
 
     def wheelEvent(self, ev: Any, axis: int | None = None) -> None:
-        """Longer or shorter; over the figures, or with control, higher or lower."""
+        """Zoom the time; over the figures, or with control, the height."""
         ev.accept()
         if not ev.delta():
             return
@@ -141,13 +141,13 @@ class Graph(pg.GraphicsView):  # type: ignore[misc]
     """The curves of one unit in a plot.
 
     Args:
-        unit: As its axis names it; "" for codes and bare numbers.
+        unit: The unit on its axis; "" for codes and bare numbers.
 
     Attributes:
         unit: As given.
-        box: Where the mouse works.
-        curves: What is drawn.
-        heights: What of the figures is shown.
+        box: The box that handles the mouse.
+        curves: The item that draws the curves.
+        heights: The range of figures shown.
     """
 
     def __init__(self, unit: str = "", parent: QWidget | None = None) -> None:
@@ -180,12 +180,12 @@ class Graph(pg.GraphicsView):  # type: ignore[misc]
 
     @property
     def width_px(self) -> int:
-        """How many pixels the time has."""
+        """The width of the time axis in pixels."""
         width: float = self.box.rect().width() or self.width() - AXIS_PX
         return max(1, round(width))
 
     def set_colors(self, colors: Colors) -> None:
-        """Take the colours of a theme."""
+        """Apply the colours of a theme."""
         for axis in (self._figures, self._times):
             axis.setPen(colors.border)
             axis.setTextPen(colors.muted)
@@ -197,7 +197,7 @@ class Graph(pg.GraphicsView):  # type: ignore[misc]
         self.box.set_frame_color(colors.accent)
 
     def show_heights(self, shown: Shown, zoomed: Range | None, extent: Extent | None) -> None:
-        """Show a time, and of the figures what was zoomed into or else where the curves are."""
+        """Set the time range, and the figures' range: the zoomed one, or that of the curves."""
         self.heights = zoomed or self._height.fit(extent, codes=not self.unit)
         self._show_range(shown.begin_s, shown.end_s, *self.heights)
 
@@ -221,7 +221,7 @@ class Graph(pg.GraphicsView):  # type: ignore[misc]
         )
 
     def resizeEvent(self, ev: Any) -> None:
-        """The axes have other ticks."""
+        """Update the grid, because the ticks have changed."""
         super().resizeEvent(ev)
         if hasattr(self, "_grid_color"):  # pyqtgraph calls it before there is anything
             self._draw_grid()

@@ -1,4 +1,4 @@
-"""Where the operator's own plots are kept: a small file beside the settings."""
+"""The file of the operator's own plots, beside the settings."""
 
 from __future__ import annotations
 
@@ -12,12 +12,15 @@ _MOST_BYTES: Final = 1 << 16
 
 
 def path_beside(settings: Path) -> Path:
-    """The file that goes with a file of settings."""
+    """Return the file that goes with a file of settings."""
     return settings.with_name("plots.json")
 
 
 def read_text(path: Path) -> str:
-    """What is in it; nothing where it is missing, too large, or no text. Waits for a disk."""
+    """Return its text; "" if it is missing, too large, or no text.
+
+    Waits for a disk.
+    """
     try:
         return read_file(path, _MOST_BYTES).decode()
     except (OSError, ValueError):
@@ -25,7 +28,9 @@ def read_text(path: Path) -> str:
 
 
 def write_text(path: Path, text: str) -> None:
-    """Keep it. Waits for a disk.
+    """Write its text.
+
+    Waits for a disk.
 
     Raises:
         OSError: The disk or the folder does not allow it.

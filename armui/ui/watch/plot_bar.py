@@ -1,4 +1,4 @@
-"""Above the plots: sets of them, the time shown, pause, cursors, saving."""
+"""The bar above the plots: sets of them, the time shown, pause, cursors, saving."""
 
 from __future__ import annotations
 
@@ -35,10 +35,10 @@ SAVES: Final = Texts("PlotBar") | {
 
 
 class PlotBar(Translated, QWidget):
-    """Commands a board, and shows how it stands.
+    """Controls a board, and shows its state.
 
     Args:
-        board: Whom.
+        board: The board.
 
     Signals:
         save_wanted: One of `SAVES`.
@@ -80,7 +80,7 @@ class PlotBar(Translated, QWidget):
             self._board.set_span(span_s)
 
     def refresh(self) -> None:
-        """Show how the board stands."""
+        """Show the state of the board."""
         frame, name = self._board.frame, self._board.plot_layout.name
         own = self.sets.findData("")
         if name is None and own < 0:

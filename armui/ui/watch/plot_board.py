@@ -1,4 +1,4 @@
-"""The plots one below the other, all over the same time; drawn a dozen times a second."""
+"""The plots one below the other, all over the same time, drawn a dozen times a second."""
 
 from __future__ import annotations
 
@@ -34,28 +34,28 @@ if TYPE_CHECKING:
 
 
 PICTURE_MS: Final = 80
-"""Twelve pictures a second, fewer of a long time."""
+"""The period of drawing: twelve pictures a second, fewer of a long time."""
 _STEP_PX: Final = 2.0
 _SLOWEST_MS: Final = 500
 _VALUES_EVERY_S: Final = 0.25
-"""So often for a look at the figures beside the names."""
+"""The period of updating the figures beside the names."""
 CURSORS: Final = 2
 _BREATH_MS: Final = 1
-"""With 0 the next piece of work would be done before the window system is asked for a press."""
+"""The pause between pieces of work; with 0 the next one would come before the window's events."""
 _AT_ONCE_S: Final = 0.004
-"""So long plots are drawn before whatever else waits in the thread: a press, for one."""
+"""The longest drawing before the thread handles other events, such as a press."""
 
 
 def clock_time(at: datetime) -> str:
-    """The time of day, to the millisecond."""
+    """Return the time of day, to the millisecond."""
     return f"{at:%H:%M:%S}.{at.microsecond // 1000:03d}"
 
 
 class DropStrip(Translated, QLabel):
-    """Takes quantities.
+    """An area onto which quantities can be dropped.
 
     Signals:
-        dropped: Their keys, and the plot they come from or ``None``.
+        dropped: The keys, and the plot they come from or ``None``.
     """
 
     dropped = Signal(object, object)
@@ -70,16 +70,16 @@ class DropStrip(Translated, QLabel):
         self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
-        """What it is for, in the operator's language."""
+        """Set its text in the operator's language."""
         self.setText(self.tr("Drag a quantity into a plot, or here for a plot of its own"))
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        """Quantities may be dropped here."""
+        """Accept quantities."""
         if from_mime(event.mimeData())[0]:
             event.acceptProposedAction()
 
     def dropEvent(self, event: QDropEvent) -> None:
-        """A plot of their own."""
+        """Emit the dropped quantities, for a plot of their own."""
         keys, plot = from_mime(event.mimeData())
         if keys:
             event.acceptProposedAction()
@@ -87,26 +87,27 @@ class DropStrip(Translated, QLabel):
 
 
 class PlotBoard(QWidget):
-    """Draws only what is seen; hidden it does nothing.
+    """Draws the visible plots; hidden it does nothing.
 
     Args:
-        telemetry: Where the curves are kept.
+        telemetry: The series of the curves.
 
     Attributes:
         telemetry: As given.
-        plot_layout: Which curves stand in which plot.
-        frame: Which time is shown.
+        plot_layout: The curves of each plot.
+        frame: The time shown.
         panes: The plots.
-        cursors_s: Monotonic times of the cursors; ``None``: not shown.
-        values_at_cursor: Whether the values beside the names are those at the first cursor.
+        cursors_s: Monotonic times of the cursors; ``None`` for hidden ones.
+        values_at_cursor: True if the values beside the names are those at the first cursor.
         times: The times, below the plots.
 
     Signals:
-        plots_changed: Other curves, or in other plots.
-        frame_changed: Another time, or running instead of standing still, or the other way round.
-        cursors_changed: The cursors are elsewhere.
-        refused: Something can't be added: ``"plots"`` or ``"curves"``, of which there are too many.
-        menu_wanted: A plot's place, the key under the mouse or ``None``, where on the screen.
+        plots_changed: The curves or their plots have changed.
+        frame_changed: The time has changed, or was paused or continued.
+        cursors_changed: The cursors have moved.
+        refused: Something can't be added, because there are too many ``"plots"`` or ``"curves"``.
+        menu_wanted: A plot's index, the key under the mouse or ``None``, and the place on the
+            screen.
     """
 
     plots_changed = Signal()
@@ -148,7 +149,7 @@ class PlotBoard(QWidget):
 
     @property
     def chosen(self) -> int:
-        """The plot that a double click in the list adds to."""
+        """The plot to which a double click in the list adds."""
         return min(self._chosen, max(len(self.panes) - 1, 0))
 
     def show_plots(self, plots: Sequence[Sequence[str]]) -> None:
@@ -157,7 +158,7 @@ class PlotBoard(QWidget):
         self._after_change()
 
     def take(self, keys: Sequence[str], source: int | None, place: int | None) -> None:
-        """Draw quantities in a plot; ``None``: in a new one. Those of a plot leave it."""
+        """Draw quantities in a plot, or in a new one (``None``); they leave their old plot."""
         why_not = self.plot_layout.why_not(keys, place)
         if why_not is not None:
             self.refused.emit(why_not)
@@ -171,7 +172,7 @@ class PlotBoard(QWidget):
         self._after_change()
 
     def remove(self, place: int, key: str | None) -> None:
-        """Take a curve, or the whole plot, away."""
+        """Remove a curve, or the whole plot."""
         if key is None:
             self.plot_layout.remove_plot(place)
         else:
@@ -179,7 +180,7 @@ class PlotBoard(QWidget):
         self._after_change()
 
     def reveal(self, place: int) -> None:
-        """Choose a plot, and have it in sight."""
+        """Select a plot, and scroll to it."""
         if place < len(self.panes):
             self._choose(place)
             self._area.ensureWidgetVisible(self.panes[place])
@@ -212,7 +213,7 @@ class PlotBoard(QWidget):
 
     @property
     def built(self) -> bool:
-        """True if every plot is there."""
+        """True if every plot has been created."""
         return len(self.panes) == len(self.plot_layout.plots)
 
     def _build_next(self) -> None:
@@ -249,15 +250,15 @@ class PlotBoard(QWidget):
     # Time -------------------------------------------------------------------------------------
 
     def now_s(self) -> float:
-        """The present."""
+        """Return the present time."""
         return self.telemetry.now_s()
 
     def edge_s(self) -> float:
-        """The monotonic time that counts as zero on the axis."""
+        """Return the monotonic time that is zero on the axis."""
         return self.frame.edge_s(self.now_s())
 
     def pause(self, *, wanted: bool) -> None:
-        """Stand still, or run with the present again."""
+        """Pause, or follow the present again."""
         if wanted:
             self.frame.pause(self.now_s())
         else:
@@ -265,12 +266,12 @@ class PlotBoard(QWidget):
         self._frame_moved()
 
     def set_span(self, span_s: float) -> None:
-        """Show so long a time."""
+        """Set the length of time shown."""
         self.frame.set_span(span_s)
         self._frame_moved()
 
     def undo(self) -> None:
-        """Back to before the last zoom."""
+        """Undo the last zoom."""
         self.frame.undo()
         self._frame_moved()
 
@@ -282,7 +283,7 @@ class PlotBoard(QWidget):
         self._frame_moved()
 
     def show_moment(self, at_s: float) -> None:
-        """Bring a monotonic time into sight, and put the first cursor there."""
+        """Show a monotonic time, and move the first cursor there."""
         self.frame.show_moment(self.now_s(), at_s)
         self.cursors_s[0] = at_s
         self._frame_moved()
@@ -313,11 +314,11 @@ class PlotBoard(QWidget):
 
     @property
     def has_cursors(self) -> bool:
-        """True if any is shown."""
+        """True if a cursor is shown."""
         return any(each is not None for each in self.cursors_s)
 
     def show_cursors(self, *, wanted: bool) -> None:
-        """Put the cursors into the picture, or take them away."""
+        """Show or hide the cursors."""
         shown, edge_s = self.frame.shown, self.edge_s()
         places = (shown.begin_s + shown.span_s / 3, shown.begin_s + 2 * shown.span_s / 3)
         self.cursors_s = [edge_s + place if wanted else None for place in places]
@@ -347,7 +348,7 @@ class PlotBoard(QWidget):
     # Drawing ----------------------------------------------------------------------------------
 
     def show_missing(self, missing: Missing | None) -> None:
-        """Mark a time of which the curves are not there yet; ``None``: nothing is missing."""
+        """Mark a time whose curves are not loaded yet, or none with ``None``."""
         if missing != self._missing:
             self._missing = missing
             self.draw_soon()
@@ -358,7 +359,7 @@ class PlotBoard(QWidget):
         return self._timer.isActive()
 
     def draw_soon(self) -> None:
-        """Something is to be seen that was not drawn yet."""
+        """Draw as soon as possible, because something has changed."""
         self._dirty = True
         if self._timer.isActive() and self._timer.interval() > PICTURE_MS:
             self._timer.start(PICTURE_MS)
@@ -397,7 +398,7 @@ class PlotBoard(QWidget):
                 return
 
     def draw(self, now_s: float) -> None:
-        """Draw the plots that are in sight, all at once."""
+        """Draw all visible plots at once."""
         self._book.begin_picture()
         for pane in self._seen():
             self._draw_pane(pane, now_s)
@@ -415,7 +416,7 @@ class PlotBoard(QWidget):
         return [pane for pane in self.panes if not pane.visibleRegion().isEmpty()]
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Draw what is new."""
+        """Draw the changes."""
         super().showEvent(event)
         self.draw_soon()
 
@@ -425,7 +426,7 @@ class PlotBoard(QWidget):
         self.draw_soon()
 
     def changeEvent(self, event: QEvent) -> None:
-        """Follow the colours."""
+        """Draw again after a change of colours."""
         if event.type() == QEvent.Type.PaletteChange:
             self.draw_soon()
         super().changeEvent(event)

@@ -1,4 +1,4 @@
-"""Saving and copying what the plots show; drawn and written in another thread."""
+"""Saves and copies the plots, drawn and written in another thread."""
 
 from __future__ import annotations
 
@@ -30,13 +30,13 @@ if TYPE_CHECKING:
 
 
 class PlotExport(FileExport):
-    """Files and clipboard.
+    """Saves plots to files, and copies them.
 
     Args:
         controller: For the emergency stop in the file chooser.
-        board: What is shown.
-        background: Where it is drawn and written.
-        window: Whom the file chooser belongs to.
+        board: The plots.
+        background: Draws and writes.
+        window: The parent of the file chooser.
     """
 
     def __init__(
@@ -51,11 +51,11 @@ class PlotExport(FileExport):
         self._board = board
 
     def save(self, kind: str) -> None:
-        """Let the operator say where to, and write it there; ``kind`` is csv, png or svg."""
+        """Let the operator choose a file; ``kind`` is csv, png or svg."""
         self._choose(self.tr("Save the plots"), "armui", kind, partial(self.write, kind))
 
     def write(self, kind: str, path: Path) -> None:
-        """Write what is shown to a file."""
+        """Write the plots to a file."""
         job = self._job(path)
         if kind == "csv":
             self._background.begin_here(job, self._write_csv(path))
@@ -63,16 +63,16 @@ class PlotExport(FileExport):
             self._background.begin_here(job, figure.write, path, self.figure(), kind)
 
     def copy_picture(self) -> None:
-        """Put a picture into the clipboard."""
+        """Copy a picture of the plots."""
         self._background.begin_here(Job(self._on_drawn), figure.to_image, self.figure())
 
     def copy_text(self, text: str) -> None:
-        """Put a table into the clipboard."""
+        """Copy a table."""
         QGuiApplication.clipboard().setText(text)
         self.said.emit(self.tr("Copied"), Level.DONE)
 
     def figure(self) -> figure.CurveFigure:
-        """What is shown, copied: it may be drawn anywhere."""
+        """Return a copy of the plots that may be drawn in any thread."""
         board = self._board
         now_s, shown = board.now_s(), board.frame.shown
         edge_s = board.frame.edge_s(now_s)

@@ -1,4 +1,4 @@
-"""Which curves stand in which plot, and the sets that answer a question: pure."""
+"""The curves of each plot, and predefined sets of plots: pure."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from armui.telemetry.quantities import QUANTITIES
 
 MOST_PLOTS: Final = 12
 MOST_CURVES: Final = 12
-"""In one plot: more can't be told apart."""
+"""The most curves in one plot: more can't be told apart."""
 _MOST_SPAN_S: Final = 1e6
 
 Plots = tuple[tuple[str, ...], ...]
-"""For each plot the keys of its quantities."""
+"""The keys of each plot's quantities."""
 
 
 def _each_joint(*kinds: str) -> tuple[str, ...]:
@@ -55,13 +55,15 @@ SETS: Final[Mapping[str, Plots]] = {
     ),
     "bus": (("bus.frames_per_s",), ("bus.bus_load",), ("bus.error_frames_per_s",)),
 }
-"""Each answers a question: did it follow, what got hot, why did it stop, and so on."""
+"""The predefined sets, each for a question: did it follow, what got hot, why did it stop, and so
+on.
+"""
 
 FIRST_SET: Final = "follow"
 
 
 def tidy(plots: Iterable[Iterable[str]]) -> Plots:
-    """Only what exists, each once in a plot, no empty plot, no more than there is room for."""
+    """Return existing keys, each once in a plot, without empty plots, up to the limits."""
     known = (
         tuple(dict.fromkeys(key for key in plot if key in QUANTITIES))[:MOST_CURVES]
         for plot in plots
@@ -70,38 +72,38 @@ def tidy(plots: Iterable[Iterable[str]]) -> Plots:
 
 
 class PlotLayout:
-    """The plots as the operator has put them together."""
+    """The operator's arrangement of plots."""
 
     def __init__(self, plots: Plots = SETS[FIRST_SET]) -> None:
         self._plots = tidy(plots)
 
     @property
     def plots(self) -> Plots:
-        """For each plot the keys of its quantities."""
+        """The keys of each plot's quantities."""
         return self._plots
 
     @property
     def name(self) -> str | None:
-        """Which of the sets it is; ``None``: one of the operator's own."""
+        """The name of the predefined set, or ``None`` for the operator's own."""
         return next((name for name, plots in SETS.items() if plots == self._plots), None)
 
     def show(self, plots: Plots) -> None:
-        """Show other plots."""
+        """Set the plots."""
         self._plots = tidy(plots)
 
     def find(self, key: str) -> int | None:
-        """The first plot with a quantity."""
+        """Return the first plot with a quantity, or ``None``."""
         return next((place for place, plot in enumerate(self._plots) if key in plot), None)
 
     def why_not(self, keys: Sequence[str], place: int | None) -> str | None:
-        """What stands against adding: ``"plots"`` or ``"curves"`` are full; ``None``: nothing."""
+        """Return what is full, ``"plots"`` or ``"curves"``, or ``None`` if there is room."""
         if place is None:
             return "plots" if len(self._plots) >= MOST_PLOTS else None
         room = MOST_CURVES - len(self._plots[place])
         return "curves" if sum(key not in self._plots[place] for key in keys) > room else None
 
     def add(self, keys: Sequence[str], place: int | None = None) -> None:
-        """Draw quantities in a plot; ``None``: in a new one, the last."""
+        """Add quantities to a plot, or to a new last one with ``None``."""
         plots = [list(plot) for plot in self._plots]
         if place is None:
             plots.append(list(keys))
@@ -110,14 +112,14 @@ class PlotLayout:
         self._plots = tidy(plots)
 
     def remove(self, place: int, key: str) -> None:
-        """Draw a quantity in a plot no more; a plot without any goes."""
+        """Remove a quantity from a plot; an empty plot is removed as well."""
         self._plots = tidy(
             [each for each in plot if (at, each) != (place, key)]
             for at, plot in enumerate(self._plots)
         )
 
     def move(self, key: str, source: int, place: int | None) -> None:
-        """Take a quantity from one plot into another; ``None``: into a new one."""
+        """Move a quantity from one plot to another, or to a new one with ``None``."""
         if source != place:
             plots = [list(plot) for plot in self._plots]
             plots[source].remove(key)
@@ -128,17 +130,17 @@ class PlotLayout:
             self._plots = tidy(plots)
 
     def remove_plot(self, place: int) -> None:
-        """Take a plot away."""
+        """Remove a plot."""
         self._plots = tuple(plot for at, plot in enumerate(self._plots) if at != place)
 
 
 def to_text(plots: Plots, span_s: float) -> str:
-    """A layout as a file keeps it."""
+    """Return the text of a layout's file."""
     return json.dumps({"plots": plots, "span_s": span_s}, indent=1) + "\n"
 
 
 def from_text(text: str) -> tuple[Plots, float] | None:
-    """What a file kept; ``None`` where it holds nothing that makes sense, whatever it is."""
+    """Return the layout in a text, or ``None`` if it holds none."""
     try:
         entries = json.loads(text)
     except (ValueError, RecursionError):

@@ -41,18 +41,18 @@ if TYPE_CHECKING:
 
 
 LEAST_PX: Final = 60
-"""Of the curves; the legend takes as many lines as it needs."""
+"""The least height of the curves; the legend takes as many lines as it needs."""
 _SWATCH_PX: Final = 14.0
 _GAP_PX: Final = 6.0
 _BETWEEN_PX: Final = 18.0
 _LINE_PX: Final = 4.0
 _WIDEST: Final = "−0000.000"
 MIME: Final = "application/x-armui-quantities"
-"""Keys of quantities, one a line; a plot they are taken from stands behind a tab."""
+"""The format of dragged quantities: a key on each line, with the source plot after a tab."""
 
 
 def mime_of(keys: Sequence[str], plot: int | None = None) -> QMimeData:
-    """Quantities on their way into a plot."""
+    """Return quantities as dragged data."""
     data = QMimeData()
     text = "\n".join(keys) if plot is None else "\n".join(f"{key}\t{plot}" for key in keys)
     data.setData(MIME, text.encode())
@@ -60,7 +60,7 @@ def mime_of(keys: Sequence[str], plot: int | None = None) -> QMimeData:
 
 
 def from_mime(data: QMimeData) -> tuple[list[str], int | None]:
-    """Which quantities come, and from which plot; none of what is anything else."""
+    """Return the dragged quantities and their plot; none for other data."""
     if not data.hasFormat(MIME):
         return [], None
     lines = bytes(data.data(MIME).data()).decode("utf-8", "replace").splitlines()
@@ -71,7 +71,7 @@ def from_mime(data: QMimeData) -> tuple[list[str], int | None]:
 
 
 def carry_away(source: QWidget, keys: Sequence[str], plot: int | None = None) -> None:
-    """Let the operator drop quantities somewhere; returns when they are dropped."""
+    """Start a drag of quantities; returns when they are dropped."""
     drag = QDrag(source)
     drag.setMimeData(mime_of(keys, plot))
     drag.exec(Qt.DropAction.MoveAction if plot is not None else Qt.DropAction.CopyAction)
@@ -82,11 +82,11 @@ class Entry:
     """One curve in the legend.
 
     Attributes:
-        key: Of the quantity.
-        name: In the operator's language.
-        color: Of the curve.
-        value: As text; "" where it shall have no room.
-        stale: Not heard for half a second.
+        key: The key of the quantity.
+        name: The name in the operator's language.
+        color: The colour of the curve.
+        value: The value as text; "" if it shall have no room.
+        stale: True if not heard for half a second.
     """
 
     key: str
@@ -97,10 +97,10 @@ class Entry:
 
 
 class Legend(QWidget):
-    """Painted: a new value costs one repaint and no new layout.
+    """The painted legend, in which a new value needs a repaint, but no layout.
 
     Args:
-        plot: The place of its plot: goes with what is dragged away.
+        plot: The index of its plot, part of dragged data.
 
     Signals:
         chosen: An entry was clicked: its key.
@@ -120,16 +120,16 @@ class Legend(QWidget):
 
     @property
     def entries(self) -> tuple[Entry, ...]:
-        """What it shows."""
+        """The entries."""
         return self._entries
 
     @property
     def title(self) -> str:
-        """What stands before the entries."""
+        """The text before the entries."""
         return self._title
 
     def show_entries(self, entries: Sequence[Entry], title: str = "") -> None:
-        """Show these, behind what they have in common."""
+        """Set the entries and the common part of their names."""
         wanted = tuple(entries)
         if (wanted, title) == (self._entries, self._title):
             return
@@ -153,14 +153,14 @@ class Legend(QWidget):
         self.update()
 
     def key_at(self, place: QPoint) -> str | None:
-        """The quantity of the entry at a place."""
+        """Return the key of the entry at a place, or ``None``."""
         for rect, entry in zip(self._places, self._entries, strict=True):
             if rect.contains(QPointF(place)):
                 return entry.key
         return None
 
     def place_of(self, key: str) -> QPoint:
-        """The middle of an entry.
+        """Return the middle of an entry.
 
         Raises:
             ValueError: It is not shown.
@@ -190,16 +190,16 @@ class Legend(QWidget):
         return metrics.horizontalAdvance(self._title) + _BETWEEN_PX
 
     def minimumSizeHint(self) -> QSize:
-        """It wraps."""
+        """Return the size of one line: the entries wrap."""
         return QSize(120, self.fontMetrics().height())
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Wrap anew."""
+        """Wrap the entries again."""
         super().resizeEvent(event)
         self._arrange()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw it."""
+        """Draw the entries."""
         colors = colors_of(self)
         metrics = QFontMetricsF(self.font())
         painter = QPainter(self)
@@ -223,7 +223,7 @@ class Legend(QWidget):
         painter.end()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """A drag may begin; between the entries the press is the plot's."""
+        """Note a possible drag; between the entries the plot handles the press."""
         place = event.position().toPoint()
         if event.button() == Qt.MouseButton.LeftButton and self.key_at(place) is not None:
             self._pressed = place
@@ -231,7 +231,7 @@ class Legend(QWidget):
             event.ignore()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Take a quantity to another plot."""
+        """Drag a quantity."""
         pressed, now = self._pressed, event.position().toPoint()
         if pressed is None:
             return
@@ -242,7 +242,7 @@ class Legend(QWidget):
             carry_away(self, [key], self._plot)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        """A click without a drag chooses."""
+        """Select the entry of a click."""
         key = None if self._pressed is None else self.key_at(event.position().toPoint())
         self._pressed = None
         if key is not None:
@@ -250,24 +250,23 @@ class Legend(QWidget):
 
 
 class PlotPane(QWidget):
-    """Draws some quantities over a time it is given.
+    """Draws some quantities over a given time.
 
     Args:
-        telemetry: Where they are kept.
-        book: Has the lines of its curves.
-        place: Which of the plots it is.
-        keys: Of the quantities.
+        telemetry: The series.
+        book: The cache of lines.
+        place: The index of the plot.
+        keys: The keys of the quantities.
 
     Attributes:
-        quantities: What is drawn.
+        quantities: The quantities drawn.
         graphs: One below the other, one for each unit: 0.005 A would lie flat under 40°.
-        legend: Names and values.
+        legend: The names and values.
 
     Signals:
-        dropped: Keys of quantities that are to be drawn here, and the plot they come from or
-            ``None``.
-        menu_wanted: The key under the mouse or ``None``, and where on the screen.
-        pressed: It was clicked: it is the chosen one.
+        dropped: The keys of dropped quantities, and the plot they come from or ``None``.
+        menu_wanted: The key under the mouse or ``None``, and the place on the screen.
+        pressed: It was clicked, to be selected.
     """
 
     dropped = Signal(object, object)
@@ -320,10 +319,10 @@ class PlotPane(QWidget):
     # Drawing ----------------------------------------------------------------------------------
 
     def advance(self, shown: Shown, edge_s: float, now_s: float) -> None:
-        """Draw a time.
+        """Draw the curves for a time.
 
         Args:
-            shown: Which, from its edge, and what of the figures.
+            shown: The time from its edge, and the ranges of figures.
             edge_s: Monotonic time of the edge.
             now_s: The present.
         """
@@ -343,10 +342,10 @@ class PlotPane(QWidget):
             graph.curves.show_curves(curves, edge_s)
 
     def as_figure(self, shown: Shown, edge_s: float, now_s: float) -> list[FigurePlot]:
-        """Return the same for a picture on paper: for each unit an axis of its own.
+        """Return the plots for a picture: for each unit an axis of its own.
 
         Args:
-            shown: Which time, from its edge, and what of the figures.
+            shown: The time from its edge, and the ranges of figures.
             edge_s: Monotonic time of the edge.
             now_s: The present.
         """
@@ -374,7 +373,7 @@ class PlotPane(QWidget):
 
         Args:
             now_s: The present.
-            at_s: The moment that they are of; by default the present.
+            at_s: The time of the values; by default the present.
         """
         colors = self.curve_colors
         entries = []
@@ -397,12 +396,12 @@ class PlotPane(QWidget):
             graph.curves.show_cursors(at_s, colors_of(self).text)
 
     def show_missing(self, missing: Missing | None) -> None:
-        """Mark a time of which the curves are not there yet."""
+        """Mark a time whose curves are not loaded yet."""
         for graph in self.graphs:
             graph.curves.show_missing(missing, colors_of(self).border)
 
     def ends_px(self, of: QWidget) -> tuple[float, float]:
-        """Where the time begins and ends, in another widget."""
+        """Return the places of the time's ends in another widget."""
         graph = self.graphs[0]
         left = graph.mapFromScene(graph.box.sceneBoundingRect().topLeft())
         begin = of.mapFromGlobal(graph.mapToGlobal(left)).x()
@@ -411,28 +410,28 @@ class PlotPane(QWidget):
     # Qt's events ------------------------------------------------------------------------------
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        """What can be done with the plot, or with the curve under the mouse."""
+        """Show the menu of the plot, or of the curve under the mouse."""
         key = self.legend.key_at(self.legend.mapFrom(self, event.pos()))
         self.menu_wanted.emit(key, event.globalPos())
         event.accept()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """It is the chosen one."""
+        """Select the plot."""
         if event.button() == Qt.MouseButton.LeftButton:
             self.pressed.emit()
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        """Quantities may be dropped here."""
+        """Accept quantities."""
         if from_mime(event.mimeData())[0]:
             event.acceptProposedAction()
 
     def dragMoveEvent(self, event: QDragMoveEvent) -> None:
-        """As above."""
+        """Accept quantities."""
         if from_mime(event.mimeData())[0]:
             event.acceptProposedAction()
 
     def dropEvent(self, event: QDropEvent) -> None:
-        """Draw them here."""
+        """Emit the dropped quantities."""
         keys, plot = from_mime(event.mimeData())
         if keys:
             event.acceptProposedAction()
@@ -440,17 +439,17 @@ class PlotPane(QWidget):
 
     @property
     def chosen(self) -> bool:
-        """True if it is the one that is added to."""
+        """True if double clicks in the list add to this plot."""
         return self._chosen
 
     def set_chosen(self, *, wanted: bool) -> None:
-        """Show that it is the one that is added to, or is not."""
+        """Select the plot or not, and show that."""
         if wanted != self._chosen:
             self._chosen = wanted
             self.update()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """A card, framed while it is the chosen one."""
+        """Draw a card, with a frame if it is selected."""
         colors = colors_of(self)
         painter = painting.begin(self)
         edge = colors.accent if self._chosen else colors.border
@@ -462,7 +461,7 @@ class PlotPane(QWidget):
             graph.set_colors(colors_of(self))
 
     def changeEvent(self, event: QEvent) -> None:
-        """Follow the language and the colours."""
+        """Update after a change of language or colours."""
         if event.type() == QEvent.Type.PaletteChange:
             self._take_colors()
         if event.type() in {QEvent.Type.PaletteChange, QEvent.Type.LanguageChange}:

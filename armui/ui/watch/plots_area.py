@@ -39,20 +39,20 @@ _KEEP_AFTER_MS: Final = 1000
 
 
 class PlotsArea(QWidget):
-    """What the page 曲线 and a replay share.
+    """The common part of the page 曲线 and a replay.
 
     Args:
-        telemetry: Where the curves are kept.
-        controller: Whom the stop button of a file chooser tells.
-        background: Where files are written.
+        telemetry: The series of the curves.
+        controller: Receives the stop of the file chooser.
+        background: Writes files.
 
     Attributes:
         board: The plots.
-        bar: Commands them.
-        quantities: Everything that can be drawn.
+        bar: The bar that controls them.
+        quantities: The list of everything that can be drawn.
         cursor_table: The values at the cursors.
-        export: Saves and copies what is drawn.
-        message: What became of something.
+        export: Saves and copies the plots.
+        message: The line for results.
     """
 
     def __init__(
@@ -116,7 +116,7 @@ class PlotsArea(QWidget):
         self.say(text.format(count=count), Level.WARNING)
 
     def say(self, text: str, level: Level) -> None:
-        """Tell the operator something."""
+        """Show a message to the operator."""
         self.message.show_message(text, level)
         self.message.show()
 
@@ -135,9 +135,9 @@ class PlotPage(Page):
     """Plots one below the other, beside a list of everything that can be drawn.
 
     Args:
-        controller: Knows what was heard.
-        background: Where files are read and written.
-        settings: The file of the operator's settings: the plots are kept beside it.
+        controller: Gives the series.
+        background: Reads and writes files.
+        settings: The file of the operator's settings, beside which the plots are stored.
 
     Attributes:
         board: The plots.
@@ -184,7 +184,7 @@ class PlotPage(Page):
     # What others ask for ----------------------------------------------------------------------
 
     def add_curves(self, keys: Sequence[str]) -> None:
-        """Have quantities drawn: where they are drawn already, or in a plot of their own."""
+        """Show quantities in their present plot, or in a new one."""
         if not self._known:
             self.layout_read.connect(
                 lambda: self.add_curves(keys), Qt.ConnectionType.SingleShotConnection
@@ -199,7 +199,7 @@ class PlotPage(Page):
             self.board.reveal(place)
 
     def show_moment(self, at_s: float) -> None:
-        """Bring a monotonic time into sight, and put the first cursor there."""
+        """Show a monotonic time, and move the first cursor there."""
         if self._known:
             self.board.show_moment(at_s)
             return
@@ -240,7 +240,7 @@ class PlotPage(Page):
             self._say(text.format_map(result.params), Level.WARNING)
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Keep the layout now."""
+        """Store the layout now."""
         super().hideEvent(event)
         if self._keep_timer.isActive():
             self._keep_timer.stop()

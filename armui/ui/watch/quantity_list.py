@@ -1,4 +1,4 @@
-"""Everything that can be drawn, by groups; what is dragged from here becomes a curve."""
+"""The list of everything that can be drawn, by groups; entries are dragged into plots."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from armui.telemetry.store import Telemetry
 
 KEYS_ROLE: Final = Qt.ItemDataRole.UserRole
-"""The keys an entry stands for: of a group all of them."""
+"""The role of an entry's keys; a group has those of all its entries."""
 _LOOK_MS: Final = 1000
 _WIDTH_PX: Final = 250
 
@@ -33,7 +33,7 @@ class _Tree(QTreeView):
     """What is dragged from it are keys."""
 
     def startDrag(self, _actions: Qt.DropAction) -> None:  # noqa: N802 - the name Qt calls
-        """Carry away what is chosen, each once."""
+        """Drag the selected quantities."""
         keys: list[str] = []
         for index in self.selectedIndexes():
             keys += index.data(KEYS_ROLE) or ()
@@ -42,13 +42,13 @@ class _Tree(QTreeView):
 
 
 class QuantityList(Translated, QWidget):
-    """A search field over a tree; what was never heard is muted.
+    """A search field over a tree; quantities never heard are muted.
 
     Args:
-        telemetry: Knows what was heard.
+        telemetry: Gives the series.
 
     Signals:
-        wanted: Keys that were double-clicked, or chosen with Enter.
+        wanted: The keys that were double-clicked, or chosen with Enter.
     """
 
     wanted = Signal(object)
@@ -115,7 +115,7 @@ class QuantityList(Translated, QWidget):
         return item
 
     def retranslate_ui(self) -> None:
-        """Name everything in the operator's language."""
+        """Set all names in the operator's language."""
         self.search.setPlaceholderText(self.tr("Search"))
         self.search.setAccessibleName(self.tr("Search"))
         self.tree.setAccessibleName(self.tr("Quantities"))
@@ -132,7 +132,7 @@ class QuantityList(Translated, QWidget):
         self.show_heard()
 
     def show_heard(self) -> None:
-        """Mute what was never heard."""
+        """Mute quantities that were never heard."""
         colors = colors_of(self)
         heard, never = QColor(colors.text), QColor(colors.faint)
         said = {name: series.count > 0 for name, series in self._telemetry.series.items()}
@@ -142,7 +142,7 @@ class QuantityList(Translated, QWidget):
                 item.setForeground(color)
 
     def index_of(self, key: str) -> QModelIndex:
-        """Where a quantity stands in the tree, opened up to it."""
+        """Return the index of a quantity in the tree, after expanding it."""
         index = self._shown.mapFromSource(self._items[key].index())
         self.tree.expand(index.parent())
         self.tree.scrollTo(index)
@@ -162,7 +162,7 @@ class QuantityList(Translated, QWidget):
             self.wanted.emit(list(keys))
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Catch up."""
+        """Update the muted entries."""
         super().showEvent(event)
         self.show_heard()
 

@@ -6,7 +6,7 @@ import math
 
 
 def round_step(low: float, high: float, most: int) -> float:
-    """How far apart round figures are, so that there are no more than so many; 0 for none."""
+    """Return the step of round figures of which at most `most` fit; 0 for none."""
     span = high - low
     if not (math.isfinite(span) and span > 0.0 and most > 0):
         return 0.0
@@ -15,7 +15,7 @@ def round_step(low: float, high: float, most: int) -> float:
 
 
 def ticks(low: float, high: float, most: int) -> list[float]:
-    """Round figures between two others, no more than so many."""
+    """Return round figures between two others, at most `most`."""
     step = round_step(low, high, most)
     if step == 0.0:
         return []

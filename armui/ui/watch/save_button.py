@@ -1,4 +1,4 @@
-"""A button with a menu of everything that can be saved or copied."""
+"""A button with a menu of the ways to save and copy."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ class SaveButton(Translated, QToolButton):
     """Opens its menu at a press.
 
     Args:
-        room: How the names of button and actions begin: ``plot`` makes ``plot_save``.
-        kinds: What can be saved, by names that tell it.
+        room: The first part of the names of button and actions: ``plot`` makes ``plot_save``.
+        kinds: The kinds of saving by name.
 
     Attributes:
         saves: The actions by those names.

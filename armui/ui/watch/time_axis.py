@@ -28,13 +28,13 @@ _MINUTES_FROM_S: Final = 10.0
 
 
 def tick_step_s(span_s: float, width_px: float) -> float:
-    """How far apart the labels are."""
+    """Return the step between labels, in seconds."""
     wanted_s = span_s * _TICK_PX / max(width_px, _TICK_PX)
     return next((step_s for step_s in _STEPS_S if step_s >= wanted_s), _STEPS_S[-1])
 
 
 def time_label(time_s: float, step_s: float) -> str:
-    """A time on the axis: ``-2.5 s``, ``-12:30``."""
+    """Return a time on the axis as text: ``-2.5 s``, ``-12:30``."""
     time_s = round(time_s, 6) + 0.0
     if step_s >= _MINUTES_FROM_S and abs(time_s) >= 60.0:
         minutes, seconds = divmod(round(abs(time_s)), 60)
@@ -45,23 +45,23 @@ def time_label(time_s: float, step_s: float) -> str:
 
 
 class TimeAxis(pg.AxisItem):  # type: ignore[misc]
-    """Ticks in steps of a clock; their labels stand below all plots."""
+    """Ticks in steps of a clock; their labels are below all plots."""
 
     def __init__(self) -> None:
         super().__init__("bottom", maxTickLength=-4, showValues=False)
         self.enableAutoSIPrefix(False)
 
     def tickSpacing(self, *span_and_length: float) -> list[tuple[float, float]]:  # noqa: N802
-        """One kind of tick: of the smallest and the largest time, and the length in pixels."""
+        """Return one spacing of ticks, by the first and last time and the length in pixels."""
         first_s, last_s, length_px = span_and_length
         return [(tick_step_s(last_s - first_s, length_px), 0.0)]
 
 
 class FigureAxis(pg.AxisItem):  # type: ignore[misc]
-    """Round figures with their unit, and room between them.
+    """Round figures with their unit, and space between them.
 
     Args:
-        unit: Of the figures; "": codes, with no figures between the whole ones.
+        unit: The unit; "" for codes, which have only whole figures.
     """
 
     def __init__(self, unit: str) -> None:
@@ -70,23 +70,23 @@ class FigureAxis(pg.AxisItem):  # type: ignore[misc]
         self._unit = unit
 
     def tickSpacing(self, *span_and_length: float) -> list[tuple[float, float]]:  # noqa: N802
-        """One kind of tick: of the smallest and the largest figure, and the length in pixels."""
+        """Return one spacing of ticks, by the range of figures and the length in pixels."""
         low, high, length_px = span_and_length
         step = round_step(low, high, max(1, round(length_px / _FIGURE_PX)))
         return [(step or 1.0 if self._unit else max(step, 1.0), 0.0)]
 
     def tickStrings(self, *values_scale_spacing: Any) -> list[str]:  # noqa: N802
-        """Figures with their unit, as everywhere else."""
+        """Return figures with their unit, as everywhere else."""
         return [
             append_unit(each, self._unit) for each in super().tickStrings(*values_scale_spacing)
         ]
 
 
 class TimeStrip(QWidget):
-    """Labels under the lines of the plots; on the left what the clock showed at zero, if it stands.
+    """Labels under the plots; at the left the time of day at zero, if it stands still.
 
     Attributes:
-        zero: That time as text; "" while it runs.
+        zero: The time of day at zero as text; "" while it runs.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -99,19 +99,19 @@ class TimeStrip(QWidget):
     def show_times(
         self, span_s: tuple[float, float], ends_px: tuple[float, float], zero: str
     ) -> None:
-        """Show a time.
+        """Set the time shown.
 
         Args:
             span_s: Its ends, on the axis.
-            ends_px: Where they are.
-            zero: What the clock showed at zero.
+            ends_px: The places of the ends.
+            zero: The time of day at zero.
         """
         if (span_s, ends_px, zero) != (self._span_s, self._ends_px, self.zero):
             self._span_s, self._ends_px, self.zero = span_s, ends_px, zero
             self.update()
 
     def labels(self) -> list[tuple[float, str]]:
-        """Where each label stands, and what it says."""
+        """Return the place and the text of each label."""
         (begin_s, end_s), (left, right) = self._span_s, self._ends_px
         step_s = tick_step_s(end_s - begin_s, right - left)
         first, last = math.ceil(begin_s / step_s - 1e-9), math.floor(end_s / step_s + 1e-9)
@@ -122,11 +122,11 @@ class TimeStrip(QWidget):
         ]
 
     def sizeHint(self) -> QSize:
-        """One line."""
+        """Return the size of one line."""
         return QSize(200, self.fontMetrics().height() + 2)
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw it."""
+        """Draw the labels."""
         painter = QPainter(self)
         painter.setPen(QColor(colors_of(self).muted))
         taken = 0.0

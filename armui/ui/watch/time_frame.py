@@ -1,4 +1,4 @@
-"""Which stretch of time the plots show, and how the operator came there: pure."""
+"""The stretch of time that the plots show, with its history of zooms: pure."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Final
 from armui.telemetry.series import KEPT_S
 
 SPANS_S: Final = (5.0, 10.0, 30.0, 60.0, 300.0, 1800.0)
-"""What the operator can choose at once."""
+"""The spans offered to the operator."""
 FIRST_SPAN_S: Final = 30.0
 
 _SHORTEST_S: Final = 0.02
@@ -17,17 +17,17 @@ _MOST_UNDONE: Final = 100
 
 Range = tuple[float, float]
 Axis = tuple[int, str]
-"""The figures of one unit in one plot: the place of the plot, and the unit."""
+"""The axis of one unit in one plot: the index of the plot, and the unit."""
 
 
 @dataclass(frozen=True, slots=True)
 class Shown:
-    """What is shown.
+    """The time and the ranges shown.
 
     Attributes:
-        edge_s: The moment that counts as zero on the time axis; ``None``: the present.
+        edge_s: The moment that is zero on the time axis; ``None`` for the present.
         begin_s, end_s: The ends of the axis, in seconds from that moment.
-        ranges: What the operator has zoomed into of the figures on an axis.
+        ranges: The zoomed range of figures for an axis.
     """
 
     edge_s: float | None = None
@@ -37,18 +37,18 @@ class Shown:
 
     @property
     def span_s(self) -> float:
-        """How long it is."""
+        """The length of time shown."""
         return self.end_s - self.begin_s
 
 
 class TimeFrame:
     """Zoom, pause and undo; every plot shows the same time.
 
-    Times are those of the axis: seconds from the edge, before it negative. While it is live the
-    edge is the present, and the axis stands still while the curves run along it.
+    Times are those of the axis: seconds from the edge, negative before it. While it is live the
+    edge is the present, and the curves move along a fixed axis.
 
     Attributes:
-        kept_s: How long a time can be shown.
+        kept_s: The longest time that can be shown.
     """
 
     def __init__(self) -> None:
@@ -59,12 +59,12 @@ class TimeFrame:
 
     @property
     def shown(self) -> Shown:
-        """What is shown."""
+        """The time and the ranges shown."""
         return self._shown
 
     @property
     def live(self) -> bool:
-        """True if it runs with the present."""
+        """True if it follows the present."""
         return self._shown.edge_s is None
 
     @property
@@ -73,27 +73,27 @@ class TimeFrame:
         return bool(self._before)
 
     def edge_s(self, now_s: float) -> float:
-        """The moment that counts as zero."""
+        """Return the moment that is zero on the axis."""
         return now_s if self._shown.edge_s is None else self._shown.edge_s
 
     def pause(self, now_s: float) -> None:
-        """Stand still."""
+        """Stop following the present."""
         if self.live:
             self._shown = replace(self._shown, edge_s=now_s)
 
     def stand(self, edge_s: float, span_s: float) -> None:
-        """Stand still at a moment, with so long a time before it; nothing is left to undo."""
+        """Show the time before a fixed moment; the history is cleared."""
         self.kept_s = span_s
         self._shown = Shown(edge_s, -span_s, 0.0)
         self._before.clear()
 
     def resume(self) -> None:
-        """Run with the present again, as long a time as is shown now; nothing is left to undo."""
+        """Follow the present again, with the same length of time; the history is cleared."""
         self._shown = Shown(begin_s=-max(self._shown.span_s, SPANS_S[0]))
         self._before.clear()
 
     def set_span(self, span_s: float) -> None:
-        """Show so long a time, up to where it ended so far."""
+        """Set the length of time, keeping its end."""
         span_s = min(max(span_s, _SHORTEST_S), self.kept_s)
         self._go(replace(self._shown, begin_s=self._shown.end_s - span_s))
 
@@ -105,7 +105,7 @@ class TimeFrame:
         axis: Axis = (0, ""),
         heights: Range | None = None,
     ) -> None:
-        """Show a part of the time, and of one axis a part of its figures; it stands still then."""
+        """Zoom into a part of the time, and of one axis's figures; the curves stand still."""
         begin_s, end_s = min(begin_s, end_s), min(max(begin_s, end_s), 0.0)
         if end_s - begin_s < _SHORTEST_S:
             return
@@ -115,18 +115,18 @@ class TimeFrame:
         self._go(Shown(self.edge_s(now_s), begin_s, end_s, ranges))
 
     def zoom_height(self, axis: Axis, heights: Range | None) -> None:
-        """Show a part of the figures on one axis; ``None``: all of them."""
+        """Zoom into a part of the figures of one axis; ``None`` shows all of them."""
         ranges = {key: each for key, each in self._shown.ranges.items() if key != axis}
         if heights is not None and heights[0] < heights[1]:
             ranges[axis] = heights
         self._go(replace(self._shown, ranges=ranges), stepping=True)
 
     def wheel(self, factor: float, at_s: float) -> None:
-        """Show a longer or shorter time.
+        """Lengthen or shorten the time.
 
         Args:
-            factor: By so much longer.
-            at_s: What stays where it is; while it runs that is the present.
+            factor: The factor on the length.
+            at_s: The time that stays in place; while it is live, that is the present.
         """
         shown = self._shown
         shortest_s = SPANS_S[0] if self.live else _SHORTEST_S
@@ -141,14 +141,14 @@ class TimeFrame:
         self._go(replace(shown, begin_s=begin_s, end_s=end_s), stepping=True)
 
     def pan(self, now_s: float, by_s: float) -> None:
-        """Look at another time; it stands still then."""
+        """Shift the time; stops following the present."""
         shown = self._shown
         end_s = min(max(shown.end_s + by_s, shown.span_s - self.kept_s), 0.0)
         moved = Shown(self.edge_s(now_s), end_s - shown.span_s, end_s, shown.ranges)
         self._go(moved, stepping=True)
 
     def show_moment(self, now_s: float, at_s: float) -> None:
-        """Bring a moment, by the clock of the samples, into the middle."""
+        """Show a moment, by the samples' clock, in the middle."""
         edge_s = self.edge_s(now_s)
         if not self._shown.begin_s <= at_s - edge_s <= self._shown.end_s:
             span_s = self._shown.span_s
@@ -156,18 +156,18 @@ class TimeFrame:
             self._go(Shown(edge_s, end_s - span_s, end_s, self._shown.ranges))
 
     def undo(self) -> None:
-        """Back to what was shown before the last zoom."""
+        """Undo the last zoom."""
         if self._before:
             self._shown = self._before.pop()
             self._stepping = False
 
     def forget_plots(self) -> None:
-        """The plots are others: what of their heights was chosen is over."""
+        """Drop the zoomed ranges, because the plots have changed."""
         self._shown = replace(self._shown, ranges={})
         self._before.clear()
 
     def settle(self) -> None:
-        """A gesture of several steps is over: the next one is undone by itself."""
+        """End a gesture of several steps, so that the next one is undone separately."""
         self._stepping = False
 
     def _go(self, shown: Shown, *, stepping: bool = False) -> None:

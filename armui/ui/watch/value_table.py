@@ -1,6 +1,6 @@
-"""The samples of some quantities as a table in a CSV file: pure, and for another thread or process.
+"""The samples of some quantities as a table in a CSV file: pure, for another thread or process.
 
-One row a millisecond in which anything was heard; empty where a quantity was not.
+There is a row for each millisecond in which anything was heard; cells without a sample are empty.
 """
 
 from __future__ import annotations
@@ -30,9 +30,9 @@ class Column:
     """One quantity.
 
     Attributes:
-        title: Its name and unit.
+        title: The name and unit.
         times_s: Monotonic times of its samples.
-        figures: Its values; NaN where it was not told.
+        figures: Its values; NaN if not reported.
     """
 
     title: str
@@ -43,13 +43,13 @@ class Column:
 def columns(
     telemetry: Telemetry, titles: Sequence[tuple[str, str]], begin_s: float, end_s: float
 ) -> list[Column]:
-    """The samples of a stretch of time.
+    """Return the samples of a stretch of time.
 
     Args:
-        telemetry: Where they are kept.
+        telemetry: The series.
         titles: For each quantity its key and its title.
         begin_s: Monotonic time of the beginning.
-        end_s: And of the end.
+        end_s: Monotonic time of the end.
     """
     samples: dict[str, NDArray[Any]] = {}
     made = []
@@ -63,16 +63,16 @@ def columns(
 
 
 def write_csv(path: Path, table: Sequence[Column], edge_s: float, edge: datetime) -> int:
-    """Write a table; a file that was there is replaced when the new one is whole.
+    """Write a table, replacing an existing file in one step.
 
     Args:
         path: The file.
-        table: What to write.
+        table: The table.
         edge_s: The monotonic time from which the column ``t_s`` counts.
-        edge: What the clock on the wall showed then.
+        edge: The time of day then.
 
     Returns:
-        How many rows it has.
+        The number of rows.
 
     Raises:
         OSError: The disk or the folder does not allow it.

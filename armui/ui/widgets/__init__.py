@@ -1,1 +1,1 @@
-"""Widgets that more than one room of the windows uses."""
+"""Widgets that are used by more than one room of the windows."""

@@ -1,4 +1,4 @@
-"""Buttons as the program uses them, and any widget with its name."""
+"""Functions that create buttons, and set the names of widgets."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ Named = TypeVar("Named", bound=QObject)
 def enable_or_explain(
     button: QAbstractButton, reason: str, use: str = "", *, key: str = ""
 ) -> None:
-    """Let a button be pressed, or switch it off with the reason in its tooltip.
+    """Enable a button, or disable it with the reason in its tooltip.
 
     Args:
-        button: What is offered.
-        reason: Why it cannot be used now; empty: it can.
-        use: What it does, for the tooltip of a button that can be pressed.
-        key: Its shortcut, said after that.
+        button: The button.
+        reason: The reason why it cannot be used now; empty if it can.
+        use: Its purpose, for the tooltip of an enabled button.
+        key: Its shortcut, shown after that.
     """
     button.setEnabled(not reason)
     if key:
@@ -32,7 +32,7 @@ def enable_or_explain(
 
 
 def named(name: str, thing: Named) -> Named:
-    """Give a widget its object name."""
+    """Set the object name of a widget, and return the widget."""
     thing.setObjectName(name)
     return thing
 
@@ -40,13 +40,13 @@ def named(name: str, thing: Named) -> Named:
 def push_button(
     name: str = "", text: str = "", *, primary: bool = False, on_enter: bool | None = None
 ) -> QPushButton:
-    """Return a button with words.
+    """Return a button with a text.
 
     Args:
         name: Its object name.
-        text: Its words, if they are in no language.
-        primary: Whether it does what the window is for.
-        on_enter: Whether Enter presses it wherever in its dialog; None: as Qt decides.
+        text: Its text, if it needs no translation.
+        primary: True for the main button of a window.
+        on_enter: Whether Enter presses it anywhere in its dialog; None lets Qt decide.
     """
     button = named(name, QPushButton(text))
     if primary:
@@ -58,10 +58,10 @@ def push_button(
 
 
 def give_menu(button: QPushButton | QToolButton, menu: QMenu) -> None:
-    """Have a button open a menu, and be lit no longer than the pointer is over it.
+    """Make a button open a menu, and clear its hover state when the pointer has left.
 
-    A menu takes the pointer away without a word to the button below, and what is chosen in it may
-    open a window before the pointer is back.
+    A menu grabs the pointer without an event for the button below, and a choice in it may open a
+    window before the pointer is back.
     """
     button.setMenu(menu)
 
@@ -74,7 +74,7 @@ def give_menu(button: QPushButton | QToolButton, menu: QMenu) -> None:
 
 
 def show_primary(button: QPushButton, *, wanted: bool) -> None:
-    """Light a button, or let it stand back: it has something to do, or not just now."""
+    """Highlight a button or not, depending on whether it has something to do."""
     if bool(button.property("primary")) != wanted:
         button.setProperty("primary", wanted)
         repolish(button)
@@ -83,14 +83,14 @@ def show_primary(button: QPushButton, *, wanted: bool) -> None:
 def caption(
     button: QAbstractButton, text: str, *, tip: str = "", whose: str = "", key: str = ""
 ) -> None:
-    """Put words on a button, which are its name for a screen reader, too.
+    """Set the text of a button, which is its name for a screen reader, too.
 
     Args:
-        button: Any.
-        text: What stands on it.
-        tip: What it does; left as it is where this is empty.
-        whose: What the button belongs to, said before its words.
-        key: Its shortcut, which other words would take from it.
+        button: The button.
+        text: The text.
+        tip: The tooltip; unchanged if empty.
+        whose: The name of what it belongs to, read before its text.
+        key: Its shortcut, which a new text would remove.
     """
     button.setText(text)
     button.setAccessibleName(f"{whose}: {text}" if whose else text)
@@ -101,13 +101,13 @@ def caption(
 
 
 def describe(widget: QWidget, name: str, tip: str = "") -> None:
-    """Name a widget for a screen reader and in its tooltip, by other words if there are any."""
+    """Set a widget's name for a screen reader, and its tooltip, by default the same."""
     widget.setAccessibleName(name)
     widget.setToolTip(tip or name)
 
 
 def bar_button(name: str, *, toggles: bool = False) -> QPushButton:
-    """Return a button of a bar above what a window shows; Enter elsewhere is not for it.
+    """Return a button of a bar; Enter elsewhere does not press it.
 
     Args:
         name: Its object name.
@@ -124,7 +124,7 @@ def choice_button(name: str, text: str = "") -> QToolButton:
 
     Args:
         name: Its object name.
-        text: What stands on it.
+        text: The text.
     """
     button = named(name, QToolButton())
     button.setText(text)

@@ -1,7 +1,7 @@
-"""Right button on any figure: show it as a curve.
+"""The context menu of figures: shows them as curves.
 
-A widget says which quantities it shows by :func:`tell_quantities`; one that shows several of them
-in different places has a method ``quantities_at``.
+A widget declares its quantities by :func:`tell_quantities`; one that shows several of them in
+different places has a method ``quantities_at``.
 """
 
 from __future__ import annotations
@@ -20,27 +20,27 @@ _PROPERTY: Final = "quantities"
 
 @runtime_checkable
 class ManyFigures(Protocol):
-    """Shows several quantities in different places."""
+    """A widget that shows several quantities in different places."""
 
     def quantities_at(self, place: QPoint) -> Sequence[str]:
-        """Return the keys of those at a place of the widget."""
+        """Return the keys of the quantities at a place of the widget."""
 
 
 @runtime_checkable
 class ShowsCurves(Protocol):
-    """Can show quantities as curves: the main window."""
+    """A window that can show quantities as curves: the main window."""
 
     def show_as_curves(self, keys: Sequence[str]) -> None:
-        """Show them."""
+        """Show quantities as curves."""
 
 
 def tell_quantities(widget: QWidget, *keys: str) -> None:
-    """Say which quantities a widget shows, by their keys (`armui.telemetry.quantities`)."""
+    """Declare the quantities of a widget, by their keys (`armui.telemetry.quantities`)."""
     widget.setProperty(_PROPERTY, list(keys))
 
 
 def quantities_under(window: QWidget, place: QPoint) -> list[str]:
-    """Return the keys of what is shown at a place of a window."""
+    """Return the keys of the quantities at a place of a window."""
     widget = window.childAt(place) or window
     while True:
         keys: Sequence[str] = widget.property(_PROPERTY) or ()
@@ -74,7 +74,7 @@ def _shower(window: QObject | None) -> ShowsCurves | None:
 
 
 def show_curves(widget: QWidget, keys: Sequence[str]) -> None:
-    """Show quantities as curves, if the program around a widget can."""
+    """Show quantities as curves, if the program around a widget supports it."""
     shower = _shower(widget.window())
     if shower is not None and keys:
         shower.show_as_curves(keys)

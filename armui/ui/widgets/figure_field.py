@@ -1,4 +1,4 @@
-"""A field for a figure that may be typed wrong: what is wrong with it is said, not prevented."""
+"""A field for a figure, in which wrong entries are explained, not prevented."""
 
 from __future__ import annotations
 
@@ -12,18 +12,18 @@ from armui.ui.widgets.painting import repolish
 
 
 class FigureField(QLineEdit):
-    """Takes any text; a figure in it is :attr:`value`.
+    """A field that accepts any text; a figure in it is :attr:`value`.
 
-    Empty until something is known or typed. Enter and leaving the field tidy the figure up;
-    Escape brings back what stood there before; the arrow keys turn it by :attr:`step`.
+    It is empty until a value is known or typed. Enter and leaving the field format the figure;
+    Escape restores the former one; the arrow keys change it by :attr:`step`.
 
     Args:
-        decimals: Of the figure; 0: only whole numbers are figures.
-        unit: Drawn behind it.
+        decimals: The decimals; with 0 only whole numbers are valid.
+        unit: The unit drawn behind it.
     """
 
     value_edited = Signal()
-    """The operator changed the text."""
+    """Emitted when the operator has changed the text."""
 
     def __init__(self, decimals: int, unit: str = "") -> None:
         super().__init__()
@@ -41,21 +41,21 @@ class FigureField(QLineEdit):
 
     @property
     def value(self) -> float | None:
-        """The figure in the field to its last decimal; ``None`` if there is none."""
+        """The figure in the field, rounded to its decimals; ``None`` if there is none."""
         value = fmt.parse_number(self.text())
         if value is None or (self._decimals == 0 and not value.is_integer()):
             return None
         return round(value, self._decimals)
 
     def show_value(self, value: float | None) -> None:
-        """Put a figure into the field; ``None`` empties it."""
+        """Set the figure; ``None`` empties the field."""
         self._committed = "" if value is None else fmt.number(value, self._decimals)
         self.setText(self._committed)
 
     def follow(self, value: float) -> bool:
-        """Show a figure that changes by itself; whether it is written in another way than before.
+        """Show a changing figure, and return whether its text has changed.
 
-        What was chosen to be typed over stays chosen.
+        A selected text stays selected.
         """
         text = fmt.number(value, self._decimals)
         if text == self.text():
@@ -67,11 +67,11 @@ class FigureField(QLineEdit):
         return True
 
     def is_nonsense(self) -> bool:
-        """Return whether there is text that is no figure."""
+        """Return whether the text is no figure."""
         return bool(self.text().strip()) and self.value is None
 
     def show_attention(self, *, wanted: bool) -> None:
-        """Mark the field, or take the mark away."""
+        """Mark the field, or remove the mark."""
         if bool(self.property("attention")) != wanted:
             self.setProperty("attention", wanted)
             repolish(self)
@@ -90,7 +90,7 @@ class FigureField(QLineEdit):
             self.show_value(None)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Arrow keys and Escape; all else edits the text."""
+        """Handle arrow keys and Escape; other keys edit the text."""
         steps = {Qt.Key.Key_Up: 1, Qt.Key.Key_Down: -1}.get(Qt.Key(event.key()))
         value = self.value
         if event.key() == Qt.Key.Key_Escape and self.text() != self._committed:
@@ -103,7 +103,7 @@ class FigureField(QLineEdit):
             super().keyPressEvent(event)
 
     def focusInEvent(self, event: QFocusEvent) -> None:
-        """Tab chooses the whole figure, to be typed over."""
+        """Select the whole figure when the field is entered by Tab."""
         super().focusInEvent(event)
         if event.reason() in {Qt.FocusReason.TabFocusReason, Qt.FocusReason.BacktabFocusReason}:
             self.selectAll()

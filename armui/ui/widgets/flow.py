@@ -1,4 +1,4 @@
-"""A row of controls that goes on in another line where there is no room."""
+"""A row of controls that wraps into further lines where there is no room."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ _SPACING_PX: Final = 6
 
 
 class Flow(QLayout):
-    """Lays its widgets out from left to right, as lines of text.
+    """Lays its widgets out from left to right, in lines like text.
 
-    A widget that wants to grow (its size policy says so) takes the room that is left in its line;
-    one that was marked by :meth:`push` stands at the right end of it.
+    A widget with an expanding size policy takes the rest of its line; one added by :meth:`push` is
+    at the right end of it.
 
     Args:
         owner: The widget whose layout it becomes.
-        spacing_px: Between two widgets, and between two lines.
-        most: So many are in a line at most; ``None``: as many as there is room for.
+        spacing_px: The space between two widgets, and between two lines.
+        most: The most widgets in a line; ``None`` for as many as fit.
     """
 
     def __init__(
@@ -38,7 +38,7 @@ class Flow(QLayout):
         self.setContentsMargins(0, 0, 0, 0)
 
     def push(self, widget: QWidget) -> None:
-        """Add a widget that stands at the right end of its line."""
+        """Add a widget at the right end of its line."""
         self._pushed.add(widget)
         self.addWidget(widget)
 
@@ -51,48 +51,48 @@ class Flow(QLayout):
     # What Qt asks of a layout -----------------------------------------------------------------
 
     def addItem(self, item: QLayoutItem) -> None:  # noqa: N802 - Qt's
-        """Take an item; called by Qt."""
+        """Add an item; called by Qt."""
         self._items.append(item)
 
     def count(self) -> int:
-        """Return how many items there are."""
+        """Return the number of items."""
         return len(self._items)
 
     def itemAt(self, index: int) -> QLayoutItem | None:  # noqa: N802 - Qt's
-        """Return the item at a place."""
+        """Return the item at an index."""
         return self._items[index] if 0 <= index < len(self._items) else None
 
     def takeAt(self, index: int) -> QLayoutItem | None:  # noqa: N802 - Qt's
-        """Take the item at a place away."""
+        """Remove and return the item at an index."""
         return self._items.pop(index) if 0 <= index < len(self._items) else None
 
     def expandingDirections(self) -> Qt.Orientation:  # noqa: N802 - Qt's
-        """It is as high as its lines are."""
+        """Return horizontal: the height is that of the lines."""
         return Qt.Orientation.Horizontal
 
     def hasHeightForWidth(self) -> bool:  # noqa: N802 - Qt's
-        """The narrower, the higher."""
+        """Return true: a narrower layout is higher."""
         return True
 
     def heightForWidth(self, width: int) -> int:  # noqa: N802 - Qt's
-        """Return how high all lines are."""
+        """Return the height of all lines."""
         return self._arrange(QRect(0, 0, width, 0), place=False)
 
     def sizeHint(self) -> QSize:
-        """All in one line."""
+        """Return the size of all items in one line."""
         hints = [item.sizeHint() for item in self._shown()]
         width = sum(hint.width() for hint in hints) + self.spacing() * max(0, len(hints) - 1)
         height = max((hint.height() for hint in hints), default=0)
         return self._with_margins(QSize(width, height))
 
     def minimumSize(self) -> QSize:  # noqa: N802 - Qt's
-        """The widest of them alone; as high as one line, more is asked by the width."""
+        """Return the width of the widest item and the height of one line."""
         width = max((item.minimumSize().width() for item in self._shown()), default=0)
         height = max((item.sizeHint().height() for item in self._shown()), default=0)
         return self._with_margins(QSize(width, height))
 
     def setGeometry(self, rect: QRect) -> None:  # noqa: N802 - Qt's
-        """Place them."""
+        """Place the items."""
         super().setGeometry(rect)
         self._arrange(rect, place=True)
 
@@ -159,9 +159,9 @@ def in_flow(*widgets: QWidget, on: QWidget | None = None, spacing_px: int = _SPA
     """Put widgets beside one another, and below where there is no room.
 
     Args:
-        widgets: From left to right.
+        widgets: The widgets from left to right.
         on: The widget whose layout it becomes.
-        spacing_px: Between two, and between two lines.
+        spacing_px: The space between two, and between two lines.
     """
     flow = Flow(on, spacing_px)
     for widget in widgets:
@@ -170,7 +170,7 @@ def in_flow(*widgets: QWidget, on: QWidget | None = None, spacing_px: int = _SPA
 
 
 def pair(label: QWidget, field: QWidget) -> QWidget:
-    """Return a label and its field as one widget, which no line of a flow takes apart."""
+    """Return a label and its field as one widget, which a flow does not separate."""
     both = QWidget()
     in_row(label, field, on=both, spacing=_SPACING_PX, margins=0)
     return both

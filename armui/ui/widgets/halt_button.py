@@ -24,7 +24,7 @@ class HaltButton(Translated, PressButton):
     """Ends the arm's motion when pressed down; the joints hold where they come to rest.
 
     Args:
-        controller: Whom to tell.
+        controller: The controller of the arm.
         slim: True for one line, as in the windows beside the main one.
     """
 
@@ -42,12 +42,12 @@ class HaltButton(Translated, PressButton):
         self._controller.halt_and_hold()
 
     def press_behind_popup(self) -> bool:
-        """Halt, whatever popup is open."""
+        """Halt the arm behind any popup, and return true."""
         self.act()
         return True
 
     def retranslate_ui(self) -> None:
-        """Put the word into the operator's language."""
+        """Set the text in the operator's language."""
         self.setText(self.tr("Halt"))
         self.setAccessibleName(self.text())
         self.setToolTip(
@@ -60,11 +60,11 @@ class HaltButton(Translated, PressButton):
         self.update()
 
     def sizeHint(self) -> QSize:
-        """Room for sign, word and key."""
+        """Return a size with room for sign, word and key."""
         return self._size(self._face.padding_px)
 
     def minimumSizeHint(self) -> QSize:
-        """The same with less room around."""
+        """Return the same with smaller margins."""
         return self._size(self._face.tight_px)
 
     def _size(self, padding_px: float) -> QSize:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from armui.control.link.arm_mark import ArmMark
 
 HOLD_MS: Final = 1000
-"""Long enough to be meant, short enough to be waited for."""
+"""The time of holding: long enough to be intended, short enough to wait for."""
 
 _HINT_MS: Final = 4000
 _RING_PX: Final = 16.0
@@ -28,23 +28,22 @@ _TOP: Final = 90 * 16
 
 
 class HoldButton(Translated, QPushButton):
-    """Held with the mouse or the space bar for a second, it acts; a ring shows how far it is.
+    """A button that acts when held by mouse or space bar for a second; a ring shows the progress.
 
-    Letting go, leaving the button, losing the focus, being disabled and being hidden all begin
-    anew. A click alone does nothing but say, in one line at the button, that it wants to be held;
-    its tooltip says so, too. Nor does it act on another arm than the one that was there when it
-    went down.
+    Releasing it, leaving it, or its loss of the focus, disabling and hiding all cancel the hold. A
+    mere click only shows a line at the button that it must be held; its tooltip says so, too. It
+    never acts on another arm than the one connected at the press.
 
     Args:
-        controller: Knows the arm.
-        text: What stands on it.
+        controller: Gives the connected arm.
+        text: The text.
 
     Attributes:
-        progress: Runs while the button is held, from 0 to 1.
+        progress: The animation that runs while the button is held, from 0 to 1.
     """
 
     held = Signal()
-    """It was held to the end."""
+    """Emitted when it was held to the end."""
 
     def __init__(self, controller: ArmController, text: str = "") -> None:
         super().__init__(text)
@@ -66,23 +65,23 @@ class HoldButton(Translated, QPushButton):
 
     @property
     def share(self) -> float:
-        """How much of the time it has been held, 0–1."""
+        """The part of the time that has passed, 0–1."""
         return self.progress.currentTime() / HOLD_MS
 
     def setToolTip(self, use: str) -> None:  # noqa: N802 - the name Qt calls
-        """Say what it is for, and that it wants to be held; or only why it cannot be."""
+        """Set the purpose with a hint to hold the button, or only the reason if disabled."""
         self._use = use
         hint = self._hint() if self.isEnabled() else ""
         super().setToolTip("\n".join(filter(None, (use, hint))))
 
     def changeEvent(self, event: QEvent) -> None:
-        """Follow being enabled, too."""
+        """Update the tooltip when the button is enabled or disabled."""
         super().changeEvent(event)
         if event.type() == QEvent.Type.EnabledChange:
             self.setToolTip(self._use)
 
     def retranslate_ui(self) -> None:
-        """Say in the operator's language that it wants to be held."""
+        """Set the hint to hold the button in the operator's language."""
         self.setToolTip(self._use)
         self.setAccessibleDescription(self._hint())
 
@@ -117,12 +116,12 @@ class HoldButton(Translated, QPushButton):
         self.update()
 
     def sizeHint(self) -> QSize:
-        """Room for the ring beside the text."""
+        """Return a size with room for the ring beside the text."""
         size = super().sizeHint()
         return QSize(size.width() + int(_RING_PX) + 2 * _GAP_PX, size.height())
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Draw the ring, and in it how far it is."""
+        """Draw the ring with the progress."""
         super().paintEvent(event)
         colors = colors_of(self)
         box = QRectF(_GAP_PX + 2, (self.height() - _RING_PX) / 2, _RING_PX, _RING_PX)

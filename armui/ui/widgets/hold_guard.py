@@ -1,7 +1,8 @@
-"""What takes a held control away from the operator: another window, a hidden or closing one.
+"""Ends the hold of a control when the operator cannot be holding it any more.
 
-Also time without a sign of the operator: when the connection of a remote desktop drops, some
-servers leave the mouse button and the keys of the far side pressed for ever.
+Reasons are another window in front, a hidden or closing one, and a time without a sign of the
+operator: when the connection of a remote desktop drops, some servers leave the mouse button and the
+keys pressed forever.
 """
 
 from __future__ import annotations
@@ -33,22 +34,22 @@ _ENDS: Final = frozenset(
 _KEYS: Final = frozenset({QEvent.Type.KeyPress, QEvent.Type.KeyRelease})
 
 UNATTENDED_S: Final = 10
-"""So long a hold lasts without a movement of the pointer and without another key."""
+"""A hold ends after this time without a movement of the pointer or another key."""
 
 
 class HoldGuard(QObject):
     """Watches the window of a control while it is held.
 
     Args:
-        control: The widget that is held; the guard lives and dies with it.
-        unattended_s: How long a hold lasts without a sign of the operator.
+        control: The widget that is held, which is the guard's parent.
+        unattended_s: The longest hold without a sign of the operator.
     """
 
     lost = Signal()
-    """The hold counts no more, whatever finger is still down."""
+    """Emitted when the hold has ended, even if a button is still pressed."""
 
     unattended = Signal()
-    """The hold is lost because nothing moved for too long; comes after :attr:`lost`."""
+    """Emitted after :attr:`lost` if nothing moved for too long."""
 
     def __init__(self, control: QWidget, unattended_s: float = UNATTENDED_S) -> None:
         super().__init__(control)
@@ -61,10 +62,10 @@ class HoldGuard(QObject):
             application.applicationStateChanged.connect(self._on_application_state)
 
     def watch(self, window: QWidget | None = None) -> None:
-        """The hold begins.
+        """Begin to watch a hold.
 
         Args:
-            window: In front of which it is held; the control's own by default.
+            window: The window that must stay in front; by default the control's own.
         """
         self.release()
         self._window = window or self._control.window()
@@ -73,7 +74,7 @@ class HoldGuard(QObject):
         self._patience.start()
 
     def release(self) -> None:
-        """The hold is over."""
+        """Stop watching: the hold is over."""
         self._patience.stop()
         self._control.removeEventFilter(self)
         if self._window is not None:
@@ -81,7 +82,7 @@ class HoldGuard(QObject):
             self._window = None
 
     def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
-        """Tell, and let the window have its event."""
+        """Detect the end of the hold; the window gets all its events."""
         kind = event.type()
         if kind in _ENDS:
             self.lost.emit()

@@ -1,4 +1,4 @@
-"""The program's own line icons, in the colour of the moment."""
+"""The program's line icons, drawn in any colour."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from armui.system.files import read_file
 _FOLDER: Final = Path(__file__).parent.parent / "icons"
 _DRAWN_IN: Final = "#000000"
 _FOR_OTHERS: Final = 2.0
-"""The pixel ratio of which an icon is scaled for a screen that came after it was drawn."""
+"""The pixel ratio of the icon that is scaled for screens added after it was drawn."""
 
 
 def pixmap(name: str, color: str, size: int, pixel_ratio: float) -> QPixmap:
-    """Return one icon as a picture, drawn once and kept in Qt's own cache.
+    """Return an icon as a picture, cached by Qt.
 
     Args:
         name: File name in ``armui/ui/icons`` without its ending.
@@ -52,13 +52,13 @@ def _drawing(name: str) -> str:
 
 
 def load_all() -> None:
-    """Read the files of all icons, so that drawing one waits for no disk."""
+    """Read the files of all icons, so that later drawing does not wait for the disk."""
     for path in _FOLDER.glob("*.svg"):
         _drawing(path.stem)
 
 
 def icon(name: str, color: str, size: int = 20) -> QIcon:
-    """Return one icon, sharp on every screen there is; made anew when the theme changes."""
+    """Return an icon, sharp on every present screen; to be made again after a change of theme."""
     result = QIcon()
     screens = QGuiApplication.screens()
     for ratio in sorted({_FOR_OTHERS, *(screen.devicePixelRatio() for screen in screens)}):

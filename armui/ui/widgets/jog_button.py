@@ -1,4 +1,4 @@
-"""A button that moves something: by one step a press, or for as long as it is held."""
+"""A button that moves something: by a step for each press, or for as long as it is held."""
 
 from __future__ import annotations
 
@@ -15,23 +15,23 @@ _REPEAT_MS: Final = 100
 
 
 class JogButton(QPushButton):
-    """Steps, or when it is :attr:`continuous` is held.
+    """Steps, or if it is :attr:`continuous` is held.
 
-    Letting go, the pointer leaving it, losing the focus, being disabled or hidden, and all that
-    :class:`HoldGuard` watches for end the repetition or the hold. A pointer that comes back with
-    its button still down does not begin anew.
+    Repetition or hold ends when it is released, left by the pointer, disabled or hidden, when it
+    loses the focus, and when :class:`HoldGuard` reports it. A pointer that returns with its button
+    still down does not begin again.
     """
 
     stepped = Signal()
-    """The button was pressed: one step."""
+    """Emitted when the button was pressed, for one step."""
     repeated = Signal()
-    """The button is still held: another step."""
+    """Emitted for another step while the button is still held."""
     held = Signal()
-    """The button was pressed: move until it is let go."""
+    """Emitted when the button was pressed, to move until it is released."""
     let_go = Signal()
-    """The hold is over; comes once after each :attr:`held`."""
+    """Emitted once after each :attr:`held`, when the hold is over."""
     unattended = Signal()
-    """It ended because the operator gave no sign for too long."""
+    """Emitted when the hold ended because the operator gave no sign for too long."""
 
     def __init__(self, sign: str) -> None:
         super().__init__(sign)
@@ -77,29 +77,29 @@ class JogButton(QPushButton):
         self.repeated.emit()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Only a finger that goes down begins something."""
+        """Mark a fresh press, which alone can begin something."""
         self._fresh_press = True
         super().mousePressEvent(event)
         self._fresh_press = False
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """The same for the space bar."""
+        """Mark a fresh press of the space bar."""
         self._fresh_press = not event.isAutoRepeat()
         super().keyPressEvent(event)
         self._fresh_press = False
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
-        """The operator has turned to something else."""
+        """End the hold."""
         self._end()
         super().focusOutEvent(event)
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """What is not seen is not held."""
+        """End the hold."""
         self._end()
         super().hideEvent(event)
 
     def changeEvent(self, event: QEvent) -> None:
-        """What is disabled is not held."""
+        """End the hold when the button is disabled."""
         if event.type() == QEvent.Type.EnabledChange and not self.isEnabled():
             self._end()
         super().changeEvent(event)

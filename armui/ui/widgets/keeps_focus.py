@@ -1,4 +1,4 @@
-"""A window in which no control gets the keyboard because another one went away."""
+"""A window in which no control gets the focus because another one went away."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ else:
 
 
 class KeepsFocus(_Base):
-    """Of a window, stands before its Qt class.
+    """A mixin for a window, placed before its Qt class.
 
-    When the control that has the keyboard is disabled or hidden, Qt gives the keyboard to the next
-    one, be it the emergency stop or a jog button: whoever presses the space bar a second time would
-    press that. Here nobody gets it, and Tab goes on from where it was.
+    When the focused control is disabled or hidden, Qt moves the focus to the next one, even the
+    emergency stop or a jog button: a second press of the space bar would press that. Here no
+    control gets the focus, and Tab goes on from the former place.
     """
 
     _left: QWidget | None = None
 
     def focusNextPrevChild(self, forward: bool) -> bool:  # noqa: N802 - the name Qt calls
-        """Move on, if Tab was pressed."""
+        """Move the focus, but only if Tab was pressed; return whether it has moved."""
         now = self.focusWidget()
         if now is not None and now is not self and not _takes_keys(now):
             self._left = now
@@ -37,7 +37,7 @@ class KeepsFocus(_Base):
         return self.go_on_from(left, forward=forward)
 
     def go_on_from(self, left: QWidget, *, forward: bool) -> bool:
-        """Give the keyboard to the next control after one, as Tab would; whether there is one."""
+        """Focus the next control after one, as Tab would; return whether there is one."""
         step = QWidget.nextInFocusChain if forward else QWidget.previousInFocusChain
         each = step(left)
         while each is not None and each is not left:
@@ -52,11 +52,11 @@ class KeepsFocus(_Base):
 
 
 def restore_parent(widget: QWidget) -> None:
-    """Have PySide know whose child a widget is.
+    """Restore PySide's record of a widget's parent.
 
-    PySide takes what `focusWidget`, `nextInFocusChain` or `childAt` returns for a child of the
-    widget that was asked. When that one is deleted, the Python objects of what Qt has made in the
-    other, such as the viewport of a table, are called deleted although they live.
+    PySide takes the result of `focusWidget`, `nextInFocusChain` or `childAt` for a child of the
+    widget that was asked. When that one is deleted, Python objects of inner widgets, such as the
+    viewport of a table, count as deleted although they live.
     """
     widget.setParent(widget.parentWidget())
 

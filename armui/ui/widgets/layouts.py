@@ -1,4 +1,4 @@
-"""Rows, columns and grids of widgets, said in one line each, and cards that scroll."""
+"""Functions that make rows, columns and grids of widgets, and cards that scroll."""
 
 from __future__ import annotations
 
@@ -18,27 +18,27 @@ from PySide6.QtWidgets import (
 )
 
 STRETCH: Final = None
-"""Takes the room that is left."""
+"""An item that takes the rest of the room."""
 
 Item: TypeAlias = QWidget | QLayout | tuple[QWidget | QLayout, int] | int | None
-"""A widget or layout, alone or with its share of the room; pixels of space; or `STRETCH`."""
+"""A widget or layout, alone or with its stretch factor; pixels of space; or `STRETCH`."""
 
 Margins: TypeAlias = int | tuple[int, int, int, int]
-"""In pixels: left, top, right and bottom, or one for all."""
+"""The left, top, right and bottom margins in pixels, or one for all."""
 
 Box = TypeVar("Box", bound=QBoxLayout)
 _LOWEST_PX: Final = 120
 
 
 class CardArea(QScrollArea):
-    """Takes its card when it is first shown.
+    """A scroll area that takes its card when it is first shown.
 
-    A scroll area asks at once how large its widget is, which styles everything in it; Qt would do
-    that again for each parent that the area is given later.
+    A scroll area computes the size of its widget at once, which styles everything in it; Qt would
+    repeat that for each parent that the area gets later.
 
     Args:
-        card: What scrolls.
-        tallest_px: It grows no higher, unless its card would scroll beside free room for that.
+        card: The card that scrolls.
+        tallest_px: The largest height, unless the card would scroll although there is free room.
     """
 
     def __init__(self, card: QFrame, tallest_px: int) -> None:
@@ -49,7 +49,7 @@ class CardArea(QScrollArea):
 
     @property
     def wanted_px(self) -> int:
-        """How high it must be for its card to be seen whole."""
+        """Return the height at which the whole card is visible."""
         card = self._card
         least = card.minimumSizeHint().height()
         if card.hasHeightForWidth():
@@ -57,19 +57,19 @@ class CardArea(QScrollArea):
         return least + 2 * self.frameWidth()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Show it where it stays."""
+        """Take the card, at the first time."""
         if self.widget() is None:
             self.setWidget(self._card)
         self._fit()
         super().showEvent(event)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """In another width its lines are others."""
+        """Fit the height, because text wraps differently in another width."""
         super().resizeEvent(event)
         self._fit()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Other words, or parts that come and go, need other room."""
+        """Fit the height after a change of texts or parts."""
         if watched is self._card and event.type() == QEvent.Type.LayoutRequest:
             self._fit()
         return super().eventFilter(watched, event)
@@ -80,11 +80,11 @@ class CardArea(QScrollArea):
 
 
 def scrolled(card: QFrame, tallest_px: int) -> QScrollArea:
-    """Let a card scroll, so that the buttons and the message below it stay where they are seen.
+    """Return a scroll area for a card, so that the parts below it stay visible.
 
     Args:
-        card: What scrolls.
-        tallest_px: It grows no higher than that, or than its card needs.
+        card: The card that scrolls.
+        tallest_px: The largest height, unless the card needs less.
     """
     card.setProperty("card", True)
     area = CardArea(card, tallest_px)
@@ -95,10 +95,10 @@ def scrolled(card: QFrame, tallest_px: int) -> QScrollArea:
 
 
 def bare_area(content: QWidget | None = None) -> QScrollArea:
-    """Let something scroll down without a frame around it; it is as wide as the area.
+    """Return a vertical scroll area without frame, with a content of its own width.
 
     Args:
-        content: What scrolls, if it is known by now.
+        content: The content, if it is known already.
     """
     area = QScrollArea()
     if content is not None:
@@ -118,10 +118,10 @@ def in_row(
     """Put items beside one another.
 
     Args:
-        items: From left to right.
+        items: The items from left to right.
         on: The widget whose layout it becomes.
-        spacing: Between two items, in pixels; by default the style's.
-        margins: Around them; by default the style's.
+        spacing: The space between two items, in pixels; by default the style's.
+        margins: The margins around them; by default the style's.
     """
     return _filled(QHBoxLayout() if on is None else QHBoxLayout(on), items, spacing, margins)
 
@@ -132,7 +132,7 @@ def in_column(
     spacing: int | None = None,
     margins: Margins | None = None,
 ) -> QVBoxLayout:
-    """Put items below one another; as :func:`in_row`."""
+    """Put items below one another; see :func:`in_row`."""
     return _filled(QVBoxLayout() if on is None else QVBoxLayout(on), items, spacing, margins)
 
 
@@ -142,12 +142,12 @@ def empty_grid(
     gaps: tuple[int | None, int | None] = (None, None),
     margins: Margins | None = None,
 ) -> QGridLayout:
-    """Return a grid to be filled.
+    """Return an empty grid.
 
     Args:
         on: The widget whose layout it becomes.
-        gaps: Between two columns and between two rows, in pixels; None: the style's.
-        margins: Around it; by default the style's.
+        gaps: The space between two columns and between two rows, in pixels; None for the style's.
+        margins: The margins around it; by default the style's.
     """
     grid = QGridLayout() if on is None else QGridLayout(on)
     _set_margins(grid, margins)

@@ -1,4 +1,4 @@
-"""The place where a panel says what stands in the way and what to do about it."""
+"""The line in which a panel shows an obstacle and its remedy."""
 
 from __future__ import annotations
 
@@ -17,18 +17,18 @@ from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.text_label import text_label
 
 Words: TypeAlias = str | Callable[[], str]
-"""A text, or what makes it in whichever language is chosen."""
+"""A text, or a function that returns it in the present language."""
 
 _ICON_PX: Final = 20
 _SIDE_PX: Final = 12
 _TOP_PX: Final = 8
 _GAP_PX: Final = 10
 _LINE: Final = "急"
-"""Chinese glyphs may stand higher than the others."""
+"""A line of Chinese text, which may be higher than others."""
 _LEAST_PX: Final = 200
 _UNBOUNDED_PX: Final = 10_000
 _OVER: Final = frozenset({Level.INFO, Level.DONE})
-"""What is said at these levels is over."""
+"""The levels of messages about the past."""
 _ICONS: Final = {
     Level.INFO: "info",
     Level.DONE: "done",
@@ -41,10 +41,10 @@ class MessageLine(QWidget):
     """One message with a sign before it.
 
     Args:
-        parent: Qt's.
-        keeps_room: Whether its room stays empty when there is nothing to say. Below a table it
-            takes none: what it needs is taken from the table's lower end, and nothing else moves.
-        lines: So many lines have room at least.
+        parent: The parent widget.
+        keeps_room: True if its room is kept when there is no message. Below a table it is not: the
+            table's lower end gives way, and nothing else moves.
+        lines: The least number of lines to have room for.
     """
 
     def __init__(
@@ -67,18 +67,17 @@ class MessageLine(QWidget):
         self.show_message("")
 
     def text(self) -> str:
-        """Return what it says now."""
+        """Return the present text."""
         return self._label.text()
 
     def show_message(self, words: Words, level: Level = Level.INFO) -> None:
-        """Say something; an empty text says nothing.
+        """Show a message; an empty text hides it.
 
-        A plain text that tells what was done goes with the language it was said in; a warning
-        stays.
+        After a change of language a plain text about the past disappears; a warning stays.
 
         Args:
-            words: What.
-            level: How much it matters.
+            words: The text.
+            level: The severity.
         """
         self._level, self._words = level, words
         self._said_in = shown_language()
@@ -92,11 +91,11 @@ class MessageLine(QWidget):
         self.update()
 
     def hasHeightForWidth(self) -> bool:  # noqa: N802 - the name Qt calls
-        """The height is what is said below, however the text wraps."""
+        """Return false: :meth:`sizeHint` gives the height for the present width."""
         return False
 
     def sizeHint(self) -> QSize:
-        """Room for its lines, and for more where the message needs them."""
+        """Return a size with room for its lines, or more if the message needs them."""
         metrics = self.fontMetrics()
         width = max(1, self.width() - 2 * _SIDE_PX - _GAP_PX - _ICON_PX)
         wrap = int(Qt.TextFlag.TextWordWrap)
@@ -111,17 +110,17 @@ class MessageLine(QWidget):
         return max(_LEAST_PX, max(lines) + 2 * _SIDE_PX + _GAP_PX + _ICON_PX)
 
     def minimumSizeHint(self) -> QSize:
-        """No lower than that; narrower, its lines break."""
+        """Return the same height with a small width, at which the text wraps."""
         return QSize(_LEAST_PX, self.sizeHint().height())
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Fit the text into the new width."""
+        """Fit the height to the new width."""
         super().resizeEvent(event)
         if event.size().width() != event.oldSize().width():
             self.updateGeometry()
 
     def changeEvent(self, event: QEvent) -> None:
-        """Follow the colours and the language."""
+        """Update after a change of colours or language."""
         if event.type() == QEvent.Type.PaletteChange:
             self._update_icon()
         elif event.type() == QEvent.Type.LanguageChange:
@@ -132,7 +131,7 @@ class MessageLine(QWidget):
         super().changeEvent(event)
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw the ground of the message."""
+        """Draw the background of the message."""
         if not self.text():
             return
         colors = colors_of(self)

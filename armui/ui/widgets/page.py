@@ -1,4 +1,4 @@
-"""A page: work with a title of its own beside the 3D picture or in its own window; its stacks."""
+"""The pages beside the 3D picture or in their own windows, and the stacks that hold them."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ _GAP_PX: Final = 12
 
 
 class Page(Translated, QWidget):
-    """Content without a frame: whoever holds it shows its title, the way back, and the stops.
+    """Content without a frame: its holder shows the title, the way back, and the stops.
 
-    A page is left, never just closed: :meth:`leave` may ask first. It works while it is seen and
-    costs nothing while it is not.
+    A page is left, never just closed: :meth:`leave` may ask first. It works only while it is
+    visible.
 
     Args:
         key: Its name in the settings; pages of one kind share it.
@@ -38,15 +38,15 @@ class Page(Translated, QWidget):
 
     Attributes:
         above: The page that leads to it, and to which the way back leads.
-        first: The widget that gets the keys at first; ``None``: the page itself.
-        body: Where its content goes.
-        footer: Where its last buttons go, from left to right.
-        commands: What the command palette offers of it.
+        first: The widget to focus at first; ``None`` for the page itself.
+        body: The layout for its content.
+        footer: The layout for its last buttons, from left to right.
+        commands: Its commands for the command palette.
 
     Signals:
-        titled: Its title is another.
-        wanted: It is to be seen, in front.
-        closed: It was left for good; whoever holds it takes it away.
+        titled: Its title has changed.
+        wanted: It shall be shown in front.
+        closed: It was left for good, and its holder removes it.
     """
 
     commands: Sequence[Command] = ()
@@ -67,23 +67,23 @@ class Page(Translated, QWidget):
 
     @property
     def subject(self) -> str:
-        """What it works on, where there are several of its kind."""
+        """The object it works on, if there are several pages of its kind."""
         return ""
 
     @property
     def title(self) -> str:
-        """What it is called now."""
+        """The present title."""
         return self._title
 
     def set_title(self, title: str) -> None:
-        """Call it something else."""
+        """Set the title."""
         if title != self._title:
             self._title = title
             self.setAccessibleName(title)
             self.titled.emit()
 
     def headers(self) -> Mapping[str, QHeaderView]:
-        """The heads of its tables by name: how wide the columns are, and the order, is kept."""
+        """Return the headers of its tables by name, whose widths and order are stored."""
         return {}
 
     def command_targets(self) -> Mapping[str, Target]:
@@ -99,25 +99,25 @@ class Page(Translated, QWidget):
     # Coming and going -------------------------------------------------------------------------
 
     def open(self) -> None:
-        """Have it shown in front, wherever it stands."""
+        """Show the page in front, wherever it is."""
         self.wanted.emit()
 
     def leave(self) -> None:
-        """Leave it for good; a page in which something is not saved asks first."""
+        """Leave the page for good; one with unsaved work asks first."""
         self.closed.emit()
 
     def take_focus(self) -> None:
-        """The operator has come here: the keys go to what is worked with."""
+        """Focus the main widget, because the operator has opened the page."""
         found = (each for each in (self.focusWidget(), self.first) if each is not None)
         next(found, self).setFocus(Qt.FocusReason.OtherFocusReason)
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """To close it is to leave it."""
+        """Leave the page instead of closing it."""
         event.ignore()
         self.leave()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Escape leads back, unless a field or a table has taken it for itself."""
+        """Leave the page at Escape, unless a field or a table has handled it."""
         if event.key() == Qt.Key.Key_Escape:
             event.accept()
             self.leave()
@@ -129,7 +129,7 @@ class Page(Translated, QWidget):
         offer_curves(self, event)
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language; called anew when that changes."""
+        """Set all texts in the operator's language; called again when that changes."""
 
 
 class _Room(QWidget):
@@ -142,7 +142,7 @@ class _Room(QWidget):
         stack.currentChanged.connect(self.updateGeometry)
 
     def minimumSizeHint(self) -> QSize:
-        """That of the page that is seen, in the width there is."""
+        """Return that of the visible page in the present width."""
         page = self.stack.currentWidget()
         if page is None:
             return QSize(0, 0)
@@ -152,28 +152,28 @@ class _Room(QWidget):
         return least
 
     def sizeHint(self) -> QSize:
-        """The same."""
+        """Return the same."""
         return self.minimumSizeHint()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """In another width the lines of controls are others."""
+        """Update the size, because controls wrap differently in another width."""
         super().resizeEvent(event)
         self.stack.setGeometry(self.rect())
         if event.size().width() != event.oldSize().width():
             self.updateGeometry()
 
     def event(self, event: QEvent) -> bool:
-        """Something in the page needs more room, or less."""
+        """Update the size when the page needs more or less room."""
         if event.type() == QEvent.Type.LayoutRequest:
             self.updateGeometry()
         return super().event(event)
 
 
 class StackArea(QScrollArea):
-    """Never asks for more height than there is: a low window keeps its status bar in sight.
+    """A scroll area that never needs more height than there is: the status bar stays visible.
 
     Args:
-        stack: One of its widgets is seen.
+        stack: The stack, of which one widget is visible.
     """
 
     def __init__(self, stack: QStackedWidget) -> None:
@@ -190,7 +190,7 @@ class StackArea(QScrollArea):
         stack.currentChanged.connect(self.updateGeometry)
 
     def minimumSizeHint(self) -> QSize:
-        """As wide as what is seen needs beside the scroll bar; as low as may be."""
+        """Return the width of the visible widget beside the scroll bar, without height."""
         bar_px = self.verticalScrollBar().sizeHint().width()
         return QSize(self._room.minimumSizeHint().width() + bar_px, 0)
 
@@ -204,7 +204,7 @@ def _scrolled(body: QBoxLayout) -> StackArea:
 
 
 class PageStack(StackArea):
-    """Holds pages that come and go."""
+    """Holds a changing set of pages."""
 
     def __init__(self) -> None:
         self._stack = QStackedWidget()
@@ -212,23 +212,23 @@ class PageStack(StackArea):
 
     @property
     def current(self) -> Page | None:
-        """The page that is seen, or would be if the stack were."""
+        """The page that is visible, or would be if the stack were."""
         page = self._stack.currentWidget()
         return page if isinstance(page, Page) else None
 
     def holds(self, page: Page) -> bool:
-        """Return whether a page is one of these."""
+        """Return whether a page is in this stack."""
         return self._stack.indexOf(page) >= 0
 
     def show_page(self, page: Page) -> None:
-        """Show a page, which becomes one of these."""
+        """Show a page, adding it if it is not in this stack."""
         if not self.holds(page):
             self._stack.addWidget(page)
         self._stack.setCurrentWidget(page)
         self._room.updateGeometry()
 
     def drop_page(self, page: Page) -> None:
-        """Let go of a page, which is hidden then and belongs to the window."""
+        """Release a page, hidden, with the window as its parent."""
         self._stack.removeWidget(page)
         page.hide()
         page.setParent(self.window())

@@ -1,4 +1,4 @@
-"""Shapes that more than one self-painted widget draws, and the style sheet asked anew."""
+"""Shapes shared by self-painted widgets, and the update of their style."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ CORNER_PX = 7.0
 
 
 def repolish(widget: QWidget) -> None:
-    """Have the style sheet asked anew; for a widget that was never shown it is asked then."""
+    """Apply the style sheet again to a widget that was shown before."""
     if widget.testAttribute(Qt.WidgetAttribute.WA_WState_Polished):
         style = widget.style()
         style.unpolish(widget)
@@ -20,7 +20,7 @@ def repolish(widget: QWidget) -> None:
 
 
 def set_rank(widget: QWidget, rank: str) -> None:
-    """Show the widget's text in the colour the style sheet has for a rank.
+    """Show the widget's text in the style sheet's colour for a rank.
 
     A colour set by `QWidget.setPalette` is lost as soon as another theme is chosen.
     """
@@ -30,25 +30,25 @@ def set_rank(widget: QWidget, rank: str) -> None:
 
 
 def begin(widget: QWidget) -> QPainter:
-    """Return a painter on a widget, with smooth edges; end it when done."""
+    """Return a painter on a widget, with smooth edges; the caller must end it."""
     painter = QPainter(widget)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     return painter
 
 
 def fill_ground(widget: QWidget) -> None:
-    """Have a widget on a card fill its own ground, in the card's colour.
+    """Make a widget on a card fill its own background, in the card's colour.
 
-    It looks the same, and where a figure within changes, nothing behind the widget is painted
-    again: from the window down to the card by the style sheet, that takes five times as long as
-    the figure.
+    It looks the same, but when a figure in it changes, nothing behind the widget is painted again:
+    painting from the window down to the card by the style sheet takes five times as long as the
+    figure.
     """
     widget.setBackgroundRole(QPalette.ColorRole.Base)
     widget.setAutoFillBackground(True)
 
 
 def panel(painter: QPainter, rect: QRectF, fill: str, line: str, line_px: float = 1.0) -> None:
-    """A rounded box with a line inside its edge."""
+    """Draw a rounded box with a line inside its edge."""
     inset = line_px / 2
     painter.setPen(QPen(QColor(line), line_px))
     painter.setBrush(QColor(fill))

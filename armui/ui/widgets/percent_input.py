@@ -1,4 +1,4 @@
-"""A percentage that may be changed while the arm moves: a slider and a field that go together."""
+"""A percentage that may be changed while the arm moves: a slider and a field."""
 
 from __future__ import annotations
 
@@ -17,21 +17,21 @@ _FULL_PERCENT: Final = 100
 
 
 class PercentInput(QObject):
-    """Joins a slider and a field for 0–100 %.
+    """Connects a slider and a field for 0–100 %.
 
-    A lower percentage counts while the handle is dragged, a higher one when it is let go; keys,
-    clicks and the field count at once.
+    A lower percentage takes effect while the handle is dragged, a higher one when it is released;
+    keys, clicks and the field take effect at once.
 
     Args:
-        name: The slider is called ``<name>_slider``, the field ``<name>_field``.
-        value: Tells the percentage that holds.
-        choose: Called with another one that the operator has chosen.
+        name: The slider is named ``<name>_slider``, the field ``<name>_field``.
+        value: Returns the percentage in force.
+        choose: Called with the operator's new choice.
         parent: The widget that lays both out.
-        warns: Whether less than 100 % is shown as something to be noticed.
+        warns: True to highlight less than 100 %.
 
     Attributes:
-        slider: Shows the percentage that holds, and may show a measured one.
-        field: Takes a figure.
+        slider: Shows the percentage in force, and optionally a measured one.
+        field: The field for a figure.
     """
 
     def __init__(
@@ -79,7 +79,7 @@ class PercentInput(QObject):
         self.show_value()
 
     def follow_value(self) -> None:
-        """Show the percentage that holds, unless the operator has the handle in hand.
+        """Show the percentage in force, unless the operator is dragging the handle.
 
         A figure that is being typed stays until it is entered.
         """
@@ -91,7 +91,7 @@ class PercentInput(QObject):
             self._show_in_field()
 
     def show_value(self) -> None:
-        """Show the percentage that holds."""
+        """Show the percentage in force."""
         self._show_in_slider()
         self._show_in_field()
 

@@ -1,4 +1,4 @@
-"""A button that acts when it is pressed, not when it is let go, whatever popup is open."""
+"""A button that acts when it is pressed, not when it is released, behind any popup."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class Face:
 
 
 class PressButton(QPushButton):
-    """The base of the stop and the halt."""
+    """The base of the stop and the halt button."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -46,11 +46,11 @@ class PressButton(QPushButton):
         self.pressed.connect(self._on_pressed)
 
     def act(self) -> None:
-        """Do what the button is for."""
+        """Carry out the button's action."""
         raise NotImplementedError
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Act first: Qt paints the whole button anew before it says that it is pressed."""
+        """Act first, because Qt repaints the whole button before it emits `pressed`."""
         left = event.button() == Qt.MouseButton.LeftButton
         self._has_acted = left and self.hitButton(event.position().toPoint())
         if self._has_acted:
@@ -64,5 +64,5 @@ class PressButton(QPushButton):
             self.act()
 
     def press_behind_popup(self) -> bool:
-        """Act as if pressed while a popup holds the mouse; false: let the popup have the press."""
+        """Act as if pressed while a popup is open; return false to leave the press to it."""
         raise NotImplementedError

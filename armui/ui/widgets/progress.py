@@ -1,4 +1,4 @@
-"""A bar that shows how far something is."""
+"""A progress bar."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QProgressBar
 
 
 def quiet_progress() -> QProgressBar:
-    """Return a hidden bar without figures that keeps its place, so that nothing below it jumps."""
+    """Return a hidden bar without figures that keeps its place, so that nothing below it moves."""
     bar = QProgressBar()
     bar.setTextVisible(False)
     policy = bar.sizePolicy()

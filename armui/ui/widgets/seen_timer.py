@@ -1,4 +1,4 @@
-"""Looking now and then, while somebody can see it."""
+"""A timer that runs only while a widget is visible."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from PySide6.QtWidgets import QWidget
 
 
 class SeenTimer(QTimer):
-    """Runs while a widget is shown: a hidden one costs nothing.
+    """Calls a function periodically while a widget is visible.
 
     Args:
-        widget: Which.
-        interval_ms: Between two looks.
-        look: What is done.
+        widget: The widget.
+        interval_ms: The period.
+        look: The function.
     """
 
     def __init__(self, widget: QWidget, interval_ms: int, look: Callable[[], object]) -> None:
@@ -23,7 +23,7 @@ class SeenTimer(QTimer):
         widget.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """The widget comes into sight, or goes out of it."""
+        """Start or stop when the widget is shown or hidden."""
         if event.type() == QEvent.Type.Show:
             self.start()
         elif event.type() == QEvent.Type.Hide:

@@ -1,4 +1,4 @@
-"""The mark before a word that tells a state: each has a shape of its own, not only a colour."""
+"""The mark before a word for a state: each differs by shape, not only by colour."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from armui.ui.widgets import painting
 
 
 class Mark(enum.Enum):
-    """What a mark tells."""
+    """The state that a mark shows."""
 
     GOOD = enum.auto()
     """A filled disc with a tick."""
@@ -44,12 +44,12 @@ def draw(
     """Draw a mark.
 
     Args:
-        painter: Where; its pen and brush are changed.
-        colors: Of the theme.
+        painter: The painter; its pen and brush are changed.
+        colors: The colours of the theme.
         center: Its middle.
         radius: Half its size, in pixels.
-        mark: Which one.
-        muted: Without its colour: what it tells was heard a while ago.
+        mark: The mark.
+        muted: True to draw it without its colour, because the state is stale.
     """
     ink = QColor(colors.muted if muted else _ink(colors, mark))
     painter.setPen(Qt.PenStyle.NoPen)

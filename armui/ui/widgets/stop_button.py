@@ -25,11 +25,11 @@ _CAPTION_SCALE: Final = 0.82
 class StopButton(Translated, PressButton):
     """Stops the arm when pressed down; pressed again once the arm has stopped, it recovers it.
 
-    Only a press on an arm that says it is stopped leads to recovery, which is asked about first
-    because the arm falls. Quick presses one after another all mean stop.
+    Only a press while the arm reports that it is stopped leads to recovery, after a question,
+    because the arm drops. Quick presses in succession all mean stop.
 
     Args:
-        controller: Whom to tell.
+        controller: The controller of the arm.
         ask_to_resume: Asks the operator whether to recover an arm that has stopped; without it the
             button only ever stops, as in the dialogs.
         slim: True for one line, as in the windows beside the main one.
@@ -57,7 +57,7 @@ class StopButton(Translated, PressButton):
     # -- behaviour ----------------------------------------------------------------------------
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Tell a second press in earnest from the quick presses of someone alarmed."""
+        """Distinguish a deliberate second press from the quick presses of an alarmed operator."""
         before, now = self._last_press_ms, event.timestamp()
         interval = QApplication.styleHints().mouseDoubleClickInterval()
         self._hurried = before is not None and now - before <= interval
@@ -66,14 +66,14 @@ class StopButton(Translated, PressButton):
         self._hurried = False
 
     def press_behind_popup(self) -> bool:
-        """Stop, whatever popup is open; recovery is asked about only once none is."""
+        """Stop the arm behind any popup; return false if the press would ask about recovery."""
         if self._offers_recovery():
             return False
         self._controller.emergency_stop()
         return True
 
     def act(self) -> None:
-        """Stop, or ask about recovery where the arm says that it is stopped."""
+        """Stop, or ask about recovery if the arm reports that it is stopped."""
         if self._ask_to_resume is not None and self._offers_recovery() and not self._hurried:
             self._ask_to_resume()
         else:
@@ -90,7 +90,7 @@ class StopButton(Translated, PressButton):
             self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
-        """Put the words of the moment into the operator's language."""
+        """Set the present text in the operator's language."""
         self.setText(self._words())
         self.setAccessibleName(self.text())
         if self._offers_recovery():
@@ -137,12 +137,12 @@ class StopButton(Translated, PressButton):
         ]
 
     def sizeHint(self) -> QSize:
-        """Room for the longest of its words, so that the bar stands still."""
+        """Return a size for the longest of its texts, so that the bar does not change."""
         face = self._face
         return self._size(face.padding_px).expandedTo(QSize(face.least_px, face.height_px))
 
     def minimumSizeHint(self) -> QSize:
-        """Its words with less room around them."""
+        """Return the size of its texts with smaller margins."""
         return self._size(self._face.tight_px)
 
     def _size(self, padding_px: float) -> QSize:
@@ -152,7 +152,7 @@ class StopButton(Translated, PressButton):
         return QSize(int(2 * face.sign_px + face.gap_px + width + 2 * padding_px), face.height_px)
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw it."""
+        """Draw the button."""
         colors = colors_of(self)
         painter = painting.begin(self)
         stopped = self._offers_recovery() or self._operating_state.stop is StopState.RESUMING

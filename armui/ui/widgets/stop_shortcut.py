@@ -15,16 +15,17 @@ from armui.ui.widgets.press_button import PressButton
 
 STOP_KEYS: Final = frozenset({Qt.Key.Key_F12, Qt.Key.Key_Pause})
 HALT_KEY: Final = Qt.Key.Key_F9
-"""In the same group of keys as F12, and not beside it: the one must not be hit for the other."""
+"""A key in the same group as F12, but not beside it, so that neither is hit for the other."""
 STOP_CHORD: Final = Qt.KeyboardModifier.ControlModifier | Qt.Key.Key_Period
-"""For macOS, where F9 and F12 play music and no key is Pause: ⌘, which Qt calls Control, and a dot,
-which cancels there."""
+"""The stop on macOS, where F9 and F12 control music and no key is Pause: ⌘, which Qt calls Control,
+and a dot, the usual combination to cancel.
+"""
 HALT_CHORD: Final = Qt.KeyboardModifier.ControlModifier | Qt.Key.Key_Backspace
 _HAS_CHORDS: Final = sys.platform == "darwin"
 STOP_KEY_NAME: Final = "F12, ⌘." if _HAS_CHORDS else "F12, Pause"
 HALT_KEY_NAME: Final = "F9, ⌘⌫" if _HAS_CHORDS else "F9"
 SLOWER_KEY: Final = Qt.Key.Key_F8
-"""Beside the halt: who misses it slows the arm."""
+"""The key beside the halt, so that hitting it by mistake slows the arm."""
 
 _LISTENED_TO: Final = (QKeyEvent, QMouseEvent, QDragEnterEvent)
 _PAINTED_WITHIN_MS: Final = 250
@@ -32,16 +33,16 @@ _PRESSES: Final = frozenset({QEvent.Type.MouseButtonPress, QEvent.Type.MouseButt
 
 
 class StopShortcut(QObject):
-    """Listens to the whole application, below any dialog that holds the other keys back.
+    """Filters events of the whole application, even while a dialog takes the other keys.
 
     A key only ever stops, halts or slows; recovery needs the button and its question. A press that
-    Qt would only take to close a popup (of a combo box, a menu) reaches the stop button under it.
+    would only close a popup (of a combo box, a menu) reaches the stop button under it.
 
     Args:
-        app: The application to listen to; the listener lives and dies with it.
-        controller: Whom to tell.
-        first_window: Listens once this window was painted; by default at once. Its show and first
-            picture are two thousand events, and each takes Python a while to let pass.
+        app: The application, which is the filter's parent.
+        controller: The controller of the arm.
+        first_window: The filter starts when this window was painted; by default at once. Showing
+            and painting it takes two thousand events, each of which costs Python some time.
     """
 
     def __init__(
@@ -56,7 +57,7 @@ class StopShortcut(QObject):
             _FirstPicture(self, first_window).seen.connect(self._go_first)
 
     def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
-        """Take the keys, whichever window they were meant for, and presses behind a popup."""
+        """Handle the keys in every window, and presses behind a popup."""
         # Most events are none of these; to ask them for their type takes Python ten times as long.
         if not isinstance(event, _LISTENED_TO):
             return False
@@ -103,7 +104,7 @@ class _FirstPicture(QObject):
         QTimer.singleShot(_PAINTED_WITHIN_MS, self, self._tell)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Look at what the window itself gets."""
+        """Detect the first paint event of the window."""
         if isinstance(event, QPaintEvent):
             watched.removeEventFilter(self)
             QTimer.singleShot(0, self, self._tell)

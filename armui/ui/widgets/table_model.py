@@ -1,4 +1,4 @@
-"""Tables of the program: their models, their looks, and a hint in an empty one."""
+"""The base of table models, the looks of tables, and a hint for an empty one."""
 
 from __future__ import annotations
 
@@ -37,12 +37,12 @@ _GAP_PX: Final = 10
 
 
 class TableHint(Translated, QWidget):
-    """Lies over the rows: a title, some words, and buttons below them.
+    """Covers the rows with a title, a text, and buttons.
 
     Args:
-        table: Over which.
-        name: Of its text; the title is called ``<name>_title``.
-        buttons: What can be done at once.
+        table: The table.
+        name: The name of its text; the title is named ``<name>_title``.
+        buttons: The buttons of possible actions.
     """
 
     def __init__(self, table: QAbstractItemView, name: str, *buttons: QPushButton) -> None:
@@ -64,7 +64,7 @@ class TableHint(Translated, QWidget):
         self.hide()
 
     def say(self, title: str, text: str) -> None:
-        """Show other words."""
+        """Set title and text."""
         self._title.setText(title)
         self._text.setText(text)
         self._fit()
@@ -84,24 +84,24 @@ class TableHint(Translated, QWidget):
             widget.setVisible(room >= 0)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Be as large as the rows' place."""
+        """Follow the size of the rows' area."""
         if watched is self._viewport and event.type() == QEvent.Type.Resize:
             self.setGeometry(self._viewport.rect())
             self._fit()
         return super().eventFilter(watched, event)
 
     def changeEvent(self, event: QEvent) -> None:
-        """Follow the font, too."""
+        """Fit again after a change of font."""
         if event.type() == QEvent.Type.FontChange:
             self._fit()
         super().changeEvent(event)
 
 
 def list_rows(table: QTableView) -> QHeaderView:
-    """Have a table show its rows as a list does: chosen whole, without grid and row titles.
+    """Make a table look like a list: whole rows are selected, without grid and row titles.
 
     Returns:
-        The titles of its columns, at the left.
+        The header of its columns, aligned to the left.
     """
     table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
     table.setShowGrid(False)
@@ -118,8 +118,8 @@ def plain_table(name: str, columns: int, *, wide: int) -> QTableWidget:
 
     Args:
         name: Its object name.
-        columns: How many.
-        wide: The column that takes the room that is left.
+        columns: The number of columns.
+        wide: The column that takes the rest of the width.
     """
     table = named(name, QTableWidget(0, columns))
     table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
@@ -130,23 +130,23 @@ def plain_table(name: str, columns: int, *, wide: int) -> QTableWidget:
 
 
 class TableModel(QAbstractTableModel):
-    """Counts rows and columns, names the columns, and tells the view to read all cells again."""
+    """Counts rows and columns, names the columns, and has the view read all cells again."""
 
     _columns: int
     _figures: Collection[int] = ()
-    """Columns of figures: they stand at the right, and their titles with them."""
+    """The columns of figures, which are aligned to the right with their titles."""
     _rows: Sized = ()
 
     def titles(self) -> Sequence[str]:
-        """Of the columns, in the operator's language; none, if they have none."""
+        """Return the titles of the columns in the operator's language, if they have any."""
         return ()
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008, N802 - Qt's signature
-        """Return how many rows there are."""
+        """Return the number of rows."""
         return 0 if parent.isValid() else len(self._rows)
 
     def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008, N802 - as above
-        """Return how many columns there are."""
+        """Return the number of columns."""
         return 0 if parent.isValid() else self._columns
 
     def headerData(  # noqa: N802 - Qt's name
@@ -163,12 +163,12 @@ class TableModel(QAbstractTableModel):
         return titles[section] if section < len(titles) else None
 
     def redraw(self) -> None:
-        """Tell the view that every cell may read or look otherwise."""
+        """Report to the view that every cell may have changed."""
         rows = self.rowCount()
         if rows:
             self.dataChanged.emit(self.index(0, 0), self.index(rows - 1, self._columns - 1))
 
     def retranslate(self) -> None:
-        """Titles and cells in another language."""
+        """Update titles and cells after a change of language."""
         self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, self._columns - 1)
         self.redraw()

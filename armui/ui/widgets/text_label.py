@@ -1,4 +1,4 @@
-"""Labels as the program uses them: plain text, a figure, a text that is cut short."""
+"""Labels for plain text, for figures, and for text that is shortened."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from armui.ui.theme import colors_of
 
 
 class ValueLabel(QWidget):
-    """Shows a text of known greatest width; a new text costs one repaint and no new layout.
+    """Shows a text of known greatest width; a new text needs a repaint, but no layout.
 
     Args:
         widest: The longest text it will have to show.
-        alignment: Where the text stands.
+        alignment: The alignment of the text.
     """
 
     def __init__(
@@ -32,44 +32,44 @@ class ValueLabel(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
 
     def set_widest(self, widest: str) -> None:
-        """Leave room for another longest text."""
+        """Reserve room for another longest text."""
         self._widest = widest
         self.updateGeometry()
 
     def text(self) -> str:
-        """Return what stands there."""
+        """Return the text."""
         return self._text
 
     def is_stale(self) -> bool:
-        """Return whether the figure is too old to stand for the present."""
+        """Return whether the figure is too old to count as present."""
         return self._stale
 
     def show_text(self, text: str, *, stale: bool = False) -> None:
-        """Show a text; muted if it is too old to stand for the present."""
+        """Show a text; muted if it is too old to count as present."""
         if text == self._text and stale == self._stale:
             return
         self._text, self._stale = text, stale
         self.update()
 
     def show_attention(self, *, wanted: bool) -> None:
-        """Draw it in the colour for something out of order, or no longer."""
+        """Draw it in the colour of attention, or not."""
         if wanted != self._attention:
             self._attention = wanted
             self.update()
 
     def sizeHint(self) -> QSize:
-        """As large as it wants to be."""
+        """Return the size of the longest text."""
         metrics = self.fontMetrics()
         return QSize(metrics.horizontalAdvance(self._widest) + 2, metrics.height() + 4)
 
     def changeEvent(self, event: QEvent) -> None:
-        """Follow the font."""
+        """Update the size after a change of font."""
         if event.type() == QEvent.Type.FontChange:
             self.updateGeometry()
         super().changeEvent(event)
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw it."""
+        """Draw the text."""
         colors = colors_of(self)
         dim = self._stale or self._text == fmt.NOTHING or not self.isEnabled()
         painter = QPainter(self)
@@ -80,19 +80,19 @@ class ValueLabel(QWidget):
 
 
 class ElidedLabel(QLabel):
-    """One line; what doesn't fit is replaced by «…» and stands in the tooltip."""
+    """One line that is shortened with «…» if it does not fit; the tooltip has the whole text."""
 
     def __init__(self) -> None:
         super().__init__()
         self.setTextFormat(Qt.TextFormat.PlainText)
 
     def show_text(self, text: str) -> None:
-        """Show another line."""
+        """Set the text."""
         self.setText(text)
         self._update_tooltip()
 
     def minimumSizeHint(self) -> QSize:
-        """None of its width is necessary."""
+        """Return the height without a minimal width."""
         return QSize(0, super().minimumSizeHint().height())
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -124,8 +124,8 @@ def text_label(
     Args:
         name: Its object name.
         rank: How the style sheet shows it: ``title``, ``muted``, …
-        wraps: Whether long text goes on below.
-        plain: Whether text that looks like HTML is shown as it is.
+        wraps: True to wrap long text.
+        plain: True to show text that looks like HTML literally.
     """
     label = QLabel()
     label.setObjectName(name)

@@ -1,4 +1,4 @@
-"""A slider for what is wanted, with a mark for what is measured on the same track."""
+"""A slider for a requested value, with a mark for the measured value on the same track."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ _GROOVE_PX: Final = 4.0
 
 
 class TrackSlider(QSlider):
-    """A horizontal slider whose handle is what is requested and whose mark is what is measured.
+    """A horizontal slider whose handle is the requested value and whose mark is the measured one.
 
-    The slider counts in whole steps, as Qt's sliders do; a step is ``resolution`` of the
-    quantity's unit. What is not known has no handle, or no mark.
+    The slider counts in whole steps, as Qt's sliders do; a step is ``resolution`` of the quantity's
+    unit. An unknown value has no handle, or no mark.
 
     Args:
-        resolution: How much one step of the slider is.
-        origin: Where the coloured part of the track begins; ``None``: at the mark.
-        marked: Whether a mark can stand below the track, which needs room there.
-        jumps: Whether a click beside the handle brings the handle there; otherwise it goes a
-            page in that direction, for quantities that act at once.
+        resolution: The size of one step of the slider.
+        origin: The beginning of the coloured part of the track; ``None`` for the mark.
+        marked: True if there is room for a mark below the track.
+        jumps: True if a click beside the handle moves it there; otherwise it moves by a page, for
+            quantities that take effect at once.
     """
 
     def __init__(
@@ -56,27 +56,27 @@ class TrackSlider(QSlider):
 
     @property
     def requested(self) -> float:
-        """The handle's place in the quantity's unit."""
+        """The value of the handle in the quantity's unit."""
         return self.sliderPosition() * self._resolution
 
     @property
     def measured(self) -> float | None:
-        """What the mark stands at."""
+        """The value of the mark."""
         return self._measured
 
     def set_limits(self, minimum: float, maximum: float) -> None:
-        """The ends of the track, without telling anyone of a value that moves with them."""
+        """Set the ends of the track without emitting a signal."""
         with QSignalBlocker(self):
             self.setRange(round(minimum / self._resolution), round(maximum / self._resolution))
         self._mark_px = self._place(self._measured)
         self.update()
 
     def show_requested(self, value: float | None, *, attention: bool = False) -> None:
-        """Put the handle somewhere without telling anyone; ``None`` takes it away.
+        """Set the handle without emitting a signal; ``None`` removes it.
 
         Args:
-            value: In the quantity's unit; beyond the track it stands at the end.
-            attention: Draw it in the colour for something out of order.
+            value: The value in the quantity's unit; beyond the track it is at the end.
+            attention: True to draw it in the colour of attention.
         """
         before = self._requested_known, self._attention
         self._requested_known = value is not None
@@ -88,7 +88,7 @@ class TrackSlider(QSlider):
             self.update()
 
     def show_measured(self, value: float | None) -> None:
-        """Put the mark somewhere; repaints only if it moves on the screen."""
+        """Set the mark; repaints only if it moves on the screen."""
         self._measured = value
         place = self._place(value)
         if place != self._mark_px:
@@ -98,11 +98,11 @@ class TrackSlider(QSlider):
     # -- geometry -----------------------------------------------------------------------------
 
     def sizeHint(self) -> QSize:
-        """As large as it wants to be."""
+        """Return the preferred size."""
         return QSize(160, 24)
 
     def minimumSizeHint(self) -> QSize:
-        """No smaller than that."""
+        """Return the smallest size."""
         return QSize(60, 24)
 
     def _place(self, value: float | None) -> float | None:
@@ -121,7 +121,7 @@ class TrackSlider(QSlider):
     # -- input --------------------------------------------------------------------------------
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Grab the handle, or go where the click is."""
+        """Grab the handle, or move it to the click."""
         if event.button() is not Qt.MouseButton.LeftButton:
             event.ignore()
             return
@@ -145,13 +145,13 @@ class TrackSlider(QSlider):
             self.setSliderPosition(self._value_at(event.position().x() - self._grabbed_at))
 
     def mouseReleaseEvent(self, _event: QMouseEvent) -> None:
-        """Let the handle go."""
+        """Release the handle."""
         if self._grabbed_at is not None:
             self._grabbed_at = None
             self.setSliderDown(False)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        """Turn only what was chosen before, not what happens to lie under the mouse."""
+        """Use the wheel only if the slider has the focus, not merely under the pointer."""
         if self.hasFocus():
             super().wheelEvent(event)
         else:
@@ -160,7 +160,7 @@ class TrackSlider(QSlider):
     # -- picture ------------------------------------------------------------------------------
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw it."""
+        """Draw the slider."""
         colors = colors_of(self)
         painter = painting.begin(self)
         middle = self.height() / 2 - self._above_middle_px

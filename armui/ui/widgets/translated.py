@@ -1,4 +1,4 @@
-"""Following the operator's language and the colours of the theme."""
+"""Widgets that follow the operator's language and the colours of the theme."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ else:
 
 
 class Translated(_Base):
-    """Of a widget that stands before its Qt class: words and colours follow what is chosen."""
+    """A mixin, placed before a widget's Qt class, that updates texts and colours after a change."""
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
@@ -23,7 +23,7 @@ class Translated(_Base):
         """Draw anew what the widget has painted in the theme's colours."""
 
     def changeEvent(self, event: QEvent) -> None:
-        """Follow the language and the colours."""
+        """Update texts or colours after a change of language or theme."""
         if event.type() == QEvent.Type.LanguageChange:
             self.retranslate_ui()
         elif event.type() == QEvent.Type.PaletteChange:

@@ -1,7 +1,7 @@
-"""What the operator reads: the program's codes as words and sentences, in the language chosen.
+"""The program's codes as words and sentences in the operator's language.
 
-The words are looked up at every call, so a caller that asks again after the language has changed
-(``QEvent.LanguageChange``) shows the new one.
+The texts are looked up at every call, so that a caller which asks again after a change of language
+(``QEvent.LanguageChange``) gets the new one.
 """
 
 from armui.ui.words.arm import (

@@ -197,29 +197,29 @@ def arm_kind(kind: str) -> str:
 
 
 def other_mode(mode: str) -> str:
-    """A mode another host has put the arm in."""
+    """Return the name of a mode that another host has set."""
     return _MODES.text(mode)
 
 
 def held_target(angles_deg: object) -> str:
-    """Where a motion held back leads: six angles in degrees, or that they are not known."""
+    """Return the target of a motion held back: six angles in degrees, or that they are unknown."""
     if not isinstance(angles_deg, tuple):
         return QCoreApplication.translate("HeldTarget", "a target this program does not know")
     return ", ".join(f"{angle:.1f}°" for angle in angles_deg)
 
 
 def teaching_command(command: TeachingState) -> str:
-    """What a command of 0x150 byte 2 is called («开始示教记录»)."""
+    """Return the name of a command of 0x150 byte 2 («开始示教记录»)."""
     return _TEACHING_COMMANDS.text(command)
 
 
 def trajectory_command(command: TrajectoryCommand) -> str:
-    """What a command of 0x150 byte 1 is called («暂停当前轨迹»)."""
+    """Return the name of a command of 0x150 byte 1 («暂停当前轨迹»)."""
     return _PLANS.text(command)
 
 
 def device_name(device: Device) -> str:
-    """A device as the operator knows it: an adapter by its channel, a simulated arm as such."""
+    """Return the operator's name of a device: an adapter's channel, or that an arm is simulated."""
     if not device.simulated:
         return device.name
     source = QT_TRANSLATE_NOOP("Device", "Simulated arm, gen. {generation}")
@@ -227,77 +227,77 @@ def device_name(device: Device) -> str:
 
 
 def mounting(how: Mounting) -> str:
-    """How it is mounted («水平»)."""
+    """Return the name of a mounting («水平»)."""
     return _MOUNTINGS.text(how)
 
 
 def light_figure(name: str) -> str:
-    """What a figure of the light command is called: a key of ``lights.RANGES``."""
+    """Return the name of a figure of the light command: a key of ``lights.RANGES``."""
     return _LIGHTS.word(name)
 
 
 def joint_item(item: Item) -> str:
-    """The name of a row («电源电压:»)."""
+    """Return the name of a row («电源电压:»)."""
     return _ITEMS.text(item)
 
 
 def joint_word(word: Word) -> str:
-    """What a cell says («过低»)."""
+    """Return the word of a cell («过低»)."""
     return _WORDS.text(word)
 
 
 def joint_verdict(verdict: StatusVerdict) -> str:
-    """How the six joints are («有故障»)."""
+    """Return the overall state of the six joints («有故障»)."""
     return _VERDICTS.text(verdict)
 
 
 def end_load(load: EndLoad) -> str:
-    """What the arm carries («半载»)."""
+    """Return the name of a load («半载»)."""
     return _LOADS.text(load)
 
 
 def gripper_figure(name: str) -> str:
-    """What a figure of the gripper's command is called («开度»)."""
+    """Return the name of a figure of the gripper's command («开度»)."""
     return _GRIPPER_FIGURES.word(name)
 
 
 def gripper_act(name: str) -> str:
-    """What is done to the gripper («清除错误»)."""
+    """Return the name of an action on the gripper («清除错误»)."""
     return _ACTS.word(name)
 
 
 def gripper_fault(fault: GripperFault) -> str:
-    """What its driver complains of («电机过温»)."""
+    """Return the name of a fault of its driver («电机过温»)."""
     return _FAULTS.text(fault)
 
 
 def control_mode(code: int) -> str:
-    """Who commands the arm, byte 0, in the protocol's words («待机模式»)."""
+    """Return the source of the arm's commands, byte 0, in the protocol's words («待机模式»)."""
     return _word(_CONTROL_MODES, code)
 
 
 def control_mode_short(code: int) -> str:
-    """Who commands the arm, byte 0, as short as the manual's status bar has it («待机»)."""
+    """Return the source of the arm's commands, byte 0, as in the manual's status bar («待机»)."""
     return _word(_SHORT_CONTROL_MODES, code)
 
 
 def arm_status(code: int) -> str:
-    """How the arm is, byte 1 («正常»)."""
+    """Return the arm's status, byte 1 («正常»)."""
     return _word(_ARM_STATUSES, code)
 
 
 def move_mode(code: int) -> str:
-    """How the arm travels to a target, byte 2 («点位模式»)."""
+    """Return the kind of motion, byte 2 («点位模式»)."""
     return _word(_MOVE_MODES, code)
 
 
 def teaching(code: int) -> str:
-    """What drag teaching does, byte 3 («关闭»)."""
+    """Return the state of drag teaching, byte 3 («关闭»)."""
     return _word(_TEACHING_STATES, code)
 
 
 def teaching_now(status: Status) -> str:
-    """What drag teaching does, where the arm has ended a recording and not left the mode yet."""
+    """Return the state of drag teaching, also after a recording while the mode is still on."""
     ended = status.teaching == TeachingState.STOP_RECORDING
     if ended and status.control_mode == ControlMode.TEACHING:
         return QCoreApplication.translate("Teaching", "Recording ended; still in drag teaching")
@@ -305,7 +305,7 @@ def teaching_now(status: Status) -> str:
 
 
 def reached(is_reached: bool) -> str:
-    """Whether the arm is where it was sent, byte 4 («已达指定点»)."""
+    """Return whether the arm has arrived, byte 4, in words («已达指定点»)."""
     if is_reached:
         return QCoreApplication.translate("Reached", "Target reached")
     return QCoreApplication.translate("Reached", "Target not reached")

@@ -1,4 +1,4 @@
-"""The entries of the event log as sentences, and the words of its columns and filters."""
+"""The entries of the event log as sentences, and the texts of its columns and filters."""
 
 from __future__ import annotations
 
@@ -90,27 +90,27 @@ _LEVELS: Final = Texts("Level") | {
 
 
 def asker(who: Asker) -> str:
-    """Who asked, for a column."""
+    """Return the source of an event, for a column."""
     return _ASKERS.text(who)
 
 
 def event_kind(kind: EventKind) -> str:
-    """What sort of event, for a column."""
+    """Return the kind of an event, for a column."""
     return EVENT_KINDS.text(kind)
 
 
 def event_level(level: Level) -> str:
-    """How grave, for a filter."""
+    """Return the severity of an event, for a filter."""
     return _LEVELS.text(level)
 
 
 def entry_text(entry: EventEntry) -> str:
-    """What happened, as a sentence."""
+    """Return the sentence of an event."""
     return _text(entry.code, entry.params)
 
 
 def outcome_text(outcome: EventOutcome) -> str:
-    """What became of a command, as a sentence."""
+    """Return the sentence on the outcome of a command."""
     return _text(outcome.code, outcome.params)
 
 
@@ -175,4 +175,4 @@ _FIGURES: Final[Mapping[Observed, Mapping[str, Callable[[Any], str]]]] = {
     NOT_KEPT: {"text": str},
     LOGGED_TARGETS: {"message": _TARGETS.word},
 }
-"""How the figures of a sentence are put into words."""
+"""The functions that put the figures of a sentence into words."""

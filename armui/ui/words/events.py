@@ -1,4 +1,4 @@
-"""Everything that happens as a sentence, for the left half of the status bar."""
+"""Events as sentences, for the left half of the status bar."""
 
 from __future__ import annotations
 
@@ -26,12 +26,12 @@ _UNKNOWN: Final = QT_TRANSLATE_NOOP("Notice", "Event: {code}")
 
 
 def event(event: Event) -> str:
-    """What happened in the operator's language, without its time."""
+    """Return the sentence of an event in the operator's language, without its time."""
     return notice_text(event.notice, event.params)
 
 
 def notice_text(notice: Notice, figures: Mapping[str, object]) -> str:
-    """The same of a notice and its figures."""
+    """Return the sentence of a notice with its figures."""
     params = dict(figures)
     reason = params.get("reason")
     params["reason"] = refusal(reason) if isinstance(reason, Refusal) else ""

@@ -1,4 +1,4 @@
-"""What a check before running has found, as sentences: what, its value and limit, the remedy."""
+"""The findings of a check as sentences: the thing, its value and limit, the remedy."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _PARTS: Final = Texts("ArmPart") | {
 _CYCLES: Final = Texts("FindingCycle") | {"later": "From cycle {cycle} on: {text}"}
 
 PARTS: Final = frozenset(_PARTS)
-"""The parts of the arm there is a word for."""
+"""The parts of the arm that have a name."""
 
 
 _APPROACH: Final = Texts("Finding") | {
@@ -37,7 +37,7 @@ _APPROACH: Final = Texts("Finding") | {
 
 
 def finding(found: Finding) -> str:
-    """What was found in the operator's language; the row is told beside it."""
+    """Return a finding in the operator's language; the row is shown beside it."""
     params = {k: _text(v) for k, v in found.params.items()}
     if found.kind == OTHER_ARM:
         params = {k: arm_kind(v) for k, v in params.items()}

@@ -1,4 +1,4 @@
-"""What frames on the bus are called, who sends them, and what is odd about one."""
+"""The names of frames on the bus, their senders, and their faults."""
 
 from __future__ import annotations
 
@@ -263,12 +263,12 @@ _EFFECTS: Final = Texts("FrameEffect") | {
 
 
 def frame_effect(effect: FrameEffect) -> str:
-    """What a frame physically does, as a sentence before it is sent."""
+    """Return the physical effect of a frame, as a sentence before it is sent."""
     return _EFFECTS.text(effect)
 
 
 def message_name(message: str) -> str:
-    """What a message of the DBC files is called."""
+    """Return the name of a message of the DBC files."""
     family, joint = message[:-1], message[-1:]
     if message not in _MESSAGES and family in _MESSAGES:
         return _MESSAGES.text(family, {"joint": joint})
@@ -276,11 +276,11 @@ def message_name(message: str) -> str:
 
 
 def frame_sender(sender: Sender, *, leader: bool = False) -> str:
-    """Who sends a frame.
+    """Return the sender of a frame in words.
 
     Args:
-        sender: By its identifier.
-        leader: The other host is known for a leader arm (0x470).
+        sender: The sender by its identifier.
+        leader: True if the other host is known to be a leader arm (0x470).
     """
     if leader and sender is Sender.OTHER:
         return QCoreApplication.translate("Sender", "leader arm")
@@ -288,13 +288,13 @@ def frame_sender(sender: Sender, *, leader: bool = False) -> str:
 
 
 def frame_id(arbitration_id: int, flags: int) -> str:
-    """An identifier as it is written: three figures, eight for one of 29 bits."""
+    """Return an identifier in its usual form: three digits, eight for one of 29 bits."""
     kind = flags & (FrameFlag.EXTENDED | FrameFlag.ERROR)
     return f"0x{arbitration_id:0{8 if kind == FrameFlag.EXTENDED else 3}X}"
 
 
 def frame_kind(arbitration_id: int, flags: int, codec: Codec | None) -> str:
-    """What a frame is that no message of the protocol has."""
+    """Return the name of a frame that is no message of the protocol."""
     if flags & FrameFlag.ERROR:
         return QCoreApplication.translate("FrameKind", "Error frame of the adapter")
     if flags & FrameFlag.REMOTE:
@@ -311,19 +311,19 @@ def frame_kind(arbitration_id: int, flags: int, codec: Codec | None) -> str:
 
 
 def bus_errors(errors: tuple[BusError, ...]) -> str:
-    """What an error frame says, with what to do about it."""
+    """Return the meaning of an error frame, with the remedy."""
     if not errors:
         return QCoreApplication.translate("BusError", "the adapter gives no further details")
     return "; ".join(_ERRORS.text(e) for e in errors)
 
 
 def why_invalid(invalid: InvalidFrame, length: int, codec: Codec) -> str:
-    """What is wrong with a frame that has a message's identifier.
+    """Return the fault of a frame that has a message's identifier.
 
     Args:
-        invalid: As the codec found it.
-        length: Of its payload.
-        codec: Who found it.
+        invalid: The codec's finding.
+        length: The length of its payload.
+        codec: The codec.
     """
     layout = codec.layout(invalid.arbitration_id)
     if layout is None:
@@ -346,7 +346,7 @@ def why_invalid(invalid: InvalidFrame, length: int, codec: Codec) -> str:
 
 
 def signal_name(signal: str) -> str:
-    """What a signal of the DBC files is called; J1, X, RX are names in any language."""
+    """Return the name of a signal of the DBC files; J1, X, RX are the same in any language."""
     if signal in _SIGNALS:
         return _SIGNALS.text(signal)
     if found := _OF_JOINT.fullmatch(signal):
@@ -357,7 +357,7 @@ def signal_name(signal: str) -> str:
 
 
 def signal_word(word: str) -> str:
-    """A word of a value table of the DBC files in the operator's language."""
+    """Return a word of the DBC files' value tables in the operator's language."""
     if found := _JOINT.fullmatch(word):
         return f"J{found[1]}"
     name = message_name(word)  # 0x476 names the message that it answers
@@ -365,7 +365,7 @@ def signal_word(word: str) -> str:
 
 
 def signal_value(signal: SignalLayout, value: float) -> str:
-    """A value with its unit, or a code with its word."""
+    """Return a value with its unit, or a code as its word."""
     word = signal.words.get(round(signal.to_steps(value))) if signal.words else None
     if word is not None:
         return f"{signal_word(word)} ({value:g})"

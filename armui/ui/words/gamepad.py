@@ -1,4 +1,4 @@
-"""What the axes and buttons of a gamepad or SpaceMouse are called, and what they do."""
+"""The names of axes and buttons of gamepads and SpaceMice, and of their functions."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ _BUTTONS: Final[Mapping[str, str]] = {
     "dpad_left": "←",
     "dpad_right": "→",
 }
-"""As they are printed on the two kinds of gamepads there are."""
+"""The labels of buttons as printed on the two kinds of gamepads."""
 
 _MODES: Final = Texts("GamepadMode") | {
     JogMode.JOINT: "Joints",
@@ -60,17 +60,17 @@ _ACTIONS: Final = Texts("GamepadAction") | {
 
 
 def gamepad_source(source: AxisSource) -> str:
-    """What is pushed to move an axis of the arm."""
+    """Return the name of the control that moves an axis of the arm."""
     return _AXES.text(source.axis or source.plus)
 
 
 def gamepad_axis(name: str) -> str:
-    """An axis of the device."""
+    """Return the name of an axis of the device."""
     return _AXES.text(name)
 
 
 def gamepad_button(kind: DeviceKind, name: str) -> str:
-    """A button as the operator finds it on the device."""
+    """Return the name of a button as printed on the device."""
     if kind is DeviceKind.SPACE_MOUSE:
         source = QT_TRANSLATE_NOOP("GamepadButton", "Button {number}")
         return sentence("GamepadButton", source, {"number": name})
@@ -78,15 +78,15 @@ def gamepad_button(kind: DeviceKind, name: str) -> str:
 
 
 def gamepad_mode(mode: JogMode) -> str:
-    """What the axes move."""
+    """Return the name of the axes' mode."""
     return _MODES.text(mode)
 
 
 def gamepad_action(action: str) -> str:
-    """What a button does."""
+    """Return the name of a button's action."""
     return _ACTIONS.text(action)
 
 
 def moved_axis(mode: JogMode, place: int) -> str:
-    """The axis of the arm at a place: J1, or X."""
+    """Return the name of the arm's axis at an index: J1, or X."""
     return f"J{place + 1}" if mode is JogMode.JOINT else AXES[place]

@@ -60,39 +60,39 @@ _VERDICTS: Final = Texts("Parameter") | {
 
 
 def parameter_name(name: str) -> str:
-    """What a parameter is called: a key of ``parameters.KINDS``."""
+    """Return the name of a parameter: a key of ``parameters.KINDS``."""
     return _NAMES.text(name)
 
 
 def full_name(parameter: Parameter) -> str:
-    """A parameter's name with its joint, if it belongs to one («J3 max. speed»)."""
+    """Return a parameter's name with its joint, if it belongs to one («J3 max. speed»)."""
     name = parameter_name(parameter.name)
     return f"J{parameter.joint} {name}" if parameter.joint else name
 
 
 def value_text(name: str, value: float) -> str:
-    """A value with as many decimals as it has a meaning, and its unit."""
+    """Return a value with its decimals and its unit."""
     kind = KINDS[name]
     return fmt.with_unit(value, kind.unit, kind.decimals)
 
 
 def status_word(status: CellStatus) -> str:
-    """How a parameter stands, in a word or two; nothing where it is as the arm holds it."""
+    """Return the state of a parameter in a word or two; empty if it is as in the arm."""
     return _STATUS.text(status) if status in _STATUS else ""
 
 
 def status_explained(status: CellStatus, held: str) -> str:
-    """The same as a sentence; ``held`` is what the arm holds."""
+    """Return the state as a sentence; ``held`` is the arm's value."""
     return _EXPLAINED.text(status, {"held": held}) if status in _EXPLAINED else ""
 
 
 def verdict_word(verdict: ComparisonVerdict) -> str:
-    """How a parameter of a backup compares with the arm's."""
+    """Return the result of comparing a parameter of a backup with the arm's."""
     return _VERDICTS.text(verdict)
 
 
 def span_text(name: str) -> str:
-    """From which to which value a parameter can be set."""
+    """Return the range of a parameter as text."""
     kind = KINDS[name]
     source = QT_TRANSLATE_NOOP("Parameter", "Range: {minimum} to {maximum}")
     words = {"minimum": value_text(name, kind.minimum), "maximum": value_text(name, kind.maximum)}
@@ -100,13 +100,13 @@ def span_text(name: str) -> str:
 
 
 def beyond_word(name: str, bound: float) -> str:
-    """That a value goes beyond the factory's, in a word or two."""
+    """Return in a word or two that a value exceeds the factory's."""
     source = QT_TRANSLATE_NOOP("Parameter", "factory {bound}")
     return sentence("Parameter", source, {"bound": f"{bound:.{KINDS[name].decimals}f}"})
 
 
 def beyond_factory(parameter: Parameter, value: float, bound: float) -> str:
-    """The same as a sentence."""
+    """Return as a sentence that a value exceeds the factory's."""
     source = QT_TRANSLATE_NOOP("Parameter", "{name}: {value} goes beyond the factory's {bound}.")
     figures = {"value": value_text(parameter.name, value), "name": full_name(parameter)}
     figures["bound"] = value_text(parameter.name, bound)
@@ -114,7 +114,7 @@ def beyond_factory(parameter: Parameter, value: float, bound: float) -> str:
 
 
 def beyond_danger() -> str:
-    """What comes of it, said before it is saved."""
+    """Return the danger of such a value, shown before it is saved."""
     source = QT_TRANSLATE_NOOP(
         "Parameter",
         "The arm may then be driven against its mechanical stops or beyond what its motors are "

@@ -1,4 +1,4 @@
-"""The names of what can be drawn as a curve, and its values in words."""
+"""The names of quantities that can be drawn as curves, and their values in words."""
 
 from __future__ import annotations
 
@@ -98,7 +98,7 @@ _DECIMALS: Final[Mapping[str, int]] = {"°C": 0, "%": 1, "V": 1, "1/s": 0}
 
 
 def quantity(what: Quantity) -> str:
-    """Its name: «J1 角度»; a command says whose."""
+    """Return the name of a quantity: «J1 角度»; for a command with its source."""
     name = _KINDS.text(what.kind)
     if what.number is not None:
         name = f"J{what.number} {name}"
@@ -108,9 +108,9 @@ def quantity(what: Quantity) -> str:
 
 
 def in_common(quantities: Sequence[Quantity]) -> tuple[str, list[str]]:
-    """What several have in common, and what tells them apart: «电机温度», «J1», «J2» ….
+    """Return the common part of several names, and their differences: «电机温度», «J1», «J2» ….
 
-    The first is "", and the others are whole names, where they have nothing in common.
+    Without a common part it is "", and the others are whole names.
     """
     first = quantities[0]
     several = len(quantities) > 1
@@ -125,12 +125,12 @@ def in_common(quantities: Sequence[Quantity]) -> tuple[str, list[str]]:
 
 
 def quantity_group(source: Source) -> str:
-    """Under which heading a list shows it."""
+    """Return the heading of a source in a list."""
     return _GROUPS.text(source)
 
 
 def quantity_kind(what: Quantity) -> str:
-    """What the same quantity of several joints is called: «电机温度»; a command says whose."""
+    """Return the name of a quantity without its joint: «电机温度»; for commands with the source."""
     name = _KINDS.text(what.kind)
     name = name[:1].upper() + name[1:]
     if what.source in _SOURCES:
@@ -139,7 +139,7 @@ def quantity_kind(what: Quantity) -> str:
 
 
 def quantity_value(what: Quantity, value: float | None) -> str:
-    """A value with its unit, a code in its word; «—» where there is none."""
+    """Return a value with its unit, or a code as its word; «—» without a value."""
     if value is None or not math.isfinite(value):
         return fmt.NOTHING
     word = _code_word(what, int(value))
@@ -151,7 +151,7 @@ def quantity_value(what: Quantity, value: float | None) -> str:
 
 
 def quantity_difference(what: Quantity, difference: float | None) -> str:
-    """How far apart two values are; codes have no difference."""
+    """Return the difference of two values as text; codes have none."""
     if difference is None or not what.unit or not math.isfinite(difference):
         return fmt.NOTHING
     text = quantity_value(what, difference)

@@ -1,6 +1,6 @@
-"""Every reason against an action in the operator's language, with figures as they are read.
+"""Reasons against actions in the operator's language, with formatted figures.
 
-The sentences stand where they are raised (`armui.arm.refusal`).
+The sentences are declared where they are raised (`armui.arm.refusal`).
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ _SETTING_NAMES: Final = Texts("SettingName") | {
     "picture_trail_s": "tool trail in the 3D picture",
     "session_save_at_faults": "saving at faults and stops",
 }
-"""By the field of `armui.settings.Settings`."""
+"""The names of settings by the field of `armui.settings.Settings`."""
 
 _FIGURES: Final = Texts("PointFigure") | {
     "speed": "Speed",
@@ -81,7 +81,7 @@ _FIGURES: Final = Texts("PointFigure") | {
     "taught_on": "Arm it was taught on",
 }
 _OF_FIGURES: Final = ("point_", "text_", "columns_")
-"""How the codes begin whose field is a figure of a point, and not a word of a file."""
+"""The prefixes of codes whose field is a figure of a point, and not a word of a file."""
 _CLOSE_UNITS: Final = ("", "°", "%")
 
 
@@ -93,7 +93,7 @@ _LINE_ONLY = QT_TRANSLATE_NOOP("FilePlace", "Line {line}: {reason}")
 
 
 def refusal(reason: Refusal) -> str:
-    """A reason against an action in the operator's language."""
+    """Return a reason against an action in the operator's language."""
     params = _with_figures(reason.code, _with_units(dict(reason.params)))
     if isinstance(mode := params.get("mode"), int):
         params["mode"] = arm.control_mode(mode)
@@ -114,12 +114,12 @@ def refusal(reason: Refusal) -> str:
 
 
 def why_not(reason: Refusal | None) -> str:
-    """The same, or nothing where nothing stands in the way."""
+    """Return the same, or "" for ``None``."""
     return "" if reason is None else refusal(reason)
 
 
 def under_way(what: str) -> str:
-    """What the program is waiting for the arm to do."""
+    """Return the action of the arm for which the program waits."""
     return _UNDER_WAY.word(what)
 
 
@@ -130,10 +130,10 @@ def _unexpected(reason: Refusal) -> str:
 
 
 def file_error(error: TrajectoryFileError) -> str:
-    """What is wrong with a file, in the operator's language.
+    """Return the fault of a file in the operator's language.
 
     Args:
-        error: What was found; a text without a file, as of the clipboard, has none to name.
+        error: The error; for a text without a file, as of the clipboard, no file is named.
     """
     reason = refusal(error.refusal)
     if error.line:
@@ -148,7 +148,7 @@ def file_error(error: TrajectoryFileError) -> str:
 
 
 def point_figure(name: str) -> str:
-    """What a figure of a point is called: a key of ``program.RANGES``, or a text of it."""
+    """Return the name of a figure of a point: a key of ``program.RANGES``, or one of its texts."""
     return _FIGURES.word(name)
 
 

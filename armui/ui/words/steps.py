@@ -1,4 +1,4 @@
-"""The steps of recovery in the operator's language: the sentence, the button, the danger."""
+"""The steps of recovery in the operator's language: sentence, button, danger."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from armui.ui.words.text import said, sentence
 
 
 def step(this: Step) -> str:
-    """What stands in the way and what to do, with what became of the last attempt before it."""
+    """Return the obstacle and the remedy, preceded by the result of the last attempt."""
     params: dict[str, object] = dict(this.params)
     if isinstance(mode := params.get("mode"), int):
         params["mode"] = arm.control_mode(mode)
@@ -29,15 +29,15 @@ def step(this: Step) -> str:
 
 
 def step_action(action: Action) -> str:
-    """What the button of a step is called."""
+    """Return the text of a step's button."""
     return said(action.value, {})
 
 
 def step_question(action: Action) -> str:
-    """The title of the question before a dangerous action."""
+    """Return the title of the question before a dangerous action."""
     return sentence(action.value.context, action.value.question, {})
 
 
 def step_danger(action: Action) -> str:
-    """What will physically happen, said before a dangerous action."""
+    """Return the physical effect of a dangerous action, shown before it."""
     return sentence(action.value.context, action.value.danger, {})

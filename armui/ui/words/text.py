@@ -1,4 +1,4 @@
-"""Tables of texts in the language chosen, and sentences with their figures filled in."""
+"""Tables of texts in the present language, and sentences with their figures filled in."""
 
 from __future__ import annotations
 
@@ -18,21 +18,22 @@ Key = TypeVar("Key")
 Other = TypeVar("Other")
 
 NOT_KNOWN = "—"
-"""Stands where a figure is missing, as it does in the rest of the window."""
+"""The text for a missing figure, as in the rest of the window."""
 
 
 _BY_ID: Final[Mapping[str, Mapping[str, str]]] = json.loads(
     read_file(paths.RESOURCES / "i18n" / "sentences.json")
 )
-"""Sentences by their context and the ids that files keep, made by ``python -m tests.translations``.
-Read with the program: later the window's thread opens no file."""
+"""Sentences by their context and the ids in files, written by ``python -m tests.translations``.
+They are read at the import, so that the GUI thread opens no file later.
+"""
 
 _LIST: Final = re.compile(r"(?:J?\d|0x[0-9A-F]{3})(?:, (?:J?\d|0x[0-9A-F]{3}))+")
-"""Joints or identifiers, as those who know no language have listed them."""
+"""Lists of joints or identifiers, made by code that knows no language."""
 
 
 def listed(items: Iterable[str]) -> str:
-    """Items of a list in a sentence, parted as the operator's language does it."""
+    """Return items as a list with the separator of the operator's language."""
     # Translators: between two items of a list
     return QCoreApplication.translate("List", ", ").join(items)
 
@@ -51,7 +52,7 @@ def _figure(value: object) -> str:
 
 
 def sentence(context: str, source: object, params: Mapping[str, object]) -> str:
-    """A sentence in the operator's language with its figures filled in.
+    """Return a sentence in the operator's language with its figures filled in.
 
     Args:
         context: The translation context the sentence was marked with.
@@ -66,23 +67,23 @@ def sentence(context: str, source: object, params: Mapping[str, object]) -> str:
 
 
 def source_of(what: Sentence) -> str:
-    """The English of a sentence, also of one that a file names by its id; "" if there is none."""
+    """Return the English of a sentence, also of one known only by its id; "" if there is none."""
     return what.source or _BY_ID.get(what.context, {}).get(what.id, "")
 
 
 def said(what: Sentence, params: Mapping[str, object]) -> str:
-    """A sentence of the code in the operator's language; for the figures see :func:`sentence`."""
+    """Return a declared sentence in the operator's language; see :func:`sentence` for figures."""
     return sentence(what.context, what.source, params)
 
 
 @dataclass(frozen=True, slots=True)
 class Text:
-    """A text that is looked up when it is shown: ``Text("ViewBar", "Fit")`` marks it, too.
+    """A text that is translated when it is shown: ``Text("ViewBar", "Fit")`` also marks it.
 
     Attributes:
-        context: Of the translation.
+        context: The context of the translation.
         source: The English text.
-        suffix: What follows it in every language: ``J3``, ``X``.
+        suffix: A suffix in every language: ``J3``, ``X``.
     """
 
     context: str
@@ -90,19 +91,19 @@ class Text:
     suffix: str = ""
 
     def text(self) -> str:
-        """It in the language of now."""
+        """Return the text in the present language."""
         said = QCoreApplication.translate(self.context, self.source)
         return f"{said} {self.suffix}".rstrip()
 
 
 class Texts(Mapping[Key, str]):
-    """The English texts of a table by what each stands for, and how they read in any language.
+    """The English texts of a table by their keys, and their translations.
 
     A table is written out as ``Texts("Refusal") | {…}``, which ``python -m tests.translations``
-    finds: its texts need no mark of their own.
+    finds, so that its texts need no marks.
 
     Args:
-        context: Of their translations.
+        context: The context of their translations.
         sources: The texts; ``{name}`` is a figure.
     """
 
@@ -111,11 +112,11 @@ class Texts(Mapping[Key, str]):
         self._sources = dict(sources or {})
 
     def __or__(self, more: Mapping[Other, str]) -> Texts[Key | Other]:
-        """The texts of both, in this context."""
+        """Return a table of both, in this context."""
         return Texts(self._context, {**self._sources, **more})
 
     def __getitem__(self, key: Key) -> str:
-        """The English text."""
+        """Return the English text."""
         return self._sources[key]
 
     def __iter__(self) -> Iterator[Key]:
@@ -125,9 +126,9 @@ class Texts(Mapping[Key, str]):
         return len(self._sources)
 
     def text(self, key: Key, params: Mapping[str, object] | None = None) -> str:
-        """A text in the operator's language, with its figures as in :func:`sentence`."""
+        """Return a text in the operator's language, with its figures as in :func:`sentence`."""
         return sentence(self._context, self._sources[key], params or {})
 
     def word(self, name: Key) -> str:
-        """The same without figures; a name there is no text for stands for itself."""
+        """Return a text without figures; an unknown name is returned as it is."""
         return self.text(name) if name in self._sources else str(name)

@@ -1,4 +1,4 @@
-"""What 运动控制 and 末端控制 share: targets beside what is measured, a step, two ways to jog."""
+"""The common part of 运动控制 and 末端控制: targets, measured values, a step, two ways to jog."""
 
 from __future__ import annotations
 

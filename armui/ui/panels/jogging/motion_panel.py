@@ -108,7 +108,7 @@ class JointRow(TargetRow):
     # -- target -------------------------------------------------------------------------------
 
     def beyond_limits(self) -> Refusal | None:
-        """Return what is to be said against the figure in the field, if it is out of limits."""
+        """Return the reason against a figure beyond the limits in the field, or ``None``."""
         target = self.field.value
         return None if target is None else check_joint(self.joint, target, self._limits)
 

@@ -205,7 +205,7 @@ class CollisionPanel(LevelsPanel):
         return self.tr("Collision level")
 
     def note(self) -> str:
-        """Say which levels watch, and that nobody has said which of them is the sensitive one."""
+        """Return which levels detect collisions, and that the most sensitive is not known."""
         return self.tr(
             "Levels 1 to 8 watch for collisions; level 0 does not watch at all. The maker has not "
             "published whether 1 or 8 is the more sensitive one."

@@ -1,4 +1,4 @@
-"""What 关节设置, 配速设置 and 碰撞等级 share: read, edit, save, and see what the arm has taken."""
+"""The common part of 关节设置, 配速设置 and 碰撞等级: read, edit, save, and check the result."""
 
 from __future__ import annotations
 

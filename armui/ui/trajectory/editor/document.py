@@ -1,4 +1,4 @@
-"""A trajectory under the operator's hands: every edit can be undone."""
+"""A trajectory being edited; every edit can be undone."""
 
 from __future__ import annotations
 
@@ -19,16 +19,16 @@ _UNDO_STEPS: Final = 1000
 
 
 class Document(QObject):
-    """Holds the points; whoever shows them follows :attr:`changed`.
+    """The edited points; views follow :attr:`changed`.
 
     Args:
-        trajectory: As it was opened.
+        trajectory: The trajectory as it was opened.
 
     Signals:
         changed: A :class:`Change` of the points, after it was made.
-        note_changed: The trajectory's note is another.
-        taught_on_changed: The arm it was taught on is another, or known now.
-        saved_changed: Whether everything is saved, when that differs.
+        note_changed: The note has changed.
+        taught_on_changed: The arm it was taught on has changed, or become known.
+        saved_changed: Emitted with whether everything is saved, when that changes.
     """
 
     changed = Signal(object)
@@ -45,17 +45,17 @@ class Document(QObject):
 
     @property
     def points(self) -> Points:
-        """As they are now."""
+        """The present points."""
         return self._trajectory.points
 
     @property
     def name(self) -> str:
-        """What the trajectory is called."""
+        """The name of the trajectory."""
         return self._trajectory.name
 
     @property
     def note(self) -> str:
-        """What it is for."""
+        """The operator's note."""
         return self._trajectory.note
 
     @property
@@ -64,20 +64,20 @@ class Document(QObject):
         return self.stack.isClean()
 
     def trajectory(self) -> Trajectory:
-        """Return the trajectory as it is now, changed now if it differs from what is saved."""
+        """Return the present trajectory, with the present time if it differs from the saved one."""
         if self.saved:
             return self._trajectory
         return replace(self._trajectory, modified=datetime.now().astimezone())
 
     def edit(self, points: Points, label: str) -> bool:
-        """Put other points in the place of the present ones.
+        """Replace the points, as one step of undo.
 
         Args:
-            points: All of them, after the edit.
-            label: What the edit does, for the undo menu.
+            points: All points after the edit.
+            label: The edit's name in the undo menu.
 
         Returns:
-            Whether anything differs.
+            True if anything differs.
         """
         change = edits.difference(self.points, points)
         if change is None:
@@ -86,39 +86,39 @@ class Document(QObject):
         return True
 
     def note_taught(self, arm: str, count: int = 1) -> None:
-        """Take over on which arm the first points were taught; of others it is not known.
+        """Set the arm on which the first points were taught; later points do not change it.
 
         Args:
-            arm: As `ModelFit.taught_on` tells; "": not known.
-            count: How many points there are if these are all.
+            arm: The arm as in `ModelFit.taught_on`; "" if not known.
+            count: The number of points if these are all.
         """
         if arm and len(self.points) == count and not self._trajectory.taught_on:
             self.take_taught_on(arm)
 
     @property
     def taught_on(self) -> str:
-        """The arm it was taught on; "" where that is not known."""
+        """The arm it was taught on; "" if not known."""
         return self._trajectory.taught_on
 
     def convert(self, points: Points, arm: str, label: str) -> None:
-        """Put points as they are for another arm in the place of the present ones, as one edit."""
+        """Replace the points by those converted for another arm, as one step of undo."""
         self.stack.beginMacro(label)
         self.edit(points, label)
         self.stack.push(_EditTaughtOn(self, self.taught_on, arm))
         self.stack.endMacro()
 
     def set_note(self, note: str, label: str) -> None:
-        """Change what the trajectory is for."""
+        """Change the note, as one step of undo."""
         if note != self.note:
             self.stack.push(_EditNote(self, self.note, note, label))
 
     def mark_saved(self, saved: Trajectory) -> None:
-        """What is on the disk now is what is held."""
+        """Note that the present state is on the disk."""
         self._trajectory = replace(self._trajectory, name=saved.name, modified=saved.modified)
         self.stack.setClean()
 
     def take(self, change: Change) -> None:
-        """Make a change; only the undo stack calls this."""
+        """Apply a change; only the undo stack calls this."""
         self._trajectory = replace(self._trajectory, points=change.apply(self.points))
         self.changed.emit(change)
 
@@ -179,16 +179,16 @@ class _EditTaughtOn(QUndoCommand):
 
 
 _AFTER_MS: Final = 700
-"""After the last change: typing is not slowed down, and little can be lost."""
+"""The delay after the last change: typing is not slowed down, and little can be lost."""
 _REST_S: Final = 0.004
-"""Between two stretches of the work, so that Python's lock is free for the window."""
+"""The pause between two stretches of the work, so that Python's lock is free for the window."""
 
 
 class DraftKeeper(QObject):
     """Follows a document, and has its draft written when the edits pause.
 
     Args:
-        document: What is edited.
+        document: The document.
         work: Has the library keep drafts beside its trajectories.
 
     Signals:
@@ -209,13 +209,13 @@ class DraftKeeper(QObject):
         document.stack.indexChanged.connect(lambda _index: self._timer.start())
 
     def write_draft(self) -> None:
-        """Bring the draft up to date at once, and quickly: the program may be ending."""
+        """Update the draft at once, because the program may be ending."""
         self._timer.stop()
         self._hurry.set()
         self._begin(self._unsaved())
 
     def drop_draft(self) -> None:
-        """The changes are not wanted: no draft of them shall be left."""
+        """Delete the draft, because the changes are not wanted."""
         self._timer.stop()
         self._hurry.set()
         self._begin(None)

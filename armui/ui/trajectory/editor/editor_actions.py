@@ -1,4 +1,4 @@
-"""The actions of the editor: their words, keys and places in the menu and the tool bar."""
+"""The actions of the editor: their texts, keys and places in the menu and the tool bar."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ NAMES: Final = tuple(
     for each in SHORTCUTS.values()
     if each.place == "editor" and each.name != "editor.send"
 )
-"""The key of 发送 is that of the button itself, below the table."""
+"""The names of the actions. The key of 发送 belongs to the button below the table."""
 
 _MENU: Final = (
     ("insert_before", "insert_after", "insert_measured", "replace_by_measured", "duplicate"),
@@ -33,23 +33,26 @@ _MENU: Final = (
 _BAR: Final = ("save", "undo", "redo", "insert_measured", "jog", "go_to", "find", "check")
 
 _EVERYWHERE: Final = "insert_measured"
-"""Its key counts in every window, so that jogging and inserting need no change of place."""
+"""The action whose key counts in every window, so that jogging and inserting need no change of
+window.
+"""
 
 _OF_WINDOW: Final = frozenset({"save", "find", "jog", "check"})
-"""Their keys count wherever the keyboard is in the window that shows the editor. Undo is not among
-them: what has the keyboard may have something of its own to undo."""
+"""Actions whose keys count anywhere in the editor's window. Undo is not among them: the focused
+widget may have something of its own to undo.
+"""
 
 _OF_TABLE: Final = frozenset(name for group in _MENU for name in group) - {"find"}
-"""Their keys count while the table has the focus."""
+"""Actions whose keys count while the table has the focus."""
 
 
 class EditorActions:
-    """All actions by name.
+    """All actions of the editor by name.
 
     Args:
-        page: The editor; the keys of what concerns the whole are its, or its window's.
-        table: The menu is its, and the keys of what concerns rows.
-        handlers: What each does.
+        page: The editor; keys of actions on the whole count in it, or in its window.
+        table: The table, which has the menu, and the keys of actions on rows.
+        handlers: The function of each action.
     """
 
     def __init__(
@@ -92,7 +95,7 @@ class EditorActions:
         """Return a row of buttons for the actions used most.
 
         Args:
-            more: What follows them.
+            more: Further widgets after them.
         """
         self._buttons = {name: named(f"editor_{name}", QToolButton()) for name in _BAR}
         for name, button in self._buttons.items():
@@ -101,25 +104,25 @@ class EditorActions:
         return in_flow(*self._buttons.values(), *more)
 
     def targets(self) -> dict[str, QAction | QToolButton]:
-        """Return what carries out each action by its name: a button where the bar has one."""
+        """Return the target of each action by its name: a button if the bar has one."""
         return {**self._actions, **self._buttons}
 
     def allow(self, name: str, reason: str) -> None:
-        """Offer an action, or say in its tooltip why it cannot be done now.
+        """Enable an action, or disable it with the reason in its tooltip.
 
         Args:
-            name: Of the action.
-            reason: Empty: it can be done.
+            name: The name of the action.
+            reason: The reason; empty to enable it.
         """
         action = self._actions[name]
         action.setEnabled(not reason)
         action.setToolTip(reason or f"{action.text()} ({SHORTCUTS[f'editor.{name}'].text()})")
 
     def show_step(self, name: str, what: str) -> None:
-        """Say in a tooltip which edit an action undoes or does again.
+        """Show in a tooltip which edit an action undoes or redoes.
 
         Args:
-            name: Of the action.
+            name: The name of the action.
             what: The edit; "" if there is none.
         """
         action = self._actions[name]
@@ -127,7 +130,7 @@ class EditorActions:
         action.setToolTip(f"{action.text()}{quoted} ({SHORTCUTS[f'editor.{name}'].text()})")
 
     def retranslate(self) -> None:
-        """Put every word into the operator's language; tooltips name the keys."""
+        """Set all texts in the operator's language; tooltips name the keys."""
         for name, action in self._actions.items():
             shortcut = SHORTCUTS[f"editor.{name}"]
             action.setText(shortcut.title.text())
@@ -139,11 +142,11 @@ _HINT_NAMES: Final = ("insert_measured", "insert_after")
 
 
 class EditorHint(TableHint):
-    """How the first point is made: from where the arm is, or by figures.
+    """Explains how to make the first point: from the arm's position, or by figures.
 
     Args:
-        table: Over which.
-        actions: Make a point of where the arm is, and one to be filled with figures.
+        table: The table.
+        actions: The actions that insert a point: the arm's position, or one to be filled in.
     """
 
     def __init__(self, table: QTableView, actions: EditorActions) -> None:

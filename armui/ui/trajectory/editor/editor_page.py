@@ -47,11 +47,11 @@ if TYPE_CHECKING:
 
 
 class EditorJog(Translated, QWidget):
-    """Folded away at first, and made when it is first wanted.
+    """The jog box of the editor, closed at first, and created when it is first wanted.
 
     Args:
-        controller: Whom the box asks for motion.
-        keys: What the button's key is called.
+        controller: Sends the motions.
+        keys: The name of the button's key.
 
     Signals:
         refused: A :class:`Refusal`, or ``None`` when something was done.
@@ -73,7 +73,7 @@ class EditorJog(Translated, QWidget):
         self.retranslate_ui()
 
     def unfold(self, wanted: bool) -> None:
-        """Show the box, or put it away; what is put away moves nothing."""
+        """Show or hide the box; a hidden one moves nothing."""
         if wanted and self._box is None:
             self._box = JogBox(self._controller, self._insert)
             self._box.refused.connect(self.refused)
@@ -82,7 +82,7 @@ class EditorJog(Translated, QWidget):
 
     @property
     def with_gripper(self) -> bool:
-        """True if a point that is inserted takes the measured opening of the gripper along."""
+        """True if inserted points include the measured opening of the gripper."""
         return self._box is not None and self._box.gripper.inserted.isChecked()
 
     def retranslate_ui(self) -> None:
@@ -94,18 +94,18 @@ class EditorJog(Translated, QWidget):
 
 
 _OF_POINTS: Final = ("go_to", "find", "check")
-"""What can be done with points alone."""
+"""Actions that are possible with points only."""
 _NOTE_PX: Final = 200
-"""Narrower, the note's field goes into a line of its own."""
+"""Below this width the note's field moves to a line of its own."""
 
 
 class EditorPage(Page):
     """Edits a trajectory of the library.
 
     Args:
-        controller: Knows where the arm is, moves it and runs what is edited.
-        checks: Checks what is edited.
-        choices: How it is run.
+        controller: Gives the arm's state, moves it and runs the trajectory.
+        checks: Checks the trajectory.
+        choices: The options of runs.
         work: Keeps the trajectory in the library.
         trajectory: As it is kept.
         draft: Changes of it that an earlier run of the program could not save.
@@ -113,7 +113,7 @@ class EditorPage(Page):
     Signals:
         saved: The trajectory is in the library as it is shown.
         used: The operator has turned to this editor.
-        insert_wanted: The key for a point of where the arm is was pressed, in any window.
+        insert_wanted: The key to insert the arm's position was pressed, in any window.
         selected_row_changed: The row the operator is in, −1 for none.
         preview_wanted: A :class:`Preflight` whose path is to be shown in 3D, or ``None``.
     """
@@ -260,15 +260,15 @@ class EditorPage(Page):
     # Editing ----------------------------------------------------------------------------------
 
     def select_row(self, row: int) -> None:
-        """Show a row and make it the current one."""
+        """Select a row, and scroll to it."""
         self.table.select_row(row)
 
     def insert_current(self) -> None:
-        """Make a point of where the arm is, after the chosen row."""
+        """Insert a point with the arm's position after the selected row."""
         self._do(partial(self._edits.insert_measured, with_gripper=self._jog.with_gripper))
 
     def event(self, event: QEvent) -> bool:
-        """The operator turns to this editor."""
+        """Note that the operator has turned to this editor."""
         if event.type() in {QEvent.Type.Show, QEvent.Type.WindowActivate}:
             self.used.emit()
         return super().event(event)
@@ -322,7 +322,7 @@ class EditorPage(Page):
         )
 
     def say_aside(self) -> None:
-        """Say that unsaved changes of another state of the file were not put over it."""
+        """Show that unsaved changes based on another version of the file were not applied."""
         text = self.tr(
             "“{name}” has been saved since these unsaved changes were kept: they are not put over "
             "it. They are in the library under “Recently deleted…”."
@@ -399,10 +399,10 @@ class EditorPage(Page):
     # Saving -----------------------------------------------------------------------------------
 
     def save(self, then: Callable[[], object] = lambda: None) -> None:
-        """Put it into the library.
+        """Save the trajectory in the library.
 
         Args:
-            then: Called when it is there.
+            then: Called when it is saved.
         """
         if self._saving:
             return
@@ -438,11 +438,11 @@ class EditorPage(Page):
         self._show_failure(text)
 
     def keep_draft(self) -> None:
-        """The program ends: what is not saved is offered when it is started again."""
+        """Save the draft, because the program ends; it is offered at the next start."""
         self._drafts.write_draft()
 
     def leave(self) -> None:
-        """Close; what is not saved asks first."""
+        """Close the page; unsaved changes ask first."""
         self._on_note()
         if self.document.saved:
             self._leave()
@@ -462,11 +462,11 @@ class EditorPage(Page):
         super().leave()
 
     def take_focus(self) -> None:
-        """The keys are for the table."""
+        """Focus the table."""
         self.table.setFocus()
 
     def headers(self) -> Mapping[str, QHeaderView]:
-        """The columns of the table are kept."""
+        """Return the table's header, whose columns are stored."""
         return {"points": self.table.horizontalHeader()}
 
     # Words ------------------------------------------------------------------------------------

@@ -1,4 +1,4 @@
-"""Find and replace: in the notes, or a figure of one column."""
+"""Find and replace in the notes, or in the figures of one column."""
 
 from __future__ import annotations
 
@@ -29,12 +29,12 @@ _FIELDS: Final = (_NOTE, *JOINT_NAMES, *POSE_NAMES, "speed", "dwell")
 
 
 class FindBar(Translated, QWidget):
-    """Asks for what to find and by what to replace it; its owner goes there and does it.
+    """The fields for searching and replacing; its owner carries both out.
 
     Signals:
         next_wanted: +1 the next place, −1 the one before.
         replace_wanted: Whether at all places, or at the current one.
-        closed: It was put away.
+        closed: The bar was closed.
     """
 
     next_wanted = Signal(int)
@@ -71,7 +71,7 @@ class FindBar(Translated, QWidget):
         in_flow(*of_finding, *of_replacing, self._result, on=self).push(self._close)
 
     def open(self) -> None:
-        """Show it and wait for what to find."""
+        """Show the bar, and focus the search field."""
         self.show()
         self._wanted.setFocus()
         self._wanted.selectAll()
@@ -83,7 +83,7 @@ class FindBar(Translated, QWidget):
     # The search -------------------------------------------------------------------------------
 
     def found(self, points: Sequence[Waypoint]) -> list[int] | Refusal:
-        """Return the rows that hold what is looked for, or why nothing can be looked for."""
+        """Return the rows that match, or why nothing can be searched."""
         field, text = str(self._field.currentData()), self._wanted.text()
         if field == _NOTE:
             return list(edits.find_text(points, text, match_case=True)) if text else []
@@ -93,7 +93,7 @@ class FindBar(Translated, QWidget):
         return list(edits.find_figure(points, edits.FigureQuery(field, value)))
 
     def replaced(self, point: Waypoint) -> Waypoint | Refusal:
-        """Return a point that holds it with the other text or figure in its place."""
+        """Return a matching point with its text or figure replaced, or why not."""
         field, by = str(self._field.currentData()), self._by.text()
         if field == _NOTE:
             return edits.replace_text(point, self._wanted.text(), by)
@@ -101,11 +101,11 @@ class FindBar(Translated, QWidget):
         return value if isinstance(value, Refusal) else (edits.replace_figure(point, field, value))
 
     def show_result(self, text: str) -> None:
-        """Say how many there are, or that there are none."""
+        """Show the number of matches, or that there are none."""
         self._result.setText(text)
 
     def show_refusal(self, reason: Refusal) -> None:
-        """Say why nothing could be looked for or replaced."""
+        """Show why the search or replacement is not possible."""
         self._result.setText(words.refusal(reason))
         self._result.setToolTip(words.refusal(reason))
 
@@ -126,7 +126,7 @@ class FindBar(Translated, QWidget):
         self._close.setText(self.tr("Close"))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Escape puts it away and nothing else."""
+        """Close the bar at Escape."""
         if event.key() == Qt.Key.Key_Escape:
             self._put_away()
         else:
@@ -134,12 +134,12 @@ class FindBar(Translated, QWidget):
 
 
 class Finder(QObject):
-    """Does what the bar asks for.
+    """Carries out searches and replacements of the bar.
 
     Args:
-        document: Whose points.
+        document: The document with the points.
         table: Shows the row that is found.
-        bar: Says what is sought.
+        bar: The bar with the search.
     """
 
     def __init__(self, document: Document, table: PointsTable, bar: FindBar) -> None:

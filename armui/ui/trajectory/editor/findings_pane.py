@@ -1,4 +1,4 @@
-"""What the check has found: a line for each, a click leads to its row."""
+"""Lists the findings of a check: a line for each, and a click leads to its row."""
 
 from __future__ import annotations
 
@@ -22,15 +22,15 @@ _PADDING_PX = 14
 _SIDES_PX = 32
 _UNBOUNDED_PX = 10_000
 _MOST = 100
-"""More lines than an operator reads, or a window lays out at once, are counted instead."""
+"""Further lines are only counted: more than an operator reads, or a window lays out at once."""
 
 
 class FindingsPane(Translated, QWidget):
-    """Shows a :class:`Preflight`; hidden while there is nothing to show.
+    """Shows a :class:`Preflight`; hidden while there is none.
 
     Signals:
         row_wanted: The row of the finding that was clicked.
-        dismissed: It was put away without an answer.
+        dismissed: It was closed without an answer.
     """
 
     row_wanted = Signal(int)
@@ -58,11 +58,11 @@ class FindingsPane(Translated, QWidget):
         self.retranslate_ui()
 
     def show_check(self, checked: Preflight, accept: Callable[[], object] | None = None) -> None:
-        """Show what a check has found.
+        """Show the findings of a check.
 
         Args:
-            checked: How it ended.
-            accept: What is waiting for the operator to agree; with errors nothing can.
+            checked: The check.
+            accept: Called when the operator agrees; not possible with errors.
         """
         self._checked = checked
         self._accept = accept if not checked.errors else None
@@ -70,12 +70,12 @@ class FindingsPane(Translated, QWidget):
         self.show()
 
     def withdraw_question(self) -> None:
-        """Show the findings alone: what waited for the operator to agree does so no more."""
+        """Show the findings alone, without the question."""
         self._accept = None
         self._fill()
 
     def clear(self) -> None:
-        """Put it away, and what was waiting with it."""
+        """Close the pane, and drop the question."""
         self._checked = self._accept = None
         self._list.clear()
         self.hide()
@@ -119,7 +119,7 @@ class FindingsPane(Translated, QWidget):
         self._list.setFixedHeight(min(_TALLEST_PX, height))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Another width has other lines."""
+        """Fit the height, because lines wrap differently in another width."""
         super().resizeEvent(event)
         if event.size().width() != event.oldSize().width():
             QTimer.singleShot(0, self, self._fit)

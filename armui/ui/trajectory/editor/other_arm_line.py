@@ -1,4 +1,4 @@
-"""Says above the points that they were taught on another arm, and offers to convert its zeros."""
+"""Shows above the points that they were taught on another arm, and offers to convert the zeros."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ from armui.ui.widgets.translated import Translated
 
 
 class OtherArmLine(Translated, QWidget):
-    """There as long as the chosen arm is another than the one a trajectory was taught on.
+    """A line shown while the chosen arm differs from the one a trajectory was taught on.
 
     Signals:
-        convert_wanted: The points shall count from the zeros of the arm that is connected.
+        convert_wanted: The points shall be converted to the zeros of the connected arm.
     """
 
     convert_wanted = Signal()
@@ -37,8 +37,8 @@ class OtherArmLine(Translated, QWidget):
         """Compare the arms.
 
         Args:
-            taught_on: The one the trajectory was taught on; "": not known.
-            fit: The one that is connected, or was chosen.
+            taught_on: The arm the trajectory was taught on; "" if not known.
+            fit: The connected or chosen arm.
         """
         if (taught_on, fit) != (self._taught_on, self._fit):
             self._taught_on, self._fit = taught_on, fit

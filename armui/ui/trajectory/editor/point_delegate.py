@@ -110,7 +110,7 @@ class _Row(Translated, QWidget):
         return field
 
     def add_label(self) -> QLabel:
-        """A unit behind it."""
+        """Add a label for a unit at the right end."""
         label = text_label(rank="muted")
         self._layout.addWidget(label)
         return label
@@ -120,7 +120,7 @@ class _Row(Translated, QWidget):
 
 
 class GripperEditor(_Row):
-    """What the gripper does on arrival: nothing, to an opening, or to an angle."""
+    """An editor of the gripper's action on arrival: none, to an opening, or to an angle."""
 
     _UNITS: Final = (("", ""), ("mm", "N·m"), ("°", "rad/s"))
     _FIRST: Final = (("", ""), ("0", "1"), ("0", "1"))
@@ -138,7 +138,7 @@ class GripperEditor(_Row):
         self._on_kind(0)
 
     def retranslate_ui(self) -> None:
-        """The kinds in the operator's language."""
+        """Set the kinds in the operator's language."""
         texts = (self.tr("Nothing"), self.tr("Opening"), self.tr("Angle"))
         for place, text in enumerate(texts):
             self.kind.setItemText(place, text)
@@ -152,7 +152,7 @@ class GripperEditor(_Row):
         self._force_unit.setText(self._UNITS[kind][1])
 
     def text(self) -> str:
-        """As in ``35mm@1Nm``; empty for nothing."""
+        """Return the action as in ``35mm@1Nm``; empty for none."""
         kind = self.kind.currentIndex()
         if kind == 0:
             return ""
@@ -160,7 +160,7 @@ class GripperEditor(_Row):
         return f"{_plain(self.place)}{units[0]}@{_plain(self.force)}{units[1]}"
 
     def set_text(self, text: str) -> None:
-        """Show the action of such a text."""
+        """Show the action in a text."""
         place, _, force = text.partition("@")
         self.kind.setCurrentIndex(0 if not text else 1 if place.endswith("mm") else 2)
         if text:
@@ -169,7 +169,7 @@ class GripperEditor(_Row):
 
 
 class LightEditor(_Row):
-    """What the lamps do on arrival: those of which joint, which of them, in what colour."""
+    """An editor of the lamps' action on arrival: joint, lamp and colour."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -183,7 +183,7 @@ class LightEditor(_Row):
         self._on_joint(0)
 
     def retranslate_ui(self) -> None:
-        """What the fields are, in the operator's language."""
+        """Set the names of the fields in the operator's language."""
         self.kind.setItemText(0, self.tr("Nothing"))
         self.lamp.setToolTip(self.tr("Lamp: 0 to 254, or all"))
         self.color.setToolTip(self.tr("Grey values of red, green and blue, 0 to 255: 255,128,0"))
@@ -197,14 +197,14 @@ class LightEditor(_Row):
             self.color.setText("255,255,255")
 
     def text(self) -> str:
-        """As in ``1/all:255,128,0``; empty for nothing."""
+        """Return the action as in ``1/all:255,128,0``; empty for none."""
         joint = self.kind.currentIndex()
         if joint == 0:
             return ""
         return f"{joint}/{_plain(self.lamp).lower()}:{self.color.text().replace(' ', '')}"
 
     def set_text(self, text: str) -> None:
-        """Show the action of such a text."""
+        """Show the action in a text."""
         joint, _, rest = text.partition("/")
         lamp, _, color = rest.partition(":")
         self.lamp.setText(lamp)
@@ -222,11 +222,11 @@ _LEAVING: Final = frozenset(
 
 
 class PointDelegate(QStyledItemDelegate):
-    """An editor stays open as long as what is in it cannot be: it says why.
+    """Keeps an editor open while its content is invalid, and shows the reason.
 
     Signals:
-        refused: An index and the :class:`Refusal` of what is being entered there.
-        accepted: What was said of an entry holds no more.
+        refused: An index and the :class:`Refusal` of the present entry.
+        accepted: The former refusal of an entry no longer holds.
     """
 
     refused = Signal(object, object)
@@ -241,7 +241,7 @@ class PointDelegate(QStyledItemDelegate):
     def createEditor(  # noqa: N802 - Qt's name
         self, parent: QWidget, _option: QStyleOptionViewItem, index: Index
     ) -> QWidget:
-        """The editor of the cell's column."""
+        """Return the editor for the cell's column."""
         self._index = QPersistentModelIndex(index)
         self.accepted.emit()
         column = PointColumn(index.column())
@@ -261,21 +261,21 @@ class PointDelegate(QStyledItemDelegate):
         self.closeEditor.emit(editor)
 
     def setEditorData(self, editor: QWidget, index: Index) -> None:  # noqa: N802 - Qt's name
-        """Show what stands in the cell."""
+        """Show the cell's content."""
         if isinstance(editor, CellEditor):
             editor.set_text(str(index.data(Qt.ItemDataRole.EditRole)))
 
     def setModelData(  # noqa: N802 - Qt's name
         self, editor: QWidget, model: QAbstractItemModel, index: Index
     ) -> None:
-        """Hand over what was entered; the model tells if it cannot be."""
+        """Pass the entry to the model, which reports a refusal."""
         if isinstance(editor, CellEditor):
             model.setData(index, editor.text(), Qt.ItemDataRole.EditRole)
 
     def updateEditorGeometry(  # noqa: N802 - Qt's name
         self, editor: QWidget, option: QStyleOptionViewItem, _index: Index
     ) -> None:
-        """Over the cell; wider where the editor needs it, within what is seen of the table."""
+        """Place the editor over the cell, wider if needed, within the visible table."""
         cell: QRect = option.rect
         width = max(cell.width(), editor.sizeHint().width(), editor.minimumSizeHint().width())
         if isinstance(editor, TextEditor):
@@ -285,7 +285,7 @@ class PointDelegate(QStyledItemDelegate):
         editor.setGeometry(max(0, min(cell.x(), room - width)), cell.y(), width, cell.height())
 
     def eventFilter(self, editor: QObject, event: QEvent) -> bool:
-        """Keep the editor open while what is in it cannot be."""
+        """Keep the editor open while its content is invalid."""
         if (
             event.type() == QEvent.Type.KeyPress
             and isinstance(event, QKeyEvent)

@@ -1,4 +1,4 @@
-"""What the menu of the table of points does: each edit of the chosen rows, as one step of undo."""
+"""The edits of the selected rows by the menu of the table, each as one step of undo."""
 
 from __future__ import annotations
 
@@ -45,15 +45,15 @@ NO_ROWS_CHOSEN = Reason("no_rows_chosen", "No row is chosen. Click one in the ta
 _ZERO: Final = (0.0,) * VALUE_COUNT
 
 _TAUGHT_ON: Final = "application/x-armui-taught-on"
-"""Beside the text in the clipboard: the arm that the points were taught on."""
+"""The format, beside the text in the clipboard, with the arm the points were taught on."""
 
 
 @dataclass(frozen=True, slots=True)
 class OfOtherArm:
-    """Points were pasted that were taught on another arm than those that are there.
+    """The warning that pasted points were taught on another arm than the present ones.
 
     Attributes:
-        pasted, here: The two arms, as `ModelFit.kind` tells.
+        pasted, here: The two arms, as in `ModelFit.kind`.
     """
 
     pasted: str
@@ -61,16 +61,16 @@ class OfOtherArm:
 
 
 Outcome = Refusal | TrajectoryFileError | OfOtherArm | None
-"""``None``: done. Of another arm: done, and worth a look."""
+"""The result of an edit: ``None`` if it is done; `OfOtherArm` if it is done, with a warning."""
 
 
 class PointEdits(QObject):
-    """Edits a document where its table says.
+    """Edits a document at the selected rows of its table.
 
     Args:
-        controller: Knows where the arm is, and moves it.
-        document: What is edited.
-        table: Knows which rows are meant, and shows those that result.
+        controller: Gives the arm's state, and moves it.
+        document: The document.
+        table: The table with the selected rows, which shows the result.
     """
 
     def __init__(self, controller: ArmController, document: Document, table: PointsTable) -> None:
@@ -82,20 +82,20 @@ class PointEdits(QObject):
     # New points -------------------------------------------------------------------------------
 
     def insert_before(self) -> Outcome:
-        """A copy of the first chosen point's place, above it."""
+        """Insert a copy of the first selected point's place above it."""
         rows = self._table.rows()
         return self._insert(rows[0] if rows else 0, [self._plain(rows[:1])])
 
     def insert_after(self) -> Outcome:
-        """A copy of the last chosen point's place, below it."""
+        """Insert a copy of the last selected point's place below it."""
         rows = self._table.rows()
         return self._insert(self._below(), [self._plain(rows[-1:])])
 
     def insert_measured(self, *, with_gripper: bool = False) -> Outcome:
-        """Where the arm is now, below the chosen rows.
+        """Insert the arm's position below the selected rows.
 
         Args:
-            with_gripper: The point moves the gripper to where it is measured now, too.
+            with_gripper: True to add the measured opening of the gripper.
         """
         point = self._measured(self._plain(self._table.rows()[-1:]))
         if isinstance(point, Refusal):
@@ -110,11 +110,11 @@ class PointEdits(QObject):
         return None
 
     def replace_by_measured(self) -> Outcome:
-        """Where the arm is now, in the chosen rows; speed, dwell and actions stay."""
+        """Set the selected rows to the arm's position; speed, dwell and actions stay."""
         return self._change(self._measured, self.tr("Replace with current pose"))
 
     def duplicate(self) -> Outcome:
-        """Copies of the chosen rows, below them."""
+        """Insert copies of the selected rows below them."""
         rows = self._table.rows()
         if not rows:
             return _no_rows()
@@ -163,7 +163,7 @@ class PointEdits(QObject):
     # Chosen rows ------------------------------------------------------------------------------
 
     def delete(self) -> Outcome:
-        """Take the chosen rows away."""
+        """Delete the selected rows."""
         return self._remove(self.tr("Delete"))
 
     def _remove(self, label: str) -> Outcome:
@@ -175,11 +175,11 @@ class PointEdits(QObject):
         return None
 
     def move_up(self) -> Outcome:
-        """The chosen rows one place up."""
+        """Move the selected rows up by one."""
         return self._shift(-1)
 
     def move_down(self) -> Outcome:
-        """The chosen rows one place down."""
+        """Move the selected rows down by one."""
         return self._shift(1)
 
     def _shift(self, by: int) -> Outcome:
@@ -192,7 +192,7 @@ class PointEdits(QObject):
         return None
 
     def convert(self) -> Outcome:
-        """Joint angles become poses, poses become joint angles."""
+        """Convert joint angles to poses, and poses to joint angles."""
         model = self._controller.cartesian.kinematics()
         points, measured_deg = self._document.points, self._measured_deg()
         changed: dict[int, Waypoint] = {}
@@ -210,7 +210,7 @@ class PointEdits(QObject):
         return self._put(changed, self.tr("Convert"))
 
     def to_move(self, row: int, move: MoveMode) -> Waypoint | Refusal:
-        """The point of a row by another kind of motion."""
+        """Return the point of a row with another kind of motion, or why not."""
         model = self._controller.cartesian.kinematics()
         points = self._document.points
         near_deg, before = comes_from(points, row, model, self._measured_deg())
@@ -237,7 +237,7 @@ class PointEdits(QObject):
     # The clipboard ----------------------------------------------------------------------------
 
     def copy(self) -> Outcome:
-        """The chosen rows to the clipboard, as a spreadsheet takes them."""
+        """Copy the selected rows to the clipboard, in a form for spreadsheets."""
         rows = self._table.rows()
         if not rows:
             return _no_rows()
@@ -249,11 +249,11 @@ class PointEdits(QObject):
         return None
 
     def cut(self) -> Outcome:
-        """The same, and take them away."""
+        """Copy the selected rows to the clipboard, and delete them."""
         return self.copy() or self._remove(self.tr("Cut"))
 
     def paste(self) -> Outcome:
-        """The points of the clipboard, below the chosen rows."""
+        """Insert the points in the clipboard below the selected rows."""
         rows = self._table.rows()
         like = self._document.points[rows[-1]].move if rows else MoveMode.MOVE_J
         like = MoveMode.MOVE_L if like is MoveMode.MOVE_C else like
@@ -271,7 +271,7 @@ class PointEdits(QObject):
     # The arm ----------------------------------------------------------------------------------
 
     def convert_zeros(self) -> bool:
-        """Have all joints count from the zeros of the arm; tell whether it was done."""
+        """Convert all joint angles to the zeros of the arm; return whether it was possible."""
         fit = self._controller.operating_state.model_fit
         by_deg = fit.zeros_from_deg(self._document.taught_on)
         if by_deg is None:
@@ -281,7 +281,7 @@ class PointEdits(QObject):
         return True
 
     def go_to(self) -> Outcome:
-        """Send the arm to the current point, at the speed set for motions, without its actions."""
+        """Send the arm to the current point at the speed for single motions, without actions."""
         row = self._table.current_row()
         if row < 0:
             return _no_rows()

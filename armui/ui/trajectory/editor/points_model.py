@@ -36,7 +36,7 @@ from armui.ui.widgets.table_model import LEFT, RIGHT, Index, TableModel
 ROWS_MIME: Final = "application/x-armui-rows"
 
 ToMove = Callable[[int, MoveMode], Waypoint | Refusal]
-"""The point of a row by another kind of motion."""
+"""Returns the point of a row with another kind of motion, or why not."""
 
 _FIGURES: Final = frozenset({*VALUES, PointColumn.SPEED, PointColumn.DWELL})
 _COLUMNS: Final = tuple(PointColumn)
@@ -53,18 +53,18 @@ _EXPLAINED: Final = int(Qt.ItemDataRole.ToolTipRole)
 _READ_OUT: Final = int(Qt.ItemDataRole.AccessibleTextRole)
 _DECORATED: Final = int(Qt.ItemDataRole.DecorationRole)
 _ANSWERED: Final = frozenset({_SHOWN, _EXACT, _ALIGNED, _EXPLAINED, _READ_OUT, _DECORATED})
-"""Qt asks each cell it paints for ten things; most of them are nothing to this table."""
+"""The roles with an answer: Qt asks for ten roles of each cell it paints."""
 
 
 class PointsModel(TableModel):
     """A row for each point, a column for each of :class:`PointColumn`.
 
     Args:
-        document: Whose points.
-        to_move: Converts a point when its kind of motion is chosen anew.
+        document: The document with the points.
+        to_move: Converts a point when its kind of motion is changed.
 
     Signals:
-        refused: An index and the :class:`Refusal` of what was entered there.
+        refused: An index and the :class:`Refusal` of the entry.
         moved: The first row, and how many, after rows were dragged elsewhere.
     """
 
@@ -84,7 +84,7 @@ class PointsModel(TableModel):
     # What Qt asks -----------------------------------------------------------------------------
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008, N802 - Qt's signature
-        """Return how many points."""
+        """Return the number of points."""
         return 0 if parent.isValid() else len(self._points)
 
     def point(self, row: int) -> Waypoint:
@@ -92,7 +92,7 @@ class PointsModel(TableModel):
         return self._points[row]
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        """Return what a cell shows; exact under ``EditRole``."""
+        """Return the text of a cell; exact under ``EditRole``."""
         if role not in _ANSWERED or not index.isValid():
             return None
         column = _COLUMNS[index.column()]
@@ -124,7 +124,7 @@ class PointsModel(TableModel):
     def headerData(  # noqa: N802 - Qt's name
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
     ) -> Any:
-        """Return the titles of the columns; the row's number, and how it stands."""
+        """Return the titles of the columns, or a row's number and state."""
         if role != Qt.ItemDataRole.DisplayRole:
             return None
         if orientation == Qt.Orientation.Horizontal:
@@ -135,7 +135,7 @@ class PointsModel(TableModel):
         return f"{sign}{section + 1}"
 
     def titles(self) -> Sequence[str]:
-        """Of :class:`PointColumn`."""
+        """Return the titles of :class:`PointColumn`."""
         return (
             self.tr("Motion"),
             *("J1 °\nX mm", "J2 °\nY mm", "J3 °\nZ mm"),
@@ -149,7 +149,7 @@ class PointsModel(TableModel):
         )
 
     def flags(self, index: Index) -> Qt.ItemFlag:
-        """What can be done with a cell."""
+        """Return the flags of a cell."""
         if not index.isValid():
             return Qt.ItemFlag.ItemIsDropEnabled
         can_edit = editable(self._points[index.row()], _COLUMNS[index.column()])
@@ -158,7 +158,7 @@ class PointsModel(TableModel):
     def setData(  # noqa: N802 - Qt's name
         self, index: Index, value: Any, role: int = Qt.ItemDataRole.EditRole
     ) -> bool:
-        """Take what was entered in a cell; what cannot be is told by :attr:`refused`."""
+        """Set a cell's content; return whether it was accepted, and emit :attr:`refused` if not."""
         if role != Qt.ItemDataRole.EditRole or not index.isValid():
             return False
         row = index.row()
@@ -171,7 +171,7 @@ class PointsModel(TableModel):
         return True
 
     def why_not(self, index: Index, text: str) -> Refusal | None:
-        """Return what speaks against a text in a cell, or ``None``."""
+        """Return the reason against a text in a cell, or ``None``."""
         point = self._entered(index.row(), PointColumn(index.column()), text)
         return point if isinstance(point, Refusal) else None
 
@@ -186,15 +186,15 @@ class PointsModel(TableModel):
     # Rows dragged elsewhere -------------------------------------------------------------------
 
     def supportedDropActions(self) -> Qt.DropAction:  # noqa: N802 - Qt's name
-        """Rows are moved."""
+        """Return that rows are moved."""
         return Qt.DropAction.MoveAction
 
     def mimeTypes(self) -> list[str]:  # noqa: N802 - Qt's name
-        """Rows of this table."""
+        """Return the type of rows of this table."""
         return [ROWS_MIME]
 
     def mimeData(self, indexes: Iterable[Index]) -> QMimeData:  # noqa: N802 - Qt's name
-        """Return the numbers of the rows that are dragged."""
+        """Return the numbers of the dragged rows."""
         rows = sorted({index.row() for index in indexes})
         data = QMimeData()
         data.setData(ROWS_MIME, ",".join(map(str, rows)).encode())
@@ -203,7 +203,7 @@ class PointsModel(TableModel):
     def dropMimeData(  # noqa: N802 - Qt's name
         self, data: QMimeData, _action: Qt.DropAction, row: int, _column: int, parent: Index
     ) -> bool:
-        """Put the dragged rows before the row they are let go above.
+        """Move the dragged rows before the row above which they were dropped.
 
         Returns:
             ``False``: the view has no rows to take away.
@@ -243,21 +243,21 @@ class PointsModel(TableModel):
 
     @property
     def current(self) -> int:
-        """The row the arm is on its way to; −1: none."""
+        """The row to which the arm moves; −1 if none."""
         return self._current
 
     def fault(self, row: int) -> bool | None:
-        """Return whether an error was found in a row; ``False``: a warning, ``None``: nothing."""
+        """Return true for a row with an error, false with a warning, ``None`` with neither."""
         return self._faults.get(row)
 
     def show_current(self, row: int) -> None:
-        """Light up the row the arm is on its way to; −1: none."""
+        """Highlight the row to which the arm moves; −1 for none."""
         if row != self._current:
             rows, self._current = (self._current, row), row
             self._redraw(rows)
 
     def show_faults(self, faults: Mapping[int, bool]) -> None:
-        """Mark rows the check has found something in: ``True`` an error, ``False`` a warning."""
+        """Mark the rows with findings: ``True`` for an error, ``False`` for a warning."""
         if faults != self._faults:
             rows, self._faults = {*self._faults, *faults}, faults
             self._redraw(rows)
@@ -271,12 +271,12 @@ class PointsModel(TableModel):
             self.headerDataChanged.emit(Qt.Orientation.Vertical, first, last)
 
     def retranslate(self) -> None:
-        """Titles in another language."""
+        """Update the titles after a change of language."""
         self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, len(PointColumn) - 1)
 
 
 def shown(point: Waypoint, column: PointColumn) -> str:
-    """Return what a cell shows: figures with fixed decimals; the title has their units."""
+    """Return the text of a cell: figures with fixed decimals; the title has their units."""
     if column in VALUES:
         return fmt.number(point.target[column - PointColumn.VALUE_1])
     if column is PointColumn.MIDDLE:

@@ -1,4 +1,4 @@
-"""The table of points as a widget: rows are chosen, edited in place and dragged."""
+"""The table of points as a widget: rows are selected, edited in place and dragged."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from armui.ui.trajectory.editor.points_model import PointsModel
 
 _ROW_PX: Final = 32
 _LEAST_ROWS: Final = 3
-"""Fewer are no table; what stands around it scrolls before."""
+"""The least number of visible rows; the page scrolls before."""
 _NOTE_PX: Final = 360
 _BAR_PX: Final = 3
 _WIDTHS_PX: Final = {
@@ -35,7 +35,7 @@ class PointsTable(QTableView):
     """Shows a :class:`PointsModel`.
 
     Signals:
-        row_chosen: The row that is current now, −1 if none is.
+        row_chosen: The current row, −1 if there is none.
     """
 
     row_chosen = Signal(int)
@@ -88,26 +88,26 @@ class PointsTable(QTableView):
             self.setColumnWidth(column, width_px)
 
     def show_middle(self, *, wanted: bool) -> None:
-        """Give the poses in the middle of arcs a column, or, where there are none, no room."""
+        """Show or hide the column of the arcs' middle poses."""
         self.setColumnHidden(PointColumn.MIDDLE, not wanted)
 
     # Rows -------------------------------------------------------------------------------------
 
     def rows(self) -> list[int]:
-        """Return the chosen rows, from top to bottom."""
+        """Return the selected rows, from top to bottom."""
         return sorted({index.row() for index in self.selectionModel().selectedRows()})
 
     def current_row(self) -> int:
-        """The row the operator is in; −1 in an empty table."""
+        """Return the current row; −1 in an empty table."""
         return self.currentIndex().row()
 
     def select_row(self, row: int) -> None:
-        """Choose one row and show it."""
+        """Select one row, and scroll to it."""
         if 0 <= row < self._model.rowCount():
             self.select_rows(row, 1)
 
     def select_rows(self, first: int, count: int) -> None:
-        """Choose rows that follow one another, and show the first of them."""
+        """Select consecutive rows, and scroll to the first of them."""
         top = self._model.index(first, 0)
         bottom = self._model.index(first + count - 1, len(PointColumn) - 1)
         column = max(0, self.currentIndex().column())
@@ -123,7 +123,7 @@ class PointsTable(QTableView):
     # Painting ---------------------------------------------------------------------------------
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """The cells, over the colours of their rows, under the marks of the current ones."""
+        """Draw the cells between the colours of their rows and the marks of the current ones."""
         colors = colors_of(self)
         lit = self._model.current
         painter = QPainter(self.viewport())
@@ -160,7 +160,7 @@ class PointsTable(QTableView):
     # What is wrong with a cell ----------------------------------------------------------------
 
     def show_problem(self, index: QModelIndex, reason: Refusal) -> None:
-        """Say at a cell why what was entered there cannot be."""
+        """Show at a cell why its entry is refused."""
         self._note.setText(words.refusal(reason))
         cell = self.visualRect(index)
         self._note.setFixedWidth(min(_NOTE_PX, self.viewport().width()))

@@ -1,1 +1,1 @@
-"""轨迹库: the list of trajectories, and what can be done with it."""
+"""轨迹库: the list of trajectories, and the actions on it."""

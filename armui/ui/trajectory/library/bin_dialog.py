@@ -1,4 +1,4 @@
-"""The window 最近删除: what was deleted from the library and can still be brought back."""
+"""The window 最近删除: deleted trajectories that can still be restored."""
 
 from __future__ import annotations
 
@@ -28,10 +28,10 @@ _DATE_PX: Final = 160
 
 
 class BinDialog(ArmDialog):
-    """Lists everything that was deleted, the last first; bringing back is done by others.
+    """Lists everything that was deleted, the last first; other objects restore it.
 
     Signals:
-        wanted: Those to be brought back, as a list of :class:`Deleted`.
+        wanted: The list of :class:`Deleted` to be restored.
     """
 
     wanted = Signal(object)
@@ -58,12 +58,12 @@ class BinDialog(ArmDialog):
         self._table.setFocus()
 
     def show_deleted(self, deleted: Sequence[Deleted]) -> None:
-        """List what can be brought back now."""
+        """List what can be restored now."""
         self._deleted = deleted
         self._fill()
 
     def say(self, text: Words, level: Level = Level.INFO) -> None:
-        """Say what came of it."""
+        """Show a result."""
         self._message.show_message(text, level)
 
     def _fill(self) -> None:
@@ -113,13 +113,13 @@ class BinDialog(ArmDialog):
 
 
 class BinButton(Translated, QPushButton):
-    """Keeps what the window lists up to date while it is open.
+    """Opens the window, and keeps its list up to date.
 
     Args:
         controller: Whom the emergency stop in the window tells.
-        work: Asks the library what was deleted.
-        actions: Brings back, and says what it did.
-        window: The window belongs to it.
+        work: Reads from the library what was deleted.
+        actions: Restores, and reports the result.
+        window: The parent of the window.
     """
 
     def __init__(
@@ -145,7 +145,7 @@ class BinButton(Translated, QPushButton):
         self._dialog.open()
 
     def refresh(self) -> None:
-        """List what can be brought back now, if anybody looks."""
+        """Update the list, if the window was opened."""
         if self._dialog is None:
             return
         self._work.do(

@@ -1,4 +1,4 @@
-"""What the operator does to the list of the library, and how it is undone."""
+"""The operator's actions on the list of the library, with undo."""
 
 from __future__ import annotations
 
@@ -21,17 +21,17 @@ from armui.ui.widgets.translated import Translated
 
 
 class LibraryActions(QObject):
-    """Creates, copies, renames, deletes; the last of it can be undone, then the one before it.
+    """Creates, copies, renames, deletes; actions can be undone, the last one first.
 
     Args:
         work: Changes the library.
-        is_open: Whether the page of a trajectory is open: then it is left alone.
+        is_open: Returns whether the page of a trajectory is open: then it is not changed.
         parent: Its owner.
 
     Signals:
-        said: A text, or what makes it in any language, and its :class:`Level`.
-        changed: The library is another; with the names to be chosen.
-        undo_changed: What can be undone is another.
+        said: A text, or a function that returns it, and its :class:`Level`.
+        changed: The library has changed; with the names to be selected.
+        undo_changed: The next step of undo has changed.
     """
 
     said = Signal(object, object)
@@ -47,11 +47,11 @@ class LibraryActions(QObject):
 
     @property
     def last(self) -> Step | None:
-        """What would be undone next."""
+        """The step that would be undone next."""
         return self._history.last
 
     def listing(self) -> Listing:
-        """Return the library as it is now; what it no longer lets be undone is offered no more.
+        """Return the library's content, after dropping steps that cannot be undone any more.
 
         For the thread that works on the library.
 
@@ -88,7 +88,7 @@ class LibraryActions(QObject):
         self._work.do(make, made, refused)
 
     def duplicate(self, name: str) -> None:
-        """Keep a trajectory once more, under a name of its own."""
+        """Copy a trajectory under a free name."""
 
         def make() -> list[str]:
             new = self._library.free_name(name)
@@ -99,7 +99,7 @@ class LibraryActions(QObject):
         self._work.do(make, self._done, self._on_refused)
 
     def rename(self, name: str, new: str) -> None:
-        """Give a trajectory another name."""
+        """Rename a trajectory."""
         if not self._refuse_open([name]):
             self._work.do(
                 lambda: self._history.rename(name, new),
@@ -108,7 +108,7 @@ class LibraryActions(QObject):
             )
 
     def delete(self, names: Sequence[str]) -> None:
-        """Put trajectories where they can be brought back from."""
+        """Move trajectories to the bin."""
         if not names or self._refuse_open(names):
             return
         self._work.do(lambda: self._history.delete(names), self._on_deleted, self._on_refused)
@@ -118,7 +118,7 @@ class LibraryActions(QObject):
         self._done([], partial(self._deleted, gone) if gone else "")
 
     def note_imported(self, names: Sequence[str]) -> None:
-        """Others have put these into the library: that can be undone, too."""
+        """Remember imported trajectories, so that the import can be undone."""
         if names:
             self._work.do(
                 lambda: self._history.note_made(names, Origin.IMPORTED),
@@ -127,7 +127,7 @@ class LibraryActions(QObject):
             )
 
     def undo(self) -> None:
-        """Undo what was done last."""
+        """Undo the last step."""
         step = self._history.last
         if step is None or self._refuse_open(step.touched):
             return
@@ -138,7 +138,7 @@ class LibraryActions(QObject):
         )
 
     def bring_back(self, deleted: Sequence[Deleted]) -> None:
-        """Bring back some of what was deleted recently."""
+        """Restore deleted trajectories."""
         self._work.do(
             lambda: self._history.bring_back(deleted),
             lambda back: self._done(back, partial(self._brought_back, back)),
@@ -181,7 +181,7 @@ class LibraryActions(QObject):
         return self.tr("Restored: {names}").format(names=fmt.name_list(names))
 
     def undo_text(self) -> tuple[str, str]:
-        """Return what would be undone now and what that does; empty texts if there is nothing."""
+        """Return the name and the effect of the next step of undo; empty texts if there is none."""
         step = self._history.last
         if step is None:
             return "", ""
@@ -207,11 +207,11 @@ _SIDES_PX: Final = 40
 
 
 class UndoButton(Translated, QPushButton):
-    """There while something can be undone; Ctrl+Z in its page presses it.
+    """A button shown while something can be undone; Ctrl+Z in its page presses it.
 
     Args:
         actions: Undoes.
-        page: Where the key counts.
+        page: The page in which the key counts.
     """
 
     def __init__(self, actions: LibraryActions, page: QWidget) -> None:
@@ -225,7 +225,7 @@ class UndoButton(Translated, QPushButton):
         self.show_step()
 
     def show_step(self) -> None:
-        """Say what would be undone now."""
+        """Show the step that would be undone now."""
         text, effect = self._actions.undo_text()
         room_px = _WIDEST_PX - _SIDES_PX
         self.setText(self.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, room_px))

@@ -27,16 +27,16 @@ _BUTTONS: Final = Texts("LibraryBar") | {
     "export": "Export files",
 }
 _OF_TABLE: Final = ("delete", "rename", "duplicate")
-"""Their keys count in the list alone: in the search they edit its text."""
+"""Actions whose keys count in the list only: in the search field they edit its text."""
 _SEARCH_PX: Final = 120
 
 
 class LibraryBar(QWidget):
-    """Tells what the operator wants; knows nothing of how it is done.
+    """Buttons and a search field, which emit the operator's wishes.
 
     Signals:
         wanted: The name of a button that was pressed, or of its key.
-        export_wanted: A format, by the end of a file's name.
+        export_wanted: A format, by its suffix.
         open_wanted: Enter was pressed in the list.
     """
 
@@ -73,16 +73,16 @@ class LibraryBar(QWidget):
         return self._buttons
 
     def add_button(self, button: QPushButton) -> None:
-        """Take one more button, that does its work by itself."""
+        """Add a button that does its work by itself."""
         button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self._flow.insert(len(self._buttons), button)
 
     def listen(self, page: QWidget, table: QTableView) -> None:
-        """Have keys press the buttons.
+        """Connect keys to the buttons.
 
         Args:
-            page: Most of them count everywhere in the window that shows it.
-            table: Those of what is chosen count in it alone, as does Enter.
+            page: The page: most keys count everywhere in its window.
+            table: The list: keys for selected rows, and Enter, count in it only.
         """
         for name in _BUTTONS:
             if key_text(f"library.{name}"):
@@ -95,7 +95,7 @@ class LibraryBar(QWidget):
         self._table = table
 
     def show_chosen(self, entries: Sequence[IndexEntry]) -> None:
-        """Enable what can be done with the chosen entries; the others say what is missing."""
+        """Enable the actions possible with the selected entries; the others show their reasons."""
         unsaved = any(entry.kind == "draft" for entry in entries)
         usable = {
             "delete": bool(entries),
@@ -109,7 +109,7 @@ class LibraryBar(QWidget):
         self._show_tips()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """In the search, Escape clears it before it leaves the page; Down leads to the list."""
+        """Handle keys of the search field: Escape clears it first, Down leads to the list."""
         if watched is self.search and isinstance(event, QKeyEvent):
             pressed = event.type() == QEvent.Type.KeyPress
             if pressed and event.key() == Qt.Key.Key_Escape and self.search.text():

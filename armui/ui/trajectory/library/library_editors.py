@@ -1,4 +1,4 @@
-"""The pages that the library leads to: an editor for each trajectory, one page for recordings."""
+"""The pages of the library: an editor for each trajectory, one page for recordings."""
 
 from __future__ import annotations
 
@@ -23,23 +23,23 @@ if TYPE_CHECKING:
 
 
 class LibraryEditors(QObject):
-    """Opens what is in the library, each trajectory once, with what was not saved of it.
+    """Opens trajectories, each of them once, with their unsaved changes.
 
     Args:
         controller: For the pages.
-        background: Where what takes long is done.
-        checks: Checks what is edited.
-        work: Reads and keeps it.
-        choices: How each trajectory is run.
+        background: Runs long work.
+        checks: Checks trajectories.
+        work: Reads and saves them.
+        choices: The options of runs.
         parent: The library's page.
 
     Signals:
         page_made: A :class:`Page`, before it wants to be shown.
         editor_opened: An :class:`EditorPage`, before it is shown.
         recorder_opened: A :class:`RecordingPage` likewise.
-        changed: Something was saved or left; with the names to be chosen, or ``None``.
+        changed: Something was saved or left; with the names to be selected, or ``None``.
         said: A text and its :class:`Level`.
-        refused: What the library said against it, as a text.
+        refused: The library's reason for a refusal, as a text.
     """
 
     page_made = Signal(object)
@@ -76,7 +76,7 @@ class LibraryEditors(QObject):
 
     @property
     def used(self) -> EditorPage | None:
-        """The editor the operator turned to last; ``None``: none is open."""
+        """The editor used last, or ``None`` if none is open."""
         last = next(reversed(self._editors.values()), None)
         return self._editors.get(self._used, last)
 
@@ -84,8 +84,8 @@ class LibraryEditors(QObject):
         """Open a trajectory, or a recording.
 
         Args:
-            name: In the library.
-            unsaved: Whether nothing of it but unsaved changes is there.
+            name: Its name in the library.
+            unsaved: True if only unsaved changes of it exist.
         """
         if name in self._editors:
             self._editors[name].open()
@@ -116,7 +116,7 @@ class LibraryEditors(QObject):
         self._work.do(lambda: self._library.draft(name), opened, self.refused.emit)
 
     def open_editor(self, trajectory: Trajectory) -> None:
-        """Open a trajectory that was read, with what was not saved of it."""
+        """Open a trajectory that was read, with its unsaved changes."""
 
         def damaged(text: str) -> None:
             self.said.emit(text, Level.WARNING)
@@ -167,7 +167,7 @@ class LibraryEditors(QObject):
         self.changed.emit(None)
 
     def keep_drafts(self) -> None:
-        """The program ends: what is not saved is offered the next time."""
+        """Save all drafts, because the program may end."""
         for editor in self._editors.values():
             editor.keep_draft()
         if self._recorder is not None:
@@ -176,9 +176,9 @@ class LibraryEditors(QObject):
     # Recordings -------------------------------------------------------------------------------
 
     def open_recorder(self, recording: Recording | None = None) -> None:
-        """Open the page that records, or one that trims and thins what was recorded.
+        """Open the page that records, or trims and thins a given recording.
 
-        One that is in use is shown as it is: what it holds is not lost to another recording.
+        A page in use is shown unchanged, so that its content is not replaced by another recording.
         """
         recorder = self._recorder
         if recorder is not None and recording is not None and not recorder.in_use:

@@ -1,4 +1,4 @@
-"""Trajectories into the library from files, and out of it: what the buttons of 轨迹库 do."""
+"""Import of trajectories from files and export to files, by the buttons of 轨迹库."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ from armui.ui.widgets.translated import Translated
 _PATTERNS: Final = "*.armui *.log *.csv *.json *.npz *.txt"
 
 Problem = tuple[str, str]
-"""The name of a file or trajectory, and what is wrong with it in the system's words."""
+"""The name of a file or trajectory, and the system's error text."""
 
 
 def choose_imports(
@@ -71,7 +71,7 @@ def choose_export(
     suffix: str,
     on_chosen: Callable[[Path], object],
 ) -> FileDialog:
-    """Let the operator say to which file one trajectory is written."""
+    """Let the operator choose the file for one trajectory."""
     return choose_file(
         parent,
         controller,
@@ -85,7 +85,7 @@ def choose_export(
 def choose_folder(
     parent: QWidget, controller: ArmController, on_chosen: Callable[[Path], object]
 ) -> FileDialog:
-    """Let the operator say into which folder several trajectories are written."""
+    """Let the operator choose the folder for several trajectories."""
     dialog = FileDialog(
         controller,
         parent,
@@ -100,7 +100,7 @@ def choose_folder(
 
 
 def write_one(content: Content, path: Path) -> Problem | None:
-    """Write a trajectory to a file, whole or not at all: ``None``, or what the system says."""
+    """Write a trajectory completely or not at all; return ``None``, or the error."""
     try:
         write_whole(path, files.to_bytes(content, path.suffix))
     except (OSError, ValueError) as error:
@@ -109,16 +109,16 @@ def write_one(content: Content, path: Path) -> Problem | None:
 
 
 Failure = Problem | LibraryError | TrajectoryFileError
-"""Why one of several trajectories was not written."""
+"""The reason why one of several trajectories was not written."""
 
 
 def write_all(
     library: Library, names: Sequence[str], path_of: Callable[[str], Path]
 ) -> tuple[list[str], list[Failure]]:
-    """Write trajectories of the library to files, each by itself.
+    """Write trajectories of the library to files, each independently.
 
     Returns:
-        The names of the files written, and what speaks against the others.
+        The names of the files written, and the failures of the others.
     """
     written: list[str] = []
     failures: list[Failure] = []
@@ -138,7 +138,7 @@ def write_all(
 
 
 def free_path(folder: Path, name: str, suffix: str) -> Path:
-    """Return where a trajectory can be written in a folder without writing over anything."""
+    """Return a path for a trajectory in a folder that does not exist yet."""
     stem = file_stem(name)
     path, number = folder / f"{stem}{suffix}", 1
     while path.exists():
@@ -153,13 +153,13 @@ _FILE_PX: Final = 260
 
 @dataclass(frozen=True, slots=True)
 class Result:
-    """What became of a file.
+    """The result for one file.
 
     Attributes:
         file: Its name.
-        name: Under which its content is in the library now; "" if it is not.
-        requested: The name its content brought along; another one than `name` if that was taken.
-        problem: Why it is not in the library; "" if it is.
+        name: The name of its content in the library; "" if it was not imported.
+        requested: The name given in the file, which differs from `name` if it was taken.
+        problem: The reason why it was not imported; "" if it was.
     """
 
     file: str
@@ -173,7 +173,7 @@ class ImportReport(ArmDialog):
 
     Args:
         controller: Receives the emergency stop.
-        results: Of all files, as they were imported.
+        results: The results of all files.
         parent: The window it belongs to.
     """
 
@@ -217,11 +217,11 @@ class ImportReport(ArmDialog):
 
 
 class ReportButton(Translated, QPushButton):
-    """Opens the report of the last import; there while its message is.
+    """Opens the report of the last import; visible as long as its message.
 
     Args:
         controller: Whom the emergency stop in the report tells.
-        window: The report belongs to it.
+        window: The parent of the report.
     """
 
     def __init__(self, controller: ArmController, window: QWidget) -> None:
@@ -235,7 +235,7 @@ class ReportButton(Translated, QPushButton):
         self.retranslate_ui()
 
     def show_for(self, results: Sequence[Result]) -> None:
-        """Offer the report of these, or none."""
+        """Offer the report of these results, or none."""
         self._results = results
         self.setVisible(bool(results))
 
@@ -250,10 +250,10 @@ class ReportButton(Translated, QPushButton):
 
 
 class FileDrop(QObject):
-    """Lets files, and nothing else, be dropped on a widget; they are read, never moved.
+    """Lets files be dropped on a widget; they are read, never moved.
 
     Args:
-        target: Where.
+        target: The widget.
 
     Signals:
         dropped: The paths of the files.
@@ -267,7 +267,7 @@ class FileDrop(QObject):
         target.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Take what is a file."""
+        """Accept dropped files, and nothing else."""
         kinds = {QEvent.Type.DragEnter, QEvent.Type.DragMove, QEvent.Type.Drop}
         if event.type() not in kinds or not isinstance(event, QDropEvent | QDragMoveEvent):
             return super().eventFilter(watched, event)
@@ -288,26 +288,26 @@ def _files(data: QMimeData) -> list[Path]:
 
 
 _MOST_PROBLEMS: Final = 3
-"""That are told in the message itself."""
+"""The most problems shown in the message itself."""
 
 
 class LibraryExchange(QObject):
-    """Imports what is whole, writes over nothing unseen, and says what came of it.
+    """Imports valid files, never overwrites silently, and reports the results.
 
     Args:
         controller: Whom the emergency stop in the file choosers tells.
-        background: Where files are read.
-        work: Has the library take and give the trajectories.
-        window: The choosers belong to it.
+        background: Reads files.
+        work: Runs actions on the library.
+        window: The parent of the choosers.
 
     Attributes:
         by_columns: The button for files that are not in a format of ours.
-        report: The button that shows what became of each of several files.
+        report: The button that shows the result of each of several files.
 
     Signals:
-        said: A text, or what makes it in any language, and its :class:`Level`.
-        imported: The names of what was taken over.
-        found: The name of what a file holds that is to be opened, now that it is in the library.
+        said: A text, or a function that returns it, and its :class:`Level`.
+        imported: The names of imported trajectories.
+        found: The name of a trajectory to be opened, when its file has been imported.
     """
 
     said = Signal(object, object)
@@ -329,7 +329,7 @@ class LibraryExchange(QObject):
         self.by_columns.refused.connect(lambda text: self.said.emit(text, Level.FAULT))
 
     def withdraw_offers(self) -> None:
-        """Something else is said by now."""
+        """Hide the offers, because another message is shown."""
         self.by_columns.show_for(())
         self.report.show_for(())
 
@@ -338,9 +338,9 @@ class LibraryExchange(QObject):
         choose_imports(self._window, self._controller, self.import_files)
 
     def import_files(self, paths: Sequence[Path]) -> None:
-        """Take over what is whole of some files, beside the window; each of the others is told.
+        """Import the valid ones among some files in the background, and report the others.
 
-        Tables of another build are offered by columns.
+        Unknown tables are offered for import by columns.
         """
         if paths:
             self._say_reading(paths)
@@ -349,7 +349,7 @@ class LibraryExchange(QObject):
             )
 
     def open_file(self, path: Path) -> None:
-        """Find what a file holds in the library, or take it over: see `found`."""
+        """Find a file's content in the library, or import it: see `found`."""
         self._say_reading([path])
         self._background.begin(Job(self._on_found), find_or_import, self._library.folder, path)
 
@@ -414,7 +414,7 @@ class LibraryExchange(QObject):
         self.by_columns.show_for(left)
 
     def export(self, names: Sequence[str], suffix: str) -> None:
-        """Let the operator say where to, and write trajectories there in a format."""
+        """Let the operator choose a target, and write trajectories there in a format."""
         if len(names) == 1:
             choose_export(
                 self._window,

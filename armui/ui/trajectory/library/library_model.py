@@ -27,11 +27,11 @@ ENTRY_ROLE: Final = Qt.ItemDataRole.UserRole
 
 _DIGITS: Final = re.compile(r"([0-9]{1,18})")
 _URGENCY: Final = ("damaged", "errors", "draft", "warnings", None, "ok")
-"""In the order of the column of check marks."""
+"""The order of the check marks in their column."""
 
 
 class LibraryColumn(enum.IntEnum):
-    """From left to right."""
+    """The columns from left to right."""
 
     NAME = 0
     POINTS = 1
@@ -42,7 +42,7 @@ class LibraryColumn(enum.IntEnum):
 
 
 class LibraryModel(TableModel):
-    """Shows the entries it is given; a name typed anew is handed on.
+    """Shows entries; a changed name is emitted.
 
     Signals:
         rename_wanted: The name of a trajectory and its new one.
@@ -66,14 +66,14 @@ class LibraryModel(TableModel):
         return self._drafts.union(entry.name for entry in self._rows)
 
     def is_unsaved(self, name: str) -> bool:
-        """Return whether nothing is known of a trajectory but changes that are not saved."""
+        """Return whether a trajectory consists only of unsaved changes."""
         return any(entry.name == name and entry.kind == "draft" for entry in self._rows)
 
     def show(self, entries: Sequence[IndexEntry], drafts: Sequence[str]) -> bool:
-        """Show other entries; ``drafts`` are those with changes that are not saved.
+        """Show other entries; ``drafts`` are those with unsaved changes.
 
         Returns:
-            Whether they are others: what stands there already is left alone.
+            True if they differ from the present ones.
         """
         wanted = tuple(entries), frozenset(drafts)
         if wanted == (self._rows, self._drafts):
@@ -85,11 +85,11 @@ class LibraryModel(TableModel):
         return True
 
     def show_for(self, arm: str, kind: str) -> None:
-        """Show only marks of checks that were made for an arm.
+        """Show only check marks of checks for one arm.
 
         Args:
             arm: Its `ArmModel.fingerprint`.
-            kind: Its `ArmModel.kind`: what was taught on another one is told.
+            kind: Its `ArmModel.kind`, to mark trajectories taught on another one.
         """
         if arm == self._arm:
             return
@@ -139,7 +139,7 @@ class LibraryModel(TableModel):
             self.dataChanged.emit(self.index(0, column), self.index(len(rows) - 1, column))
 
     def sort_key(self, row: int, column: int) -> tuple[Any, ...]:
-        """Return what a cell is sorted by, among those of its column."""
+        """Return the sort key of a cell within its column."""
         if (row, column) not in self._sort_keys:
             self._sort_keys[row, column] = _sort_key(
                 replace(
@@ -235,7 +235,7 @@ class LibraryModel(TableModel):
         return words_of[mark]
 
     def titles(self) -> Sequence[str]:
-        """From left to right."""
+        """Return the titles from left to right."""
         return (
             self.tr("Name"),
             self.tr("Points"),
@@ -246,7 +246,7 @@ class LibraryModel(TableModel):
         )
 
     def flags(self, index: Index) -> Qt.ItemFlag:
-        """Names can be edited."""
+        """Return the flags of a cell; names can be edited."""
         flags = super().flags(index)
         named = index.isValid() and index.column() == LibraryColumn.NAME
         return flags | Qt.ItemFlag.ItemIsEditable if named else flags
@@ -254,7 +254,7 @@ class LibraryModel(TableModel):
     def setData(  # noqa: N802 - Qt's name
         self, index: Index, value: Any, role: int = Qt.ItemDataRole.EditRole
     ) -> bool:
-        """Hand on another name."""
+        """Emit a changed name."""
         if role != Qt.ItemDataRole.EditRole or not index.isValid():
             return False
         name, new = self._rows[index.row()].name, str(value).strip()
@@ -264,7 +264,7 @@ class LibraryModel(TableModel):
 
 
 class LibraryFilter(QSortFilterProxyModel):
-    """Only those whose name or note holds a text, in the order of a column."""
+    """Shows entries whose name or note contains a text, sorted by a column."""
 
     def __init__(self, source: LibraryModel, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -279,7 +279,7 @@ class LibraryFilter(QSortFilterProxyModel):
         return any(wanted.match(text).hasMatch() for text in (entry.name, entry.note))
 
     def lessThan(self, left: Index, right: Index) -> bool:  # noqa: N802 - Qt's name
-        """By the figures of a column; what is equal there, by name."""
+        """Compare by the column, then by name."""
         key = self._entries.sort_key
         return key(left.row(), left.column()) < key(right.row(), right.column())
 

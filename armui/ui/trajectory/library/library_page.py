@@ -1,4 +1,4 @@
-"""The page 轨迹库: all trajectories, and what can be done with them (manual figure 1-19)."""
+"""The page 轨迹库: all trajectories, and the actions on them (manual figure 1-19)."""
 
 from __future__ import annotations
 
@@ -66,19 +66,19 @@ class LibraryPage(Page):
     """The list of the library; a double click opens the second level.
 
     Args:
-        controller: Runs trajectories, and knows where the arm is.
-        background: Where what takes long is done.
-        library: What is listed.
+        controller: Runs trajectories, and gives the arm's state.
+        background: Runs long work.
+        library: The library.
 
     Attributes:
-        editors: The pages that are open on what is listed.
+        editors: The open pages of trajectories.
 
     Signals:
-        page_made: A :class:`Page` that it leads to, before that wants to be shown.
-        editor_opened: The :class:`EditorPage` of a trajectory, before it is shown: whoever shows
-            previews follows its ``preview_wanted`` and ``selected_row_changed``.
+        page_made: A new :class:`Page`, before it wants to be shown.
+        editor_opened: The :class:`EditorPage` of a trajectory, before it is shown: a preview must
+            connect to its ``preview_wanted`` and ``selected_row_changed``.
         preview_wanted: A :class:`Preflight` whose path is to be shown in 3D.
-        run_asks: The name of what was sent and waits for the operator to agree; "": nothing does.
+        run_asks: The name of the trajectory that waits for confirmation; "" if none does.
     """
 
     commands = (
@@ -217,21 +217,21 @@ class LibraryPage(Page):
     # The list ---------------------------------------------------------------------------------
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Look at the folder anew: files may have come or gone."""
+        """Read the folder again, because files may have come or gone."""
         self.refresh()
         super().showEvent(event)
 
     def event(self, event: QEvent) -> bool:
-        """Look anew when the operator comes back from another program, too."""
+        """Read the folder again when the window is activated."""
         if event.type() == QEvent.Type.WindowActivate:
             self._on_folder()
         return super().event(event)
 
     def refresh(self, choose: Sequence[str] | None = None) -> None:
-        """List the library as it is now.
+        """List the present content of the library.
 
         Args:
-            choose: The names to be chosen; those chosen before by default.
+            choose: The names to be selected; by default those selected before.
         """
         self._work.do(
             lambda: (self._actions.listing(), self._presence.others()),
@@ -308,7 +308,7 @@ class LibraryPage(Page):
         self.refresh(names)
 
     def chosen(self) -> list[IndexEntry]:
-        """Return the chosen entries, from top to bottom."""
+        """Return the selected entries, from top to bottom."""
         return self._table.chosen()
 
     def _show_usable(self, *_: object) -> None:
@@ -375,11 +375,11 @@ class LibraryPage(Page):
             self.open_trajectory(chosen[0])
 
     def open_trajectory(self, name: str) -> None:
-        """Open the second level of a trajectory, with what was not saved of it."""
+        """Open the editor of a trajectory, with its unsaved changes."""
         self.editors.open(name, unsaved=self._model.is_unsaved(name))
 
     def open_file(self, path: Path) -> None:
-        """Open what a file holds, with a copy of it in the library; nothing moves."""
+        """Open the content of a file, after importing it; nothing moves."""
         self.open()
         self._exchange.open_file(path)
 
@@ -395,7 +395,7 @@ class LibraryPage(Page):
         recorder.preview_wanted.connect(self.preview_wanted)
 
     def keep_work(self) -> None:
-        """The program ends: what is not saved in an editor is offered the next time."""
+        """Save all drafts and unregister from the library, because the program ends."""
         self.editors.keep_drafts()
         self._work.do(self._presence.leave)
 
@@ -501,11 +501,11 @@ class LibraryPage(Page):
         self._message.show_message(text, level)
 
     def take_focus(self) -> None:
-        """The keys are for the list."""
+        """Focus the list."""
         self._table.setFocus()
 
     def headers(self) -> Mapping[str, QHeaderView]:
-        """The order and the columns of the list are kept."""
+        """Return the list's header, whose order and columns are stored."""
         return {"library": self._table.horizontalHeader()}
 
     def retranslate_ui(self) -> None:

@@ -1,4 +1,4 @@
-"""Which programs of this computer have the library open: a locked file of each in its folder."""
+"""Finds other programs that have the library open: each has a locked file in its folder."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from armui.ui.widgets.translated import Translated
 
 
 class LibraryPresence:
-    """Says that this program is there, and finds the others; used by one thread.
+    """Registers this program, and finds the others; used by one thread.
 
-    The lock of a program that was killed counts as nothing and is removed. Programs of other
-    computers on a network folder count as long as their file is there.
+    The file of a killed program is ignored and removed. Programs of other computers on a network
+    folder count as long as their file is there.
 
     Args:
-        folder: Of the library; it need not exist.
+        folder: The library's folder; it need not exist.
     """
 
     def __init__(self, folder: Path) -> None:
@@ -32,7 +32,7 @@ class LibraryPresence:
         self._lock: QLockFile | None = None
 
     def others(self) -> tuple[str, ...]:
-        """Be there, and tell the others: of each its computer and its process, as a text."""
+        """Register this program, and return computer and process of each other one as a text."""
         if not self._folder.is_dir():
             return ()
         if self._lock is None:
@@ -51,7 +51,7 @@ class LibraryPresence:
         return tuple(found)
 
     def leave(self) -> None:
-        """This program uses the library no more."""
+        """Unregister this program."""
         if self._lock is not None:
             self._lock.unlock()
             self._lock = None
@@ -64,7 +64,7 @@ class LibraryPresence:
 
 
 class SharedUseBanner(Translated, MessageLine):
-    """Hidden while no other copy of the program uses the library."""
+    """A message shown while another copy of the program uses the library."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -92,14 +92,14 @@ class SharedUseBanner(Translated, MessageLine):
 
 
 _PAUSE_MS: Final = 150
-"""A change comes as several: a new file, its renaming, the cache of the list."""
+"""The delay that collects several changes: a new file, its renaming, the cache of the list."""
 
 
 class LibraryWatch(QObject):
-    """Follows a folder; where the system reports nothing, as on network disks, it stays silent.
+    """Watches a folder; on network disks, where the system reports nothing, it stays silent.
 
     Args:
-        folder: It need not exist.
+        folder: The folder; it need not exist.
         parent: Its owner.
 
     Signals:
@@ -117,10 +117,10 @@ class LibraryWatch(QObject):
         self._watcher.directoryChanged.connect(lambda _path: self.later())
 
     def follow(self, *, exists: bool) -> None:
-        """Make sure that the folder is followed, also one that was made only now."""
+        """Start watching the folder, also if it was created only now."""
         if exists and not self._watcher.directories():
             self._watcher.addPath(str(self._folder))
 
     def later(self) -> None:
-        """Tell of the change in a moment, or once more."""
+        """Emit the change in a moment, starting the delay again."""
         self._timer.start()

@@ -15,7 +15,7 @@ from armui.ui.widgets.table_model import TableHint, list_rows
 
 _ROW_PX: Final = 34
 _LEAST_ROWS: Final = 3
-"""Fewer are no list; what stands around it scrolls before."""
+"""The least number of visible rows; the page scrolls before."""
 _WIDTHS_PX: Final = {
     LibraryColumn.NAME: 142,
     LibraryColumn.POINTS: 106,
@@ -23,14 +23,14 @@ _WIDTHS_PX: Final = {
     LibraryColumn.MODIFIED: 124,
     LibraryColumn.CHECK: 82,
 }
-"""All but the note, which takes the rest."""
+"""The widths of all columns but the note, which takes the rest."""
 
 
 class LibraryTable(QTableView):
-    """Rows are chosen, sorted by a click on a title, and renamed in place.
+    """The list: rows are selected, sorted by a click on a title, and renamed in place.
 
     Args:
-        shown: The entries, as they are filtered.
+        shown: The filtered entries.
     """
 
     def __init__(self, shown: LibraryFilter) -> None:
@@ -51,16 +51,16 @@ class LibraryTable(QTableView):
             self.setColumnWidth(column, width_px)
 
     def chosen(self) -> list[IndexEntry]:
-        """Return the chosen entries, from top to bottom."""
+        """Return the selected entries, from top to bottom."""
         rows = self.selectionModel().selectedRows()
         return [index.data(ENTRY_ROLE) for index in sorted(rows, key=QModelIndex.row)]
 
     def choose(self, names: Collection[str], *, show: bool = True) -> None:
-        """Choose the entries of these names and no others, and show the last of them.
+        """Select exactly the entries of these names, and scroll to the last of them.
 
         Args:
-            names: Which; those that are not listed are left out.
-            show: Whether the list is moved for that.
+            names: The names; those not listed are ignored.
+            show: True to scroll to it.
         """
         flag = QItemSelectionModel.SelectionFlag
         self.clearSelection()
@@ -73,7 +73,7 @@ class LibraryTable(QTableView):
                     self.scrollTo(index)
 
     def names(self) -> list[str]:
-        """Of all that are listed, from top to bottom."""
+        """Return all listed names, from top to bottom."""
         model = self.model()
         return [model.index(row, 0).data(ENTRY_ROLE).name for row in range(model.rowCount())]
 
@@ -83,7 +83,7 @@ class LibraryTable(QTableView):
         return self.state() == QAbstractItemView.State.EditingState
 
     def edit_name(self) -> None:
-        """Open the field for another name in the chosen row."""
+        """Edit the name in the selected row."""
         rows = self.selectionModel().selectedRows(LibraryColumn.NAME)
         if rows:
             self.setFocus()
@@ -92,10 +92,10 @@ class LibraryTable(QTableView):
 
 
 class LibraryHint(TableHint):
-    """What to do when there is nothing, or nothing is found.
+    """A hint shown when there is nothing, or nothing is found.
 
     Args:
-        table: Over which.
+        table: The table.
 
     Signals:
         clear_wanted: The operator wants to see everything again.
@@ -111,11 +111,11 @@ class LibraryHint(TableHint):
         self.retranslate_ui()
 
     def show_state(self, shown: int, searched: str) -> None:
-        """Fit the words to the list.
+        """Fit the texts to the list.
 
         Args:
-            shown: How many rows there are.
-            searched: For what; "" where everything is listed.
+            shown: The number of rows.
+            searched: The text searched for; "" if everything is listed.
         """
         self._searched = searched
         self.retranslate_ui()

@@ -1,4 +1,4 @@
-"""What needs the library's files, done beside the GUI thread; what comes of it arrives in it."""
+"""Runs actions on the library's files in the background; results arrive in the GUI thread."""
 
 from __future__ import annotations
 
@@ -28,14 +28,14 @@ class _Done(Generic[Result]):
 
 
 class LibraryWork(QObject):
-    """One action on the library after another, in the order in which they were asked for.
+    """Runs one action on the library after another, in the order of their requests.
 
-    A disk may be slow, or a network folder away: no window waits for it.
+    No window waits for a slow disk or an unreachable network folder.
 
     Args:
-        library: What the actions are about; only actions touch it.
-        background: Where they are done.
-        owner: The window they are done for: when it is gone, nothing is told.
+        library: The library; only actions may use it.
+        background: Runs the actions.
+        owner: The window that receives the results, unless it is gone.
     """
 
     def __init__(self, library: Library, background: Background, owner: QObject) -> None:
@@ -49,12 +49,12 @@ class LibraryWork(QObject):
         then: Callable[[Result], object] = lambda _result: None,
         refused: Callable[[str], object] = lambda _text: None,
     ) -> None:
-        """Do something with the library.
+        """Run an action on the library.
 
         Args:
-            action: What; it runs in another thread, so it touches no window.
-            then: Gets what comes of it.
-            refused: Gets why it was not done, in the operator's language.
+            action: The function; it runs in another thread and must not touch a window.
+            then: Receives the result.
+            refused: Receives the reason for a refusal, in the operator's language.
         """
         self._background.begin_here(
             Job(partial(self._tell, then, refused)), _run_alone, self.library, action

@@ -1,4 +1,4 @@
-"""Between a planned path, the 3D view and the bar with the time slider."""
+"""Connects a planned path, the 3D view and the bar with the time slider."""
 
 from __future__ import annotations
 
@@ -18,11 +18,12 @@ if TYPE_CHECKING:
 
 
 _MOST_PLACES: Final = 30_000
-"""Of the line: 200,000 cost a picture drawn in software 50 ms, and look the same."""
+"""The most places of the line: 200,000 cost a picture drawn in software 50 ms, and look the same.
+"""
 
 
 class ShowsPreviews(Protocol):
-    """What is needed of the 3D view."""
+    """The interface needed of the 3D view."""
 
     def set_preview(self, preview: Preview) -> None: ...  # noqa: D102 - as in ArmView
 
@@ -32,7 +33,9 @@ class ShowsPreviews(Protocol):
 
 
 class PathPreview(QObject):
-    """Shows one path at a time. It knows no arm: nothing it does can move one.
+    """Shows one path at a time.
+
+    It has no access to the arm, so it cannot move one.
 
     Args:
         view: Shows the path and the ghost.
@@ -40,7 +43,7 @@ class PathPreview(QObject):
 
     Signals:
         closed: The operator has closed the preview.
-        row_shown: Another point is the chosen one, or the chosen one is another.
+        row_shown: The selected point has changed, or another one is selected.
     """
 
     closed = Signal()
@@ -64,7 +67,7 @@ class PathPreview(QObject):
 
     @property
     def name(self) -> str | None:
-        """Of the trajectory whose path is shown."""
+        """The name of the trajectory whose path is shown."""
         return None if self._path is None else self._name
 
     def show(
@@ -77,15 +80,15 @@ class PathPreview(QObject):
         numbered: bool = True,
         places_of: Callable[[Array], Array] | None = None,
     ) -> None:
-        """Show a path; ``None`` takes the preview away.
+        """Show a path, or remove it with ``None``.
 
         Args:
-            path: As it is planned.
+            path: The planned path.
             bad_rows: Rows in which something forbids a run.
-            findings: What was found, where it would happen.
+            findings: The findings, at their places.
             name: The trajectory's.
             numbered: Whether its rows are points; those of a recording are samples.
-            places_of: Works out of (n, 6) joint angles the (n, 3) places that are drawn, mm; by
+            places_of: Computes the (n, 3) places to draw, in mm, from (n, 6) joint angles; by
                 default those of the plan, the tip of the tool.
         """
         self._name = name
@@ -118,18 +121,18 @@ class PathPreview(QObject):
         """Show points that were not checked, unless a checked path is shown.
 
         Args:
-            marks: The points; None: there are none, or too many.
+            marks: The points; None for none, or too many.
             row: The chosen one.
-            ghost_deg: Its angles; None: it can't be reached.
+            ghost_deg: Its angles; None if it can't be reached.
         """
         if self._path is None:
             self._set(Preview(marks, row, ghost_deg))
         self.row_shown.emit()
 
     def set_seen(self, seen: bool) -> None:
-        """Say whether the page is seen whose path, points and ghost these are: they go with it.
+        """Set whether the page is visible to which path, points and ghost belong.
 
-        The path of a run that is under way stays in the picture.
+        They are hidden with it, but the path of a present run stays.
         """
         if seen != self._is_seen:
             self._is_seen = seen
@@ -139,14 +142,14 @@ class PathPreview(QObject):
     def show_joint_range(
         self, number: int | None, limits_deg: tuple[float, float] = (0.0, 0.0)
     ) -> None:
-        """Show the range of joint 1–6 while its cell is edited; None: no longer."""
+        """Show the range of joint 1–6 while its cell is edited; None hides it."""
         if number is None:
             self._view.show_joint_range(None)
         else:
             self._view.show_joint_range(number, limits_deg)
 
     def select_row(self, row: int | None) -> None:
-        """Let the mark of a row stand out, and bring the ghost there."""
+        """Highlight the mark of a row, and move the ghost there."""
         if self._path is None:
             return
         self._set(replace(self._shown, selected_row=row))
@@ -156,7 +159,7 @@ class PathPreview(QObject):
         self.row_shown.emit()
 
     def light_row(self, row: int | None) -> None:
-        """Light the point that the arm is on its way to; meanwhile there is no ghost beside it."""
+        """Highlight the point to which the arm moves; the ghost is hidden meanwhile."""
         if self._path is not None and row != self._shown.current_row:
             ghost_deg = tuple(self._path.at(self._bar.time_s)) if row is None else None
             self._set(replace(self._shown, current_row=row, ghost_deg=ghost_deg))
@@ -172,10 +175,10 @@ class PathPreview(QObject):
         self.closed.emit()
 
     def show_target(self, angles_deg: tuple[float, ...] | None) -> None:
-        """Let the ghost stand at a target, instead of on the path; None: no longer.
+        """Show the ghost at a target instead of on the path; None ends that.
 
-        Once the operator has gone to a time of the motion, the ghost is there, until a row is
-        chosen or the target is another.
+        After the operator has chosen a time of the motion, the ghost stays there until a row is
+        selected or the target changes.
         """
         if angles_deg is not None and angles_deg != self._wanted_deg:
             self._wanted_deg = angles_deg

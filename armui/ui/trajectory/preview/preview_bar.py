@@ -1,4 +1,4 @@
-"""Moves the ghost arm through a motion that has not happened: a time slider, play, close."""
+"""Moves the ghost arm through a planned motion: a time slider, play, close."""
 
 from __future__ import annotations
 
@@ -22,7 +22,9 @@ _FRAME_MS: Final = 33
 
 
 class PreviewBar(Translated, QFrame):
-    """Shows where in time the ghost is, and lets the operator move it. Nothing is ever sent.
+    """Shows the ghost's time, and lets the operator change it.
+
+    Nothing is ever sent.
 
     Signals:
         time_changed: seconds from the beginning of the motion.
@@ -63,12 +65,12 @@ class PreviewBar(Translated, QFrame):
 
     @property
     def time_s(self) -> float:
-        """Where in time the ghost is."""
+        """The ghost's time in seconds."""
         return self._slider.requested
 
     @property
     def is_playing(self) -> bool:
-        """True if the ghost goes through the motion by itself."""
+        """True while the ghost moves by itself."""
         return self._play.isChecked()
 
     @property
@@ -76,7 +78,7 @@ class PreviewBar(Translated, QFrame):
         return self._slider.sliderPosition() >= self._slider.maximum()
 
     def open(self, duration_s: float) -> None:
-        """Begin at the beginning of a motion that takes so long."""
+        """Show a motion of this duration from its beginning."""
         self._play.setChecked(False)
         self._duration_s = duration_s
         widest = re.sub(r"\d", "0", _clock(duration_s))
@@ -86,13 +88,13 @@ class PreviewBar(Translated, QFrame):
         self.show()
 
     def go_to(self, time_s: float) -> None:
-        """Bring the ghost to a time."""
+        """Move the ghost to a time."""
         with QSignalBlocker(self._slider):
             self._slider.show_requested(time_s)
         self._on_moved()
 
     def set_shown(self, shown: bool) -> None:
-        """Show the bar, or hide it; what is hidden is not played."""
+        """Show the bar, or hide it and stop playing."""
         if not shown:
             self._play.setChecked(False)
         self.setVisible(shown)

@@ -1,4 +1,4 @@
-"""Brings together the library's pages, the 3D view and the bar of the preview."""
+"""Connects the library's pages, the 3D view and the bar of the preview."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ if TYPE_CHECKING:
 
 
 _MOST = 200
-"""More signs than anybody looks at would hide the path."""
+"""The most signs of findings; more would hide the path."""
 
 
 def tool_points(flanges: Array, tool: Sequence[float]) -> Array:
@@ -56,7 +56,7 @@ def tool_points(flanges: Array, tool: Sequence[float]) -> Array:
 
 
 def finding_marks(checked: Preflight, tool: Sequence[float]) -> tuple[FindingMark, ...]:
-    """Return the findings that happen at a place, errors first."""
+    """Return the findings with a place, errors first."""
     marks = []
     for found in checked.findings[:_MOST]:
         place_mm = _place_mm(checked, found, tool)
@@ -90,13 +90,15 @@ def _place_mm(
 
 
 MOST_POINTS: Final = 3000
-"""A few milliseconds in the window's thread; of longer ones a check shows the points."""
+"""The most points computed in the GUI thread, in a few milliseconds; for longer trajectories a
+check shows them.
+"""
 
 
 def marks_of(
     points: Sequence[Waypoint], geometry: Geometry, tool: Sequence[float]
 ) -> PathPicture | None:
-    """Return the tool centre point at each point; None for more than `MOST_POINTS`, and none."""
+    """Return the tool centre point at each point; None for none, or more than `MOST_POINTS`."""
     if not 0 < len(points) <= MOST_POINTS:
         return None
     targets = np.array([point.target for point in points], dtype=np.float64)
@@ -109,21 +111,21 @@ def marks_of(
 
 
 _MOST_PLACES: Final = 2000
-"""Of the way of a recording that is trimmed: it is drawn anew while a handle is dragged."""
+"""The most places of a trimmed recording's path, which is drawn again while a handle is dragged."""
 
 
 def cut_picture(
     cut: RecordingCut, geometry: Geometry, tool: Sequence[float]
 ) -> tuple[PathPicture | None, tuple[float, ...] | None]:
-    """Return the way of what is kept of a recording with a mark at either end, and a pose of it.
+    """Return the path of a trimmed recording with marks at its ends, and a pose of it.
 
     Args:
-        cut: What is kept.
-        geometry: Of the arm.
+        cut: The trimmed recording.
+        geometry: The arm's geometry.
         tool: The tool centre point in the flange.
 
     Returns:
-        The picture, and the six angles where the operator is; None: no sample is left.
+        The picture, and the six angles at the operator's place; None if no sample is left.
     """
     times_s, angles_deg = cut.recording.times_s, cut.recording.joints_deg
     first, last = np.searchsorted(times_s, (cut.from_s, cut.to_s + _ROUNDED_S), side="left")
@@ -142,19 +144,19 @@ def cut_picture(
 
 
 _ROUNDED_S: Final = 0.0005
-"""The fields show milliseconds: the last sample may lie a bit behind."""
+"""The rounding of the fields, which show milliseconds: the last sample may be a bit later."""
 _LEAST_S: Final = 1e-6
 _ZERO: Final = (0.0,) * VALUE_COUNT
 _DECIMALS: Final = 3
-"""Of what is sent, and of what stands in the table."""
+"""The decimals of targets, as they are sent and shown in the table."""
 
 
 class PointTarget:
-    """Stands for the current row of an editor.
+    """The drag target for the current row of an editor.
 
     Args:
-        editor: Whose row.
-        controller: Knows the arm and its kinematics.
+        editor: The editor.
+        controller: Gives the arm's state and its kinematics.
 
     Attributes:
         editor: As given.
@@ -168,11 +170,11 @@ class PointTarget:
 
     @property
     def is_seen(self) -> bool:
-        """True if the operator is at it."""
+        """True if the editor is visible."""
         return self.editor.isVisible()
 
     def angles_deg(self) -> tuple[float, ...] | None:
-        """Return the angles of the current row's point; None: none, or out of reach."""
+        """Return the angles of the current row's point, or None if there are none."""
         points, row = self.editor.document.points, self.editor.table.current_row()
         if not 0 <= row < len(points):
             return None
@@ -182,10 +184,10 @@ class PointTarget:
         return solved[2]
 
     def typed_deg(self) -> None:
-        """The chosen point's ghost is shown with its path; see `PathPreview.show_points`."""
+        """Return None: the selected point's ghost is shown by `PathPreview.show_points`."""
 
     def begin(self) -> None:
-        """Note which point is taken hold of; it stays as it is until the drag ends."""
+        """Note the grabbed point, which stays unchanged until the drag ends."""
         self._begun = self._at()
 
     def is_as_begun(self) -> bool:
@@ -197,10 +199,10 @@ class PointTarget:
         return self.editor.document.points, self.editor.table.current_row()
 
     def carry(self, _angles_deg: tuple[float, ...]) -> None:
-        """The ghost shows it; the point is changed when it is let go, in one step of undo."""
+        """Do nothing: the ghost shows the place, and the point is changed at the end."""
 
     def drop(self, angles_deg: tuple[float, ...]) -> Refusal | None:
-        """Give the point this place; its motion, speed and actions stay."""
+        """Set the point to this place; its motion, speed and actions stay."""
         points, row = self.editor.document.points, self.editor.table.current_row()
         point = points[row]
         if point.is_joint:
@@ -217,7 +219,7 @@ class PointTarget:
         return refusal
 
     def give_up(self, _angles_deg: tuple[float, ...]) -> None:
-        """The point was not changed."""
+        """Do nothing: the point was not changed."""
 
     def _solve(self, points: Sequence[Waypoint], row: int) -> tuple[float, ...] | None:
         model = self._controller.cartesian.kinematics()
@@ -233,15 +235,15 @@ _SHOWN: Final = frozenset({QEvent.Type.Show, QEvent.Type.WindowActivate})
 
 
 class PreviewLink(QObject):
-    """Shows in the picture what the page that is seen works on; a mark there leads to its row.
+    """Shows the visible page's content in the picture, where a click on a mark leads to its row.
 
-    Before a check these are the points of an editor, and the ghost stands at the chosen one;
-    after it the whole way. They go with the page, and come back with it.
+    Before a check it shows the points of an editor, with the ghost at the selected one; after it
+    the whole path. They are hidden and shown with the page.
 
     Args:
-        library: Where trajectories are checked and opened.
+        library: The library's page, in which trajectories are opened and checked.
         preview: Shows one path.
-        controller: Knows the arm.
+        controller: Gives the arm's state.
     """
 
     def __init__(
@@ -266,18 +268,18 @@ class PreviewLink(QObject):
 
     @property
     def target(self) -> PointTarget | None:
-        """The point that the operator is at, while its editor is seen."""
+        """The current point of the visible editor, or ``None``."""
         target = None if self._page is None else self._targets.get(self._page)
         return target if target is not None and target.is_seen else None
 
     def on_mark_picked(self, row: int) -> None:
-        """A point was clicked in 3D: show its row."""
+        """Select the row of a point that was clicked in 3D."""
         target = self.target
         if target is not None:
             target.editor.select_row(row)
 
     def on_finding_picked(self, finding: FindingMark) -> None:
-        """A sign of a finding was clicked in 3D: show its row."""
+        """Select the row of a finding whose sign was clicked in 3D."""
         if finding.row is not None:
             self.on_mark_picked(finding.row)
 

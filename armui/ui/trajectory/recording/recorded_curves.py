@@ -1,4 +1,4 @@
-"""The recorded angles over time, with a handle at either end of what is to be kept."""
+"""The recorded angles over time, with a handle at either end of the part to be kept."""
 
 from __future__ import annotations
 
@@ -28,19 +28,19 @@ _NEAR_PX: Final = 14.0
 _PAD_PX: Final = 8.0
 _GAP_PX: Final = 14.0
 _LEAST_SPAN_DEG: Final = 1.0
-"""A joint that stands still is a line in the middle."""
+"""The least height of a curve: a joint that stands still is a line in the middle."""
 _LEAST_S: Final = 0.001
 
 
 def drawn_curves(recording: Recording, width_px: int) -> tuple[NDArray[np.float64], ...]:
-    """Return for each joint its (n, 2) times and angles: no more of them than can be seen.
+    """Return for each joint (n, 2) times and angles, no more than can be seen.
 
-    Of more samples than the curve has pixels the smallest and the largest angle of each pixel are
+    If there are more samples than pixels, the smallest and the largest angle of each pixel are
     drawn, so that no peak is lost.
 
     Args:
         recording: Samples over time.
-        width_px: How wide it is drawn.
+        width_px: The width of the curve.
     """
     times_s, angles_deg = recording.times_s, recording.joints_deg
     if len(times_s) <= 2 * max(width_px, 1):
@@ -56,11 +56,11 @@ def drawn_curves(recording: Recording, width_px: int) -> tuple[NDArray[np.float6
 
 
 class RecordedCurves(Translated, QWidget):
-    """A press near a handle takes hold of it; elsewhere it takes the nearer one there.
+    """Curves with two handles; a press elsewhere moves the nearer one there.
 
     Signals:
-        trimmed: The time in s from which on it is kept, the one until which it is, and the one of
-            the two that is dragged.
+        trimmed: The beginning and the end of the kept part in s, and the one of them that is
+            dragged.
     """
 
     trimmed = Signal(float, float, float)
@@ -79,7 +79,7 @@ class RecordedCurves(Translated, QWidget):
         self.retranslate_ui()
 
     def show_recording(self, recording: Recording | None) -> None:
-        """Show another recording, all of it kept; ``None``: there is none."""
+        """Show another recording, all of it kept, or none with ``None``."""
         self._recording = recording if recording is not None and len(recording.samples) else None
         self._dragged = None
         if self._recording is not None:
@@ -91,18 +91,18 @@ class RecordedCurves(Translated, QWidget):
         self._make_curves()
 
     def show_range(self, from_s: float, to_s: float) -> None:
-        """Show what is kept, in s; what is beyond the recording is its end."""
+        """Show the kept part, in s, clipped to the recording."""
         if self._recording is not None and self._dragged is None:
             whole_s = self._recording.duration_s
             self._from_s, self._to_s = (min(max(each, 0.0), whole_s) for each in (from_s, to_s))
             self.update()
 
     def sizeHint(self) -> QSize:
-        """As much as there is."""
+        """Return the preferred size."""
         return QSize(400, 2 * _HEIGHT_PX)
 
     def place_px(self, at_s: float) -> float:
-        """Where a time is, from the left."""
+        """Return the place of a time, from the left."""
         box, whole_s = self._box(), self._whole_s
         return box.left() + at_s / whole_s * box.width()
 
@@ -135,7 +135,7 @@ class RecordedCurves(Translated, QWidget):
     # The operator -----------------------------------------------------------------------------
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Take hold of the nearer handle."""
+        """Grab the nearer handle."""
         if event.button() != Qt.MouseButton.LeftButton or self._recording is None:
             return
         x_px = event.position().x()
@@ -145,7 +145,7 @@ class RecordedCurves(Translated, QWidget):
         self._drag(x_px)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Drag the handle that is held; over one the pointer says that it can be."""
+        """Drag the grabbed handle; over one the pointer's shape changes."""
         x_px = event.position().x()
         if self._dragged is not None:
             self._drag(x_px)
@@ -155,7 +155,7 @@ class RecordedCurves(Translated, QWidget):
         self.setCursor(Qt.CursorShape.SizeHorCursor if near else Qt.CursorShape.ArrowCursor)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        """Let go of it."""
+        """Release the handle."""
         if event.button() == Qt.MouseButton.LeftButton:
             self._dragged = None
 
@@ -169,14 +169,14 @@ class RecordedCurves(Translated, QWidget):
         self.trimmed.emit(self._from_s, self._to_s, at_s)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """As many figures as there are pixels."""
+        """Compute the curves again for the new width."""
         super().resizeEvent(event)
         self._make_curves()
 
     # Drawing ----------------------------------------------------------------------------------
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Curves, what is left out, and the handles."""
+        """Draw curves, omitted parts, and handles."""
         colors = colors_of(self)
         painter = painting.begin(self)
         painting.panel(painter, QRectF(self.rect()), colors.surface, colors.border)

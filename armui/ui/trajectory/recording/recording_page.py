@@ -1,4 +1,4 @@
-"""录制: records where the arm goes; then trims and thins it, and keeps it as samples or points."""
+"""录制: records the arm's motion; then trims and thins it, and saves it as samples or points."""
 
 from __future__ import annotations
 
@@ -47,22 +47,22 @@ if TYPE_CHECKING:
 _TOLERANCE_DEG: Final = 0.1
 _FIELD_PX: Final = 120
 _AFTER_MS: Final = 250
-"""Half an hour of samples is not thinned anew at each key."""
+"""The delay after a key: half an hour of samples is not thinned at each one."""
 
 
 _WRITE_MS: Final = 1000
-"""So much of a recording is lost when the program is killed, at most."""
+"""The period of writing: the most that is lost when the program is killed."""
 
 
 class RecordingKeeper(QObject):
-    """Keeps a recording in a file as it comes, until it is saved or not wanted.
+    """Writes a recording to a file as it grows, until it is saved or not wanted.
 
     Args:
         recorder: Records.
         work: Has the library write.
 
     Signals:
-        failed: Why it is not kept any more, as a text; recording goes on.
+        failed: The reason why it is not written any more, as a text; recording goes on.
     """
 
     failed = Signal(str)
@@ -78,10 +78,10 @@ class RecordingKeeper(QObject):
         self._timer.timeout.connect(self.write)
 
     def begin(self, name: str, taught_on: str) -> None:
-        """Keep what is recorded from now on.
+        """Begin to write a new recording.
 
         Args:
-            name: What it will be called.
+            name: Its future name.
             taught_on: The arm it is of.
         """
         self.drop()
@@ -90,7 +90,7 @@ class RecordingKeeper(QObject):
         self._timer.start()
 
     def write(self) -> None:
-        """Append what has come since the last time."""
+        """Append the samples since the last time."""
         draft, count = self._draft, self._recorder.count
         if draft is None or self._refused:
             return
@@ -103,7 +103,7 @@ class RecordingKeeper(QObject):
             self._work.do(append, refused=partial(self._on_refused, draft))
 
     def drop(self) -> None:
-        """Remove the file: what was recorded is saved, or not wanted."""
+        """Delete the file, because the recording is saved or not wanted."""
         self._timer.stop()
         draft, self._draft = self._draft, None
         if draft is not None:
@@ -118,12 +118,12 @@ class RecordingKeeper(QObject):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RecordingCut:
-    """What of a recording would be kept, as it is being trimmed.
+    """The part of a recording that would be kept.
 
     Attributes:
-        recording: All of it.
-        from_s, to_s: What is kept of it.
-        at_s: Where the operator is: at the end that was moved last.
+        recording: The whole recording.
+        from_s, to_s: The beginning and the end of the kept part.
+        at_s: The operator's place: the end that was moved last.
     """
 
     recording: Recording
@@ -133,18 +133,18 @@ class RecordingCut:
 
 
 class RecordingPage(Page):
-    """From the first sample to what is kept.
+    """The page to record, trim, thin and save.
 
     Args:
-        controller: Records, and knows whether there is an arm.
-        background: Where recordings are thinned.
-        library: Where the recording is kept.
-        recording: One of the library, to be trimmed and thinned; without one a new one is made.
+        controller: Records, and gives the arm's state.
+        background: Thins recordings.
+        library: The library.
+        recording: A recording of the library to trim and thin; by default a new one is recorded.
 
     Signals:
-        saved: The name under which something has been put into the library.
+        saved: The name of a saved trajectory or recording.
         preview_wanted: A :class:`Preflight` of what would be saved, to be shown in 3D.
-        cut_changed: `cut` is another.
+        cut_changed: `cut` has changed.
     """
 
     commands = (
@@ -244,7 +244,7 @@ class RecordingPage(Page):
 
     @property
     def in_use(self) -> bool:
-        """True if it records, or holds what is not saved."""
+        """True if it records, or holds an unsaved recording."""
         return self._controller.recorder.recording or self._joining or self._unsaved
 
     # Recording --------------------------------------------------------------------------------
@@ -273,7 +273,7 @@ class RecordingPage(Page):
         return self._name.text().strip() or self.tr("Recording")
 
     def keep_draft(self) -> None:
-        """The program ends: what is recorded and not saved is offered the next time."""
+        """Write the unsaved recording, because the program ends; it is offered the next time."""
         self._keeper.write()
 
     def _on_not_kept(self, text: str) -> None:
@@ -332,7 +332,7 @@ class RecordingPage(Page):
 
     @property
     def cut(self) -> RecordingCut | None:
-        """What would be kept; ``None``: nothing is recorded yet, or no figure says what."""
+        """The part that would be kept; ``None`` without a recording, or with invalid figures."""
         from_s, to_s = self._from.value, self._to.value
         if self._recording is None or from_s is None or to_s is None or not 0 <= from_s <= to_s:
             return None
@@ -410,7 +410,7 @@ class RecordingPage(Page):
             button.setEnabled(result is not None or self._job is not None)
 
     def preview(self) -> None:
-        """Show in 3D where the tool goes in what would be saved; nothing is sent."""
+        """Show in 3D the path of what would be saved; nothing is sent."""
         self._work_out(self._plan_preview)
 
     def _plan_preview(self, recording: Recording) -> None:
@@ -426,11 +426,11 @@ class RecordingPage(Page):
     # Keeping ----------------------------------------------------------------------------------
 
     def save_samples(self) -> None:
-        """Keep it as a recording, to be replayed in its own time."""
+        """Save it as a recording, to be replayed in its own time."""
         self._work_out(self._save)
 
     def save_points(self) -> None:
-        """Keep it as points of MOVE J, to be edited; the arm will come to rest in each."""
+        """Save it as points of MOVE J for editing; the arm will come to rest in each."""
         self._work_out(self._save_as_points)
 
     def _save_as_points(self, recording: Recording) -> None:
@@ -461,7 +461,7 @@ class RecordingPage(Page):
         self.saved.emit(name)
 
     def leave(self) -> None:
-        """Close; a recording that runs is ended first, one that is not kept asks."""
+        """Close the page, after ending a running recording; an unsaved one asks first."""
         if self._controller.recorder.recording and self._recording is None:
             self._take()
         if self._joining or self._job is not None:
@@ -515,11 +515,11 @@ class RecordingPage(Page):
         return self.tr("Recorded: {time}, {count} samples, {size}")
 
     def take_focus(self) -> None:
-        """The keys are for the button that records."""
+        """Focus the button that records."""
         self._record.setFocus()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Catch up with what went by while it was hidden."""
+        """Update the state, which was not updated while the page was hidden."""
         super().showEvent(event)
         self._show_state()
 

@@ -1,4 +1,4 @@
-"""Offers a recording that was not saved when an earlier program ended: keep it, or discard it."""
+"""Offers an unsaved recording of an earlier program: to save it, or to discard it."""
 
 from __future__ import annotations
 
@@ -25,15 +25,15 @@ _SPACING_PX: Final = 8
 
 
 class UnsavedRecordingLine(Translated, QWidget):
-    """Shown while there is a recording to decide about; of several the oldest comes first.
+    """A line shown while there is such a recording; the oldest comes first.
 
     Args:
-        work: Knows the library that they lie in.
+        work: Runs actions on the library.
 
     Signals:
         kept: The name under which one was saved.
-        discarded: One was put among what was deleted recently: its name.
-        refused: What the library said against it, as a text.
+        discarded: The name of one that was moved to the bin.
+        refused: The library's reason for a refusal, as a text.
     """
 
     kept = Signal(str)
@@ -55,7 +55,7 @@ class UnsavedRecordingLine(Translated, QWidget):
         self.retranslate_ui()
 
     def look(self) -> None:
-        """Look for what earlier programs have left."""
+        """Search for unsaved recordings of earlier programs."""
         self._work.do(self._work.library.unsaved_recordings, self._show_found, self.refused.emit)
 
     def _show_found(self, found: Sequence[UnsavedRecording]) -> None:

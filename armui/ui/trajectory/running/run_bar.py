@@ -1,4 +1,4 @@
-"""发送: how often, how fast and from where; what is sent is checked first."""
+"""发送: the options of a run; every trajectory is checked before it is sent."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ _ONCE, _TIMES, _LOOP = range(3)
 _SPIN_PX: Final = 34
 _SEND_KEY: Final = keys_of("editor.send")
 _SURPRISING_S: Final = 2.0
-"""Nobody expects the arm to move so long after the button was pressed."""
+"""If the check took longer, the operator no longer expects the arm to move."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,11 +64,11 @@ class _Started:
 
 
 class RunChoices(QObject):
-    """One set of run options a trajectory, wherever it is shown and run.
+    """The run options of each trajectory, shared by all pages that show and run it.
 
     Signals:
-        changed: The name of a trajectory whose options, or whose first run, are others now.
-        asking: The name of what was sent and waits for the operator to agree; "": nothing does.
+        changed: The name of a trajectory whose options have changed, or which has run.
+        asking: The name of the trajectory that waits for confirmation; "" if none does.
     """
 
     changed = Signal(str)
@@ -81,7 +81,7 @@ class RunChoices(QObject):
         self._asks: RunRequest | None = None
 
     def show_request(self, request: RunRequest) -> None:
-        """Take in how far a request has come: whether it waits for the operator."""
+        """Process the state of a request: whether it waits for the operator."""
         if request.state is RequestState.ASKING:
             self._asks = request
             self.asking.emit(request.name)
@@ -90,7 +90,7 @@ class RunChoices(QObject):
             self.asking.emit("")
 
     def of(self, name: str) -> RunOptions:
-        """Return the options of a trajectory; slow ones where it is not known to have run."""
+        """Return the options of a trajectory; slow ones if it is not known to have run."""
         return self._options.get(name, RunOptions(speed_factor=FIRST_RUN_FACTOR))
 
     def has_run(self, name: str) -> bool:
@@ -98,24 +98,24 @@ class RunChoices(QObject):
         return name in self._ran
 
     def choose(self, name: str, options: RunOptions) -> None:
-        """Take over what the operator has chosen."""
+        """Store the operator's options."""
         if name and options != self.of(name):
             self._options[name] = options
             self.changed.emit(name)
 
     def note_run(self, name: str) -> None:
-        """Take over that a trajectory runs."""
+        """Note that a trajectory runs."""
         self._ran.add(name)
         self.changed.emit(name)
 
     def follow(self, entries: Sequence[IndexEntry], is_open: Callable[[str], bool]) -> None:
-        """Take over from the library how trajectories were run, of each when it is first seen.
+        """Take over the options stored in the library, for each trajectory when it is first seen.
 
-        Later nothing but the operator changes what the widgets show, no other program.
+        Later only the operator changes them, no other program.
 
         Args:
-            entries: All there are; what was chosen for others is forgotten.
-            is_open: Tells whether a trajectory is open in an editor, saved or not.
+            entries: All entries; options of others are dropped.
+            is_open: Returns whether a trajectory is open in an editor, saved or not.
         """
         kept = {entry.name for entry in entries}
         for name in self._options.keys() | self._ran:
@@ -141,23 +141,23 @@ def run_commands(place: str) -> tuple[Command, ...]:
 
 
 class RunBar(Translated, QWidget):
-    """Runs what its page gives it; how far that has come is told by the :class:`RunStrip`.
+    """Runs its page's trajectory; the :class:`RunStrip` shows the progress.
 
     Args:
-        controller: Runs it.
+        controller: Runs the trajectory.
         checks: Checks it before.
-        choices: How each trajectory is run; shared by all pages that run it.
-        content: Hands on what would be run now, once it is read; ``None`` if there is nothing,
-            which it says itself.
-        quietly: Does the same and says nothing; how long it takes is worked out of it.
+        choices: The run options, shared by all pages.
+        content: Passes on the content to run when it is read; ``None`` if there is none, which it
+            reports itself.
+        quietly: Passes on the same without reporting; its duration is estimated from it.
 
     Signals:
-        checked: A :class:`Preflight` and, if the operator has to agree to the run, what begins it;
-            else ``None``.
-        withdrawn: What the operator was asked to agree to is not to be run any more.
+        checked: A :class:`Preflight` and, if the operator has to agree to the run, a function that
+            begins it; else ``None``.
+        withdrawn: The question to the operator no longer applies.
         refused: A :class:`Refusal`.
         progressed: A :class:`Progress`.
-        started: The name of what begins to run, and its :class:`RunOptions`.
+        started: The name of the started trajectory, and its :class:`RunOptions`.
     """
 
     checked = Signal(object, object)
@@ -245,7 +245,7 @@ class RunBar(Translated, QWidget):
     # What the operator wants ------------------------------------------------------------------
 
     def listen(self, page: QWidget) -> None:
-        """Have a key press 发送 wherever in its page; a key that is held presses once."""
+        """Connect the key of 发送 anywhere in its page; a held key presses once."""
         listen_for("editor.send", page, self._send.click).setAutoRepeat(False)
 
     def show_content(
@@ -258,15 +258,15 @@ class RunBar(Translated, QWidget):
         nothing: Refusal | None = None,
         state: object = None,
     ) -> None:
-        """Fit the choices to what would be run.
+        """Fit the choices to the content to run.
 
         Args:
-            name: Its own; "" while there is nothing.
-            count: How many points it has.
+            name: Its name; "" without content.
+            count: The number of its points.
             speeds: The lowest and highest speed percentage of its points from each row on.
-            recording: Whether it has none, because it is a recording.
-            nothing: Why there is nothing to be run.
-            state: Is another when the points are others.
+            recording: True for a recording, which has no points.
+            nothing: The reason why there is nothing to run.
+            state: A value that changes whenever the points do.
         """
         self._name, self._speeds = name, speeds
         self._what = (name, count, tuple(speeds), recording, state)
@@ -392,20 +392,20 @@ class RunBar(Translated, QWidget):
     # What is asked for ------------------------------------------------------------------------
 
     def show_secondary(self, wanted: bool) -> None:
-        """Show that something else on the page is done more often than running it."""
+        """Set whether running is not the main action of the page."""
         self._stands_back = wanted
         self._show_usable()
 
     def check(self) -> None:
-        """Check what would be run; :attr:`checked` tells how it ended."""
+        """Check the content without running it; :attr:`checked` has the result."""
         self._begin(self._options, runs=False)
 
     def send(self) -> None:
-        """Check what is chosen, then run it."""
+        """Check the content, then run it."""
         self._begin(self._options)
 
     def resume(self) -> None:
-        """Take a run up where it ended."""
+        """Continue a run where it ended."""
         self._begin(self._options_to_resume, self._why_not_resume)
 
     def _begin(
@@ -447,10 +447,10 @@ class RunBar(Translated, QWidget):
             self.started.emit(request.name, self._options())
 
     def drop_check(self, but: str = "") -> None:
-        """Let nothing come of what is read, checked or asked: it is so no more, or not wanted.
+        """Cancel a request that no longer applies, or is not wanted.
 
         Args:
-            but: The name of what may go on being checked; its page tells what it has read.
+            but: The name of the trajectory whose check may go on.
         """
         if self._request is not None and not (but and self._request.name in {"", but}):
             self._give_up()
@@ -552,12 +552,12 @@ class RunBar(Translated, QWidget):
         self._show_usable()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Catch up with what went by while the page was hidden."""
+        """Update the choices, which were not updated while the page was hidden."""
         self._show_usable()
         super().showEvent(event)
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Nothing begins from a page that is not seen."""
+        """Cancel a check: nothing may start from a hidden page."""
         if self.is_checking:
             self._give_up()
         super().hideEvent(event)

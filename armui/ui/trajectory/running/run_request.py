@@ -1,4 +1,4 @@
-"""A press on 发送 or 检查, from the reading of what is chosen to the arm on its way."""
+"""One press on 发送 or 检查, from reading the content to the start of the arm."""
 
 from __future__ import annotations
 
@@ -49,9 +49,9 @@ FINDINGS_AGAINST = Reason(
 
 
 _SAME_PLACE_DEG: Final = 0.5
-"""An arm at rest is heard to tremble by some hundredths."""
+"""The measured angles of an arm at rest waver by some hundredths."""
 _SURPRISING_S: Final = 2.0
-"""Nobody expects the arm to move so long after the button was pressed."""
+"""If the check took longer, the operator no longer expects the arm to move."""
 
 
 # What is checked --------------------------------------------------------------------------------
@@ -59,13 +59,13 @@ _SURPRISING_S: Final = 2.0
 
 @dataclass(frozen=True, slots=True)
 class CheckBasis:
-    """What a check belongs to, beside what is run and where the arm stands: compared whole.
+    """The conditions of a check beside content and position; compared as a whole.
 
     Attributes:
         mark: The arm and the connection.
-        arm: The arm as a plan sees it: limits, geometry and zeros, tool, gripper.
-        alterations: How often this program had set something of the arm by then, a load also.
-        options: How the operator wants it run.
+        arm: The arm's data for planning: limits, geometry and zeros, tool, gripper.
+        alterations: The number of settings that this program had made by then, loads included.
+        options: The operator's options.
     """
 
     mark: ArmMark
@@ -75,12 +75,12 @@ class CheckBasis:
 
     @classmethod
     def of(cls, controller: ArmController, options: RunOptions) -> CheckBasis:
-        """Return what a check would belong to now."""
+        """Return the present conditions."""
         arm, altered = arm_model(controller), controller.transactions.alterations
         return cls(controller.mark, arm, altered, options)
 
     def why_other(self, now: CheckBasis) -> Refusal | None:
-        """Return the reason why a check for this says nothing of a run under ``now``."""
+        """Return why a check under these conditions is not valid under ``now``, or ``None``."""
         if not self.mark.is_still(now.mark):
             return ARM_CHANGED()
         if self.arm.limits != now.arm.limits:
@@ -94,12 +94,12 @@ class CheckBasis:
 
 @dataclass(frozen=True, slots=True)
 class Preflight:
-    """A check that has ended.
+    """A completed check.
 
     Attributes:
-        order: What was checked.
-        outcome: How it ended.
-        basis: What it belongs to.
+        order: The input of the check.
+        outcome: The result.
+        basis: The conditions of the check.
     """
 
     order: CheckRequest
@@ -113,7 +113,7 @@ class Preflight:
 
     @property
     def path(self) -> PlannedPath:
-        """The path that the arm would take."""
+        """The planned path of the arm."""
         return self.outcome.path
 
     @property
@@ -123,12 +123,12 @@ class Preflight:
 
     @property
     def errors(self) -> int:
-        """The number of findings that forbid it to be run."""
+        """The number of findings that forbid a run."""
         return len(self.outcome.errors)
 
     @property
     def whole(self) -> bool:
-        """True if all rows were looked at: a run from a later row, once, leaves some out."""
+        """True if all rows were checked, as opposed to a single run from a later row."""
         return not self.order.first or self.order.cycles != 1
 
     @property
@@ -138,12 +138,12 @@ class Preflight:
 
     @property
     def mark(self) -> Check:
-        """The check mark it gives what was checked, wherever the arm is."""
+        """The check mark for the content, independent of the arm's position."""
         of_content = [one.severity for one in self.findings if not one.is_of_approach]
         return "errors" if Severity.ERROR in of_content else "warnings" if of_content else "ok"
 
     def why_outdated(self, controller: ArmController, options: RunOptions) -> Refusal | None:
-        """Return why it says nothing of a run that begins now with these options, or ``None``."""
+        """Return why it is not valid for a run with these options now, or ``None``."""
         pairs = zip(self.order.start_deg, start_deg(controller), strict=True)
         moved_deg = max(abs(there - here) for there, here in pairs)
         if moved_deg > _SAME_PLACE_DEG:
@@ -152,11 +152,11 @@ class Preflight:
 
 
 class Checks:
-    """Has checks done one after another, out of the window's way.
+    """Runs checks one after another in the background.
 
     Args:
-        controller: Knows the arm.
-        background: Where they are done.
+        controller: Gives the arm's state.
+        background: Runs the checks.
     """
 
     def __init__(self, controller: ArmController, background: Background) -> None:
@@ -164,18 +164,18 @@ class Checks:
         self._background = background
 
     def get_ready(self) -> None:
-        """Begin to load what checks need: one will be asked for soon."""
+        """Load the modules of checks in advance."""
         self._background.warm_up(warm_up)
 
     def begin(
         self, content: Content, options: RunOptions, then: Callable[[Preflight | Refusal], object]
     ) -> None:
-        """Check something that shall be run from where the arm is now.
+        """Check a content for a run from the arm's present position.
 
         Args:
-            content: What shall be run.
-            options: How.
-            then: Gets the :class:`Preflight`, or why there is none, in this thread.
+            content: The content to run.
+            options: The options of the run.
+            then: Receives the :class:`Preflight`, or why there is none, in this thread.
         """
         basis = CheckBasis.of(self._controller, options)
         order = CheckRequest(
@@ -220,15 +220,15 @@ class Checks:
 
 
 class RequestState(enum.Enum):
-    """How far a request has come."""
+    """The progress of a request."""
 
     PRESSED = enum.auto()
     READING = enum.auto()
     CHECKING = enum.auto()
     CHECKED = enum.auto()
-    """For a mere check this is its end."""
+    """The check is done; a request for a check alone ends here."""
     ASKING = enum.auto()
-    """The operator has to agree to what was found, or to a motion so long after the press."""
+    """The operator has to agree to the findings, or to a motion so long after the press."""
     STARTING = enum.auto()
     UNDER_WAY = enum.auto()
     REFUSED = enum.auto()
@@ -246,34 +246,37 @@ _NEXT: Final[Mapping[RequestState, frozenset[RequestState]]] = {
     RequestState.REFUSED: frozenset(),
     RequestState.GIVEN_UP: frozenset(),
 }
-"""What may follow, beside `REFUSED` and `GIVEN_UP`, which may follow whatever is not over."""
+"""The states that may follow each state, beside `REFUSED` and `GIVEN_UP`, which may follow any that
+is not final.
+"""
 
 
 class RunRequest:
-    """One press: its methods stand in the order in which they are gone through.
+    """One press; the methods are in the order of its progress.
 
-    Each begins with the state it goes on from: an answer that comes after the request was given
-    up changes nothing. Where choices are turned before the arm sets out, it reads and checks anew.
+    Each checks the state first, so that an answer after the cancelling changes nothing. If the
+    options change before the arm starts, the request reads and checks again.
 
     Args:
-        controller: Knows the arm, and whether it may run something.
-        checks: Checks what was read.
-        runner: Runs what was checked.
-        read: Hands on what is chosen, once it is read; ``None`` if there is nothing, which it
-            says itself.
-        options: Tells how it is to be run by what is shown now.
+        controller: Gives the arm's state, and whether it may run something.
+        checks: Checks the content.
+        runner: Runs the checked content.
+        read: Passes on the content when it is read; ``None`` if there is none, which it reports
+            itself.
+        options: Returns the options as shown now.
         told: Called with the request in each new state.
-        runs: Whether it is to be run; otherwise it is only checked.
-        why_not: Tells by the name of what was checked why it is not run all the same.
+        runs: True to run it; otherwise it is only checked.
+        why_not: Returns for a content's name a further reason against the run.
         clock: Monotonic time in seconds.
 
     Attributes:
-        state: How far it has come.
-        options: How it is read, checked and run.
-        name: Of what was read; "" before.
-        checked: How the check ended; ``None`` before.
-        must_ask: Whether the operator has to agree before the arm moves; with errors nobody can.
-        refusal: Why it was refused; ``None`` otherwise.
+        state: The progress.
+        options: The options of the check and the run.
+        name: The content's name; "" before it is read.
+        checked: The check; ``None`` before.
+        must_ask: True if the operator has to agree before the arm moves; with errors that is not
+            possible.
+        refusal: The reason for a refusal; ``None`` otherwise.
     """
 
     def __init__(
@@ -309,7 +312,7 @@ class RunRequest:
 
     @property
     def is_over(self) -> bool:
-        """True once nothing more comes of it."""
+        """True once the request has ended."""
         checked = self.state is RequestState.CHECKED and not self.runs
         return checked or not _NEXT[self.state]
 
@@ -319,7 +322,7 @@ class RunRequest:
         return self.state in {RequestState.READING, RequestState.CHECKING}
 
     def begin(self) -> None:
-        """Have what is chosen read."""
+        """Begin to read the content."""
         refusal = self._controller.operating_state.cannot_run if self.runs else None
         if refusal is not None:
             self._refuse(refusal)
@@ -364,7 +367,7 @@ class RunRequest:
             self._start(checked)
 
     def accept(self) -> None:
-        """Take in that the operator agrees."""
+        """Start the run, because the operator agrees."""
         if self.state is RequestState.ASKING and self.checked is not None:
             self._pressed_s = self._clock()
             if not self._goes_otherwise():
@@ -393,7 +396,7 @@ class RunRequest:
             self._enter(RequestState.UNDER_WAY)
 
     def give_up(self) -> None:
-        """Let nothing come of it any more; what runs already is ended by other means."""
+        """Cancel the request; a run that has started is ended by other means."""
         if not self.is_over and self.state is not RequestState.STARTING:
             self._enter(RequestState.GIVEN_UP)
 

@@ -1,4 +1,4 @@
-"""The run under way, told once for the whole window: what, where, how long still; pause and end."""
+"""The present run, shown for the whole window: name, place, remaining time; pause and end."""
 
 from __future__ import annotations
 
@@ -35,22 +35,22 @@ if TYPE_CHECKING:
     from armui.control.operating_state import OperatingState
 
 _STEPS: Final = 1000
-"""Of the progress bar."""
+"""The steps of the progress bar."""
 _BAR_PX: Final = 160
 _ICON_PX: Final = 16
 _SLIDER_PX: Final = 110
 
 
 class OverrideControl(Translated, QWidget):
-    """倍率: slider and field for 0–100 % of the speed that a run has by itself.
+    """倍率: slider and field for 0–100 % of a run's own speed.
 
-    A lower one counts while it is dragged, a higher one when the handle is let go.
+    A lower one takes effect while dragging, a higher one when the handle is released.
 
     Args:
-        controller: Owns the override.
+        controller: Has the override.
 
     Attributes:
-        field: Takes a figure.
+        field: The field for a figure.
     """
 
     def __init__(self, controller: ArmController) -> None:
@@ -86,18 +86,18 @@ class OverrideControl(Translated, QWidget):
             describe(widget, self.tr("Speed override of the run"), tip)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Catch up with what was chosen while it was hidden."""
+        """Show the present override."""
         super().showEvent(event)
         self._input.show_value()
 
 
 class RunStrip(Translated, QWidget):
-    """There from the moment a run begins until it is over and the operator has seen how it ended.
+    """Visible from the beginning of a run until the operator has seen its end.
 
-    It follows whatever runs, whoever began it: points or a recording.
+    It follows every run, of points or of a recording.
 
     Args:
-        controller: Runs it.
+        controller: Gives the run.
     """
 
     commands = (
@@ -162,7 +162,7 @@ class RunStrip(Translated, QWidget):
 
     @property
     def go_on_button(self) -> QWidget | None:
-        """The button that goes on with a run that pauses or waits, while it is seen."""
+        """The visible button that continues a paused or waiting run, or ``None``."""
         shown = (each for each in (self._continue, self._next) if each.isVisible())
         return next(shown, None)
 
@@ -239,11 +239,11 @@ class RunStrip(Translated, QWidget):
         self._close.setIcon(icons.icon("close", colors_of(self).muted))
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Catch up with what went by while it was hidden."""
+        """Update the progress, which was not updated while it was hidden."""
         super().showEvent(event)
         self._show(self._runner.progress)
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """What was refused once is not said of the next run."""
+        """Drop a refusal, which does not concern the next run."""
         super().hideEvent(event)
         self._refusal = None

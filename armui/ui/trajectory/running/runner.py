@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class Runner(QObject):
-    """One way to the two parts of the controller that run something.
+    """A common interface to the controller's two parts that run something.
 
     Args:
         controller: Its player runs points, its replayer recordings.
@@ -39,17 +39,17 @@ class Runner(QObject):
 
     @property
     def running(self) -> bool:
-        """True if something moves the arm, or will."""
+        """True if a run moves the arm, or will."""
         return self._controller.player.running or self._controller.replayer.running
 
     @property
     def progress(self) -> Progress:
-        """How far it has come; of what ran last where nothing runs."""
+        """The progress of the present run, or of the last one."""
         replayer = self._controller.replayer
         return replayer.progress if replayer.running else self._controller.player.progress
 
     def start(self, checked: Preflight) -> Refusal | None:
-        """Run what was checked: ``None`` if the arm is on its way, or why not."""
+        """Run a checked content; return ``None`` if the run has begun, or why not."""
         content, options = checked.content, checked.basis.options
         if isinstance(content, Recording):
             replay = Replay(content, options.speed_factor, options.cycles, checked.outcome.profile)
@@ -70,7 +70,7 @@ class Runner(QObject):
         return refusal_of(self._active().pause())
 
     def go_on(self) -> Refusal | None:
-        """End a pause, or take the next step."""
+        """End a pause, or begin the next step."""
         return refusal_of(self._active().go_on())
 
     def stop(self) -> None:
@@ -83,10 +83,10 @@ class Runner(QObject):
 
 
 def can_pause(progress: Progress) -> bool:
-    """Return whether there is a motion, or a dwell, to hold."""
+    """Return whether there is a motion or a dwell that can be paused."""
     return progress.phase in {RunPhase.MOVING, RunPhase.DWELLING}
 
 
 def ended_early(progress: Progress) -> bool:
-    """Return whether a run of points ended before its end, so that it can be taken up again."""
+    """Return whether a run of points ended before its end, so that it can be continued."""
     return progress.phase in OVER - {RunPhase.IDLE, RunPhase.DONE} and progress.count > 0

@@ -1,4 +1,4 @@
-"""Import of an unknown table: the operator says which column is what and in which unit."""
+"""Import of an unknown table: the operator sets the quantity and the unit of each column."""
 
 from __future__ import annotations
 
@@ -35,22 +35,21 @@ from armui.ui.widgets.translated import Translated
 
 
 class TableImport(QThread):
-    """Reads one table: 180,000 rows take seconds, in which the window must answer.
+    """Reads one table in a thread: 180,000 rows take seconds, in which the window must respond.
 
-    The library is opened anew here, as another program would: it is for one thread.
+    The thread opens the library itself, as another program would, because it is for one thread.
 
     Args:
         table: The file.
-        mapping: Which column is what.
-        name: What the result is called.
-        folder: Of the library.
-        parent: Whoever waits for it.
+        mapping: The meaning of the columns.
+        name: The name of the result.
+        folder: The library's folder.
+        parent: The parent object.
 
     Attributes:
         name: As given.
-        error: What spoke against it, once it has finished; nothing of the library has changed
-            then.
-        done: Whether it is in the library; neither this nor an error where it was interrupted.
+        error: The reason of a failure, when it has finished; the library is unchanged then.
+        done: True if it was imported; if it was interrupted there is neither this nor an error.
     """
 
     def __init__(
@@ -67,7 +66,7 @@ class TableImport(QThread):
             app.aboutToQuit.connect(self._end)
 
     def run(self) -> None:
-        """Do it; what came of it stands in the attributes when this has finished."""
+        """Import the table; the attributes hold the result."""
         table, name = self._table, self.name
         try:
             content = columns.apply(table.text, table.sheet, self._mapping, name)
@@ -86,19 +85,19 @@ class TableImport(QThread):
 
 _FIELD_PX: Final = 34
 _MOVES: Final = (None, MoveMode.MOVE_J, MoveMode.MOVE_P, MoveMode.MOVE_L)
-"""What the rows can become: a recording, or points of a motion."""
+"""The possible results: a recording, or points of a motion."""
 _SPEED_PERCENT: Final = 30
 
 
 class ColumnsPage(Page):
-    """From a table of figures to a recording or a trajectory of the library.
+    """Imports a table of figures as a recording or a trajectory.
 
     Args:
-        library: Takes what is imported; nothing of it changes before the button is pressed.
+        library: The library; unchanged until the button is pressed.
         table: The file.
 
     Signals:
-        imported: The name under which it has been put into the library.
+        imported: The name of the imported content.
     """
 
     imported = Signal(str)
@@ -167,7 +166,7 @@ class ColumnsPage(Page):
 
     @property
     def mapping(self) -> ColumnMapping:
-        """Which column is what, as the operator says it now."""
+        """The meaning of the columns as set by the operator."""
         move = _MOVES[self._moves.currentIndex()]
         return ColumnMapping(self._table.columns, move, self._speed.value())
 
@@ -314,11 +313,11 @@ class ColumnsPage(Page):
         self._speed.setEnabled(can and self.mapping.move is not None)
 
     def take_focus(self) -> None:
-        """The keys are for the name."""
+        """Focus the name."""
         self._name.setFocus()
 
     def leave(self) -> None:
-        """Close; an import under way is given up first, and nothing is left half done."""
+        """Close the page; a running import is cancelled first, without a partial result."""
         if self._work is None:
             super().leave()
         else:
@@ -360,16 +359,16 @@ class ColumnsPage(Page):
 
 
 class ColumnsOffer(Translated, QPushButton):
-    """Opens the page for one file after the other.
+    """A button that opens the page for one file after the other.
 
     Args:
-        work: Reads the files; its library takes what is imported.
+        work: Reads the files; its library receives the imported content.
         owner: The page that holds it.
 
     Signals:
         page_made: A :class:`ColumnsPage`, before it wants to be shown.
-        imported: The name of what was taken over.
-        refused: Why a file cannot be opened any more, as a text.
+        imported: The name of the imported content.
+        refused: The reason why a file cannot be opened any more, as a text.
     """
 
     page_made = Signal(object)
@@ -390,11 +389,11 @@ class ColumnsOffer(Translated, QPushButton):
 
     @property
     def paths(self) -> Sequence[Path]:
-        """The files that are offered, the next one first."""
+        """The files offered, the next one first."""
         return tuple(self._paths)
 
     def show_for(self, paths: Sequence[Path]) -> None:
-        """Offer some files and no others."""
+        """Offer exactly these files."""
         self._paths = list(paths)
         self.setVisible(bool(paths))
         self.retranslate_ui()

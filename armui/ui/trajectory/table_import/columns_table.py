@@ -1,4 +1,4 @@
-"""The first rows of an unknown table, and above each column what it is."""
+"""The first rows of an unknown table, with the meaning of each column above."""
 
 from __future__ import annotations
 
@@ -38,16 +38,16 @@ from armui.ui.widgets.translated import Translated
 
 _MARGIN_PX: Final = 3
 _SURE: Final = 1.0
-"""The confidence of a guess whose title says quantity and unit."""
+"""The confidence of a guess whose title names quantity and unit."""
 
 
 class ColumnPicker(Translated, QWidget):
     """The title of a column, its quantity and its unit.
 
     Args:
-        number: Of the column, from 1; messages name it.
-        title: In the file; "" where it has none.
-        guess: What it begins with.
+        number: The column's number, from 1; messages name it.
+        title: The title in the file; "" if there is none.
+        guess: The initial guess.
 
     Signals:
         quantity_chosen: The operator chose another quantity.
@@ -83,7 +83,7 @@ class ColumnPicker(Translated, QWidget):
 
     @property
     def column(self) -> TableColumn | None:
-        """What it holds; ``None`` if it is left out."""
+        """The quantity and unit; ``None`` if the column is left out."""
         quantity = self._quantity.currentData()
         if quantity is None:
             return None
@@ -91,7 +91,7 @@ class ColumnPicker(Translated, QWidget):
 
     @property
     def guessed(self) -> bool:
-        """True if its unit, or what it holds, is neither the title's word nor the operator's."""
+        """True if quantity or unit comes neither from the title nor from the operator."""
         return self._guessed
 
     @property
@@ -101,7 +101,7 @@ class ColumnPicker(Translated, QWidget):
 
     @property
     def exceeds_radians(self) -> bool:
-        """True if a figure of it is more than any joint turns in radians."""
+        """True if a figure is larger than any joint angle in radians."""
         return exceeds_radians(self._guess.figures)
 
     @property
@@ -111,10 +111,10 @@ class ColumnPicker(Translated, QWidget):
         return column is not None and column.unit == self._guess.titled_unit
 
     def show_column(self, column: TableColumn | None, *, guessed: bool) -> None:
-        """Show what the operator has said before.
+        """Show an earlier choice of the operator.
 
         Args:
-            column: What it holds.
+            column: The quantity and unit.
             guessed: Whether its unit was guessed.
         """
         place = 0 if column is None else 1 + list(ColumnQuantity).index(column.quantity)
@@ -132,7 +132,7 @@ class ColumnPicker(Translated, QWidget):
             self._unit.setCurrentIndex(place)
 
     def show_certain(self) -> None:
-        """What it says comes from the operator now."""
+        """Mark the choice as the operator's own."""
         self._guessed = False
         self._show_origin()
 
@@ -157,7 +157,7 @@ class ColumnPicker(Translated, QWidget):
         self.quantity_chosen.emit()
 
     def show_unit_of(self, other: ColumnPicker) -> None:
-        """Take the unit of another column of the kind, unless the title names one."""
+        """Use the unit of another column of the same kind, unless the title names one."""
         column = other.column
         if column is not None and not self.is_titled:
             self.show_unit(column.unit)
@@ -194,7 +194,7 @@ class _Choice(QComboBox):
         self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        """Leave it to what is behind."""
+        """Leave the wheel to the widget behind."""
         event.ignore()
 
 
@@ -202,20 +202,20 @@ _COLUMN_PX: Final = 124
 _ROW_PX: Final = 26
 _ROWS: Final = 10
 _MOST_COLUMNS: Final = 60
-"""Beside those that a title names."""
+"""The most columns shown beside those that a title names."""
 _LONGEST_CELL: Final = 200
 _KIN: Final = (JOINTS, POSE[:3], POSE[3:])
-"""What is in one unit throughout most files."""
+"""The quantities that share a unit in most files."""
 
 Said = Mapping[int, tuple[TableColumn | None, bool]]
 
 
 class ColumnsTable(QScrollArea):
-    """Column by column, each in a unit of its own.
+    """The columns side by side, each with a unit of its own.
 
     Args:
-        sheet: How the table is built, with its first rows and what they seem to hold.
-        said: See :attr:`said`, of a table that was shown before.
+        sheet: The table's layout, with its first rows and the guesses.
+        said: The :attr:`said` of a table that was shown before.
 
     Signals:
         changed: The operator chose another quantity or unit.
@@ -252,7 +252,7 @@ class ColumnsTable(QScrollArea):
 
     @property
     def columns(self) -> tuple[TableColumn | None, ...]:
-        """What each column is, as the operator says it; one that is not shown is left out."""
+        """The operator's quantity and unit of each column; hidden ones are left out."""
         columns: list[TableColumn | None] = [None] * self._width
         for place, picker in zip(self._places, self._pickers, strict=True):
             columns[place] = picker.column
@@ -260,12 +260,12 @@ class ColumnsTable(QScrollArea):
 
     @property
     def said(self) -> Said:
-        """What the operator has said himself, and whether its unit was guessed, by place."""
+        """The operator's own choices by index, each with whether its unit was guessed."""
         return self._said
 
     @property
     def hidden_count(self) -> int:
-        """How many columns are not shown, because nobody could look through them."""
+        """The number of columns that are not shown, because there are too many."""
         return self._width - len(self._places)
 
     def _asking(self, needed: Collection[ColumnQuantity]) -> list[ColumnPicker]:
@@ -278,15 +278,15 @@ class ColumnsTable(QScrollArea):
         return unsaid if all(not each.exceeds_radians for each in angles) else []
 
     def may_be_radians(self, needed: Collection[ColumnQuantity]) -> list[int]:
-        """Return the numbers of the columns whose angles may be radians, which nobody has said.
+        """Return the numbers of columns whose angles may be radians, without a unit being named.
 
         Args:
-            needed: Of what is imported.
+            needed: The quantities to be imported.
         """
         return [1 + self._places[self._pickers.index(each)] for each in self._asking(needed)]
 
     def say_unit(self, needed: Collection[ColumnQuantity], unit: str) -> None:
-        """Take the operator's word for the unit of those."""
+        """Set the unit of those columns by the operator's answer."""
         asking = self._asking(needed)
         for picker in asking:
             picker.show_unit(unit)
@@ -341,7 +341,7 @@ class _Preview(TableModel):
         self._pale = pale
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        """Return a cell; nothing where a row is too short."""
+        """Return a cell; nothing if a row is too short."""
         if not index.isValid():
             return None
         row, column = self._rows[index.row()], index.column()

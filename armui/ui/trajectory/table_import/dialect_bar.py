@@ -1,4 +1,4 @@
-"""How an unknown table is built: what was guessed, for the operator to correct."""
+"""The guessed dialect of an unknown table, for the operator to correct."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class DialectBar(Translated, QWidget):
     """Encoding, delimiter, decimal sign and the line of the first figures.
 
     Signals:
-        changed: The operator says one of them; the others may be guessed anew.
+        changed: The operator has set one of them; the others may be guessed again.
     """
 
     changed = Signal()
@@ -50,18 +50,18 @@ class DialectBar(Translated, QWidget):
 
     @property
     def encoding(self) -> Encoding | None:
-        """As the operator says it; ``None`` where it is left to be guessed."""
+        """The encoding set by the operator; ``None`` to guess it."""
         said: Encoding | None = self._value(self._encoding)
         return said
 
     @property
     def dialect(self) -> Dialect:
-        """The same of the rest."""
+        """The rest of the dialect, likewise."""
         line = self._line.value() if self._line in self._said else None
         return Dialect(self._value(self._delimiter), self._value(self._decimal), line)
 
     def show_table(self, table: TableFile) -> None:
-        """Show how a file was read."""
+        """Show the dialect with which a file was read."""
         sheet = table.sheet
         shown = (table.encoding, sheet.delimiter, sheet.decimal)
         for box, value in zip((self._encoding, self._delimiter, self._decimal), shown, strict=True):
@@ -110,7 +110,7 @@ class _Line(QSpinBox):
     """Enter takes the figure over, and does not import by it at once."""
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Keep Enter from the button that is pressed by it."""
+        """Keep Enter from pressing the default button."""
         super().keyPressEvent(event)
         if event.key() in {Qt.Key.Key_Return, Qt.Key.Key_Enter}:
             event.accept()

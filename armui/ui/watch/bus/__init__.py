@@ -1,1 +1,1 @@
-"""The page 总线: every frame on the bus, what it says, how often it comes, and who sends it."""
+"""The page 总线: every frame on the bus, with its meaning, its rate and its sender."""

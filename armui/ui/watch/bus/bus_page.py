@@ -59,11 +59,11 @@ if TYPE_CHECKING:
 
 
 LOOK_MS: Final = 100
-"""The figures are shown anew so often."""
+"""The period of updating the figures."""
 _SOON_MS: Final = 5
-"""Frames that are left are counted so soon, after whatever else the thread has to do."""
+"""The pause before the remaining frames are counted, in which the thread does other work."""
 _RUNNING_FRAMES: Final = 300
-"""So many are shown in order of time while they run by; all that are kept once they stand."""
+"""The frames shown in order of time while they run; all kept ones are shown in a pause."""
 _OLD_S: Final = 1.0
 _BUSY_PERCENT: Final = 80.0
 _KEYS: Final = ("bus.bus_load", "bus.frames_per_s", "bus.error_frames_per_s")
@@ -75,10 +75,10 @@ _SAYS_PX: Final = 240
 
 
 class FrameTree(RowView):
-    """Frames by identifier; a sign before a signal shows it as a curve.
+    """Frames by identifier; a click on the sign before a signal shows its curve.
 
     Signals:
-        curves_wanted: Keys of quantities.
+        curves_wanted: The keys of quantities to show as curves.
     """
 
     curves_wanted = Signal(object)
@@ -110,7 +110,7 @@ class FrameTree(RowView):
         header.setSectionResizeMode(frame_model.SAYS, QHeaderView.ResizeMode.Stretch)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Where not all fits, what is said keeps the room it needs, and the last columns scroll."""
+        """Keep the room of the content column; the last columns scroll if not all fit."""
         header = self.header()
         others = header.length() - header.sectionSize(frame_model.SAYS)
         fits = self.viewport().width() - others >= _SAYS_PX
@@ -124,7 +124,7 @@ class FrameTree(RowView):
     def drawRow(  # noqa: N802 - the name Qt calls
         self, painter: QPainter, option: QStyleOptionViewItem, index: Index
     ) -> None:
-        """A sign before each signal that can be drawn."""
+        """Draw a row, with a sign before each signal that can be a curve."""
         super().drawRow(painter, option, index)
         place = self._sign(index)
         if place is not None:
@@ -142,7 +142,7 @@ class FrameTree(RowView):
         return QRect(cell.right() - _ICON_PX - 4, top, _ICON_PX, _ICON_PX)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        """A click on the sign shows the curve."""
+        """Show the curve at a click on the sign."""
         super().mouseReleaseEvent(event)
         place = event.position().toPoint()
         index = self.indexAt(place)
@@ -152,7 +152,7 @@ class FrameTree(RowView):
             self._show_curve(index)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Enter shows the signal's curve."""
+        """Show the signal's curve at Enter."""
         if event.key() in {Qt.Key.Key_Return, Qt.Key.Key_Enter}:
             self._show_curve(self.currentIndex())
             event.accept()  # a dialog would take it for its button
@@ -189,10 +189,10 @@ class TraceList(RowView):
 
 
 class BusSummary(Translated, QWidget):
-    """Four figures in a row, and below them what is wrong, if anything is.
+    """Four figures in a row, and below them a fault of the bus, if there is one.
 
     Args:
-        controller: Knows the connection.
+        controller: Gives the state of the connection.
     """
 
     def __init__(self, controller: ArmController) -> None:
@@ -224,17 +224,17 @@ class BusSummary(Translated, QWidget):
         self.retranslate_ui()
 
     def begin(self) -> None:
-        """Losses are counted from now on."""
+        """Count losses from now on."""
         self._lost_before = self._controller.bus.frames_dropped
 
     def show_bus(self, snapshot: BusSnapshot, now_s: float, counted: str, paused: str) -> None:
-        """Show how the bus is.
+        """Show the state of the bus.
 
         Args:
-            snapshot: What was counted.
+            snapshot: The counts.
             now_s: Monotonic time.
-            counted: Since when, in words.
-            paused: That the figures below stand, in words; "": they do not.
+            counted: The text on the beginning of the count.
+            paused: The text that the figures are paused; "" if they are not.
         """
         load = self._latest("bus.bus_load", now_s)
         _put(self.load, f"{fmt.number(load, 0)} %" if load is not None else fmt.NOTHING)
@@ -324,17 +324,17 @@ def _put(label: QLabel, text: str) -> None:
 
 
 class BusPage(Page):
-    """Listens to the bus only while it is shown, and counts from then on.
+    """Listens to the bus only while it is visible, and counts from then on.
 
     Args:
-        controller: Knows the bus.
+        controller: Gives access to the bus.
 
     Attributes:
-        statistics: What was counted.
-        filter_bar: Which frames are shown.
+        statistics: The counts.
+        filter_bar: The filter of frames.
         tree: Frames by identifier.
         trace: Frames in order of time.
-        send_box: Sends a frame by hand.
+        send_box: The box that sends a frame by hand.
     """
 
     commands = (
@@ -407,7 +407,7 @@ class BusPage(Page):
     # Counting ---------------------------------------------------------------------------------
 
     def begin(self) -> None:
-        """Count from now on, and show what comes."""
+        """Start counting again, and show new frames."""
         self.filter_bar.pause.setChecked(False)
         self._clock_zero = datetime.now().astimezone() - timedelta(seconds=self._now_s())
         self.statistics.clear()
@@ -418,7 +418,7 @@ class BusPage(Page):
         self._show()
 
     def look(self) -> None:
-        """Count what came, and show it unless the figures are to stand."""
+        """Count new frames, and show them unless the figures are paused."""
         self._count()
         device = self._controller.operating_state.device
         if device is not None and device != self._device:
@@ -518,7 +518,7 @@ class BusPage(Page):
     # One frame --------------------------------------------------------------------------------
 
     def quantities_at(self, place: QPoint) -> list[str]:
-        """The keys of what is shown at a place of the page."""
+        """Return the keys of the quantities at a place of the page."""
         index = self._index_at(place)
         return [] if index is None else self.model.keys_of(index)
 
@@ -531,7 +531,7 @@ class BusPage(Page):
         return index if viewport.rect().contains(inside) and index.isValid() else None
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        """What can be done with a frame."""
+        """Show the menu of a frame."""
         index = self._index_at(event.pos())
         if index is None:
             super().contextMenuEvent(event)
@@ -570,17 +570,17 @@ class BusPage(Page):
             QGuiApplication.clipboard().setText("\n".join(lines) + "\n")
 
     def headers(self) -> Mapping[str, QHeaderView]:
-        """The columns are kept."""
+        """Return the headers, whose columns are stored."""
         return {"bus": self.tree.header(), "bus_trace": self.trace.header()}
 
     def take_focus(self) -> None:
-        """The keys are for the frames."""
+        """Focus the frames."""
         (self.tree if self._views.currentIndex() == 0 else self.trace).setFocus()
 
     # The page -------------------------------------------------------------------------------
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Listen."""
+        """Start listening."""
         super().showEvent(event)
         self.statistics.forget_waiting()
         self._device = self._controller.operating_state.device
@@ -588,7 +588,7 @@ class BusPage(Page):
         self._controller.bus.add_listener(self.statistics)
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Listen no more."""
+        """Stop listening."""
         self._soon.stop()
         self._controller.bus.remove_listener(self.statistics)
         super().hideEvent(event)

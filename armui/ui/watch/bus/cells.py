@@ -1,4 +1,4 @@
-"""What both views have in common: cells, and rows painted in one go."""
+"""The common part of both views: cells, and rows painted as a whole."""
 
 from __future__ import annotations
 
@@ -23,23 +23,23 @@ from armui.ui.theme import Colors, colors_of
 from armui.ui.widgets.table_model import Index
 
 KEY_ROLE: Final = Qt.ItemDataRole.UserRole
-"""The key of the quantity that the row shows."""
+"""The role of the key of the row's quantity."""
 
 _SIDE_PX: Final = 6
 _MORE: Final = " …"
 _BYTES: Final = 8
 _BYTE_CHARACTERS: Final = 3
-"""Two figures and a blank."""
+"""Two digits and a blank."""
 
 
 class Tone(enum.Enum):
-    """How a cell is to be read."""
+    """The colour of a cell's text."""
 
     PLAIN = enum.auto()
     MUTED = enum.auto()
-    """Stale, or of no weight."""
+    """Stale or unimportant."""
     NOTE = enum.auto()
-    """Sent by somebody else."""
+    """Sent by another host."""
     TROUBLE = enum.auto()
 
 
@@ -49,7 +49,7 @@ class Payload:
 
     Attributes:
         data: The bytes.
-        lit: Which of the first eight are to be lit.
+        lit: The bytes among the first eight to highlight.
     """
 
     data: bytes
@@ -57,19 +57,19 @@ class Payload:
 
     @property
     def text(self) -> str:
-        """In hexadecimal."""
+        """The bytes in hexadecimal."""
         return self.data.hex(" ").upper()
 
 
 @dataclass(frozen=True, slots=True)
 class Cell:
-    """What stands in a cell.
+    """The content of a cell.
 
     Attributes:
-        text: To be read.
-        tone: In which colour.
-        right: It is a figure: it stands at the right.
-        payload: Bytes in place of the text.
+        text: The text.
+        tone: The colour of the text.
+        right: True for figures, which are aligned to the right.
+        payload: The bytes shown instead of the text.
     """
 
     text: str = ""
@@ -78,7 +78,7 @@ class Cell:
     payload: Payload | None = None
 
     def data(self, role: int) -> str | None:
-        """What Qt asks of it."""
+        """Return the answer to a role of Qt."""
         if role == Qt.ItemDataRole.AccessibleTextRole and self.payload is not None:
             return self.payload.text
         asked = {
@@ -90,30 +90,30 @@ class Cell:
 
 
 class HasCells(Protocol):
-    """A model that tells the cells of a row in one go: Qt would ask for each in ten questions."""
+    """A model that returns the cells of a row at once: Qt would ask ten questions for each."""
 
     def cells(self, index: Index) -> Sequence[Cell]:
-        """From the first column to the last."""
+        """Return the cells from the first column to the last."""
 
 
 def byte_font(widget: QWidget) -> QFont:
-    """A font in which all figures are of one width."""
+    """Return a font with digits of equal width."""
     font = QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont)
     font.setPointSizeF(widget.font().pointSizeF())
     return font
 
 
 def bytes_width(widget: QWidget) -> int:
-    """Room for eight bytes, in pixels."""
+    """Return the width of eight bytes, in pixels."""
     figure_px = QFontMetricsF(byte_font(widget)).horizontalAdvance("0")
     return round(_BYTES * _BYTE_CHARACTERS * figure_px) + 2 * _SIDE_PX
 
 
 class RowView(QTreeView):
-    """Paints whole rows: text in the colour of its tone, bytes with the changed ones lit.
+    """Paints whole rows: text in the colour of its tone, bytes with the changed ones highlighted.
 
     Args:
-        rows: The model, as it tells whole rows.
+        rows: The model, as the interface for whole rows.
     """
 
     def __init__(self, rows: HasCells, parent: QWidget | None = None) -> None:
@@ -137,7 +137,7 @@ class RowView(QTreeView):
         self._figure_px = QFontMetricsF(self._byte_font).horizontalAdvance("0")
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Colours and fonts are looked up once for all rows."""
+        """Paint the rows with the colours and fonts looked up once."""
         self._colors = colors_of(self)
         self._prepare_fonts()
         super().paintEvent(event)
@@ -145,7 +145,7 @@ class RowView(QTreeView):
     def drawRow(  # noqa: N802 - the name Qt calls
         self, painter: QPainter, option: QStyleOptionViewItem, index: Index
     ) -> None:
-        """One row, from the first column to the last."""
+        """Draw one row, from the first column to the last."""
         top, height = option.rect.top(), option.rect.height()
         header = self.header()
         if self.selectionModel().isSelected(index):

@@ -1,4 +1,4 @@
-"""Which frames are shown, and how: view, pause, clear, filter."""
+"""The controls of the bus page: view, pause, clear, filter."""
 
 from __future__ import annotations
 
@@ -34,13 +34,13 @@ class FilterBar(Translated, QWidget):
     """Two rows of controls.
 
     Args:
-        now_s: The present, by the clock of the frames.
+        now_s: Returns the present time by the frames' clock.
 
     Signals:
-        changed: Other frames are wanted.
-        trace_wanted: The view in order of time, or by identifier.
-        pause_wanted: The figures are to stand, or to go on.
-        clear_wanted: Counting begins anew.
+        changed: The filter has changed.
+        trace_wanted: True for the view in order of time, false for the one by identifier.
+        pause_wanted: True to pause the figures, false to continue.
+        clear_wanted: Counting shall start again.
     """
 
     changed = Signal()
@@ -89,7 +89,7 @@ class FilterBar(Translated, QWidget):
 
     @property
     def wanted(self) -> FrameFilter:
-        """The frames that are wanted."""
+        """The present filter."""
         return FrameFilter(
             text=self.text.text().strip(),
             ids=self._ids,

@@ -1,4 +1,4 @@
-"""Which frames are shown: by identifier, text, sender, change: pure."""
+"""The filter of frames by identifier, text, sender and change: pure."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ _SEPARATORS: Final = re.compile(r"\s*[,;]\s*|(?<![-–/\s])\s+(?![-–/\s])")
 
 @dataclass(frozen=True, slots=True)
 class IdFilter:
-    """Identifiers that are wanted.
+    """A set of identifiers.
 
     Attributes:
-        ranges: First and last of each.
+        ranges: The first and the last identifier of each range.
         masked: Value and mask: the bits of the mask must be those of the value.
     """
 
@@ -33,7 +33,7 @@ class IdFilter:
     masked: tuple[tuple[int, int], ...] = ()
 
     def accepts(self, arbitration_id: int) -> bool:
-        """Return whether an identifier is one of them; all are where none is named."""
+        """Return whether an identifier is in the set; an empty one accepts all."""
         if not (self.ranges or self.masked):
             return True
         return any(low <= arbitration_id <= high for low, high in self.ranges) or any(
@@ -42,7 +42,7 @@ class IdFilter:
 
 
 def parse_ids(text: str) -> IdFilter | str:
-    """The filter that a field holds, or the part of it that is none.
+    """Return the filter in a text, or the part of the text that is wrong.
 
     Args:
         text: Hexadecimal, separated by commas or blanks: ``2A1``, ``2A1-2A8``, ``155/7F0`` for
@@ -67,14 +67,14 @@ def parse_ids(text: str) -> IdFilter | str:
 
 @dataclass(frozen=True, slots=True)
 class FrameFilter:
-    """All that must be true of a frame that is shown.
+    """The conditions for a frame to be shown.
 
     Attributes:
-        text: Part of its identifier or its name, in any case.
-        ids: Its identifier.
-        sender: Who sends it.
-        only_unknown: It is unknown, or does not follow the protocol.
-        changed_since_s: A byte of it has changed since.
+        text: A part of its identifier or name, in any case.
+        ids: Its identifiers.
+        sender: Its sender.
+        only_unknown: True for frames that are unknown, or do not follow the protocol.
+        changed_since_s: The time since which a byte must have changed.
     """
 
     text: str = ""
@@ -87,8 +87,8 @@ class FrameFilter:
         """Return whether a row is shown.
 
         Args:
-            row: Of the statistics.
-            words: What a row is called, its identifier included.
+            row: A row of the statistics.
+            words: Returns the texts of a row, with its identifier.
         """
         if self.sender is not None and row.sender is not self.sender:
             return False
@@ -102,5 +102,5 @@ class FrameFilter:
 
     @property
     def for_trace(self) -> FrameFilter:
-        """The same for single frames: there it is each frame that must have changed."""
+        """The same filter for single frames, each of which must have changed."""
         return replace(self, changed_since_s=None)

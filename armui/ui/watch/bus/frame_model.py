@@ -1,4 +1,4 @@
-"""Frames by identifier as a tree: a row each, its signals below it."""
+"""Frames by identifier as a tree: a row for each, its signals below it."""
 
 from __future__ import annotations
 
@@ -30,14 +30,14 @@ if TYPE_CHECKING:
 
 
 LIT_S: Final = 1.0
-"""So long a byte that has changed stays lit."""
+"""The time for which a changed byte is highlighted."""
 
 ID, NAME, SENDER, DATA, SAYS, RATE, JITTER, COUNT, LAST = range(9)
 COLUMNS: Final = 9
 _RIGHT: Final = frozenset({RATE, JITTER, COUNT})
 _OTHERS: Final = frozenset({Sender.OTHER, Sender.OTHER_ARM})
 _LEADER: Final = frozenset({0x151, 0x155, 0x156, 0x157, 0x159})
-"""What a leader arm sends (0x470)."""
+"""The frames of a leader arm (0x470)."""
 _NOT_OF_THE_ARM: Final = FrameFlag.EXTENDED | FrameFlag.REMOTE | FrameFlag.ERROR | FrameFlag.FD
 
 
@@ -46,9 +46,9 @@ class SignalText:
     """One signal of a frame, decoded.
 
     Attributes:
-        name: What it is called.
-        value: With its unit, or its word.
-        key: Of the quantity it is drawn as; ``None``: it is not kept.
+        name: Its name.
+        value: The value with its unit, or its word.
+        key: The key of its quantity; ``None`` if it is not kept.
     """
 
     name: str
@@ -57,13 +57,13 @@ class SignalText:
 
 
 class FrameTexts:
-    """Reads frames as the arm's protocol has them.
+    """Formats frames by the arm's protocol.
 
     Attributes:
-        codec: How frames are decoded; ``None`` before the first device. A codec of its own: that of
-            the bus thread remembers what comes next.
+        codec: How frames are decoded; ``None`` before the first device. It is a codec of its own,
+            not the one of the bus thread.
         interface: python-can's name of the back-end.
-        leader: The other host is known for a leader arm (0x470).
+        leader: True if the other host is known to be a leader arm (0x470).
     """
 
     def __init__(self) -> None:
@@ -73,7 +73,7 @@ class FrameTexts:
         self._words: dict[tuple[int, int], str] = {}
 
     def speak(self, codec: Codec | None) -> bool:
-        """Read frames as another codec does and return whether it differs from the one before."""
+        """Use another codec, and return whether it differs from the one before."""
         known, wanted = _spoken(self.codec), _spoken(codec)
         if known == wanted:
             return False
@@ -82,25 +82,25 @@ class FrameTexts:
         return True
 
     def retranslate(self) -> None:
-        """The words are other ones."""
+        """Drop cached texts after a change of language."""
         self._words.clear()
 
     def message(self, arbitration_id: int, flags: int) -> str | None:
-        """The name in the DBC files of a frame's message; ``None``: it has none."""
+        """Return the name of a frame's message in the DBC files, or ``None``."""
         if flags & _NOT_OF_THE_ARM or self.codec is None:
             return None
         layout = self.codec.layout(arbitration_id)
         return None if layout is None else layout.name
 
     def name(self, arbitration_id: int, flags: int) -> str:
-        """What a frame is called."""
+        """Return the displayed name of a frame."""
         message = self.message(arbitration_id, flags)
         if message is not None:
             return message_name(message)
         return frames.frame_kind(arbitration_id, flags, self.codec)
 
     def words(self, row: FrameRow) -> str:
-        """All that a text may be looked for in."""
+        """Return all text of a row that can be searched."""
         key = row.arbitration_id, row.flags
         found = self._words.get(key)
         if found is None:
@@ -110,14 +110,14 @@ class FrameTexts:
         return found
 
     def sender(self, sender: Sender, arbitration_id: int) -> str:
-        """Who sends it."""
+        """Return the sender of a frame in words."""
         leads = self.leader and command_id(arbitration_id) in _LEADER
         return frames.frame_sender(sender, leader=leads)
 
     def signals(
         self, arbitration_id: int, flags: int, data: bytes, sender: Sender
     ) -> list[SignalText]:
-        """What a frame says; nothing where it can't be read."""
+        """Return the decoded signals of a frame; none if it can't be decoded."""
         codec = self.codec
         if codec is None or flags & _NOT_OF_THE_ARM:
             return []
@@ -137,7 +137,7 @@ class FrameTexts:
         ]
 
     def describe(self, frame: Frame) -> str:
-        """What a frame to be sent means: its name and what it says, or why it is malformed."""
+        """Return the meaning of a frame to be sent, or why it is malformed."""
         codec, name = self.codec, self.name(frame.arbitration_id, 0)
         decoded = None if codec is None else codec.decode(frame)
         if codec is None or codec.layout(frame.arbitration_id) is None:
@@ -149,7 +149,7 @@ class FrameTexts:
         return f"{name}: {says}" if says else name
 
     def trouble(self, row: FrameRow) -> str:
-        """Why frames of a row do not follow the protocol; "" if all of them do."""
+        """Return why frames of a row do not follow the protocol; "" if all of them do."""
         if row.flags & FrameFlag.ERROR:
             return frames.bus_errors(errors_of(row.arbitration_id, row.data, self.interface))
         if row.invalid is None:
@@ -160,7 +160,7 @@ class FrameTexts:
 
 
 def signals_text(signals: Sequence[SignalText]) -> str:
-    """What a frame says, in one line."""
+    """Return the signals of a frame in one line."""
     return "   ".join(f"{each.name} {each.value}" for each in signals)
 
 
@@ -189,7 +189,7 @@ class _Node:
         self._says: str | None = None
 
     def signals(self, texts: FrameTexts) -> list[SignalText]:
-        """Decoded once for each payload."""
+        """Return the signals, decoded once for each payload."""
         row = self.row
         if self._read is None or self._read is not row:
             self._signals = texts.signals(row.arbitration_id, row.flags, row.data, row.sender)
@@ -197,23 +197,23 @@ class _Node:
         return self._signals
 
     def says(self, texts: FrameTexts) -> str:
-        """What the frame says, in one line; made for rows that are looked at."""
+        """Return the signals in one line; computed only for visible rows."""
         signals = self.signals(texts)
         if self._says is None:
             self._says = signals_text(signals)
         return self._says
 
     def forget(self) -> None:
-        """It is read in other words."""
+        """Drop the cached texts."""
         self._read = None
 
 
 class FrameModel(QAbstractItemModel):
-    """What was counted of each identifier and sender.
+    """The counts for each identifier and sender.
 
     Args:
-        texts: Puts frames into words.
-        clock_text: A monotonic time as the clock on the wall had it.
+        texts: Formats frames.
+        clock_text: Returns the time of day at a monotonic time, as text.
     """
 
     def __init__(
@@ -233,7 +233,7 @@ class FrameModel(QAbstractItemModel):
     # What is shown ----------------------------------------------------------------------------
 
     def show_rows(self, rows: Sequence[FrameRow], now_s: float) -> None:
-        """Show these rows, which are in order; those that are shown already stay expanded."""
+        """Show sorted rows; those shown already stay expanded."""
         self._now_s = now_s
         wanted = {row.number for row in rows}
         for place in range(len(self._nodes) - 1, -1, -1):
@@ -261,7 +261,7 @@ class FrameModel(QAbstractItemModel):
             self.dataChanged.emit(self.index(0, 0), last)
 
     def clear(self) -> None:
-        """Show nothing: what is counted next is numbered anew."""
+        """Clear the rows, because they will be numbered again."""
         self.beginResetModel()
         self._nodes.clear()
         self._by_number.clear()
@@ -269,7 +269,7 @@ class FrameModel(QAbstractItemModel):
         self.endResetModel()
 
     def retranslate(self) -> None:
-        """The words, or what the frames mean, are other ones."""
+        """Update all texts after a change of language or codec."""
         for node in self._nodes:
             node.forget()
             self._fit_details(node)
@@ -302,11 +302,11 @@ class FrameModel(QAbstractItemModel):
             self.endRemoveRows()
 
     def row_of(self, index: Index) -> FrameRow:
-        """The frame that a cell belongs to."""
+        """Return the frame of a cell."""
         return self._node(index).row
 
     def keys_of(self, index: Index) -> list[str]:
-        """The keys of what a row shows: of a frame, all of its signals."""
+        """Return the keys of a row's quantities: of a frame, all of its signals."""
         node = self._node(index)
         if index.internalId():
             key = self._key(index)
@@ -321,21 +321,21 @@ class FrameModel(QAbstractItemModel):
         return self._by_number[number - 1] if number else self._nodes[index.row()]
 
     def index(self, row: int, column: int, parent: Index = QModelIndex()) -> QModelIndex:  # noqa: B008 - Qt's own default
-        """A frame; below it, one of its signals."""
+        """Return the index of a frame, or of one of its signals."""
         if not self.hasIndex(row, column, parent):
             return QModelIndex()
         number = self._nodes[parent.row()].row.number + 1 if parent.isValid() else 0
         return self.createIndex(row, column, number)
 
     def parent(self, index: Index = QModelIndex()) -> Any:  # noqa: B008
-        """Of a signal, its frame."""
+        """Return the frame of a signal."""
         if not index.isValid() or not index.internalId():
             return QModelIndex()
         node = self._by_number.get(index.internalId() - 1)
         return QModelIndex() if node is None else self.createIndex(node.place, 0, 0)
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: N802, B008 - Qt
-        """Frames; of a frame, what there is to be said of it."""
+        """Return the number of frames, or of a frame's details."""
         if not parent.isValid():
             return len(self._nodes)
         if parent.internalId() or parent.column():
@@ -343,13 +343,13 @@ class FrameModel(QAbstractItemModel):
         return self._nodes[parent.row()].details
 
     def columnCount(self, _parent: Index = QModelIndex()) -> int:  # noqa: N802, B008 - Qt
-        """The same everywhere."""
+        """Return the number of columns, the same for every row."""
         return COLUMNS
 
     def headerData(  # noqa: N802 - the name Qt calls
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
     ) -> Any:
-        """What each column is."""
+        """Return the title of a column."""
         if orientation is not Qt.Orientation.Horizontal:
             return None
         if role == Qt.ItemDataRole.TextAlignmentRole:
@@ -359,7 +359,7 @@ class FrameModel(QAbstractItemModel):
         return _headers()[section] if role == Qt.ItemDataRole.DisplayRole else None
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        """A cell."""
+        """Return the content of a cell."""
         if not index.isValid():
             return None
         if role == Qt.ItemDataRole.TextAlignmentRole:
@@ -386,7 +386,7 @@ class FrameModel(QAbstractItemModel):
         return self.cells(index)[index.column()].text
 
     def cells(self, index: Index) -> list[Cell]:
-        """A whole row, as it is painted."""
+        """Return a whole row for painting."""
         node = self._node(index)
         if index.internalId():
             return self._detail_cells(node, index.row())

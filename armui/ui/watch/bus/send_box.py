@@ -1,4 +1,4 @@
-"""Sending a frame by hand: locked until a button is held, and held again for whatever acts."""
+"""Sends a frame by hand: a button must be held to unlock it, and again for frames that act."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from armui.ui.watch.bus.frame_model import FrameTexts
 
 UNLOCKED_MS: Final = 60_000
-"""So long after the last frame it locks by itself."""
+"""The time after the last frame at which it locks automatically."""
 _ID_PX: Final = 90
 _DATA_PX: Final = 260
 _GRAVE: Final = frozenset(
@@ -38,13 +38,13 @@ _GRAVE: Final = frozenset(
 
 
 class SendBox(Translated, QWidget):
-    """A lock, a frame, what it does, and the button that sends it.
+    """A lock, a frame, its meaning, and the button that sends it.
 
-    It locks when it is hidden, when the device is left, and after a minute.
+    It locks when it is hidden, at disconnecting, and after a minute.
 
     Args:
-        controller: Sends.
-        texts: Puts the frame that is typed into words.
+        controller: Sends the frame.
+        texts: Formats the typed frame.
     """
 
     def __init__(self, controller: ArmController, texts: FrameTexts) -> None:
@@ -106,7 +106,7 @@ class SendBox(Translated, QWidget):
         return self._timer.isActive()
 
     def close_lock(self) -> None:
-        """Send nothing until it is unlocked again."""
+        """Lock the box."""
         self._timer.stop()
         self._sent = ""
         self._show()
@@ -125,14 +125,14 @@ class SendBox(Translated, QWidget):
         self._show()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """What is not seen sends nothing."""
+        """Lock the box, because it is hidden."""
         self.close_lock()
         super().hideEvent(event)
 
     # The frame --------------------------------------------------------------------------------
 
     def take(self, arbitration_id: int, data: bytes) -> None:
-        """Put a frame into the fields."""
+        """Set the fields to a frame."""
         self.identifier.setText(f"{arbitration_id:03X}")
         self.data.setText(data.hex(" ").upper())
 
@@ -159,7 +159,7 @@ class SendBox(Translated, QWidget):
         self._show()
 
     def refresh(self) -> None:
-        """What stands against the frame may have changed."""
+        """Update the reasons against the frame."""
         if self.is_open:
             self._show()
 

@@ -22,11 +22,11 @@ _OTHERS: Final = frozenset({Sender.OTHER, Sender.OTHER_ARM})
 
 
 class TraceModel(TableModel):
-    """Decodes what is looked at, and nothing else.
+    """Shows the trace, decoding only visible rows.
 
     Args:
-        texts: Puts frames into words.
-        clock_text: A monotonic time as the clock on the wall had it.
+        texts: Formats frames.
+        clock_text: Returns the time of day at a monotonic time, as text.
     """
 
     _columns = 6
@@ -63,10 +63,10 @@ class TraceModel(TableModel):
         self._trace, self._read = trace, None
 
     def lines(self, places: Sequence[int], channel: str, zero_s: float) -> list[str]:
-        """Frames as candump writes them.
+        """Return frames as candump writes them.
 
         Args:
-            places: Which rows.
+            places: The rows.
             channel: The name of the bus.
             zero_s: The time of day, in seconds since 1970, at the zero of the frames' clock.
         """
@@ -77,11 +77,11 @@ class TraceModel(TableModel):
         return [f"({zero_s + each.at_s:.6f}) {channel} {candump(each)}" for each in picked]
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: N802, B008 - Qt
-        """One a frame."""
+        """Return the number of frames."""
         return 0 if parent.isValid() or self._trace is None else len(self._trace)
 
     def titles(self) -> Sequence[str]:
-        """From left to right."""
+        """Return the titles from left to right."""
         return (
             App.translate("BusMonitor", "Time"),
             App.translate("BusMonitor", "ID"),
@@ -94,19 +94,19 @@ class TraceModel(TableModel):
     def headerData(  # noqa: N802 - the name Qt calls
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
     ) -> Any:
-        """The titles, at the left."""
+        """Return the titles, aligned to the left."""
         if role == Qt.ItemDataRole.TextAlignmentRole and orientation is Qt.Orientation.Horizontal:
             return LEFT
         return super().headerData(section, orientation, role)
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        """A cell."""
+        """Return the content of a cell."""
         if not index.isValid() or self._trace is None:
             return None
         return self.cells(index)[index.column()].data(role)
 
     def cells(self, index: Index) -> list[Cell]:
-        """A whole row, as it is painted."""
+        """Return a whole row for painting."""
         frame = self._frame(index.row())
         texts = self._texts
         arbitration_id, flags, sender = frame.arbitration_id, frame.flags, frame.sender
@@ -131,7 +131,7 @@ class TraceModel(TableModel):
 
 
 def candump(frame: TracedFrame) -> str:
-    """A frame as candump writes it: ID#DATA, #R for a remote frame, the class of an error frame."""
+    """Return a frame as candump writes it: ID#DATA, #R for a remote frame, or an error's class."""
     arbitration_id, flags = frame.arbitration_id, frame.flags
     if flags & FrameFlag.ERROR:
         return f"{_ERROR_BIT | arbitration_id:08X}#{frame.data.hex().upper()}"

@@ -1,1 +1,1 @@
-"""The page 事件: everything that happened, searched, filtered, copied and saved."""
+"""The page 事件: all events, searched, filtered, copied and saved."""

@@ -1,4 +1,4 @@
-"""Above the events: what is searched for, how grave, of whom, of which sort; and saving them."""
+"""The bar above the events: search, severity, source, kind; and saving."""
 
 from __future__ import annotations
 
@@ -45,13 +45,13 @@ SAVES: Final = Texts("EventBar") | {
 
 
 class EventExport(FileExport):
-    """Files and clipboard."""
+    """Saves events to files, and copies them."""
 
     def save(self, kind: str, entries: Sequence[EventEntry]) -> None:
-        """Let the operator say where to, and write it there.
+        """Let the operator choose a file for events, or copy them.
 
         Args:
-            kind: ``csv``, ``json`` or ``txt``; or ``copy``: into the clipboard.
+            kind: ``csv``, ``json`` or ``txt``; or ``copy`` for the clipboard.
             entries: What to save.
         """
         if kind == "copy":
@@ -65,7 +65,7 @@ class EventExport(FileExport):
         self._background.begin_here(self._job(path), _write, kind, entries, path)
 
     def copy(self, entries: Sequence[EventEntry]) -> None:
-        """Put events into the clipboard, as text for a spreadsheet or a mail."""
+        """Copy events as text for a spreadsheet or a mail."""
         self._background.begin_here(Job(self._on_text), as_text, entries)
 
     def _on_text(self, result: str | Refusal) -> None:
@@ -82,13 +82,13 @@ def _write(kind: str, entries: Sequence[EventEntry], path: Path) -> None:
 
 
 def as_text(entries: Sequence[EventEntry]) -> str:
-    """A line each, its columns apart by tabs, as the window has them."""
+    """Return a line for each event, with tabs between the columns of the window."""
     rows = [_titles(), *(_cells(each) for each in entries)]
     return "".join("\t".join(row) + "\n" for row in rows)
 
 
 def as_csv(entries: Sequence[EventEntry]) -> str:
-    """For a spreadsheet, which takes the mark at the beginning for the sign of UTF-8."""
+    """Return a CSV text for a spreadsheet, with a byte order mark that shows UTF-8."""
     file = io.StringIO()
     writer = csv.writer(file)
     writer.writerow(_titles())
@@ -97,7 +97,7 @@ def as_csv(entries: Sequence[EventEntry]) -> str:
 
 
 def as_json(entries: Sequence[EventEntry]) -> str:
-    """A list of what `from_json` reads, an event a line."""
+    """Return a JSON list of what `from_json` reads, one event a line."""
     lines = ",\n".join(to_json(each) for each in entries)
     return f"[\n{lines}\n]\n"
 
@@ -121,11 +121,11 @@ def _harmless(text: str) -> str:
 
 
 class EventBar(Translated, QWidget):
-    """Says what is wanted.
+    """The controls of the filter.
 
     Signals:
         filter_changed: An `EventFilter`.
-        follow_changed: Whether the newest event is to stay in sight.
+        follow_changed: True to keep the newest event visible.
         save_wanted: One of `SAVES`.
     """
 
@@ -181,7 +181,7 @@ class EventBar(Translated, QWidget):
 
     @property
     def wanted(self) -> EventFilter:
-        """What is wanted now."""
+        """The present filter."""
         return EventFilter(
             kinds=frozenset(kind for kind, button in self.kinds.items() if button.isChecked()),
             who=self.askers.currentData(),
@@ -190,7 +190,7 @@ class EventBar(Translated, QWidget):
         )
 
     def show_all(self) -> None:
-        """Want everything again."""
+        """Show all events again."""
         self._quiet = True
         self.search.clear()
         self.levels.setCurrentIndex(0)
@@ -201,7 +201,7 @@ class EventBar(Translated, QWidget):
         self._tell()
 
     def show_only(self, kind: EventKind | None = None, who: Asker | None = None) -> None:
-        """Want one sort, or one asker, alone."""
+        """Show one kind, or one source, alone."""
         self._quiet = True
         for each, button in self.kinds.items():
             button.setChecked(kind in {None, each})
@@ -210,7 +210,7 @@ class EventBar(Translated, QWidget):
         self._tell()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """A double click on a sort wants it alone; on the one that is alone, all of them."""
+        """Show one kind alone at a double click on it; if it is alone already, show all."""
         if event.type() != QEvent.Type.MouseButtonDblClick:
             return super().eventFilter(watched, event)
         kind = next(each for each, button in self.kinds.items() if button is watched)
@@ -233,7 +233,7 @@ class EventBar(Translated, QWidget):
         self.show_only(kind, self.askers.currentData())
 
     def show_count(self, shown: int, kept: int) -> None:
-        """Say how many there are."""
+        """Show the number of events."""
         text = self.tr("{shown} of {kept}").format(shown=fmt.count(shown), kept=fmt.count(kept))
         if self.count.text() != text:
             self.count.setText(text)

@@ -1,4 +1,4 @@
-"""Which events are shown: pure."""
+"""The filter of events: pure."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _GRAVITY: Final = {Level.INFO: 0, Level.DONE: 0, Level.WARNING: 1, Level.FAULT: 
 
 
 def gravity(entry: EventEntry) -> Level:
-    """How grave an event is by now, with what became of it."""
+    """Return the severity of an event, raised by its result."""
     result = entry.result
     if result is not None and _GRAVITY[result.level] > _GRAVITY[entry.level]:
         return result.level
@@ -21,13 +21,13 @@ def gravity(entry: EventEntry) -> Level:
 
 @dataclass(frozen=True, slots=True)
 class EventFilter:
-    """What the operator wants to see.
+    """The filter chosen by the operator.
 
     Attributes:
-        kinds: Of these sorts.
-        who: Of this one alone; ``None``: of everybody.
-        least: At least so grave.
-        words: All of these in the text of the event, in small letters.
+        kinds: The kinds.
+        who: The source; ``None`` for all.
+        least: The least severity.
+        words: Words that must all be in the text of the event, in lower case.
     """
 
     kinds: frozenset[EventKind] = frozenset(EventKind)
@@ -37,15 +37,15 @@ class EventFilter:
 
     @property
     def everything(self) -> bool:
-        """True if nothing is kept out."""
+        """True if no event is filtered out."""
         return self == _EVERYTHING
 
     def passes(self, entry: EventEntry, text: Callable[[EventEntry], str]) -> bool:
         """Return whether an event is shown.
 
         Args:
-            entry: It.
-            text: Its text in small letters; asked for only where words are wanted.
+            entry: The event.
+            text: Returns its text in lower case; called only if there are words.
         """
         if entry.kind not in self.kinds or self.who not in {None, entry.who}:
             return False

@@ -1,4 +1,4 @@
-"""The page 事件: everything that happened, the newest last."""
+"""The page 事件: all events, the newest last."""
 
 from __future__ import annotations
 
@@ -31,19 +31,19 @@ if TYPE_CHECKING:
 
 _LOOK_MS: Final = 200
 _LEAST_PX: Final = 130
-"""Of the table: its titles and three rows."""
+"""The least height of the table: its titles and three rows."""
 
 
 class EventPage(Page):
-    """A table that follows the log while it is seen, and costs nothing while it is not.
+    """A table that follows the log, only while it is visible.
 
     Args:
-        controller: Knows what has happened.
-        background: Where files are written.
+        controller: Gives the events.
+        background: Writes files.
 
     Signals:
         moment_chosen: The monotonic time of an event that was clicked.
-        moment_wanted: The same of one that is to be seen in the curves, even if they are closed.
+        moment_wanted: The same for one to be shown in the curves, even if they are closed.
     """
 
     commands = (
@@ -106,7 +106,7 @@ class EventPage(Page):
     # What is shown ----------------------------------------------------------------------------
 
     def refresh(self) -> None:
-        """Take in what has happened since."""
+        """Add new events."""
         if self.model.follow():
             self._show_newest()
         self._show_count()
@@ -119,7 +119,7 @@ class EventPage(Page):
             self.table.scrollToBottom()
 
     def show_entry(self, number: int) -> None:
-        """Bring an entry into sight and choose it; what hides it is not wanted any more."""
+        """Scroll to an entry and select it, clearing a filter that hides it."""
         self.model.follow()
         if self.model.row_of(number) is None:
             self.bar.show_all()
@@ -172,7 +172,7 @@ class EventPage(Page):
         self.moment_wanted.emit(self.model.entry(index.row()).at_s)
 
     def copy_chosen(self) -> None:
-        """Put the selected rows into the clipboard."""
+        """Copy the selected rows."""
         entries = self.table.chosen()
         if entries:
             self.export.copy(entries)
@@ -203,11 +203,11 @@ class EventPage(Page):
         self._message.show()
 
     def headers(self) -> Mapping[str, QHeaderView]:
-        """The columns of the table are kept."""
+        """Return the table's header, whose columns are stored."""
         return {"events": self.table.horizontalHeader()}
 
     def take_focus(self) -> None:
-        """The keys are for the page: in the table they would choose its first row."""
+        """Focus the page: focusing the table would select its first row."""
         self.setFocus()
 
     # Appearance -------------------------------------------------------------------------------
@@ -227,7 +227,7 @@ class EventPage(Page):
         self.model.recolor(colors_of(self))
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Catch up."""
+        """Add new events, and scroll to the newest."""
         super().showEvent(event)
         self.refresh()
         self._show_newest()

@@ -1,4 +1,4 @@
-"""The table of events: its rows and cells, its columns as wide as their words."""
+"""The table of events: its rows and cells, its columns as wide as their texts."""
 
 from __future__ import annotations
 
@@ -55,12 +55,12 @@ _CUT: Final = "⚠"
 
 
 def column_title(column: EventColumn) -> str:
-    """What a column is called."""
+    """Return the title of a column."""
     return _TITLES.text(column)
 
 
 def cell_text(entry: EventEntry, column: EventColumn) -> str:
-    """What stands in one cell."""
+    """Return the text of a cell."""
     if column is EventColumn.BEGIN:
         return clock_text(entry, entry.at_s)
     if column is EventColumn.END:
@@ -79,24 +79,24 @@ def cell_text(entry: EventEntry, column: EventColumn) -> str:
 
 
 def clock_text(entry: EventEntry, at_s: float) -> str:
-    """What the clock on the wall showed at a moment of an event."""
+    """Return the time of day at a moment of an event."""
     at = entry.wall_at(at_s)
     return f"{at:%H:%M:%S}.{at.microsecond // 1000:03d}"
 
 
 def search_text(entry: EventEntry) -> str:
-    """Everything that is written of an event, in small letters."""
+    """Return all text of an event, in lower case."""
     parts = [cell_text(entry, column) for column in EventColumn]
     parts += [words.outcome_text(each) for each in (entry.answer, entry.result) if each is not None]
     return " ".join([*parts, entry.code]).casefold()
 
 
 def details(entry: EventEntry, *, dated: bool = True) -> list[str]:
-    """All there is to say of an event, line by line.
+    """Return all facts on an event, line by line.
 
     Args:
-        entry: It.
-        dated: Whether the day is known; a log may only tell times since its beginning.
+        entry: The event.
+        dated: Whether the day is known; a log may only hold times since its beginning.
     """
     begin, last = clock_text(entry, entry.at_s), entry.newest_s
     begin = f"{entry.wall:%Y-%m-%d} {begin}" if dated else begin
@@ -166,21 +166,21 @@ _SAMPLES: Final = {
 _SIGN_PX: Final = 26
 _PAD_PX: Final = 22
 _TEXT_PX: Final = 240
-"""What happened is read without opening it; less is what goes first, where there is no room."""
+"""The least width of the event's text; the columns below give way to it if there is no room."""
 _GOES_FIRST: Final = (EventColumn.END, EventColumn.COUNT)
-"""Both are told below the table, too."""
+"""The columns hidden first; their content is shown below the table, too."""
 _AT_ONCE: Final = 200
-"""So many entries are searched before the window gets its turn again: some 3 ms."""
+"""The number of entries searched in one go, in some 3 ms."""
 _ICON_PX: Final = 16
 _MUTED: Final = frozenset({EventColumn.KIND, EventColumn.WHO, EventColumn.COUNT})
 
 
 class EventModel(TableModel):
-    """Follows a log when it is told to; whoever shows it decides how often.
+    """Follows a log when asked to; its owner decides how often.
 
     Args:
-        log: What has happened.
-        colors: Of the theme.
+        log: The log.
+        colors: The colours of the theme.
     """
 
     _columns = len(EventColumn)
@@ -203,41 +203,41 @@ class EventModel(TableModel):
 
     @property
     def filter(self) -> EventFilter:
-        """What the operator wants to see."""
+        """The present filter."""
         return self._filter
 
     @property
     def searching(self) -> bool:
-        """True if entries are looked through for words: the rows are those of before."""
+        """True while entries are being searched; the rows are still the old ones."""
         return self._search is not None
 
     @property
     def kept(self) -> int:
-        """How many entries the log has, shown or not."""
+        """The number of entries in the log, shown or not."""
         return self._log.newest - self._log.oldest + 1
 
     def set_filter(self, wanted: EventFilter) -> None:
-        """Show others."""
+        """Set the filter."""
         if wanted != self._filter:
             self._filter = wanted
             self._rebuild()
 
     def entry(self, row: int) -> EventEntry:
-        """What a row shows."""
+        """Return the event of a row."""
         return self._rows[row]
 
     def entries(self) -> list[EventEntry]:
-        """All that is shown."""
+        """Return all events shown."""
         return list(self._rows)
 
     def row_of(self, number: int) -> int | None:
-        """Where an entry stands; ``None``: it is not shown."""
+        """Return the row of an entry, or ``None`` if it is not shown."""
         row = bisect_left(self._rows, number, key=_number)
         there = row < len(self._rows) and self._rows[row].number == number
         return row if there else None
 
     def row_at(self, at_s: float) -> int | None:
-        """The last row at or before a time, of a log in the order of time; ``None``: no row."""
+        """Return the last row at or before a time, for a log in the order of time, or ``None``."""
         row = bisect_right(self._rows, at_s, key=_begin_s) - 1
         return row if row >= 0 else None
 
@@ -248,7 +248,7 @@ class EventModel(TableModel):
         self._rebuild()
 
     def follow(self) -> bool:
-        """Take in what is new and return whether anything was."""
+        """Add new events, and return whether there were any."""
         if self._search is not None or self._log.revision == self._revision:
             return False
         self._revision, changed = self._log.since(self._revision)
@@ -328,11 +328,11 @@ class EventModel(TableModel):
     # What Qt asks -----------------------------------------------------------------------------
 
     def titles(self) -> list[str]:
-        """Of :class:`EventColumn`."""
+        """Return the titles of :class:`EventColumn`."""
         return [column_title(column) for column in EventColumn]
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        """What stands in a cell, and how it looks."""
+        """Return the text of a cell, or its looks."""
         entry, column = self._rows[index.row()], EventColumn(index.column())
         if role == Qt.ItemDataRole.DisplayRole:
             return cell_text(entry, column)
@@ -352,7 +352,7 @@ class EventModel(TableModel):
         return self._faint if column in _MUTED else None
 
     def recolor(self, colors: Colors) -> None:
-        """Take on the colours of a theme."""
+        """Apply the colours of a theme."""
         self._inks = {
             Level.DONE: QColor(colors.ok),
             Level.WARNING: QColor(colors.warn),
@@ -370,7 +370,7 @@ class EventModel(TableModel):
         self.redraw()
 
     def retranslate(self) -> None:
-        """Everything reads otherwise now."""
+        """Update all texts after a change of language."""
         self._texts.clear()
         if self._filter.words:
             self._rebuild()
@@ -408,17 +408,17 @@ class EventTable(QTableView):
         list_rows(self).setSectionResizeMode(EventColumn.TEXT, QHeaderView.ResizeMode.Stretch)
 
     def chosen(self) -> list[EventEntry]:
-        """The rows that are selected, from top to bottom."""
+        """Return the selected rows, from top to bottom."""
         rows = sorted(index.row() for index in self.selectionModel().selectedRows())
         return [self._events.entry(row) for row in rows]
 
     def current(self) -> EventEntry | None:
-        """The row that was chosen last."""
+        """Return the row selected last, or ``None``."""
         index = self.selectionModel().currentIndex()
         return self._events.entry(index.row()) if index.isValid() else None
 
     def fit_columns(self) -> None:
-        """Wide enough for every word there is, so that nothing moves while events come."""
+        """Set the widths for the longest texts, so that nothing moves while events come."""
         metrics, across = self.fontMetrics(), self.horizontalHeader()
         texts = {
             **{column: [sample] for column, sample in _SAMPLES.items()},
@@ -443,6 +443,6 @@ class EventTable(QTableView):
             room_px += self._widths[column] if narrow else 0
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Share the new room."""
+        """Distribute the new width."""
         self._share_room()
         super().resizeEvent(event)

@@ -1,1 +1,1 @@
-"""The window 会话记录: recording the session, and what was recorded."""
+"""The window 会话记录: recording of the session, and the recordings."""

@@ -1,4 +1,4 @@
-"""The recording under way and the ring behind it: a card each, and a mark in the status bar."""
+"""The present recording and the ring: a card each, and a mark in the status bar."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ _INSIDE: Final = (8, 6, 8, 6)
 
 
 def length_text(seconds: float | None) -> str:
-    """A length of time: ``1:05``, ``2:03:04``."""
+    """Return a length of time as text: ``1:05``, ``2:03:04``."""
     if seconds is None:
         return fmt.NOTHING
     whole = int(seconds)
@@ -77,16 +77,16 @@ def length_text(seconds: float | None) -> str:
 
 
 def moment_text(unix_s: float) -> str:
-    """A local time, to the second; of 0, which stands for one that nobody knows, none."""
+    """Return a local time to the second; «—» for 0, which means unknown."""
     at = local_time(unix_s) if unix_s else None
     return fmt.NOTHING if at is None else f"{at:%Y-%m-%d %H:%M:%S}"
 
 
 class CancellableProgress(Translated, QWidget):
-    """A progress bar with a button; hidden while nothing goes on.
+    """A progress bar with a button to cancel; hidden while nothing is in progress.
 
     Args:
-        call_off: Called by the button; until that has come to its end the button cannot be pressed.
+        call_off: Called by the button, which is disabled until the work has ended.
     """
 
     def __init__(self, call_off: Callable[[], object], parent: QWidget | None = None) -> None:
@@ -102,11 +102,11 @@ class CancellableProgress(Translated, QWidget):
         self.hide()
 
     def show_progress(self, *, making: bool, share: float | None) -> None:
-        """Show how far it is.
+        """Show the progress.
 
         Args:
-            making: Whether anything goes on.
-            share: From 0 to 1; ``None``: nobody knows.
+            making: True if work is in progress.
+            share: The share from 0 to 1; ``None`` if not known.
         """
         self._is_called_off = self._is_called_off and making
         self.button.setEnabled(not self._is_called_off)
@@ -128,8 +128,8 @@ class RingCard(Translated, QFrame):
     """The last minutes of everything on the bus.
 
     Args:
-        sessions: Keeps them.
-        store: Keeps whether they are saved by themselves.
+        sessions: Has the ring.
+        store: The setting whether they are saved automatically.
     """
 
     def __init__(self, sessions: SessionRecorder, store: SettingsStore) -> None:
@@ -172,7 +172,7 @@ class RingCard(Translated, QFrame):
         self.refresh()
 
     def refresh(self) -> None:
-        """Show what is kept now."""
+        """Show the present content of the ring."""
         ring = self._sessions.ring()
         self.at_faults_box.setChecked(self._store.settings.session_save_at_faults)
         self._bar.setValue(round(min(ring.span_s, KEPT_S)))
@@ -204,12 +204,12 @@ class RingCard(Translated, QFrame):
 
 
 class RecordingCard(Translated, QFrame):
-    """Everything about the recording to the disk.
+    """The controls and the state of the recording to the disk.
 
     Args:
         controller: For the file chooser's emergency stop.
-        background: Where it is found out what can be written here.
-        store: Keeps format, folder and size.
+        background: Checks what can be written here.
+        store: The settings of format, folder and size.
     """
 
     def __init__(
@@ -291,7 +291,7 @@ class RecordingCard(Translated, QFrame):
         self._show_button(recording=self._sessions.recording)
 
     def refresh(self) -> None:
-        """Show how it goes now."""
+        """Show the state of the recording."""
         progress = self._sessions.progress()
         settings = self._store.settings
         self.format_box.setCurrentIndex(self.format_box.findData(settings.session_format))
@@ -395,7 +395,7 @@ class RecordingMark(Translated, QToolButton):
     """A red dot and the time; a click opens the page of the recordings.
 
     Args:
-        sessions: Records them.
+        sessions: Gives the recording.
     """
 
     def __init__(self, sessions: SessionRecorder, parent: QWidget | None = None) -> None:

@@ -1,4 +1,4 @@
-"""What is done with the files of recordings, in the thread for that; failures are told as data."""
+"""Operations on the files of recordings, for the file thread; failures are returned as data."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ SESSION_GONE = Reason(
 
 
 def listing(folder: Path) -> list[RecordingEntry] | Refusal:
-    """The recordings of a folder, or why it cannot be read."""
+    """Return the recordings of a folder, or why it cannot be read."""
     from armui.session.recording.folder import list_recordings  # noqa: PLC0415 - numpy
 
     try:
@@ -39,7 +39,7 @@ def can_write_mf4() -> bool:
 
 
 def renamed(folder: Path, name: str, new_name: str) -> str | Refusal:
-    """The new name of a recording, or why it keeps its own."""
+    """Return the new name of a recording, or why it keeps its own."""
     from armui.session.recording.folder import rename  # noqa: PLC0415 - numpy
 
     try:
@@ -54,7 +54,7 @@ def renamed(folder: Path, name: str, new_name: str) -> str | Refusal:
 
 
 def thrown_away(folder: Path, names: tuple[str, ...]) -> Path | Refusal:
-    """Where the last of some recordings is now, or why one could not be moved."""
+    """Move recordings to the bin; return the new folder of the last, or why one stays."""
     from armui.session.recording.folder import BIN, throw_away  # noqa: PLC0415 - numpy
 
     place = folder / BIN

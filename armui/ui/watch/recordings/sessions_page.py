@@ -1,4 +1,4 @@
-"""The page 会话记录: records the session, saves what just happened, lists what there is."""
+"""The page 会话记录: records the session, saves the last minutes, lists the recordings."""
 
 from __future__ import annotations
 
@@ -97,7 +97,7 @@ _TITLES: Final = (
 
 
 class SessionColumn(enum.IntEnum):
-    """From left to right."""
+    """The columns from left to right."""
 
     NAME = 0
     BEGUN = 1
@@ -115,7 +115,7 @@ _FIGURES: Final = frozenset(
 
 
 class SessionsModel(TableModel):
-    """Shows the recordings it is given; a name typed anew is handed on.
+    """Shows recordings; a changed name is emitted.
 
     Signals:
         rename_wanted: The name of a recording and its new one.
@@ -133,11 +133,11 @@ class SessionsModel(TableModel):
         """Show other recordings.
 
         Args:
-            entries: Of the folder.
+            entries: The recordings of the folder.
             written: The names of those that are being written.
 
         Returns:
-            Whether they are others: what stands there already is left alone.
+            True if they differ from the present ones.
         """
         if (tuple(entries), written) == (self._rows, self._written):
             return False
@@ -153,19 +153,19 @@ class SessionsModel(TableModel):
     # What Qt asks -----------------------------------------------------------------------------
 
     def titles(self) -> Sequence[str]:
-        """From left to right."""
+        """Return the titles from left to right."""
         return [QCoreApplication.translate("SessionsModel", str(title)) for title in _TITLES]
 
     def headerData(  # noqa: N802 - as Qt has it
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
     ) -> Any:
-        """The titles stand as the cells below them do."""
+        """Return the titles, aligned like the cells below them."""
         if role == Qt.ItemDataRole.TextAlignmentRole and orientation is Qt.Orientation.Horizontal:
             return RIGHT if SessionColumn(section) in _FIGURES else LEFT
         return super().headerData(section, orientation, role)
 
     def flags(self, index: Index) -> Qt.ItemFlag:
-        """A name can be edited, unless its files are being written."""
+        """Return the flags of a cell; a name can be edited, unless its files are being written."""
         flags = super().flags(index)
         entry = self._rows[index.row()]
         if index.column() == SessionColumn.NAME and not self.is_written(entry.name):
@@ -173,7 +173,7 @@ class SessionsModel(TableModel):
         return flags
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        """What a cell shows."""
+        """Return the content of a cell."""
         entry, column = self._rows[index.row()], SessionColumn(index.column())
         if role == ENTRY_ROLE:
             return entry
@@ -198,7 +198,7 @@ class SessionsModel(TableModel):
         value: Any,
         role: int = Qt.ItemDataRole.EditRole,
     ) -> bool:
-        """Hand on a name typed anew; what becomes of it is shown when it is done."""
+        """Emit a changed name; the result is shown when it is done."""
         name, new_name = self._rows[index.row()].name, str(value).strip()
         if role == Qt.ItemDataRole.EditRole and new_name != name:
             self.rename_wanted.emit(name, new_name)
@@ -277,8 +277,8 @@ class SessionsPage(Page):
 
     Args:
         controller: Has the recorder.
-        background: Where files are listed, renamed and moved.
-        store: Keeps what the operator chooses.
+        background: Lists, renames and moves files.
+        store: The operator's settings.
 
     Signals:
         open_wanted: The path of a recording to be replayed.
@@ -403,13 +403,13 @@ class SessionsPage(Page):
     # Looking ----------------------------------------------------------------------------------
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Look at the folder anew, and go on looking at what is under way."""
+        """Read the folder again, and follow the recording in progress."""
         super().showEvent(event)
         self._look()
         self.refresh()
 
     def event(self, event: QEvent) -> bool:
-        """What was done elsewhere meanwhile is listed when the operator comes back."""
+        """Read the folder again when the window is activated."""
         if event.type() == QEvent.Type.WindowActivate:
             self.refresh()
         return super().event(event)
@@ -419,7 +419,7 @@ class SessionsPage(Page):
         self.ring.refresh()
 
     def refresh(self) -> None:
-        """List the folder as it is now."""
+        """List the present content of the folder."""
         if self._listing is not None:
             self._listing.wanted = False
         self._listing = Job(self._show_listing)
@@ -456,7 +456,7 @@ class SessionsPage(Page):
         self._message.show_message(text, level)
 
     def chosen(self) -> list[RecordingEntry]:
-        """The chosen recordings, from top to bottom."""
+        """Return the selected recordings, from top to bottom."""
         rows = self.table.selectionModel().selectedRows()
         return [index.data(ENTRY_ROLE) for index in sorted(rows, key=QModelIndex.row)]
 

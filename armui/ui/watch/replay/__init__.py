@@ -1,1 +1,1 @@
-"""回放: a log shown as if it were live, and unmistakably not."""
+"""回放: a log shown as if it were live, but clearly marked as a replay."""

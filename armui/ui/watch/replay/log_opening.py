@@ -1,4 +1,4 @@
-"""Opens a log: read once by a process of its own, while the window shows how far it is."""
+"""Opens a log, read once by a process of its own, with progress in the window."""
 
 from __future__ import annotations
 
@@ -44,20 +44,20 @@ OpenOwn = Callable[[Path], "Session"]
 
 
 class LogOpening(QObject):
-    """One log that is being opened; may be called off at any time.
+    """The opening of one log, which may be cancelled at any time.
 
     Args:
         path: The file.
-        background: Where files are looked at.
-        make_helper: Makes the process that reads the log; it is ended when it has, or is called
-            off.
+        background: Examines files.
+        make_helper: Creates the process that reads the log; it is ended afterwards, or at
+            cancelling.
         open_own: Opens a recording of this program by the index beside it; it raises
             `NotALogError` for any other log, which is read whole then.
 
     Signals:
         progressed: A :class:`ReadingProgress`, now and then.
-        opened: The session, and what its channels tell of their arms.
-        refused: A :class:`Refusal`: it cannot be replayed.
+        opened: The session, and the surveys of its channels.
+        refused: The :class:`Refusal` why it cannot be replayed.
     """
 
     progressed = Signal(object)
@@ -87,7 +87,7 @@ class LogOpening(QObject):
         self._timer.timeout.connect(self._look)
 
     def begin(self) -> None:
-        """Open it."""
+        """Begin to open the log."""
         if self._open_own is None:
             self._prepare()
         else:
@@ -108,7 +108,7 @@ class LogOpening(QObject):
         self._background.begin_here(Job(self._on_prepared), _prepare)
 
     def call_off(self) -> None:
-        """Nobody wants it any more: the process is ended, whatever it is at."""
+        """Cancel the opening, and kill the process."""
         if not self._is_over:
             self._end()
             self._background.begin_here(
@@ -116,7 +116,7 @@ class LogOpening(QObject):
             )
 
     def end(self) -> None:
-        """The same, done when this returns: the program ends."""
+        """Cancel the opening, with everything done when this returns."""
         if not self._is_over:
             self._end()
             _clear_away(self._helper, self._folder)

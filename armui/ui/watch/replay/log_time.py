@@ -1,4 +1,4 @@
-"""Times of a log as the operator reads them: pure."""
+"""Times of a log as text: pure."""
 
 from __future__ import annotations
 
@@ -9,19 +9,19 @@ from typing import Final
 from armui.system.clock import local_time
 
 _SINCE_1970_S: Final = 500_000_000.0
-"""A log whose times are smaller (1985) counts from its own beginning."""
+"""A log with smaller times (1985) counts from its own beginning."""
 _BEGINNING: Final = datetime(1970, 1, 1, tzinfo=UTC)
 
 
 def has_date(start_s: float) -> bool:
-    """Return whether a log says when it was recorded, or only since when."""
+    """Return whether a log's times are dates, or only count from its beginning."""
     return start_s > _SINCE_1970_S
 
 
 def wall_time(at_s: float) -> datetime:
-    """A log time as date and time; of a log without a date as time since its beginning.
+    """Return a log time as date and time; without a date as time since the beginning.
 
-    Times that no calendar has are shown as its beginning: the log is damaged there.
+    Times that no calendar has, from damaged places, become its beginning.
     """
     if has_date(at_s):
         return local_time(at_s) or _BEGINNING
@@ -31,14 +31,14 @@ def wall_time(at_s: float) -> datetime:
 
 
 def moment(at_s: float) -> str:
-    """A log time with its date, if it has one."""
+    """Return a log time as text, with its date if it has one."""
     at = wall_time(at_s)
     text = f"{at:%H:%M:%S}.{at.microsecond // 1000:03d}"
     return f"{at:%Y-%m-%d} {text}" if has_date(at_s) else text
 
 
 def duration(seconds: float) -> str:
-    """A stretch of a log: ``0:07.250``, ``1:02:03.000``."""
+    """Return a stretch of a log as text: ``0:07.250``, ``1:02:03.000``."""
     milliseconds = max(0, round(seconds * 1e3))
     whole_s, rest_ms = divmod(milliseconds, 1000)
     minutes, second = divmod(whole_s, 60)

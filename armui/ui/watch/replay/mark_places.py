@@ -1,4 +1,4 @@
-"""Marks of a log: the next one, and where they stand, one a pixel of each kind at most: pure."""
+"""Searches marks of a log, and places them, at most one for each pixel and kind: pure."""
 
 from __future__ import annotations
 
@@ -19,17 +19,17 @@ if TYPE_CHECKING:
 
 
 TROUBLE: Final = frozenset({MarkKind.FAULT, MarkKind.STOP})
-"""What «next fault» goes to."""
+"""The kinds of marks for «next fault»."""
 _HERE_S: Final = 1e-4
-"""A mark this near is the one the operator has gone to."""
+"""A mark this near to the present time is the one the operator has gone to."""
 
 
 class MarkSearch:
     """Marks in the order of time.
 
     Args:
-        marks: Of a log.
-        channel: Those of other channels are left out; one that names none belongs to all.
+        marks: The marks of a log.
+        channel: The channel; marks of others are left out, those without a channel belong to all.
     """
 
     def __init__(self, marks: Sequence[SessionMark], channel: Channel) -> None:
@@ -39,22 +39,22 @@ class MarkSearch:
         self._times_s = [each.at_s for each in self._trouble]
 
     def next_trouble(self, at_s: float) -> SessionMark | None:
-        """The first fault or stop after a time."""
+        """Return the first fault or stop after a time, or ``None``."""
         place = bisect_right(self._times_s, at_s + _HERE_S)
         return self._trouble[place] if place < len(self._trouble) else None
 
     def trouble_before(self, at_s: float) -> SessionMark | None:
-        """The last fault or stop before a time."""
+        """Return the last fault or stop before a time, or ``None``."""
         place = bisect_left(self._times_s, at_s - _HERE_S)
         return self._trouble[place - 1] if place else None
 
 
 def end_of(mark: SessionMark, log_end_s: float) -> float | None:
-    """Log time of the end of what lasts; ``None`` for what is a moment.
+    """Return the log time of the end of a lasting mark; ``None`` for a moment.
 
     Args:
-        mark: What happened.
-        log_end_s: When the log ends, and with it what has no other end.
+        mark: The mark.
+        log_end_s: The end of the log, where marks without an end stop.
     """
     if mark.kind not in TROUBLE or "ended_s" not in mark.entry:
         return None
@@ -66,11 +66,11 @@ def end_of(mark: SessionMark, log_end_s: float) -> float | None:
 
 
 class MarkPlaces:
-    """Marks by columns: thousands are laid out in a millisecond.
+    """The marks as arrays: thousands are placed in a millisecond.
 
     Args:
-        marks: Of a log.
-        log_end_s: When the log ends, and with it what has no other end.
+        marks: The marks of a log.
+        log_end_s: The end of the log, where marks without an end stop.
     """
 
     def __init__(self, marks: Sequence[SessionMark], log_end_s: float) -> None:
@@ -88,17 +88,17 @@ class MarkPlaces:
     def within(
         self, kind: MarkKind, from_s: float, to_s: float, width_px: float
     ) -> NDArray[np.float64]:
-        """The places of one kind.
+        """Return the places of the marks of one kind.
 
         Args:
-            kind: Of which kind.
+            kind: The kind.
             from_s: Log time at the left end.
             to_s: At the right end, later than that.
-            width_px: From end to end.
+            width_px: The width between the ends.
 
         Returns:
-            Beginnings and ends in pixels from the left end, N×2, none beyond the ends. Of those
-            that begin on one pixel and end on it, too, the first alone.
+            Beginnings and ends in pixels from the left end, N×2, none beyond the ends. Of several
+            marks within the same pixel only the first is included.
         """
         times_s = self._times_s[kind]
         seen_s = times_s[(times_s[:, 1] >= from_s) & (times_s[:, 0] <= to_s)]

@@ -1,4 +1,4 @@
-"""The events of a recording: the same rows and words as live; a click goes there."""
+"""The events of a recording in the same rows and words as live; a click goes to one."""
 
 from __future__ import annotations
 
@@ -27,12 +27,12 @@ if TYPE_CHECKING:
     from armui.ui.background import Background
 
 _HERE_S: Final = 1e-4
-"""An event this near is the one the operator has gone to."""
+"""An event this near to the present time is the one the operator has gone to."""
 _DETAIL_LINES: Final = 4
 
 
 class ReplayEventBar(EventBar):
-    """What is followed here is the replay."""
+    """An event bar that follows the replay instead of the newest event."""
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
@@ -43,14 +43,14 @@ class ReplayEventBar(EventBar):
 
 
 class ReplayEvents(Translated, QWidget):
-    """Shows the events; the one that the replay has passed last is lit.
+    """Shows the events; the last one before the replay's time is highlighted.
 
     Args:
-        live: The controller of the arm that is connected, for the stop in file choosers.
-        background: Where files are written.
+        live: The controller of the connected arm, for the stop in file choosers.
+        background: Writes files.
 
     Signals:
-        wanted: Log time that the operator wants to be at.
+        wanted: The log time to go to.
     """
 
     wanted = Signal(float)
@@ -92,13 +92,13 @@ class ReplayEvents(Translated, QWidget):
         listen_for("replay.copy", self.table, self.copy_chosen, Qt.ShortcutContext.WidgetShortcut)
 
     def show_log(self, log: EventLog) -> None:
-        """Show what happened, in the order of time."""
+        """Show events in the order of time."""
         self.model.show_log(log)
 
     # Where the replay is ----------------------------------------------------------------------
 
     def show_position(self, at_s: float) -> None:
-        """The replay is here."""
+        """Set the replay's time."""
         self._at_s = at_s
         if self.isVisible() and self.bar.follow.isChecked():
             self._light()
@@ -160,7 +160,7 @@ class ReplayEvents(Translated, QWidget):
         self.bar.follow.setChecked(seen)
 
     def copy_chosen(self) -> None:
-        """Put the selected rows into the clipboard."""
+        """Copy the selected rows."""
         entries = self.table.chosen()
         if entries:
             self.export.copy(entries)

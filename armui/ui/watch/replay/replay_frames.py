@@ -1,4 +1,4 @@
-"""The frames of a recording around the moment that is shown; a click goes to one."""
+"""The frames of a recording around the present time; a click goes to one."""
 
 from __future__ import annotations
 
@@ -31,18 +31,18 @@ if TYPE_CHECKING:
 
 _SAME_S: Final = 1e-6
 _SOON_S: Final = 0.05
-"""So long before the end of what is there, more is read."""
+"""More frames are read when the time is this near to the end of those loaded."""
 
 
 class ReplayFrames(Translated, QWidget):
-    """The frames around the moment that is shown, in order; a click goes to one.
+    """The frames around the present time, in order; a click goes to one.
 
     Args:
-        replay: Whose log.
-        background: Where it is read.
+        replay: The replay.
+        background: Reads the log.
 
     Signals:
-        wanted: Log time that the operator wants to be at.
+        wanted: The log time to go to.
     """
 
     wanted = Signal(float)
@@ -66,7 +66,7 @@ class ReplayFrames(Translated, QWidget):
         self.retranslate_ui()
 
     def show_position(self, at_s: float) -> None:
-        """The replay is here."""
+        """Set the replay's time."""
         if not self.isVisible() or at_s == self._at_s:
             return
         session, (begin_s, end_s) = self._replay.session, self._between_s
@@ -112,12 +112,12 @@ class ReplayFrames(Translated, QWidget):
             self.wanted.emit(float(self._trace.times_s[index.row()]))
 
     def end(self) -> None:
-        """The log is about to be closed."""
+        """Cancel reading, because the log is about to be closed."""
         if self._job is not None:
             self._job.wanted = False
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Look for what is shown now."""
+        """Load the frames at the present time."""
         super().showEvent(event)
         self._at_s = math.nan
         self.show_position(self._replay.position_s)

@@ -63,7 +63,7 @@ _LOOK_MS: Final = 33
 _PICTURE_PX, _TABS_PX = 480, 900
 _HEADER_PAD_PX: Final = 16
 _MARK_PX: Final = 40
-"""The mark before a word, and the room around both."""
+"""The width of the mark before a word, with the space around both."""
 _LINE_PX: Final = 4
 _BANNER_PX: Final = 38
 _ICON_PX: Final = 22
@@ -73,11 +73,11 @@ _WORD_SCALE: Final = 1.2
 class ReplayFrame(Translated, QWidget):
     """A thick line in a colour of its own around the content, with a banner on top.
 
-    The banner says 回放 whatever language is chosen, that it is not live, which file it is, and
-    what the clock showed then.
+    The banner shows 回放 in every language, that it is not live, the file, and the recorded time of
+    day.
 
     Args:
-        content: What comes from the recording.
+        content: The widget with the recording's content.
         name: The file.
     """
 
@@ -119,7 +119,7 @@ class ReplayFrame(Translated, QWidget):
             label.setFont(scaled_font(self, _WORD_SCALE, bold=label is not self.name))
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """The line and the ground of the banner."""
+        """Draw the line and the banner's background."""
         color = QColor(colors_of(self).replay)
         painter = QPainter(self)
         painter.fillRect(QRectF(0, 0, self.width(), _BANNER_PX + _LINE_PX), color)
@@ -130,21 +130,21 @@ class ReplayFrame(Translated, QWidget):
 
 
 class RecordedJoints(JointMonitor):
-    """The joints of a log.
+    """The state of the joints in a log.
 
-    Since when a fault lasts is told by the time line: one that was jumped into began earlier.
+    It omits the time since when a fault lasts, which may lie before a jump; the time line shows it.
     """
 
     def cell(self, item: Item, joint: int) -> StatusCell:
-        """One cell of the table."""
+        """Return one cell of the table."""
         return super().cell(item, joint)._replace(since=None)
 
 
 class JointTable(Translated, QWidget):
-    """Looks at the joints only while it is shown.
+    """The table of the joints, updated only while visible.
 
     Args:
-        controller: Watches the log.
+        controller: The controller of the log.
     """
 
     def __init__(self, controller: ArmController) -> None:
@@ -184,24 +184,25 @@ class JointTable(Translated, QWidget):
         self.table.horizontalHeader().setMinimumSectionSize(widest + _MARK_PX)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Catch up with what went by while the table was hidden."""
+        """Update the table, which was not updated while hidden."""
         self.model.refresh()
         super().showEvent(event)
 
 
 class ReplayView(Translated, QWidget):
-    """Shows one replay; looks at it only while it is shown.
+    """Shows one replay, updated only while visible.
 
     Args:
-        replay: What is played; closed by whoever opened it.
+        replay: The replay, to be closed by its owner.
         view: The 3D picture.
-        live: The controller of the arm that is connected, for the stop in file choosers.
-        background: Where files are written.
+        live: The controller of the connected arm, for the stop in file choosers.
+        background: Writes files.
         name: The file.
         urdf_path: The operator's own robot description.
 
     Signals:
-        other_wanted: Another channel, or protocol: a :data:`Channel` and a :class:`Generation`.
+        other_wanted: Another channel or protocol was chosen: a :data:`Channel` and a
+            :class:`Generation`.
     """
 
     other_wanted = Signal(object, object)
@@ -294,11 +295,11 @@ class ReplayView(Translated, QWidget):
     # What can be chosen -----------------------------------------------------------------------
 
     def offer(self, surveys: tuple[ChannelSurvey, ...], generation: Generation) -> None:
-        """Let the operator choose among the channels and the protocols.
+        """Offer the choice among the channels and the protocols.
 
         Args:
-            surveys: What the channels of the log tell.
-            generation: The protocol that is spoken now.
+            surveys: The surveys of the log's channels.
+            generation: The present protocol.
         """
         self._surveys = surveys
         self.channels.clear()
@@ -338,7 +339,7 @@ class ReplayView(Translated, QWidget):
     # What is shown ----------------------------------------------------------------------------
 
     def show_events(self, log: EventLog, marks: Sequence[SessionMark]) -> None:
-        """Show what happened, and its moments on the time line."""
+        """Show events, and their marks on the time line."""
         self.events.show_log(log)
         if marks is not self.replay.session.marks:
             self._search = MarkSearch(marks, self.replay.channel)
@@ -403,7 +404,7 @@ class ReplayView(Translated, QWidget):
             self.replay.go_to(mark.at_s)
 
     def end(self) -> None:
-        """The log is about to be closed: nothing more is read of it."""
+        """Cancel reading, because the log is about to be closed."""
         self.frames.end()
 
     def retranslate_ui(self) -> None:
@@ -427,12 +428,12 @@ class ReplayView(Translated, QWidget):
         self.view.set_theme(scene_palette.DARK if dark else scene_palette.LIGHT)
 
     def showEvent(self, event: object) -> None:
-        """Catch up."""
+        """Update everything that is shown."""
         super().showEvent(event)  # type: ignore[arg-type]
         self._look()
         self._show_arm()
 
     def hideEvent(self, event: object) -> None:
-        """The log stands still."""
+        """Pause the log."""
         super().hideEvent(event)  # type: ignore[arg-type]
         self.replay.play(on=False)

@@ -56,15 +56,15 @@ if TYPE_CHECKING:
 _SIZE: Final = QSize(1440, 920)
 _MOST_TOLD: Final = 12
 _FIRST_LOOK_S: Final = 0.1
-"""By then an arm has said everything once."""
+"""The first place in a log, by which an arm has sent every message once."""
 _ICON_PX: Final = 18
 
 
 class LiveStrip(Translated, QWidget):
-    """Shown while a device is open. It only tells; acting is for the main window.
+    """The state of the connected arm, shown while a device is open; without commands.
 
     Args:
-        controller: Of the arm that is connected, not of the log.
+        controller: The controller of the connected arm, not of the log.
     """
 
     def __init__(self, controller: ArmController) -> None:
@@ -112,7 +112,7 @@ class LiveStrip(Translated, QWidget):
         self._show_step()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """A ground in the colour of what is the matter."""
+        """Draw a background in the colour of the severity."""
         colors = colors_of(self)
         ground = {Level.WARNING: colors.warn_pale, Level.FAULT: colors.stop_pale}
         line = {Level.WARNING: colors.warn, Level.FAULT: colors.stop_ink}
@@ -128,21 +128,23 @@ class LiveStrip(Translated, QWidget):
 
 
 class ReplayWindow(ArmDialog):
-    """Opens one log after another. Its stop and halt are those of the arm that is connected.
+    """Opens one log after another.
+
+    Its stop and halt are those of the connected arm.
 
     Args:
-        controller: Of the arm that is connected, or may be: never of the log.
-        background: Where files are read and written.
-        make_view: Makes the 3D picture.
+        controller: The controller of the connected arm, never of the log.
+        background: Reads and writes files.
+        make_view: Creates the 3D picture.
         parent: The main window.
         open_own: Opens recordings of this program, which need not be read first.
         urdf_path: The operator's own robot description; by default that of the log's model.
 
     Attributes:
-        view: What is shown of the log that is open; ``None``: none is.
+        view: The view of the open log; ``None`` if none is open.
 
     Signals:
-        export_wanted: The path of the log that is open, to be exported.
+        export_wanted: The path of the open log, to be exported.
     """
 
     export_wanted = Signal(object)
@@ -232,7 +234,7 @@ class ReplayWindow(ArmDialog):
         chooser.setDirectory(str(folder))
 
     def open_log(self, path: Path) -> None:
-        """Show this log, in the place of whatever is shown."""
+        """Open a log in place of the present one."""
         self._leave()
         self._path = path
         self.message.hide()
@@ -425,20 +427,20 @@ class ReplayWindow(ArmDialog):
         view.deleteLater()
 
     def done(self, result: int) -> None:
-        """Close the log, too: hidden it would keep its memory and its place on the disk."""
+        """Close the log with the window, to free its memory and its place on the disk."""
         self._leave()
         self._show_waiting()
         super().done(result)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Escape closes nothing here: a log takes a while to open."""
+        """Ignore Escape, because a log takes a while to open."""
         if event.key() == Qt.Key.Key_Escape:
             event.ignore()
         else:
             super().keyPressEvent(event)
 
     def end(self) -> None:
-        """The program ends: nobody else lets go of the log any more."""
+        """Release the log, because the program ends."""
         opening, self._opening = self._opening, None
         if opening is not None:
             opening.end()

@@ -1,4 +1,4 @@
-"""The time line of a log: faults, stops and commands on it, and where the replay stands."""
+"""The time line of a log: faults, stops and commands, and the place of the replay."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ _SMALL_STEP_S: Final = 0.1
 
 
 def mark_text(mark: SessionMark) -> str:
-    """Who, what, what was answered and read back, in the operator's language."""
+    """Return the text of a mark: source, event, answer and result, in the operator's language."""
     entry = entry_of(mark, wall_time)
     parts = [f"{cell_text(entry, EventColumn.WHO)}: {cell_text(entry, EventColumn.TEXT)}"]
     for column in (EventColumn.ANSWER, EventColumn.RESULT):
@@ -58,10 +58,10 @@ def mark_text(mark: SessionMark) -> str:
 
 
 class TimeLine(Translated, QWidget):
-    """A press goes there, a drag scrubs, the wheel zooms; ← and → go a second, with Shift 0.1 s.
+    """A press goes to a place, a drag scrubs, the wheel zooms; ← and → go 1 s, with Shift 0.1 s.
 
     Signals:
-        wanted: Log time that the operator wants to be at.
+        wanted: The log time to go to.
     """
 
     wanted = Signal(float)
@@ -95,7 +95,7 @@ class TimeLine(Translated, QWidget):
         self.update()
 
     def show_position(self, at_s: float) -> None:
-        """The replay is here; a time line that is zoomed in follows."""
+        """Set the replay's time; a zoomed time line follows it."""
         if at_s == self._at_s:
             return
         self._at_s = at_s
@@ -106,22 +106,22 @@ class TimeLine(Translated, QWidget):
 
     @property
     def shown_s(self) -> tuple[float, float]:
-        """Log time at its ends."""
+        """The log times at its ends."""
         return self._from_s, self._to_s
 
     def place_px(self, at_s: float) -> float:
-        """Where a time is."""
+        """Return the place of a time."""
         width_px = max(1.0, self.width() - 2 * _EDGE_PX)
         return _EDGE_PX + (at_s - self._from_s) / (self._to_s - self._from_s) * width_px
 
     def time_at(self, x_px: float) -> float:
-        """Which time is at a place."""
+        """Return the time at a place."""
         width_px = max(1.0, self.width() - 2 * _EDGE_PX)
         share = min(max((x_px - _EDGE_PX) / width_px, 0.0), 1.0)
         return self._from_s + share * (self._to_s - self._from_s)
 
     def told_at(self, x_px: float) -> list[str]:
-        """What happened at a place, in words."""
+        """Return the texts of the marks at a place."""
         near_s = self.time_at(x_px + _NEAR_PX) - self.time_at(x_px)
         at_s = self.time_at(x_px)
         found = []
@@ -142,23 +142,23 @@ class TimeLine(Translated, QWidget):
         self.update()
 
     def sizeHint(self) -> QSize:
-        """Three rows and the times."""
+        """Return a size for three rows and the times."""
         return QSize(600, _HEIGHT_PX)
 
     # The operator -----------------------------------------------------------------------------
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Go there."""
+        """Go to the place of the press."""
         if event.button() == Qt.MouseButton.LeftButton:
             self.wanted.emit(self.time_at(event.position().x()))
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Scrub."""
+        """Go to the place of the pointer while dragging."""
         if event.buttons() & Qt.MouseButton.LeftButton:
             self.wanted.emit(self.time_at(event.position().x()))
 
     def mouseDoubleClickEvent(self, _event: QMouseEvent) -> None:
-        """The whole log again."""
+        """Show the whole log again."""
         self._from_s, self._to_s = self._start_s, self._end_s
         self.update()
 
@@ -190,7 +190,7 @@ class TimeLine(Translated, QWidget):
             self.wanted.emit(min(max(goal_s, self._start_s), self._end_s))
 
     def event(self, event: QEvent) -> bool:
-        """Say what is under the pointer."""
+        """Show a tooltip on the marks under the pointer."""
         if isinstance(event, QHelpEvent):
             lines = self.told_at(event.pos().x())
             shown = lines[:_MOST_TOLD]
@@ -209,7 +209,7 @@ class TimeLine(Translated, QWidget):
     # Drawing ----------------------------------------------------------------------------------
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw it."""
+        """Draw the time line."""
         colors = colors_of(self)
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)

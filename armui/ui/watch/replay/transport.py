@@ -1,4 +1,4 @@
-"""Below the time line: play, pause, speed, frame by frame, next fault, and where the replay is."""
+"""The controls below the time line: play, pause, speed, single frames, next fault, time."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ _ICON_PX: Final = 18
 
 
 class Transport(Translated, QWidget):
-    """Tells what the operator wants; shows what it is told.
+    """Emits the operator's commands, and shows the replay's state.
 
     Signals:
-        play_wanted: To run, or to stand still, whichever is not so now.
+        play_wanted: To play, or to pause if it plays.
         step_wanted: One frame further.
         step_back_wanted: To the moment before.
         fault_wanted: To the next fault or stop: 1, or the one before: -1.
-        speed_wanted: How many times as fast as it was.
+        speed_wanted: The factor on the original speed.
     """
 
     play_wanted = Signal()
@@ -81,7 +81,7 @@ class Transport(Translated, QWidget):
         return button
 
     def show_playing(self, *, playing: bool, at_end: bool) -> None:
-        """Whether the log runs, and whether there is anything left of it."""
+        """Show whether the log plays, and whether it is at its end."""
         self._playing = playing
         self.buttons["step"].setEnabled(not at_end)
         if playing is not self._drawn:
@@ -89,7 +89,7 @@ class Transport(Translated, QWidget):
             self._show_play()
 
     def show_faults(self, *, before: bool, after: bool) -> None:
-        """Whether there is a fault to go to in either direction."""
+        """Show whether there is a fault to go to in either direction."""
         self.buttons["previous_fault"].setEnabled(before)
         self.buttons["next_fault"].setEnabled(after)
 

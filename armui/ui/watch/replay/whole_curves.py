@@ -1,4 +1,4 @@
-"""The curves of a whole recording, with a cursor where the replay is."""
+"""The curves of a whole recording, with a cursor at the replay's time."""
 
 from __future__ import annotations
 
@@ -21,23 +21,23 @@ if TYPE_CHECKING:
     from armui.ui.background import Background
 
 LONGEST_S: Final = 3600.0
-"""Of a longer recording its last hour: an hour of an arm takes 272 MB at most."""
+"""The longest stretch, the last hour of a recording: an hour of an arm takes 272 MB at most."""
 _LEAST_S: Final = 0.05
 
 
 class WholeCurves(QWidget):
-    """Read when they are first seen; the cursor follows the replay, and dragged leads it.
+    """Curves that are read when first shown; the cursor follows the replay, and can be dragged.
 
     Args:
-        replay: Whose log.
-        live: The controller of the arm that is connected, for the stop in file choosers.
-        background: Where files are written.
+        replay: The replay.
+        live: The controller of the connected arm, for the stop in file choosers.
+        background: Writes files.
 
     Attributes:
-        area: The plots; ``None`` before they are seen.
+        area: The plots; ``None`` before they are first shown.
 
     Signals:
-        wanted: Log time that the operator wants to be at.
+        wanted: The log time to go to.
     """
 
     wanted = Signal(float)
@@ -55,12 +55,12 @@ class WholeCurves(QWidget):
 
     @property
     def is_loading(self) -> bool:
-        """True if some of them are not there yet."""
+        """True if some curves are still being read."""
         history = self._replay.whole
         return history is not None and not history.is_over
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Begin to read."""
+        """Start reading the curves."""
         super().showEvent(event)
         if self.area is None:
             self._begin()
@@ -84,7 +84,7 @@ class WholeCurves(QWidget):
             area.say(self.tr("The recording is long: its last hour is shown."), Level.INFO)
 
     def show_position(self, at_s: float) -> None:
-        """The replay is here."""
+        """Set the replay's time."""
         area, history = self.area, self._replay.whole
         if area is None or history is None or not self.isVisible():
             return
