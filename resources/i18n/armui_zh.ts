@@ -3754,6 +3754,81 @@
     </message>
 </context>
 <context>
+    <name>FolderBar</name>
+    <message>
+        <source>The folder “{name}” is gone: it was renamed, moved or deleted elsewhere. All trajectories are listed.</source>
+        <translation>文件夹“{name}”已不在：它在别处被重命名、移动或删除。现在显示全部轨迹。</translation>
+    </message>
+    <message>
+        <source>Choose a trajectory in the list first</source>
+        <translation>请先在列表中选择轨迹</translation>
+    </message>
+    <message>
+        <source>Not saved yet. Open it and save it first</source>
+        <translation>尚未保存。请先打开并保存</translation>
+    </message>
+    <message>
+        <source>There is no folder yet. Make one first</source>
+        <translation>还没有文件夹。请先新建一个</translation>
+    </message>
+    <message>
+        <source>Moves what is chosen to a folder</source>
+        <translation>把选中的轨迹移到某个文件夹</translation>
+    </message>
+    <message>
+        <source>The folder “{name}” cannot be read. Check the rights to it.</source>
+        <translation>无法读取文件夹“{name}”。请检查其访问权限。</translation>
+    </message>
+    <message>
+        <source>Create</source>
+        <translation>创建</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>重命名</translation>
+    </message>
+    <message>
+        <source>Name of the folder</source>
+        <translation>文件夹名称</translation>
+    </message>
+    <message>
+        <source>All folders</source>
+        <translation>全部文件夹</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>文件夹</translation>
+    </message>
+    <message>
+        <source>The folder whose trajectories are listed</source>
+        <translation>列表显示该文件夹中的轨迹</translation>
+    </message>
+    <message>
+        <source>New folder; rename or delete the one that is listed</source>
+        <translation>新建文件夹；重命名或删除当前显示的文件夹</translation>
+    </message>
+    <message>
+        <source>Move to…</source>
+        <translation>移到…</translation>
+    </message>
+    <message>
+        <source>New folder…</source>
+        <translation>新建文件夹…</translation>
+    </message>
+    <message>
+        <source>Rename the folder…</source>
+        <translation>重命名文件夹…</translation>
+    </message>
+    <message>
+        <source>Delete the folder</source>
+        <translation>删除文件夹</translation>
+    </message>
+    <message>
+        <source>Into no folder</source>
+        <translation>不放入文件夹</translation>
+    </message>
+</context>
+<context>
     <name>FrameChoice</name>
     <message>
         <source>− and + along</source>
@@ -5242,6 +5317,18 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>“{new}”已改回原名“{old}”。</translation>
     </message>
     <message>
+        <source>Moved back: {names}</source>
+        <translation>已移回：{names}</translation>
+    </message>
+    <message>
+        <source>In no folder now: {names}</source>
+        <translation>已移出文件夹：{names}</translation>
+    </message>
+    <message>
+        <source>Moved to the folder “{folder}”: {names}</source>
+        <translation>已移到文件夹“{folder}”：{names}</translation>
+    </message>
+    <message>
         <source>Restored: {names}</source>
         <translation>已恢复：{names}</translation>
     </message>
@@ -5260,6 +5347,14 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>It is called “{names}” again.</source>
         <translation>名称改回“{names}”。</translation>
+    </message>
+    <message>
+        <source>Undo moving “{names}”</source>
+        <translation>撤销移动“{names}”</translation>
+    </message>
+    <message>
+        <source>It goes back to the folder it came from.</source>
+        <translation>移回原来的文件夹。</translation>
     </message>
     <message>
         <source>Undo creating “{names}”</source>
@@ -5413,6 +5508,14 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>名称和备注中都没有这段文字。</translation>
     </message>
     <message>
+        <source>Nothing in this folder yet</source>
+        <translation>此文件夹还是空的</translation>
+    </message>
+    <message>
+        <source>What is created, recorded or imported now comes into it; “Move to…” brings others here.</source>
+        <translation>现在创建、录制或导入的轨迹会放在这里；用“移到…”可把其他轨迹移来。</translation>
+    </message>
+    <message>
         <source>No trajectories yet</source>
         <translation>还没有轨迹</translation>
     </message>
@@ -5426,6 +5529,10 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>{count} samples</source>
         <translation>{count} 个采样</translation>
+    </message>
+    <message>
+        <source>Folder: {name}</source>
+        <translation>文件夹：{name}</translation>
     </message>
     <message>
         <source>Unsaved changes of a trajectory that was never saved, or whose file is gone. Open it to save it, or delete it.</source>
@@ -9081,6 +9188,30 @@ The other program must have ended.</source>
     <message>
         <source>Jog step: “{value}” is not an angle. Enter a number of degrees, for example 0.5.</source>
         <translation>点动步长：“{value}”不是角度。请输入以度为单位的数字，例如 0.5。</translation>
+    </message>
+    <message>
+        <source>A folder needs a name. Enter one.</source>
+        <translation>文件夹需要名称。请输入。</translation>
+    </message>
+    <message>
+        <source>There is a “{name}” in the library&apos;s folder already. Choose another name.</source>
+        <translation>轨迹库的文件夹中已有“{name}”。请换一个名称。</translation>
+    </message>
+    <message>
+        <source>Not every system takes a folder called “{name}”. “{fitting}” would do.</source>
+        <translation>并非所有系统都允许文件夹名为“{name}”。可用“{fitting}”。</translation>
+    </message>
+    <message>
+        <source>The folder “{name}” is not in the library any more. It was renamed, moved or deleted elsewhere.</source>
+        <translation>文件夹“{name}”已不在轨迹库中。它在别处被重命名、移动或删除。</translation>
+    </message>
+    <message>
+        <source>The folder “{name}” is not empty and is kept: {held}. Move or delete what is in it first.</source>
+        <translation>文件夹“{name}”不是空的，已保留：{held}。请先移走或删除其中的内容。</translation>
+    </message>
+    <message>
+        <source>Not done: {name}: {text}. Check the rights to the library&apos;s folder.</source>
+        <translation>未执行：{name}：{text}。请检查轨迹库文件夹的访问权限。</translation>
     </message>
     <message>
         <source>Robot description: the file {path} is not there. Choose another file, or use the built-in one.</source>

@@ -39,6 +39,20 @@ def not_found(app_driver: AppDriver) -> LibraryPage:
     return window
 
 
+def in_folder(app_driver: AppDriver) -> LibraryPage:
+    """Sub-folders, one of them listed, with what a search would find beside it."""
+    window = library(app_driver)
+    window.findChild(QLineEdit, "library_search").clear()
+    stored = Library(app_driver.library_folder)
+    folders = stored.listing().folders
+    if not folders:
+        for name in ("Packing line", "Welding cell"):
+            stored.create_folder(name)
+        stored.move(["Pick and place", "Warm up"], "Packing line")
+    window.refresh()
+    return window
+
+
 def deleted(app_driver: AppDriver) -> LibraryPage:
     """Two deletions that can be undone, and a trajectory that was never saved."""
     window = library(app_driver)

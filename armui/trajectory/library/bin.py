@@ -16,6 +16,7 @@ from armui.system.atomic import replace_file, sync_folder, write_whole
 from armui.system.files import check_file, read_file
 from armui.trajectory.library.drafts import is_draft
 from armui.trajectory.library.file_names import folded, free_stem
+from armui.trajectory.library.folders import is_real_folder
 from armui.trajectory.library.index import IndexEntry
 from armui.trajectory.library.stored_files import name_inside
 
@@ -36,7 +37,8 @@ class Deleted:
 
     Attributes:
         names: The trajectories' names.
-        places: For every file, drafts included: its name in the library, and its present path.
+        places: For every file, drafts included: its path in the library from the library's folder
+            on, with slashes, and its present path.
         when: The time of deletion.
         entries: Their entries in the index, as far as they are still known.
     """
@@ -51,12 +53,19 @@ class Deleted:
         """True if it holds drafts only: the trajectory was never saved, or its file is gone."""
         return all(is_draft(place) for _, place in self.places)
 
+    @property
+    def folder(self) -> str:
+        """The sub-folder of the library it came from and goes back to; "" for none."""
+        return self.places[0][0].rpartition("/")[0] if self.places else ""
+
 
 class Bin:
     """A folder of deleted files, each in a subfolder named after the time.
 
+    There it lies in a folder as in the library, if it was in one.
+
     Args:
-        folder: The folder, on the same disk as the files; it need not exist.
+        folder: The folder, within the library's; it need not exist.
     """
 
     def __init__(self, folder: Path) -> None:
@@ -79,17 +88,18 @@ class Bin:
         moved: list[tuple[Path, Path]] = []
         try:
             for path in paths:
-                replace_file(path, room / path.name)
-                moved.append((path, room / path.name))
+                place = room / self._file(path)
+                place.parent.mkdir(exist_ok=True)
+                replace_file(path, place)
+                moved.append((path, place))
         except OSError:
             for path, place in moved:
                 replace_file(place, path)
-            with contextlib.suppress(OSError):
-                room.rmdir()
+            _remove_empty(room)
             raise
-        sync_folder(room)
-        sync_folder(paths[0].parent)
-        return tuple((path.name, place) for path, place in moved), when
+        for folder in {room, *(each.parent for pair in moved for each in pair)}:
+            sync_folder(folder)
+        return tuple((self._file(path), place) for path, place in moved), when
 
     def keep_copy(self, path: Path) -> None:
         """Copy a file that is about to be replaced into the bin.
@@ -99,12 +109,19 @@ class Bin:
         """
         room = self._new_room(*divmod(time.time_ns(), 1_000_000_000))
         try:
+            place = room / self._file(path)
+            place.parent.mkdir(exist_ok=True)
             check_file(path)
-            shutil.copy2(path, room / path.name)
+            shutil.copy2(path, place)
         except OSError:
             shutil.rmtree(room, ignore_errors=True)
             raise
+        sync_folder(place.parent)
         sync_folder(room)
+
+    def _file(self, path: Path) -> str:
+        """Return a file's path in the library, from the library's folder on."""
+        return path.relative_to(self._folder.parent).as_posix()
 
     def _new_room(self, seconds: int, rest_ns: int) -> Path:
         room = self._folder / f"{seconds}-{rest_ns:09}-{secrets.token_hex(4)}"
@@ -123,7 +140,7 @@ class Bin:
             # a trajectory goes before the draft of it, and a draft alone is one, too
             for path in sorted(_files(room), key=lambda path: (is_draft(path), path.name)):
                 places = by_name.setdefault(name_inside(path), [])
-                places.append((path.name, path))
+                places.append((path.relative_to(room).as_posix(), path))
             found += [Deleted((name,), tuple(places), when) for name, places in by_name.items()]
         return found
 
@@ -133,7 +150,7 @@ class Bin:
         Args:
             file: The file's former name.
             place: Its path in the bin.
-            folder: The folder to move it to.
+            folder: The folder to move it to; it must exist.
 
         Returns:
             Its new path.
@@ -164,9 +181,9 @@ class Bin:
         with contextlib.suppress(OSError):
             for when, room in list(self._rooms()):
                 if when < now - KEPT and _due_since(room, now) <= now - _GRACE:
-                    for path in room.iterdir():
-                        path.unlink()
-                    room.rmdir()
+                    for path in [*_files(room), room / _DUE]:
+                        path.unlink(missing_ok=True)
+                    _remove_empty(room)
                 elif when >= now - KEPT:
                     (room / _DUE).unlink(missing_ok=True)
 
@@ -177,10 +194,12 @@ class Bin:
                 yield datetime.fromtimestamp(int(room.name.partition("-")[0]), UTC), room
 
     def _tidy(self, place: Path) -> None:
-        with contextlib.suppress(OSError):  # another file of the same deletion is still there
-            if not _files(place.parent):
-                (place.parent / _DUE).unlink(missing_ok=True)
-            place.parent.rmdir()
+        """Remove the folder of a deletion once nothing of it is left."""
+        room = self._folder / place.relative_to(self._folder).parts[0]
+        with contextlib.suppress(OSError):  # something else is still there
+            if not _files(room):
+                (room / _DUE).unlink(missing_ok=True)
+            _remove_empty(room)
 
 
 def _due_since(room: Path, now: datetime) -> datetime:
@@ -199,8 +218,20 @@ def _due_since(room: Path, now: datetime) -> datetime:
 
 
 def _files(room: Path) -> list[Path]:
-    """Return what is in a folder; nothing if another program has removed it meanwhile."""
+    """Return what is in a folder and its sub-folders; nothing if somebody has removed it."""
     try:
-        return [path for path in room.iterdir() if path.is_file() and path.name != _DUE]
+        found = list(room.iterdir())
+        for folder in filter(is_real_folder, list(found)):
+            found += folder.iterdir()
+        return [path for path in found if path.is_file() and path.name != _DUE]
     except FileNotFoundError:
         return []
+
+
+def _remove_empty(room: Path) -> None:
+    """Remove the folder of a deletion with its empty sub-folders; what is not empty stays."""
+    with contextlib.suppress(OSError):
+        for folder in filter(is_real_folder, list(room.iterdir())):
+            with contextlib.suppress(OSError):
+                folder.rmdir()
+        room.rmdir()

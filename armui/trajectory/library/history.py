@@ -16,6 +16,7 @@ from typing import Final
 
 from armui.arm.refusal import Reason
 from armui.trajectory.files import TrajectoryFileError
+from armui.trajectory.library.folders import FOLDER_NOT_CHANGED
 from armui.trajectory.library.store import (
     LIBRARY_NOT_DELETED,
     LIBRARY_NOT_RESTORED,
@@ -35,6 +36,7 @@ CHANGED_SINCE = Reason(
 
 _TRY_AGAIN: Final = frozenset(
     {
+        FOLDER_NOT_CHANGED,
         LIBRARY_NOT_SAVED,
         LIBRARY_NOT_DELETED,
         LIBRARY_NOT_RESTORED,
@@ -158,7 +160,42 @@ class Making:
         return None
 
 
-Step = Deletion | Renaming | Making
+@dataclass(frozen=True, slots=True)
+class Moving:
+    """Trajectories moved to another folder, undone by moving them back.
+
+    Attributes:
+        moved: The name of each, and the sub-folder it was in; "" for the library's folder itself.
+        folder: The sub-folder they were moved to.
+    """
+
+    moved: tuple[tuple[str, str], ...]
+    folder: str
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The names of the moved trajectories."""
+        return tuple(name for name, _ in self.moved)
+
+    @property
+    def touched(self) -> tuple[str, ...]:
+        """The present trajectories that undoing changes: none, for they only lie elsewhere."""
+        return ()
+
+    def is_possible(self, seen: Listing) -> bool:
+        """Return whether some are still there, and so is a folder they came from."""
+        there = {entry.name for entry in seen.entries if entry.folder == self.folder}
+        return any(name in there and old in {"", *seen.folders} for name, old in self.moved)
+
+    def undo(self, library: Library) -> tuple[str, ...]:
+        """Undo the move, and return the names of those that are back."""
+        back: list[str] = []
+        for folder in dict.fromkeys(old for _, old in self.moved):
+            back += library.move([name for name, old in self.moved if old == folder], folder)
+        return tuple(back)
+
+
+Step = Deletion | Renaming | Making | Moving
 
 
 class LibraryHistory:
@@ -198,6 +235,20 @@ class LibraryHistory:
         self._library.rename(name, new)
         if new != name:
             self._steps.append(Renaming(name, new))
+
+    def move(self, names: Sequence[str], folder: str) -> tuple[str, ...]:
+        """Move trajectories to a sub-folder, and return the names of those that were moved.
+
+        Raises:
+            LibraryError: See `Library.move`.
+        """
+        before = {entry.name: entry.folder for entry in self._library.entries()}
+        asked = [name for name in dict.fromkeys(names) if before.get(name, folder) != folder]
+        moved = self._library.move(asked, folder)
+        if moved and len(moved) == len(asked):
+            olds = (before[name] for name in asked)
+            self._steps.append(Moving(tuple(zip(moved, olds, strict=True)), folder))
+        return moved
 
     def drop_outdated(self, seen: Listing) -> None:
         """Drop the last steps as long as they cannot be undone any more.

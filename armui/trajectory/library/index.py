@@ -68,6 +68,8 @@ class IndexEntry:
         estimated_s: How long it will take at its own speed, see `estimate_s`; ``None`` where that
             is not known.
         estimated_for: The `ArmModel.fingerprint` that was estimated for; "": nobody has.
+        folder: The sub-folder its file lies in; "" for the library's folder itself. It is not kept
+            in the cache: the file's place says it.
     """
 
     name: str
@@ -84,6 +86,7 @@ class IndexEntry:
     taught_on: str = ""
     estimated_s: float | None = None
     estimated_for: str = ""
+    folder: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,11 +97,15 @@ class Listing:
         entries: All entries, sorted by name.
         drafts: The names of entries with unsaved changes.
         exists: True if the library's folder exists.
+        folders: The names of its sub-folders, sorted.
+        closed: The names of those that cannot be read.
     """
 
     entries: tuple[IndexEntry, ...]
     drafts: tuple[str, ...]
     exists: bool
+    folders: tuple[str, ...] = ()
+    closed: tuple[str, ...] = ()
 
 
 def entry_of(content: Content) -> IndexEntry:
@@ -133,7 +140,7 @@ class Stamp(NamedTuple):
 
 
 class Index:
-    """The entries by their file's name.
+    """The entries by their file's path from the library's folder on, with slashes.
 
     Args:
         path: The cache file; it need not exist.
@@ -179,10 +186,29 @@ class Index:
             self._entries[file] = stamp, entry
             self._changed = True
 
-    def keep_only(self, files: Collection[str]) -> None:
-        """Drop the entries of all other files: they are gone."""
+    def keep_only(self, files: Collection[str], closed: Collection[str] = ()) -> None:
+        """Drop the entries of all other files: they are gone.
+
+        Args:
+            files: The files that were found.
+            closed: The sub-folders that could not be read: what is in them may still be there.
+        """
         for file in self._entries.keys() - set(files):
-            del self._entries[file]
+            if file.rpartition("/")[0] not in closed:
+                del self._entries[file]
+                self._changed = True
+
+    def move(self, old: str, new: str, stamp: Stamp) -> None:
+        """Give a file's entry, with its marks, to the place the file was moved to.
+
+        Args:
+            old: Where it was.
+            new: Where it is.
+            stamp: Its stamp there.
+        """
+        known = self._entries.pop(old, None)
+        if known is not None:
+            self._entries[new] = stamp, known[1]
             self._changed = True
 
     def save(self) -> None:

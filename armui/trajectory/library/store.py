@@ -11,21 +11,29 @@ import contextlib
 import threading
 import time
 from collections.abc import Callable, Container, Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Final
 
 from armui.arm.models import ArmModel
 from armui.arm.refusal import Reason, Refusal
-from armui.system.atomic import remove_abandoned
+from armui.system.atomic import remove_abandoned, replace_file, sync_folder
 from armui.system.files import error_text
-from armui.trajectory import columns, files
+from armui.trajectory import files
 from armui.trajectory.files import Content, TrajectoryFileError, UnwritableError
 from armui.trajectory.files.errors import broken
 from armui.trajectory.library.bin import Bin, Deleted
 from armui.trajectory.library.drafts import Drafts, is_draft
 from armui.trajectory.library.file_names import file_stem, folded, free_stem
+from armui.trajectory.library.folders import (
+    FOLDER_GONE,
+    FOLDER_NOT_CHANGED,
+    FOLDER_NOT_EMPTY,
+    FOLDER_TAKEN,
+    Folders,
+    check_folder_name,
+)
 from armui.trajectory.library.index import Check, IndexEntry, Listing, Stamp, entry_of
 from armui.trajectory.library.recording_drafts import (
     RecordingDraft,
@@ -126,6 +134,8 @@ class Library:
 
     Attributes:
         turn: Held by the thread at work, if there may be several.
+        new_in: The sub-folder in which new trajectories are kept; "" for the library's folder
+            itself, which also takes them if that sub-folder is gone.
     """
 
     def __init__(
@@ -135,10 +145,12 @@ class Library:
         call: Call = call_directly,
     ) -> None:
         self.turn = threading.Lock()
+        self.new_in = ""
         self._folder = folder
         self._now = now
         self._call = call
         self._file_store = FileStore(folder, call)
+        self._folders = Folders(folder)
         self._bin = Bin(folder / _BIN)
         self._drafts = Drafts(folder, call)
         self._recordings = RecordingDrafts(folder / _RECORDINGS, call)
@@ -149,7 +161,8 @@ class Library:
 
     def tidy(self) -> None:
         """Remove half-written files of killed programs, and what was deleted long ago."""
-        remove_abandoned(self._folder)
+        for folder in (self._folder, *self._paths_of_folders()):
+            remove_abandoned(folder)
         self._bin.remove_outdated()
 
     @property
@@ -177,7 +190,9 @@ class Library:
         Raises:
             LibraryError: The folder cannot be read.
         """
-        return Listing(tuple(self.entries()), tuple(self.drafts()), self._folder.is_dir())
+        entries, drafts = tuple(self.entries()), tuple(self.drafts())
+        folders, closed = self._file_store.folders, self._file_store.closed
+        return Listing(entries, drafts, self._folder.is_dir(), folders, closed)
 
     def load(self, name: str, *, to_edit: bool = False) -> Content:
         """Return a trajectory or recording.
@@ -288,8 +303,110 @@ class Library:
         content = replace(self.load(name), name=new)
         self._verify(content)
         known = self._scan()[name].entry
-        self._write(content, None)
+        self._write(content, None, known.folder)
         self.mark(new, check=known.check, length_s=known.length_s, arm=known.checked_for)
+
+    # Folders --------------------------------------------------------------------------------------
+
+    def create_folder(self, name: str) -> None:
+        """Make a sub-folder.
+
+        Raises:
+            LibraryError: The name is taken, or no folder's name; or the disk refuses.
+        """
+        self._verify_folder(name)
+        with on_disk(FOLDER_NOT_CHANGED, name):
+            self._folders.create(name)
+
+    def rename_folder(self, old: str, new: str) -> None:
+        """Give a sub-folder another name; what is in it stays in it, with its check marks.
+
+        Raises:
+            LibraryError: It is gone, the new name is taken or no folder's name, or the disk
+                refuses.
+        """
+        if new == old:
+            return
+        self._verify_folder(new, but=old)
+        inside = [kept.path for kept in self._scan().values() if kept.entry.folder == old]
+        with on_disk(FOLDER_NOT_CHANGED, old):
+            if self._folders.path(old) is None:
+                raise LibraryError(FOLDER_GONE(name=old))
+            self._folders.rename(old, new)
+            self._file_store.note_moved((path, self._folder / new / path.name) for path in inside)
+
+    def delete_folder(self, name: str) -> None:
+        """Delete an empty sub-folder.
+
+        Raises:
+            LibraryError: It is gone, there is something in it, or the disk refuses.
+        """
+        with on_disk(FOLDER_NOT_CHANGED, name):
+            if self._folders.path(name) is None:
+                raise LibraryError(FOLDER_GONE(name=name))
+            held = self._folders.held(name)
+            if held:
+                raise LibraryError(FOLDER_NOT_EMPTY(name=name, held=", ".join(held)))
+            self._folders.delete(name)
+
+    def move(self, names: Sequence[str], folder: str) -> tuple[str, ...]:
+        """Move trajectories to a sub-folder, all or none; nothing there is replaced.
+
+        Args:
+            names: Their names; those that are gone, and drafts, which lie in no sub-folder, are
+                ignored.
+            folder: The sub-folder; "" for the library's folder itself.
+
+        Returns:
+            The names of the moved ones, as they are listed now.
+
+        Raises:
+            LibraryError: The sub-folder is gone, or the disk refuses; nothing is moved.
+        """
+        found = self._scan()
+        kept = [found[name] for name in dict.fromkeys(names) if name in found]
+        moves: list[tuple[Path, Path]] = []
+        with on_disk(FOLDER_NOT_CHANGED, ", ".join(names)):
+            target = self._folders.path(folder)
+            if target is None:
+                raise LibraryError(FOLDER_GONE(name=folder))
+            taken = {folded(path.stem) for path in target.iterdir()} if target.is_dir() else set()
+            try:
+                for each in (one for one in kept if one.entry.folder != folder):
+                    stem = free_stem(each.path.stem, taken)
+                    new = target / f"{stem}{each.path.suffix}"
+                    replace_file(each.path, new)
+                    moves.append((each.path, new))
+                    taken.add(folded(stem))
+            except OSError:
+                for old, new in moves:
+                    replace_file(new, old)
+                raise
+            for path in {each.parent for pair in moves for each in pair}:
+                sync_folder(path)
+            self._file_store.note_moved(moves)
+        now = {one.path: name for name, one in self._scan().items()}
+        return tuple(now[path] for _, path in moves if path in now)
+
+    def _verify_folder(self, name: str, but: str = "") -> None:
+        """Make sure that a sub-folder can have a name.
+
+        Raises:
+            LibraryError: It cannot.
+        """
+        reason = check_folder_name(name)
+        if reason is not None:
+            raise LibraryError(reason)
+        with on_disk(LIBRARY_UNREADABLE, str(self._folder)):
+            if self._folders.is_taken(name, but):
+                raise LibraryError(FOLDER_TAKEN(name=name))
+
+    def _paths_of_folders(self) -> list[Path]:
+        with contextlib.suppress(OSError):
+            return [self._folder / name for name in self._folders.names()]
+        return []
+
+    # Deleted and restored -------------------------------------------------------------------------
 
     def delete(self, names: Sequence[str]) -> Deleted:
         """Move trajectories and their drafts to the bin, from which `restore` brings them back.
@@ -359,13 +476,29 @@ class Library:
         """Bring back a trajectory; no draft of another one of its name becomes its own."""
         name = name_inside(place)
         free = self.free_name(name)
+        folder = self._place_for(file.rpartition("/")[0])
         if free != name:
             with contextlib.suppress(TrajectoryFileError):  # a damaged one stays as it is
-                self._write(replace(files.load(place), name=free), None)
+                self._write(replace(files.load(place), name=free), None, folder)
                 self._bin.remove(place)
                 return free
-        path = self._bin.give_back(file, place, self._folder)
+        path = self._bin.give_back(place.name, place, self._folder / folder)
         return next(name for name, kept in self._scan().items() if kept.path == path)
+
+    def _place_for(self, folder: str) -> str:
+        """Return the sub-folder to bring something back to, made anew if it is gone.
+
+        Where something else has its name by now, that is the library's folder itself.
+
+        Raises:
+            OSError: It cannot be made.
+        """
+        if folder and not self._folders.has(folder):
+            try:
+                self._folders.create(folder)
+            except FileExistsError:
+                return ""
+        return folder
 
     def _put_draft_back(self, place: Path, owner: str | None) -> str:
         """Bring back a draft, to the trajectory it was deleted with where it was."""
@@ -589,8 +722,13 @@ class Library:
             row, reason = found
             raise LibraryError(reason, row)
 
-    def _write(self, content: Content, replacing: str | None) -> bool:
+    def _write(self, content: Content, replacing: str | None, into: str | None = None) -> bool:
         """Write a file: in place of the one to replace where there is one, else a new one.
+
+        Args:
+            content: What it holds.
+            replacing: The name of the one to replace, if any.
+            into: The sub-folder for a new one; ``None`` for `new_in`.
 
         Returns:
             Whether the one to replace had been changed by another program.
@@ -602,7 +740,10 @@ class Library:
         if old is not None and old.entry.damage is not None:
             raise LibraryError(LIBRARY_DAMAGED(name=str(replacing)))
         stems = {folded(kept.path.stem) for kept in found.values() if kept is not old}
-        fitting = self._folder / (free_stem(content.name, stems) + suffix_of(content))
+        folder = self._folders.path(self.new_in if into is None else into) or self._folder
+        if old is not None:
+            folder = old.path.parent
+        fitting = folder / (free_stem(content.name, stems) + suffix_of(content))
         in_place = old is not None and old.path.suffix == fitting.suffix
         path = old.path if old is not None and in_place else fitting
         with on_disk(LIBRARY_NOT_SAVED, content.name):
@@ -648,68 +789,3 @@ def free_name(wanted: str, taken: Container[str]) -> str:
         number += 1
         name = f"{wanted} {number}"
     return name
-
-
-@dataclass(frozen=True, slots=True)
-class Imported:
-    """The result of importing a file.
-
-    Attributes:
-        path: The file.
-        name: The name of its content in the library; "" if it was not imported.
-        requested: The name given in the file.
-        error: The reason why it was not imported.
-        is_table: True if it is in none of our formats but holds rows of figures.
-        was_there: True if the library already had the same content under this name.
-    """
-
-    path: Path
-    name: str = ""
-    requested: str = ""
-    error: TrajectoryFileError | LibraryError | None = None
-    is_table: bool = False
-    was_there: bool = False
-
-
-def find_or_import(folder: Path, path: Path) -> Imported:
-    """Import a file, unless the library already has the same content under its name.
-
-    Args:
-        folder: The library's folder.
-        path: The file; it may be one of the library's own.
-    """
-    library = Library(folder)
-    with contextlib.suppress(TrajectoryFileError, LibraryError):
-        content = files.load(path)
-        kept = library.load(content.name)
-        if replace(content, modified=kept.modified) == kept:
-            return Imported(path, kept.name, kept.name, was_there=True)
-    return _import_file(library, path)
-
-
-def import_files(folder: Path, paths: Sequence[Path]) -> list[Imported]:
-    """Import the valid ones among some files.
-
-    Args:
-        folder: The library's folder.
-        paths: The files.
-
-    Returns:
-        One result for each file, in their order.
-    """
-    library = Library(folder)
-    return [_import_file(library, path) for path in paths]
-
-
-def _import_file(library: Library, path: Path) -> Imported:
-    try:
-        content = files.load(path)
-    except TrajectoryFileError as error:
-        told, is_table = columns.look_closer(path, error)
-        return Imported(path, error=told, is_table=is_table)
-    try:
-        name = library.free_name(content.name)
-        library.save(replace(content, name=name))
-    except LibraryError as error:
-        return Imported(path, requested=content.name, error=error)
-    return Imported(path, name, content.name)

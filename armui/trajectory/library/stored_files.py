@@ -13,7 +13,9 @@ from armui.system.atomic import write_whole
 from armui.trajectory import files
 from armui.trajectory.files import Content, TrajectoryFileError
 from armui.trajectory.library.file_names import file_stem
+from armui.trajectory.library.folders import Folders, shown_folder
 from armui.trajectory.library.index import Index, IndexEntry, Stamp, entry_of
+from armui.trajectory.points.program import LONGEST_NAME
 from armui.trajectory.samples.recording import Recording
 
 Call = Callable[..., Any]
@@ -76,6 +78,7 @@ def write_content(path: Path, content: Content) -> None:
 
 _SUFFIXES: Final = (".log", ".npz")
 _INDEX: Final = ".index.json"
+_ROOM_FOR_NUMBER: Final = 8
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,17 +91,24 @@ class StoredFile:
 
 
 class FileStore:
-    """The files in a folder, by the name of their content.
+    """The files in a folder and its sub-folders, by the name of their content.
 
     Args:
         folder: The folder; it need not exist.
         call: Calls the function that reads a large file.
+
+    Attributes:
+        folders: The sub-folders that were there at the last scan, sorted.
+        closed: Those of them that could not be read.
     """
 
     def __init__(self, folder: Path, call: Call = call_directly) -> None:
         self._folder = folder
         self._call = call
         self._index = Index(folder / _INDEX)
+        self._subfolders = Folders(folder)
+        self.folders: tuple[str, ...] = ()
+        self.closed: tuple[str, ...] = ()
 
     def scan(self) -> dict[str, StoredFile]:
         """Return all files by name; only new or changed ones are opened.
@@ -107,9 +117,9 @@ class FileStore:
             OSError: The folder cannot be read.
         """
         self._index.follow()
-        looks = (self._look(path, stamp) for path, stamp in self._files())
+        looks = (self._look(path, stamp) for path, stamp in self._all_files())
         found = [kept for kept in looks if kept is not None]
-        self._index.keep_only([kept.path.name for kept in found])
+        self._index.keep_only([self._key(kept.path) for kept in found], self.closed)
         self._index.save()
         return _by_name(found)
 
@@ -120,34 +130,59 @@ class FileStore:
             OSError: It is gone.
         """
         stamp = Stamp.of(path.stat())
-        self._index.put(path.name, stamp, entry)
+        self._index.put(self._key(path), stamp, entry)
         self._index.save()
         return stamp
 
+    def note_moved(self, moves: Iterable[tuple[Path, Path]]) -> None:
+        """Let what is known of files follow them to where they were moved.
+
+        Args:
+            moves: The old and the new path of each.
+        """
+        for old, new in moves:
+            with contextlib.suppress(FileNotFoundError):  # another program has deleted it meanwhile
+                self._index.move(self._key(old), self._key(new), Stamp.of(new.stat()))
+        self._index.save()
+
     def mark(self, kept: StoredFile, entry: IndexEntry) -> None:
         """Store a new entry for a file, valid only if the file is as it was at the scan."""
-        self._index.put(kept.path.name, kept.stamp, entry)
+        self._index.put(self._key(kept.path), kept.stamp, entry)
         self._index.save()
 
     def mark_all(self, marked: Iterable[tuple[StoredFile, IndexEntry]]) -> None:
         """Take over what was found out about files, as `mark`; written once."""
         for kept, entry in marked:
-            self._index.put(kept.path.name, kept.stamp, entry)
+            self._index.put(self._key(kept.path), kept.stamp, entry)
         self._index.save()
 
-    def _files(self) -> Iterator[tuple[Path, Stamp]]:
+    def _key(self, path: Path) -> str:
+        return path.relative_to(self._folder).as_posix()
+
+    def _folder_of(self, path: Path) -> str:
+        return self._key(path).rpartition("/")[0]
+
+    def _all_files(self) -> list[tuple[Path, Stamp]]:
+        """Return the files of every folder; a sub-folder that cannot be read hides no other."""
+        self.folders, self.closed = (), ()
         if not self._folder.is_dir():
-            return
-        with os.scandir(self._folder) as items:
-            for item in items:
-                shown = item.name.endswith(_SUFFIXES) and not item.name.startswith(".")
-                if shown and item.is_file():
-                    with contextlib.suppress(FileNotFoundError):  # another program has deleted it
-                        yield Path(item.path), Stamp.of(Path(item.path).stat())
+            return []
+        found = list(_files(self._folder))
+        folders = []
+        for name in self._subfolders.names():
+            with contextlib.suppress(FileNotFoundError):  # gone, or renamed meanwhile
+                try:
+                    found += list(_files(self._folder / name))
+                except PermissionError:
+                    self.closed = (*self.closed, name)
+                folders.append(name)
+        self.folders = tuple(folders)
+        return found
 
     def _look(self, path: Path, stamp: Stamp) -> StoredFile | None:
         """Return what is known of a file; it is opened only where it is not the one known."""
-        entry = self._index.entry(path.name, stamp)
+        key = self._key(path)
+        entry = self._index.entry(key, stamp)
         if entry is None:
             try:
                 entry = entry_by(self._call, path, stamp.size)
@@ -155,28 +190,61 @@ class FileStore:
                 if not path.exists():  # another program has deleted it meanwhile
                     return None
                 kind: Final = "points" if path.suffix == ".log" else "recording"
-                name = self._index.last_name(path.name) or _name_of(path)
+                name = self._index.last_name(key) or _name_of(path)
                 entry = IndexEntry(name, kind, 0, None, stamp.changed(), damage=error)
-            self._index.put(path.name, stamp, entry)
+            self._index.put(key, stamp, entry)
+        folder = self._folder_of(path)
+        if entry.folder != folder:
+            entry = replace(entry, folder=folder)
         return StoredFile(path, stamp, entry)
 
 
+def _files(folder: Path) -> Iterator[tuple[Path, Stamp]]:
+    """Find the trajectories in one folder, with their stamps.
+
+    Raises:
+        OSError: It cannot be read.
+    """
+    with os.scandir(folder) as items:
+        for item in items:
+            shown = item.name.endswith(_SUFFIXES) and not item.name.startswith(".")
+            if shown and item.is_file():
+                with contextlib.suppress(FileNotFoundError):  # another program has deleted it
+                    yield Path(item.path), Stamp.of(Path(item.path).stat())
+
+
 def _by_name(found: list[StoredFile]) -> dict[str, StoredFile]:
-    """Files by name; a copy that holds a name already taken goes by its file's name."""
+    """Files by name; a copy that holds a name already taken goes by its file's name.
+
+    One in a sub-folder tells that beside it. What lies in the library's folder itself comes first.
+    """
     named: dict[str, StoredFile] = {}
     found = sorted(
-        found, key=lambda kept: (kept.path.stem != file_stem(kept.entry.name), kept.path)
+        found,
+        key=lambda kept: (
+            kept.path.stem != file_stem(kept.entry.name),
+            kept.entry.folder,
+            kept.path,
+        ),
     )
     for kept in found:
         name, number = kept.entry.name, 1
         if name in named:
-            name = stem = _name_of(kept.path)
+            name = stem = _copy_name(kept)
             while name in named:
                 number += 1
                 name = f"{stem} {number}"
         entry = kept.entry if name == kept.entry.name else replace(kept.entry, name=name)
         named[name] = replace(kept, entry=entry)
     return named
+
+
+def _copy_name(kept: StoredFile) -> str:
+    """Return what a copy is called whose own name is taken."""
+    if not kept.entry.folder:
+        return _name_of(kept.path)
+    folder = shown_folder(kept.entry.folder)
+    return f"{_name_of(kept.path)} ({folder})"[: LONGEST_NAME - _ROOM_FOR_NUMBER]
 
 
 def _name_of(path: Path) -> str:

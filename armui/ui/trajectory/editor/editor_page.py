@@ -16,6 +16,7 @@ from armui.control.run.progress import OVER, Progress
 from armui.control.run.replay import RUN_EMPTY
 from armui.protocol.codes import MoveMode
 from armui.trajectory.files.errors import TrajectoryFileError
+from armui.trajectory.library.folders import shown_folder
 from armui.trajectory.planning.findings import Severity
 from armui.trajectory.points.edits import Change
 from armui.trajectory.points.program import Trajectory, Waypoint, speeds_of
@@ -144,6 +145,7 @@ class EditorPage(Page):
         work.setParent(self)
         self._library = work.library
         self._saving = False
+        self._folder = ""
         self.document = Document(trajectory, self)
         self.model = PointsModel(self.document, self._to_move, self)
         self.table = PointsTable(self.model)
@@ -494,9 +496,15 @@ class EditorPage(Page):
     def _say(self, text: Words, level: Level = Level.INFO) -> None:
         self._message.show_message(text, level)
 
+    def show_folder(self, folder: str) -> None:
+        """Show the library's sub-folder before the name; "" for none."""
+        self._folder = folder
+        self._show_title()
+
     def _show_title(self) -> None:
         star = "" if self.document.saved else " *"
-        self.set_title(f"{self.document.name}{star}")
+        folder = f"{shown_folder(self._folder)} › " if self._folder else ""
+        self.set_title(f"{folder}{self.document.name}{star}")
         self._actions["save"].setEnabled(not self.document.saved)
 
     def retranslate_ui(self) -> None:

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QAbstractItemView, QPushButton, QTableWidgetItem, 
 from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.trajectory.library.bin import KEPT
+from armui.trajectory.library.folders import shown_folder
 from armui.trajectory.library.store import Deleted
 from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.trajectory.library.library_actions import LibraryActions
@@ -72,8 +73,9 @@ class BinDialog(ArmDialog):
         for row, one in enumerate(self._deleted):
             # the star stands for unsaved changes, as in the list of the library
             star = " *" if one.only_draft else ""
+            folder = f" · {shown_folder(one.folder)}" if one.folder else ""
             texts = (
-                f"{', '.join(one.names)}{star}",
+                f"{', '.join(one.names)}{star}{folder}",
                 f"{one.when.astimezone():%Y-%m-%d %H:%M}",
                 f"{(one.when + KEPT).astimezone():%Y-%m-%d}",
             )

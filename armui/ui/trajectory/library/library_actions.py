@@ -10,7 +10,15 @@ from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from armui.control.events import Level
-from armui.trajectory.library.history import Deletion, LibraryHistory, Origin, Renaming, Step
+from armui.trajectory.library.folders import shown_folder
+from armui.trajectory.library.history import (
+    Deletion,
+    LibraryHistory,
+    Moving,
+    Origin,
+    Renaming,
+    Step,
+)
 from armui.trajectory.library.store import Deleted, Listing
 from armui.trajectory.points.program import Trajectory
 from armui.ui import format as fmt
@@ -117,6 +125,52 @@ class LibraryActions(QObject):
         gone = deleted.names
         self._done([], partial(self._deleted, gone) if gone else "")
 
+    def move(self, names: Sequence[str], folder: str) -> None:
+        """Move trajectories to a sub-folder; "" for the library's folder itself."""
+
+        def moved(now: tuple[str, ...]) -> None:
+            self._done(None, partial(self._moved, now, folder) if now else "")
+
+        self._work.do(lambda: self._history.move(names, folder), moved, self._on_refused)
+
+    def create_folder(
+        self, name: str, then: Callable[[], object], refused: Callable[[str], object]
+    ) -> None:
+        """Make a sub-folder.
+
+        Args:
+            name: What it is called.
+            then: Called once it is there.
+            refused: Gets the words why there is none.
+        """
+        self._change_folders(lambda: self._library.create_folder(name), then, refused)
+
+    def rename_folder(
+        self, old: str, new: str, then: Callable[[], object], refused: Callable[[str], object]
+    ) -> None:
+        """Give a sub-folder another name; see `create_folder`."""
+        self._change_folders(lambda: self._library.rename_folder(old, new), then, refused)
+
+    def delete_folder(self, name: str, then: Callable[[], object]) -> None:
+        """Delete an empty sub-folder; one that is not empty is refused in words."""
+        self._change_folders(lambda: self._library.delete_folder(name), then, self._on_refused)
+
+    def _change_folders(
+        self,
+        change: Callable[[], None],
+        then: Callable[[], object],
+        refused: Callable[[str], object],
+    ) -> None:
+        def done(_: None) -> None:
+            then()
+            self._done(None)
+
+        def not_done(text: str) -> None:
+            self.changed.emit(None)  # somebody else may have changed the folders
+            refused(text)
+
+        self._work.do(change, done, not_done)
+
     def note_imported(self, names: Sequence[str]) -> None:
         """Remember imported trajectories, so that the import can be undone."""
         if names:
@@ -160,7 +214,7 @@ class LibraryActions(QObject):
         self.undo_changed.emit()
         self.said.emit(text, Level.FAULT)
 
-    def _done(self, names: Sequence[str], text: Words = "") -> None:
+    def _done(self, names: Sequence[str] | None, text: Words = "") -> None:
         self.changed.emit(names)
         self.undo_changed.emit()
         self.said.emit(text, Level.DONE)
@@ -172,10 +226,19 @@ class LibraryActions(QObject):
             return self._brought_back(back)
         if isinstance(step, Renaming):
             return self.tr("“{new}” is called “{old}” again.").format(new=step.new, old=step.old)
+        if isinstance(step, Moving):
+            return self.tr("Moved back: {names}").format(names=fmt.name_list(back))
         return self._deleted(step.names)
 
     def _deleted(self, names: Sequence[str]) -> str:
         return self.tr("Deleted: {names}").format(names=fmt.name_list(names))
+
+    def _moved(self, names: Sequence[str], folder: str) -> str:
+        told = fmt.name_list(names)
+        if not folder:
+            return self.tr("In no folder now: {names}").format(names=told)
+        text = self.tr("Moved to the folder “{folder}”: {names}")
+        return text.format(folder=shown_folder(folder), names=told)
 
     def _brought_back(self, names: Sequence[str]) -> str:
         return self.tr("Restored: {names}").format(names=fmt.name_list(names))
@@ -192,6 +255,9 @@ class LibraryActions(QObject):
             text = self.tr("Undo renaming to “{names}”")
             effect = self.tr("It is called “{names}” again.").format(names=names)
             names = step.new
+        elif isinstance(step, Moving):
+            text = self.tr("Undo moving “{names}”")
+            effect = self.tr("It goes back to the folder it came from.")
         else:
             text = {
                 Origin.CREATED: self.tr("Undo creating “{names}”"),

@@ -77,6 +77,10 @@ class LibraryBar(QWidget):
         button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self._flow.insert(len(self._buttons), button)
 
+    def add_before_search(self, widget: QWidget) -> None:
+        """Add what also says which trajectories are listed."""
+        self._flow.insert(self._flow.indexOf(self.search), widget)
+
     def listen(self, page: QWidget, table: QTableView) -> None:
         """Connect keys to the buttons.
 

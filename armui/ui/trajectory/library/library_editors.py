@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -67,6 +68,7 @@ class LibraryEditors(QObject):
         self._work = work
         self._library = work.library
         self._editors: dict[str, EditorPage] = {}
+        self._folders: Mapping[str, str] = {}
         self._used = ""
         self._recorder: RecordingPage | None = None
 
@@ -79,6 +81,16 @@ class LibraryEditors(QObject):
         """The editor used last, or ``None`` if none is open."""
         last = next(reversed(self._editors.values()), None)
         return self._editors.get(self._used, last)
+
+    def show_folders(self, folders: Mapping[str, str]) -> None:
+        """Show in the titles where trajectories lie.
+
+        Args:
+            folders: The sub-folder of each by its name; "" for the library's folder itself.
+        """
+        self._folders = folders
+        for name, editor in self._editors.items():
+            editor.show_folder(folders.get(name, ""))
 
     def open(self, name: str, *, unsaved: bool) -> None:
         """Open a trajectory, or a recording.
@@ -143,6 +155,7 @@ class LibraryEditors(QObject):
         editor = EditorPage(
             self._controller, self._checks, self._choices, work, trajectory, draft=draft
         )
+        editor.show_folder(self._folders.get(name, ""))
         if aside:
             editor.say_aside()
         self._editors[name] = editor

@@ -21,13 +21,8 @@ from armui.system.files import error_text
 from armui.trajectory import files
 from armui.trajectory.files import Content, TrajectoryFileError
 from armui.trajectory.library.file_names import file_stem
-from armui.trajectory.library.store import (
-    Imported,
-    Library,
-    LibraryError,
-    find_or_import,
-    import_files,
-)
+from armui.trajectory.library.importing import Imported, find_or_import, import_files
+from armui.trajectory.library.store import Library, LibraryError
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.background import Background, Job
@@ -345,13 +340,19 @@ class LibraryExchange(QObject):
         if paths:
             self._say_reading(paths)
             self._background.begin(
-                Job(self._on_imported), import_files, self._library.folder, list(paths)
+                Job(self._on_imported),
+                import_files,
+                self._library.folder,
+                list(paths),
+                self._library.new_in,
             )
 
     def open_file(self, path: Path) -> None:
         """Find a file's content in the library, or import it: see `found`."""
         self._say_reading([path])
-        self._background.begin(Job(self._on_found), find_or_import, self._library.folder, path)
+        self._background.begin(
+            Job(self._on_found), find_or_import, self._library.folder, path, self._library.new_in
+        )
 
     def _say_reading(self, paths: Sequence[Path]) -> None:
         names = fmt.name_list([path.name for path in paths])

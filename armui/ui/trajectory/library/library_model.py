@@ -16,6 +16,7 @@ from PySide6.QtCore import (
 )
 
 from armui.control.run.replay import RUN_EMPTY
+from armui.trajectory.library.folders import shown_folder
 from armui.trajectory.library.store import Check, IndexEntry
 from armui.ui import format as fmt
 from armui.ui import words
@@ -58,6 +59,7 @@ class LibraryModel(TableModel):
         self._drafts: frozenset[str] = frozenset()
         self._arm = ""
         self._kind = ""
+        self._tells_folders = True
         self._sort_keys: dict[tuple[int, int], tuple[Any, ...]] = {}
 
     @property
@@ -83,6 +85,15 @@ class LibraryModel(TableModel):
         self._sort_keys.clear()
         self.endResetModel()
         return True
+
+    def tell_folders(self, *, tells: bool) -> None:
+        """Show the folder beside each name, or not: then all are in the same one."""
+        if tells == self._tells_folders:
+            return
+        self._tells_folders = tells
+        if self._rows:
+            column = LibraryColumn.NAME
+            self.dataChanged.emit(self.index(0, column), self.index(len(self._rows) - 1, column))
 
     def show_for(self, arm: str, kind: str) -> None:
         """Show only check marks of checks for one arm.
@@ -164,14 +175,16 @@ class LibraryModel(TableModel):
             return entry
         if role == Qt.ItemDataRole.ToolTipRole:
             tip = self._length_tip(entry) if column is LibraryColumn.LENGTH else ""
-            return tip or self._tip(entry)
+            return tip or "\n".join(filter(None, (self._folder_tip(entry), self._tip(entry))))
         if role == Qt.ItemDataRole.TextAlignmentRole and column in self._figures:
             return RIGHT
         return None
 
     def _text(self, entry: IndexEntry, column: LibraryColumn) -> str:
         if column is LibraryColumn.NAME:
-            return f"{entry.name} *" if entry.name in self._drafts else entry.name
+            name = f"{entry.name} *" if entry.name in self._drafts else entry.name
+            folder = shown_folder(entry.folder) if self._tells_folders else ""
+            return f"{name} · {folder}" if folder else name
         if column is LibraryColumn.POINTS:
             if entry.damage is not None:
                 return fmt.NOTHING
@@ -183,6 +196,10 @@ class LibraryModel(TableModel):
         if column is LibraryColumn.MODIFIED:
             return f"{entry.modified.astimezone():%Y-%m-%d %H:%M}"
         return self._check(entry) if column is LibraryColumn.CHECK else " ".join(entry.note.split())
+
+    def _folder_tip(self, entry: IndexEntry) -> str:
+        folder = shown_folder(entry.folder)
+        return self.tr("Folder: {name}").format(name=folder) if folder else ""
 
     def _tip(self, entry: IndexEntry) -> str:
         if entry.damage is not None:
@@ -264,18 +281,29 @@ class LibraryModel(TableModel):
 
 
 class LibraryFilter(QSortFilterProxyModel):
-    """Shows entries whose name or note contains a text, sorted by a column."""
+    """Shows entries whose name or note contains a text, or those of a folder, sorted by a column.
+
+    A text is searched for in all folders.
+    """
 
     def __init__(self, source: LibraryModel, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._entries = source
+        self._folder = ""
         self.setSourceModel(source)
         self.setFilterCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
 
+    def show_folder(self, folder: str) -> None:
+        """Show the entries of a sub-folder alone; "" for all."""
+        self._folder = folder
+        self.invalidate()
+
     def filterAcceptsRow(self, row: int, parent: Index) -> bool:  # noqa: N802 - Qt's name
-        """Return whether the text is in the name or the note."""
+        """Return whether the text is in the name or the note, or the file in the folder."""
         entry: IndexEntry = self.sourceModel().index(row, 0, parent).data(ENTRY_ROLE)
         wanted = self.filterRegularExpression()
+        if not wanted.pattern() and self._folder not in ("", entry.folder):
+            return False
         return any(wanted.match(text).hasMatch() for text in (entry.name, entry.note))
 
     def lessThan(self, left: Index, right: Index) -> bool:  # noqa: N802 - Qt's name

@@ -34,6 +34,7 @@ from armui.ui.background import Background
 from armui.ui.trajectory.editor.findings_pane import FindingsPane
 from armui.ui.trajectory.editor.point_edits import NO_ROWS_CHOSEN
 from armui.ui.trajectory.library.bin_dialog import BinButton
+from armui.ui.trajectory.library.folder_bar import FolderBar
 from armui.ui.trajectory.library.library_actions import LibraryActions, UndoButton
 from armui.ui.trajectory.library.library_bar import LibraryBar
 from armui.ui.trajectory.library.library_editors import LibraryEditors
@@ -86,6 +87,8 @@ class LibraryPage(Page):
         *(Command(f"library.{act}") for act in ("duplicate", "rename")),
         Command("library.export", Text("LibraryBar", "Export files")),
         Command("library.bin", Text("BinButton", "Recently deleted…")),
+        Command("library.folder_menu", Text("FolderBar", "Folder")),
+        Command("library.move", Text("FolderBar", "Move to…")),
         Command("library.find"),
         Command("library.undo"),
         Command("library.by_columns", Text("ColumnsOffer", "Import by columns…")),
@@ -120,6 +123,7 @@ class LibraryPage(Page):
         self._table = LibraryTable(self._shown)
         self._message = named("library_message", MessageLine(keeps_room=False))
         self._actions = LibraryActions(self._work, self.editors.__contains__, self)
+        self._folder_bar = FolderBar(self._actions, self._name_bar, self.chosen, self)
         self._undo_button = UndoButton(self._actions, self)
         self._bin_button = BinButton(controller, self._work, self._actions, self)
         self._hint = LibraryHint(self._table)
@@ -144,6 +148,7 @@ class LibraryPage(Page):
         return {
             **{f"library.{name}": button for name, button in self._bar.buttons.items()},
             "library.bin": self._bin_button,
+            **self._folder_bar.command_targets(),
             "library.find": self._bar.search,
             "library.undo": self._undo_button,
             "library.by_columns": self._exchange.by_columns,
@@ -159,6 +164,9 @@ class LibraryPage(Page):
         for button in (*offers, self._undo_button):
             below.push(button)  # at the right, also while there is no message
         self._bar.add_button(self._bin_button)
+        folders = self._folder_bar
+        for part in (folders.move_button, folders.menu_button, folders.choice):
+            self._bar.add_before_search(part)
         # what comes and goes takes its room from the list: 发送 stays where it is
         fill(self.body, self._bar, self._name_bar, self._shared_use, self._unsaved)
         fill(self.body, (self._table, 1))
@@ -179,6 +187,8 @@ class LibraryPage(Page):
         self._bar.open_wanted.connect(self._open_chosen)
         self._bar.listen(self, self._table)
         self._bar.search.textChanged.connect(self._on_search)
+        self._folder_bar.shown_changed.connect(self._show_folder)
+        self._folder_bar.said.connect(self._say)
         self._name_bar.closed.connect(self._table.setFocus)
         self._hint.clear_wanted.connect(self._bar.search.clear)
         self._table.doubleClicked.connect(self._on_double_click)
@@ -246,7 +256,9 @@ class LibraryPage(Page):
         self._show_marks()
         self._choices.follow(listing.entries, self.editors.__contains__)
         changed = self._model.show(listing.entries, listing.drafts)
-        self._watch.follow(exists=listing.exists)
+        self._watch.follow(exists=listing.exists, folders=listing.folders)
+        self._folder_bar.show_listing(listing)
+        self.editors.show_folders({each.name: each.folder for each in listing.entries})
         self._shared_use.show_others(others)
         self._name_bar.look()
         self._bin_button.refresh()
@@ -274,6 +286,8 @@ class LibraryPage(Page):
         """What is new is seen, even if it is not what was searched for."""
         if not set(self._table.names()).issuperset(names):
             self._bar.search.clear()
+        if not set(self._table.names()).issuperset(names):
+            self._folder_bar.show_all()
 
     def _on_folder(self) -> None:
         """Somebody may have changed the folder; a name that is being typed is not disturbed."""
@@ -284,11 +298,19 @@ class LibraryPage(Page):
 
     def _on_search(self, text: str) -> None:
         self._shown.setFilterFixedString(text)
+        self._show_folder()
+
+    def _show_folder(self) -> None:
+        """List one folder, unless a text is searched for; what is new is kept in that folder."""
+        folder = self._folder_bar.shown
+        self._library.new_in = folder
+        self._shown.show_folder(folder)
+        self._model.tell_folders(tells=not folder or bool(self._bar.search.text()))
         self._show_hint()
 
     def _show_hint(self) -> None:
         searched = self._bar.search.text() if self._model.rowCount() else ""
-        self._hint.show_state(self._shown.rowCount(), searched)
+        self._hint.show_state(self._shown.rowCount(), searched, self._folder_bar.shown)
 
     def _on_action(self, names: Sequence[str] | None) -> None:
         """The keys go on in the list: the button that was pressed may be disabled by now."""
@@ -314,6 +336,7 @@ class LibraryPage(Page):
     def _show_usable(self, *_: object) -> None:
         chosen = self.chosen()
         self._bar.show_chosen(chosen)
+        self._folder_bar.show_chosen()
         one = chosen[0] if len(chosen) == 1 else None
         recording = one is not None and one.kind == "recording"
         nothing = None
@@ -512,6 +535,7 @@ class LibraryPage(Page):
         """Set all texts in the operator's language."""
         self.set_title(self.tr("Trajectory library"))
         self._bar.retranslate()
+        self._folder_bar.retranslate()
         self._table.setAccessibleName(self.tr("Trajectory library"))
         self._model.retranslate()
         self._show_usable()

@@ -116,10 +116,19 @@ class LibraryWatch(QObject):
         self._timer.timeout.connect(self.changed)
         self._watcher.directoryChanged.connect(lambda _path: self.later())
 
-    def follow(self, *, exists: bool) -> None:
-        """Start watching the folder, also if it was created only now."""
-        if exists and not self._watcher.directories():
-            self._watcher.addPath(str(self._folder))
+    def follow(self, *, exists: bool, folders: Sequence[str] = ()) -> None:
+        """Start watching the folder and its sub-folders, also those that were created only now.
+
+        Args:
+            exists: Whether the folder is there.
+            folders: The names of its sub-folders.
+        """
+        wanted = {str(self._folder / name) for name in ("", *folders)} if exists else set()
+        known = set(self._watcher.directories())
+        if known - wanted:
+            self._watcher.removePaths(sorted(known - wanted))
+        if wanted - known:
+            self._watcher.addPaths(sorted(wanted - known))
 
     def later(self) -> None:
         """Emit the change in a moment, starting the delay again."""

@@ -105,19 +105,22 @@ class LibraryHint(TableHint):
 
     def __init__(self, table: QTableView) -> None:
         self._searched = ""
+        self._folder = ""
         self._clear = push_button("library_clear_search", on_enter=False)
         super().__init__(table, "library_hint", self._clear)
         self._clear.clicked.connect(lambda _checked=False: self.clear_wanted.emit())
         self.retranslate_ui()
 
-    def show_state(self, shown: int, searched: str) -> None:
+    def show_state(self, shown: int, searched: str, folder: str = "") -> None:
         """Fit the texts to the list.
 
         Args:
             shown: The number of rows.
             searched: The text searched for; "" if everything is listed.
+            folder: The sub-folder that is listed; "" if all are.
         """
         self._searched = searched
+        self._folder = folder
         self.retranslate_ui()
         self.setVisible(shown == 0)
 
@@ -128,6 +131,12 @@ class LibraryHint(TableHint):
         if self._searched:
             title = self.tr("Nothing found for “{text}”").format(text=self._searched)
             text = self.tr("Neither a name nor a note holds this text.")
+        elif self._folder:
+            title = self.tr("Nothing in this folder yet")
+            text = self.tr(
+                "What is created, recorded or imported now comes into it; “Move to…” brings "
+                "others here."
+            )
         else:
             title = self.tr("No trajectories yet")
             text = self.tr(
