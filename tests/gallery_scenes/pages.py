@@ -195,6 +195,7 @@ SCENES = (
     Scene("running-panel", _run_from_a_panel, sizes=_SIZES),
     Scene("library-empty", library.empty, sizes=_SIZES),
     Scene("library", _online(trajectories.library), sizes=_SIZES, fine=True),
+    Scene("library-folders", _online(library.in_folder), sizes=_SIZES),
     Scene("library-not-found", _online(library.not_found), sizes=_SIZES),
     Scene("library-deleted", _online(library.deleted), sizes=_SIZES),
     Scene("library-imported", _online(library.imported), sizes=_SIZES),
