@@ -131,7 +131,7 @@ class LogWorker(QThread):
         """Return false: nothing can be sent to a log."""
         return False
 
-    def holds(self, command: int) -> bool:
+    def holds(self, command: int) -> bool:  # noqa: ARG002 - as a bus worker
         """Return false: nothing ever waits to be sent."""
         return False
 
