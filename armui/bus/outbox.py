@@ -163,6 +163,11 @@ class Outbox:
                 self._changed.notify_all()
             return True
 
+    def holds(self, command: int) -> bool:
+        """Return whether a frame of a command is not out yet."""
+        with self._changed:
+            return any(batch.command == command for batch in self._batches)
+
     def void(self, newest: int) -> None:
         """Drop every waiting batch that belongs to a command older than this one."""
         with self._changed:

@@ -142,6 +142,10 @@ class BusWorker(QThread):
         """Queue frames in order; false if the device is not open; see :meth:`Outbox.put`."""
         return self._outbox.put(frames, KEEP_S if keep_s is None else keep_s, command)
 
+    def holds(self, command: int) -> bool:
+        """Return whether a frame of a command is not out yet; see :meth:`Outbox.holds`."""
+        return self._outbox.holds(command)
+
     def void(self, newest: int) -> None:
         """Drop waiting batches of commands older than this one; see :meth:`Outbox.void`."""
         self._outbox.void(newest)

@@ -282,7 +282,7 @@ def test_motions_are_paused_continued_and_cleared(enabled):
     enabled.click("plan_clear_all")
     enabled.click("plan_abort")
     enabled.step()
-    assert enabled.heard() == [plan(1), plan(2), plan(3), plan(4), plan(6)]
+    assert enabled.heard() == [plan(1), plan(1), plan(2), plan(3), plan(4), plan(6)]
     assert enabled.read("teaching_message") == ""
 
 

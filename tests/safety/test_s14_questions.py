@@ -26,6 +26,7 @@ ASKING = {
     "ui/dialogs/confirm_dialog.py": {"ConfirmDialog": 1, "HoldButton": 1},
     "ui/dialogs/connect.py": {"confirm": 1},
     "ui/dialogs/files.py": {"FileDialog": 2, "choose_file": 1},
+    "ui/dialogs/problem_report.py": {"choose_file": 1},
     "ui/dialogs/settings.py": {"choose_file": 1},
     "ui/panels/gripper_panel.py": {"_ask_to_hold": 2},
     "ui/panels/linkage_panel.py": {"confirm": 1},

@@ -131,6 +131,10 @@ class LogWorker(QThread):
         """Return false: nothing can be sent to a log."""
         return False
 
+    def holds(self, command: int) -> bool:  # noqa: ARG002 - as a bus worker
+        """Return false: nothing ever waits to be sent."""
+        return False
+
     def void(self, newest: int) -> None:
         """Do nothing: no frame waits."""
 

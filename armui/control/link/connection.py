@@ -321,6 +321,10 @@ class Connection(QObject):
         """
         return self._worker is not None and self._worker.send(frames, keep_s, command)
 
+    def holds(self, command: int) -> bool:
+        """Return whether a frame of a command has not been handed to the device yet."""
+        return self._worker is not None and self._worker.holds(command)
+
     def void(self, newest: int) -> None:
         """Drop waiting frames of commands older than this one."""
         if self._worker is not None:

@@ -276,10 +276,11 @@ class Replayer(Execution):
 
     def _stream(self, replay: Replay) -> None:
         now_s = self._context.clock()
-        # a target that still waits for the driver is no place to add another to: both would go
-        # out at once
-        if now_s <= self._since_s or not self._context.connection.idle:
+        command = self._command
+        if now_s <= self._since_s or command is None:
             return
+        if self._context.connection.holds(command.number):
+            return  # the driver has the last target still: with another one both go out at once
         gap_s, self._since_s = now_s - self._since_s, now_s
         gone_s = gap_s if gap_s <= _GAP_S else PERIOD_MS / 1e3
         self._change_pace(replay, gone_s)

@@ -29,8 +29,8 @@ class RecordingEntry:
     Attributes:
         name: Its name.
         path: Its first file; None while it has no frame.
-        begun_unix_s: The time at which it began, in seconds since 1970; 0 if its sidecar does not
-            hold it.
+        begun_unix_s: The time at which it began, in seconds since 1970, which is that of its first
+            frame if it was saved from memory; 0 if its sidecar does not hold it.
         length_s: The time from its first frame to its last; None if its index does not hold it.
         total_bytes: The size of all its files.
         files: The number of files with frames.
@@ -94,11 +94,12 @@ def _entry(folder: Path, name: str) -> RecordingEntry:
     paths = _parts(folder, name, sidecar.format_in(first))
     last = next((line for line in reversed(lines) if line["kind"] == "end"), None)
     counts = None if damage else counts_in(lines)
+    span_s = _span_s(folder / f"{name}{index_file.SUFFIX}")
     return RecordingEntry(
         name=name,
         path=paths[0] if paths else None,
-        begun_unix_s=sidecar.number_in(first, "unix_s") or 0.0,
-        length_s=_length_s(folder / f"{name}{index_file.SUFFIX}"),
+        begun_unix_s=_begun_s(sidecar.number_in(first, "unix_s") or 0.0, span_s),
+        length_s=None if span_s is None else max(0.0, span_s[1] - span_s[0]),
         total_bytes=sum(path.stat().st_size for path in paths),
         files=len(paths),
         faults=None if counts is None else counts.faults,
@@ -110,8 +111,13 @@ def _entry(folder: Path, name: str) -> RecordingEntry:
     )
 
 
-def _length_s(index: Path) -> float | None:
-    """From the first block to the last, without reading all that is between."""
+def _begun_s(written_s: float, span_s: tuple[float, float] | None) -> float:
+    """Return when a recording began: what was saved from memory began before it was written."""
+    return written_s if span_s is None else min(written_s, span_s[0])
+
+
+def _span_s(index: Path) -> tuple[float, float] | None:
+    """Return the times of the first and the last frame, without reading all that is between."""
     try:
         with open_file(index) as stream:
             beginning = stream.read(_HEAD_BYTES)
@@ -122,7 +128,7 @@ def _length_s(index: Path) -> float | None:
         return None
     first = next(index_file.read_blocks(beginning), None)
     last = index_file.last_block(end)
-    return None if first is None or last is None else max(0.0, last.last_s - first.first_s)
+    return None if first is None or last is None else (first.first_s, last.last_s)
 
 
 def _parts(folder: Path, name: str, kind: RecordingFormat | None) -> list[Path]:

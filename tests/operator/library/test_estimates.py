@@ -144,3 +144,17 @@ def test_an_old_cache_and_a_damaged_file_are_no_obstacle(driver):
     assert length(driver, "broken") == "—"
     entry = IndexEntry("x", "points", 1, None, Library(driver.library.folder)._now())
     assert (entry.estimated_s, entry.estimated_for) == (None, "")
+
+
+def test_the_override_counts(driver):
+    driver.choose("both")
+    driver.window.findChild(QSpinBox, "run_speed").setValue(100)
+    driver.app_driver.wait(lambda: told(driver.window).startswith("≈"))
+    whole_s = seconds(told(driver.window))
+    driver.app_driver.controller.speed_override.set_percent(50)
+    driver.app_driver.step()
+    assert told(driver.window) == "", "what was told is of the whole speed"
+    driver.app_driver.wait(lambda: told(driver.window).startswith("≈"))
+    assert seconds(told(driver.window)) > 1.5 * whole_s
+    driver.window._run_bar.check()
+    assert told(driver.window).startswith("≈"), "a check does not count the override"

@@ -93,3 +93,23 @@ def test_six_points_are_seen_beside_the_jog_buttons_at_1280_800(pages):
     rows = [editor.table.visualRect(editor.model.index(row, 0)) for row in range(6)]
     assert all(viewport.contains(row.topLeft()) for row in rows)
     assert viewport.contains(rows[-1].bottomLeft())
+
+
+@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_the_first_point_moves_no_jog_button(pages, size, language):
+    Library(pages.driver.library_folder).save(Trajectory("empty"))
+    pages.driver.ready()
+    pages.driver.store.change(language=language)
+    editor = pages.open_editor("empty")
+    pages.driver.window.resize(*size)
+    if not editor.findChild(QWidget, "editor_jog").isChecked():
+        pages.driver.click("editor_jog")
+    settle(pages)
+    stay = ("run_send", "box_plus_1", "box_plus_5", "box_insert")
+    before = places(pages, stay)
+    pages.driver.click("box_insert")
+    effective = editor.findChild(QWidget, "run_effective")
+    pages.driver.wait(lambda: "≈" in effective.text())
+    settle(pages)
+    assert places(pages, stay) == before

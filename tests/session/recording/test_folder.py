@@ -46,6 +46,14 @@ def test_a_recording_is_listed_with_what_is_known_of_it(tmp_path):
     assert entry.total_bytes == sum(path.stat().st_size for path in tmp_path.glob("*.blf"))
 
 
+def test_what_was_saved_from_memory_began_with_its_first_frame(tmp_path):
+    made = writer(tmp_path)
+    made.write(rows_of(taken(500, BASE.steady_s - 299.0)), [])
+    made.finish({})
+    (entry,) = list_recordings(tmp_path)
+    assert entry.begun_unix_s == pytest.approx(BASE.unix_s - 299.0, abs=0.01)
+
+
 def test_a_folder_that_is_not_there_has_no_recordings(tmp_path):
     assert list_recordings(tmp_path / "nowhere") == []
 

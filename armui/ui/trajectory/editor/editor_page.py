@@ -237,9 +237,7 @@ class EditorPage(Page):
         self._run_bar.listen(self)
         self._run_bar.checked.connect(self._show_check)
         self._run_bar.withdrawn.connect(self._findings.withdraw_question)
-        self._run_bar.refused.connect(
-            lambda reason: self._say(partial(words.refusal, reason), Level.WARNING)
-        )
+        self._run_bar.refused.connect(self._on_send_refused)
         self._run_bar.progressed.connect(self._on_progress)
         self._run_bar.started.connect(self._on_started)
         self._jog.insert_wanted.connect(self.insert_current)
@@ -287,6 +285,10 @@ class EditorPage(Page):
             )
             self._say(text.format(arm=words.arm_kind(self.document.taught_on)), Level.DONE)
         self.table.setFocus()
+
+    def _on_send_refused(self, reason: Refusal) -> None:
+        self._say(partial(words.refusal, reason), Level.WARNING)
+        self.bring_into_sight(self._message)  # below findings a low window has no room for it
 
     def _on_jogged(self, refusal: Refusal | None) -> None:
         self._say("" if refusal is None else words.refusal(refusal), Level.WARNING)

@@ -176,7 +176,7 @@ class RunBar(Translated, QWidget):
     ) -> None:
         super().__init__()
         self._controller = controller
-        self._estimate = RunEstimate(checks, quietly, self._options, self)
+        self._estimate = RunEstimate(checks, quietly, self._slowed_options, self)
         self._what: object = None
         self._checks = checks
         self._shared = choices
@@ -286,6 +286,7 @@ class RunBar(Translated, QWidget):
     def _follow_estimate(self) -> None:
         wanted = self.isVisible() and bool(self._name) and self._nothing is None
         wanted = wanted and not self._steps.isChecked()
+        wanted = wanted and self._controller.operating_state.override_percent > 0
         self._estimate.follow(self._what, wanted=wanted)
 
     def _options(self) -> RunOptions:
@@ -297,6 +298,11 @@ class RunBar(Translated, QWidget):
             0 if recording else self._first.value() - 1,
             not recording and self._steps.isChecked(),
         )
+
+    def _slowed_options(self) -> RunOptions:
+        """Return the options as the arm is told them: slowed by the override."""
+        options, override = self._options(), self._controller.operating_state.override_percent
+        return replace(options, speed_factor=options.speed_factor * (override / FULL_PERCENT))
 
     def _on_chosen(self, *_: object) -> None:
         self._shared.choose(self._name, self._options())
@@ -357,8 +363,13 @@ class RunBar(Translated, QWidget):
         if time := self._time_text():
             text = self.tr("{text} · {time}").format(text=text, time=time)
         lines.append(self._time_tip())
+        usual = self.tr("Effective speed {percent}").format(percent="100 %")
+        usual = self.tr("{text} · first run").format(text=usual)
+        usual = self.tr("{text} · {time}").format(text=usual, time=f"≈ {fmt.duration(10.0)}")
         known = bool(self._name) and (self._recording or bool(self._speeds))
-        # it is always there, so that 发送 stays in its place
+        # it is always there and of a usual width, so that 发送 and the jog buttons above stay in
+        # their places when the first point is made
+        self._effective.setMinimumWidth(self._effective.fontMetrics().horizontalAdvance(usual))
         self._effective.setText(text if known else "")
         self._effective.setToolTip("\n".join(filter(None, lines)) if known else "")
 
@@ -366,6 +377,8 @@ class RunBar(Translated, QWidget):
         """Return how long it takes: an estimate, or as it was checked; "" if it is not known."""
         estimate = self._estimate
         if estimate.seconds is None or self._steps.isChecked():
+            return ""
+        if self._controller.operating_state.override_percent == 0:  # held back: without end
             return ""
         time = fmt.duration(estimate.seconds)
         if estimate.is_checked:

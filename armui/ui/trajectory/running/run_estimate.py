@@ -40,7 +40,7 @@ class RunEstimate(QObject):
         checks: Works it out.
         content: Hands on what would be run now, once it is read; ``None``: nothing. It says
             nothing to the operator.
-        options: Tells how it would be run now.
+        options: Tells how it would be run now, slowed by the override.
         parent: Its owner.
 
     Signals:
@@ -96,8 +96,13 @@ class RunEstimate(QObject):
         self._forget()
 
     def take(self, checked: Preflight) -> None:
-        """Take over how long it takes by a check of just this, once from where the arm stands."""
-        if self._of is not None and checked.order.cycles == 1 and not checked.errors:
+        """Take over how long it takes by a check of just this, once from where the arm stands.
+
+        A check at another speed says nothing of it.
+        """
+        if self._of is None or checked.order.speed_factor != self._options().speed_factor:
+            return  # the override slows the run; a check does not count it
+        if checked.order.cycles == 1 and not checked.errors:
             self._forget()
             self.seconds, self.is_checked = checked.path.first_cycle_s, True
             self.changed.emit()
