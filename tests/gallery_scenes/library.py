@@ -40,7 +40,7 @@ def not_found(app_driver: AppDriver) -> LibraryPage:
 
 
 def in_folder(app_driver: AppDriver) -> LibraryPage:
-    """Sub-folders, one of them listed, with what a search would find beside it."""
+    """Two folders; the list of all trajectories tells which two lie in one."""
     window = library(app_driver)
     window.findChild(QLineEdit, "library_search").clear()
     stored = Library(app_driver.library_folder)
