@@ -1,6 +1,7 @@
 """Whatever can be pressed in the window is found by Ctrl+K, whether its page is seen or not."""
 
 import pytest
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
@@ -175,6 +176,8 @@ def test_every_one_is_found_by_all_its_names(qapp, app_driver):
 
 def test_a_trajectory_is_made_from_a_panel(driver):
     command(driver, "create trajectory library")
+    field = driver.window.focusWidget()  # it asks for a name, which stands there already
+    QTest.keyClick(field, Qt.Key.Key_Return)
     assert driver.page(EditorPage).document.points == ()
 
 
