@@ -5,6 +5,7 @@ import pytest
 from armui.control.motion.jog_pace import BRAKING_S
 from armui.control.motion.jog_path import JointJog, ToolJog
 from armui.kinematics.axes import JogFrame
+from tests.accepted import accepted
 from tests.safety.ways import STREAM_S
 
 HERE = (0.0, 60.0, -60.0, 0.0, 40.0, 0.0)
@@ -17,7 +18,7 @@ REST_S = 0.1
 def ready(any_rig):
     any_rig.ready()
     any_rig.controller.motion.set_speed_percent(100)
-    assert any_rig.controller.motion.send_joints(HERE) is None
+    accepted(any_rig.controller.motion.send_joints(HERE))
     any_rig.run(2.5)
     any_rig.heard()
     return any_rig
@@ -45,10 +46,10 @@ def highest_deg_s(rig):
 @pytest.mark.parametrize("jog", [JointJog(1, 1), ToolJog(1, 1, JogFrame.BASE)])
 def test_a_lower_percentage_slows_a_held_jog_at_once(ready, jog):
     rig = ready
-    assert rig.controller.jogging.start(jog) is None
+    accepted(rig.controller.jogging.start(jog))
     before = fastest_deg_s(rig, 1.0)
     assert before > 3.0, rig.codes()
-    assert rig.controller.motion.set_speed_percent(10) is None
+    accepted(rig.controller.motion.set_speed_percent(10))
     rig.run(REST_S)
     slowed = fastest_deg_s(rig, 0.5)
     assert rig.controller.jogging.active, "it goes on, slower"
@@ -57,10 +58,10 @@ def test_a_lower_percentage_slows_a_held_jog_at_once(ready, jog):
 
 def test_the_arm_is_told_the_lower_percentage_before_the_next_target(ready):
     rig = ready
-    assert rig.controller.jogging.start(JointJog(1, 1)) is None
+    accepted(rig.controller.jogging.start(JointJog(1, 1)))
     rig.run(0.5)
     rig.heard()
-    assert rig.controller.motion.set_speed_percent(10) is None
+    accepted(rig.controller.motion.set_speed_percent(10))
     rig.run(0.1)
     heard = [frame.arbitration_id for frame in rig.heard()]
     assert heard.index(0x151) < heard.index(0x155)
@@ -69,17 +70,17 @@ def test_the_arm_is_told_the_lower_percentage_before_the_next_target(ready):
 def test_a_jog_at_a_share_is_as_slow_from_the_beginning(ready):
     rig = ready
     rig.controller.motion.set_speed_percent(20)
-    assert rig.controller.jogging.start(JointJog(1, 1)) is None
+    accepted(rig.controller.jogging.start(JointJog(1, 1)))
     assert 0.0 < fastest_deg_s(rig, 1.0) <= SLACK * 0.2 * highest_deg_s(rig)
 
 
 def test_a_lower_percentage_slows_a_step_under_way_at_once(ready):
     rig = ready
-    assert rig.controller.motion.jog(1, 60.0) is None
+    accepted(rig.controller.motion.jog(1, 60.0))
     rig.run(0.2)
     assert fastest_deg_s(rig, 0.1) > 20.0
     rig.heard()
-    assert rig.controller.motion.set_speed_percent(5) is None
+    accepted(rig.controller.motion.set_speed_percent(5))
     rig.step()
     assert told(rig) == [5]
     rig.run(0.5)  # it brakes from where it was
@@ -89,6 +90,6 @@ def test_a_lower_percentage_slows_a_step_under_way_at_once(ready):
 def test_the_override_of_runs_leaves_a_jog_alone(ready):
     """It is shown beside runs, and can be lowered without one: a jog has the top bar's speed."""
     rig = ready
-    assert rig.controller.speed_override.set_percent(10) is None
-    assert rig.controller.jogging.start(JointJog(1, 1)) is None
+    accepted(rig.controller.speed_override.set_percent(10))
+    accepted(rig.controller.jogging.start(JointJog(1, 1)))
     assert fastest_deg_s(rig, 1.0) > SLACK * 0.1 * highest_deg_s(rig)
