@@ -366,7 +366,7 @@ def overrides(kind=QWidget):
     return of_ours + [each for below in kind.__subclasses__() for each in overrides(below)]
 
 
-KEPT = []
+KEPT: list[object] = []
 """PySide 6.11.3 gives back a reference too many of an override within which a failure comes up
 while an earlier one waits to be raised: the class would be left with a method that is no more."""
 
