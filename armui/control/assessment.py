@@ -12,6 +12,7 @@ from armui.arm.models import model_data
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, Six, is_fresh
 from armui.control.authority import Authority
+from armui.control.cell.intrusion import AreaIntrusion
 from armui.control.link.offsets import OffsetFollower
 from armui.control.operating_state import (
     BUSY,
@@ -67,6 +68,7 @@ class AssessmentInputs:
     stop_lapsed: bool = False
     model_fit: ModelFit = field(default_factory=ModelFit)
     below_base_mm: int | None = None
+    intrusion: AreaIntrusion | None = None
     offsets: OffsetFollower = field(default_factory=OffsetFollower)
 
 
@@ -139,6 +141,7 @@ def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> Operating
         control_certain=around.offsets.certain,
         model_fit=around.model_fit,
         below_base_mm=around.below_base_mm,
+        intrusion=around.intrusion,
         teaching_input=around.link in (LinkState.OFFLINE, LinkState.ONLINE)
         and is_fresh(state.foreign_targets_s, now_s)
         and not _controller_heard(state, now_s),

@@ -73,7 +73,7 @@ class ControllerParts(QObject):
     @cached_property
     def motion(self) -> Motion:
         """Moves the joints."""
-        return Motion(self._context, self.jog_floor)
+        return Motion(self._context, self.jog_floor, self.area_guard)
 
     @cached_property
     def jog_floor(self) -> JogFloor:
@@ -81,14 +81,25 @@ class ControllerParts(QObject):
         return JogFloor(self._context, lambda: self.cartesian.tool)
 
     @cached_property
+    def area_guard(self) -> AreaGuard:
+        """Keeps motions out of the forbidden side of the cell's work area."""
+        return AreaGuard(
+            self._context,
+            lambda: self.cell.cell,
+            lambda: self.cartesian.tool,
+            lambda: self.halt_and_hold(),
+        )
+
+    @cached_property
     def cartesian(self) -> Cartesian:
         """Moves the tool."""
-        return Cartesian(self._context, self.motion, self.jog_floor)
+        return Cartesian(self._context, self.motion, self.jog_floor, self.area_guard)
 
     @cached_property
     def jogging(self) -> Jogging:
         """Moves joints and tool while something is held."""
-        return Jogging(self._context, self.motion, self.cartesian, self.jog_floor)
+        limits = (self.jog_floor, self.area_guard)
+        return Jogging(self._context, self.motion, self.cartesian, limits)
 
     @cached_property
     def gamepad(self) -> GamepadPilot:
@@ -248,6 +259,7 @@ class ControllerParts(QObject):
             self.player,
             self.speed_override,
             self.cartesian,
+            self.area_guard,
             self.gripper,
             self.linkage,
             self.jogging,

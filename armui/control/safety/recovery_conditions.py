@@ -212,6 +212,14 @@ def below_base(view: RecoveryView) -> Params | None:
     return None if below is None else {"value": below}
 
 
+def in_area(view: RecoveryView) -> Params | None:
+    """Return where the arm is too near to its work area, or ``None``."""
+    found = view.operating_state.intrusion
+    if found is None:
+        return None
+    return {"name": found.name, "part": found.part, "value": found.value_mm}
+
+
 def near_rest(view: RecoveryView) -> bool:
     """Return whether the arm is led by hand and near the rest pose."""
     farthest = farthest_from_rest(view.state) if view.in_drag_mode else None
