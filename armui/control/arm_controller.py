@@ -407,5 +407,7 @@ class ArmController(ControllerParts):
         """Let no part go on with what a halt has ended, and no target come back."""
         self._end_driven()
         self._authority.cancelled(self._clock())
-        self.mode_exit.halt()
+        for part in (self.motion, self.planned_motion, self.speed_override, self.mode_exit):
+            part.halt()
+        self.teaching.drop_pause()
         self.gripper.end_travel()
