@@ -12,6 +12,7 @@ from armui.arm.model_check import ModelFit
 from armui.arm.models import model_data
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import Six, Status
+from armui.control.cell.intrusion import AreaIntrusion
 from armui.control.motion.motion_command import Hold, Mover, why_held
 from armui.control.run.progress import RunPhase
 from armui.protocol.addressing import Addressing
@@ -167,6 +168,7 @@ class OperatingState:
         below_base_mm: The depth of flange or fingertip below the plane the arm stands on, or
             ``None``.
         intrusion: Where the arm is too near to its work area, or ``None``.
+        unconfirmed_cell: Why the cell kept for the adapter is not in force yet; nothing moves then.
         teaching_input: Commands are heard and no feedback: the arm is a teaching input (0x470).
     """
 
@@ -210,6 +212,7 @@ class OperatingState:
     model_fit: ModelFit = field(default_factory=ModelFit)
     below_base_mm: int | None = None
     intrusion: AreaIntrusion | None = None
+    unconfirmed_cell: Refusal | None = None
 
     @property
     def unreachable(self) -> Refusal | None:
