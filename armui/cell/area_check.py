@@ -180,9 +180,9 @@ class AreaCheck:
         steps = np.maximum(steps, 1)
         ends = np.cumsum(steps)
         indices = np.repeat(np.arange(1, len(joints_deg)), steps)
-        shares = (np.arange(ends[-1] if len(ends) else 0) - np.repeat(ends - steps, steps) + 1.0) / (
-            np.repeat(steps, steps)
-        )
+        shares = (
+            np.arange(ends[-1] if len(ends) else 0) - np.repeat(ends - steps, steps) + 1.0
+        ) / (np.repeat(steps, steps))
         before, after = joints_deg[indices - 1], joints_deg[indices]
         poses = before + shares[:, None] * (after - before)
         return np.vstack((joints_deg[:1], poses)), np.concatenate(([0], indices))

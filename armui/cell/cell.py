@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from armui.arm.refusal import Reason, Refusal
 from armui.cell.checks import check_name, check_names
@@ -29,7 +29,7 @@ class Cell:
     name: str
     tools: tuple[Tool, ...] = ()
     tool: str = ""
-    area: WorkArea = WorkArea()
+    area: WorkArea = field(default_factory=WorkArea)
 
     @property
     def is_empty(self) -> bool:

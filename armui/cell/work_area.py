@@ -110,11 +110,12 @@ def with_zone(area: WorkArea, zone: Zone, *, instead_of: str = "") -> WorkArea:
         instead_of: The name of the one it replaces; "" adds it.
     """
     before = area.named(instead_of) if instead_of else None
-    if before is not None and type(before) is not type(zone):
-        area, before = without_zone(area, instead_of), None
-    if isinstance(zone, Plane):
-        return replace(area, planes=_put(area.planes, zone, before))
-    return replace(area, boxes=_put(area.boxes, zone, before))
+    zones: list[Zone] = [zone if each is before else each for each in area.zones]
+    if before is None:
+        zones.append(zone)
+    planes = tuple(each for each in zones if isinstance(each, Plane))
+    boxes = tuple(each for each in zones if isinstance(each, Box))
+    return replace(area, planes=planes, boxes=boxes)
 
 
 def without_zone(area: WorkArea, name: str) -> WorkArea:
@@ -136,7 +137,9 @@ def check_area(area: WorkArea) -> Refusal | None:
             return AREA_TOO_MANY(kind=kind, value=value, maximum=maximum)
     refusal = check_names(zone.name for zone in area.zones)
     if refusal is None:
-        refusal = check_figure("", "margin_mm", area.margin_mm, _LEAST_MARGIN_MM, _LARGEST_MARGIN_MM)
+        refusal = check_figure(
+            "", "margin_mm", area.margin_mm, _LEAST_MARGIN_MM, _LARGEST_MARGIN_MM
+        )
     return refusal or next(filter(None, map(_check_zone, area.zones)), None)
 
 
@@ -204,11 +207,3 @@ def _numbers(fields: Fields, names: Iterable[str]) -> tuple[float, ...]:
 
 def _on(zones: tuple[_AnyZone, ...]) -> tuple[_AnyZone, ...]:
     return tuple(zone for zone in zones if zone.on)
-
-
-def _put(
-    zones: tuple[_AnyZone, ...], zone: _AnyZone, before: Zone | None
-) -> tuple[_AnyZone, ...]:
-    if before is None:
-        return (*zones, zone)
-    return tuple(zone if each is before else each for each in zones)

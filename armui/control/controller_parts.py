@@ -92,7 +92,7 @@ class ControllerParts(QObject):
             self._context,
             lambda: self.cell.cell,
             lambda: self.cartesian.tool,
-            lambda: self.halt_and_hold(),
+            self.halt_and_hold,
         )
 
     @cached_property

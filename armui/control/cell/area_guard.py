@@ -11,10 +11,10 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Reason, Refusal
-from armui.control.authority import Mover
 from armui.control.cell.intrusion import AreaIntrusion
 from armui.control.context import ControllerPart
 from armui.control.events import Notice
+from armui.control.motion.motion_command import Mover
 from armui.control.parameters.arm_model import planning_model
 from armui.telemetry.events import Asker, EventKind, Level
 from armui.trajectory.points.program import Trajectory, Waypoint
@@ -159,9 +159,7 @@ class AreaGuard(ControllerPart):
         from armui.trajectory.planning.timing import plan_path  # noqa: PLC0415 - scipy
 
         context = self._context
-        arm = planning_model(
-            context.state(), context.operating_state(), self._tool()[2]
-        )
+        arm = planning_model(context.state(), context.operating_state(), self._tool()[2])
         trajectory = Trajectory("", points=(point,))
         for start_deg in self._places():
             refusal = check.why_no_way(plan_path(trajectory, arm, start_deg).joints_deg)
@@ -196,7 +194,6 @@ class AreaGuard(ControllerPart):
     def forget_arm(self) -> None:
         """Forget where the arm was: it may be another one that comes."""
         self._measured, self._seen, self._was_in = (), (), False
-
 
 
 def _less(pose_deg: Sequence[float], sag_deg: Sequence[float]) -> tuple[float, ...]:

@@ -99,9 +99,7 @@ class Cartesian(ControllerPart):
         area: Checks where a motion leads in the work area.
     """
 
-    def __init__(
-        self, context: Context, motion: Motion, floor: JogFloor, area: AreaGuard
-    ) -> None:
+    def __init__(self, context: Context, motion: Motion, floor: JogFloor, area: AreaGuard) -> None:
         self._context = context
         self._area = area
         self._floor = floor

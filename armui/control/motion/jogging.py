@@ -278,9 +278,7 @@ class Jogging(ControllerPart):
             low = self._floor.why_lower(ahead_deg, now_deg)
             return low or self._area.why_no_further(ahead_deg, now_deg, sag_deg)
 
-        hold.stream = JogStream(
-            self._way(hold.jog, base_deg), base_deg, measured_deg, why_barred
-        )
+        hold.stream = JogStream(self._way(hold.jog, base_deg), base_deg, measured_deg, why_barred)
 
     def _way(self, jog: Jog, base_deg: Sequence[float]) -> JogPath:
         limits = self._context.operating_state().limits

@@ -418,8 +418,13 @@ def _too_near(path: PlannedPath, area: AreaCheck | None) -> Iterator[Finding]:
         gaps_mm[1:first] = np.inf
     for index in _worst(np.isfinite(gaps_mm), -gaps_mm, path):
         entry = entries[index]
-        figures = {"name": entry.zone.name, "part": entry.part, "minimum": area.margin_mm}
-        found = _at(path, index, AREA_TOO_NEAR(value=round(entry.gap_mm, 1), **figures))
+        kind = AREA_TOO_NEAR(
+            name=entry.zone.name,
+            part=entry.part,
+            value=round(entry.gap_mm, 1),
+            minimum=area.margin_mm,
+        )
+        found = _at(path, index, kind)
         if index < first:
             found = replace(found, approach=Approach.WAY if index else Approach.HERE)
         yield found

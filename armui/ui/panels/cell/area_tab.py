@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QLineEdit
 from armui.arm.state import ArmState
 from armui.cell.cell import Cell
 from armui.cell.checks import LONGEST_NAME
-from armui.cell.work_area import MARGIN_MM, Box, Plane, WorkArea, Zone, with_zone, without_zone
+from armui.cell.work_area import Box, Plane, WorkArea, Zone, with_zone, without_zone
 from armui.control.arm_controller import ArmController
 from armui.control.cell.cell_control import CellControl
 from armui.control.operations.operation import operation_of
@@ -142,7 +142,9 @@ class AreaTab(CellTab):
     def _on_switched(self, on: bool) -> None:
         zone = self._zone
         if zone is not None:
-            self._change(with_zone(self._area, replace(zone, on=on), instead_of=zone.name), zone.name)
+            self._change(
+                with_zone(self._area, replace(zone, on=on), instead_of=zone.name), zone.name
+            )
 
     def _on_here(self) -> None:
         """Fill in the tool's pose; a plane's allowed side is behind the tool."""
