@@ -84,9 +84,7 @@ def capsule_around(points: Array) -> tuple[float, Array, Array, float]:
     for lead in range(3):
         axes = np.roll(directions, -lead, axis=0)
 
-        def made(
-            change: Array, axes: Array = axes
-        ) -> tuple[float, Array, Array, float]:
+        def made(change: Array, axes: Array = axes) -> tuple[float, Array, Array, float]:
             axis = axes[0] + change[0] * axes[1] + change[1] * axes[2]
             axis = axis / np.linalg.norm(axis)
             centre = middle + change[2] * axes[1] + change[3] * axes[2]

@@ -19,7 +19,7 @@ from armui.arm.models import model_data
 from armui.arm.refusal import Reason, Refusal
 from armui.cell.clearance import box_gaps, plane_gaps
 from armui.cell.enclosure import Body, Capsule, Capsules, body_of, enclose
-from armui.cell.work_area import WorkArea, Zone
+from armui.cell.work_area import Area, Zone
 from armui.kinematics.poses import pose_to_matrix
 
 if TYPE_CHECKING:
@@ -49,7 +49,7 @@ _MOST_AT_ONCE: Final = 4096
 
 
 @dataclass(frozen=True, slots=True)
-class Entry:
+class AreaEntry:
     """A place at which the arm is too near to something.
 
     Attributes:
@@ -71,7 +71,7 @@ class AreaCheck:
         body: The arm with what it carries.
     """
 
-    def __init__(self, area: WorkArea, body: Body) -> None:
+    def __init__(self, area: Area, body: Body) -> None:
         self._area = area.in_force
         self._body = body
         self._planes = _frames(self._area.planes)
@@ -89,16 +89,16 @@ class AreaCheck:
         """The distance that is kept."""
         return self._area.margin_mm
 
-    def is_too_near(self, entry: Entry) -> bool:
+    def is_too_near(self, entry: AreaEntry) -> bool:
         """Return whether a standing arm is too near; what is measured wavers within the slack."""
         return entry.gap_mm < self.margin_mm - SLACK_MM
 
-    def look(self, joints_deg: Sequence[float]) -> tuple[Entry, ...]:
+    def look(self, joints_deg: Sequence[float]) -> tuple[AreaEntry, ...]:
         """Return what of the arm is nearest to each plane and box at six angles, nearest first."""
         gaps, capsules = self._gaps(np.array([joints_deg], dtype=float))
         nearest = gaps[0].argmin(axis=0).tolist()
         entries = [
-            Entry(zone, capsules.parts[capsule], float(gaps[0, capsule, place]))
+            AreaEntry(zone, capsules.parts[capsule], float(gaps[0, capsule, place]))
             for place, (zone, capsule) in enumerate(zip(self._area.zones, nearest, strict=True))
         ]
         return tuple(sorted(entries, key=lambda entry: entry.gap_mm))
@@ -143,7 +143,7 @@ class AreaCheck:
         inside = bool(gaps[0].min() < self.margin_mm)
         return self._why(near[first], gaps[first], inside, capsules)
 
-    def entries(self, joints_deg: Array) -> dict[int, Entry]:
+    def entries(self, joints_deg: Array) -> dict[int, AreaEntry]:
         """Return where a planned way comes too near to something.
 
         Args:
@@ -152,7 +152,7 @@ class AreaCheck:
         Returns:
             What is nearest by the index of the pose, or of the one behind the place.
         """
-        found: dict[int, Entry] = {}
+        found: dict[int, AreaEntry] = {}
         if self.is_free or not len(joints_deg):
             return found
         poses, indices = self._finely(joints_deg)
@@ -218,11 +218,11 @@ class AreaCheck:
         value = round(entry.gap_mm, 1)
         return AREA_IN_THE_WAY(name=name, part=part, value=value, minimum=self.margin_mm)
 
-    def _entry(self, gaps: Array, capsules: Capsules) -> Entry:
+    def _entry(self, gaps: Array, capsules: Capsules) -> AreaEntry:
         """Return the nearest of (capsules, zones)."""
         capsule, zone = np.unravel_index(int(gaps.argmin()), gaps.shape)
         part = capsules.parts[int(capsule)]
-        return Entry(self._area.zones[int(zone)], part, float(gaps[capsule, zone]))
+        return AreaEntry(self._area.zones[int(zone)], part, float(gaps[capsule, zone]))
 
 
 def carried_body(

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from armui.arm.refusal import Reason, Refusal
 from armui.cell.checks import check_name, check_names
 from armui.cell.tools import Tool, check_tool
-from armui.cell.work_area import WorkArea, check_area
+from armui.cell.work_area import Area, check_area
 
 CELL_CHOICE_BAD = Reason(
     "cell_choice_bad", "The cell has nothing named “{value}”. Choose one of those in its list."
@@ -29,7 +29,7 @@ class Cell:
     name: str
     tools: tuple[Tool, ...] = ()
     tool: str = ""
-    area: WorkArea = field(default_factory=WorkArea)
+    area: Area = field(default_factory=Area)
 
     @property
     def is_empty(self) -> bool:

@@ -98,7 +98,9 @@ class Capsules(NamedTuple):
     radii: Array
 
 
-def body_of(model: PiperModel, geometry: Geometry, opening_mm: float, *, base: bool = False) -> Body:
+def body_of(
+    model: PiperModel, geometry: Geometry, opening_mm: float, *, base: bool = False
+) -> Body:
     """Return the bare arm with its gripper.
 
     Args:

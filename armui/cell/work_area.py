@@ -31,7 +31,7 @@ _NOWHERE: Final = (0.0,) * 6
 
 
 @dataclass(frozen=True, slots=True)
-class Plane:
+class AreaPlane:
     """A plane whose one side the arm may not enter.
 
     Attributes:
@@ -47,7 +47,7 @@ class Plane:
 
 
 @dataclass(frozen=True, slots=True)
-class Box:
+class AreaBox:
     """A box that the arm stays out of.
 
     Attributes:
@@ -63,12 +63,12 @@ class Box:
     on: bool = True
 
 
-Zone = Plane | Box
-_AnyZone = TypeVar("_AnyZone", Plane, Box)
+Zone = AreaPlane | AreaBox
+_AnyZone = TypeVar("_AnyZone", AreaPlane, AreaBox)
 
 
 @dataclass(frozen=True, slots=True)
-class WorkArea:
+class Area:
     """All planes and boxes of a cell.
 
     Attributes:
@@ -77,8 +77,8 @@ class WorkArea:
         margin_mm: The distance that the arm keeps from them.
     """
 
-    planes: tuple[Plane, ...] = ()
-    boxes: tuple[Box, ...] = ()
+    planes: tuple[AreaPlane, ...] = ()
+    boxes: tuple[AreaBox, ...] = ()
     margin_mm: float = MARGIN_MM
 
     @property
@@ -87,7 +87,7 @@ class WorkArea:
         return (*self.planes, *self.boxes)
 
     @property
-    def in_force(self) -> WorkArea:
+    def in_force(self) -> Area:
         """The area with nothing but what is switched on."""
         return replace(self, planes=_on(self.planes), boxes=_on(self.boxes))
 
@@ -101,7 +101,7 @@ class WorkArea:
         return next((zone for zone in self.zones if zone.name == name), None)
 
 
-def with_zone(area: WorkArea, zone: Zone, *, instead_of: str = "") -> WorkArea:
+def with_zone(area: Area, zone: Zone, *, instead_of: str = "") -> Area:
     """Return an area with a further plane or box, or with one in the place of another.
 
     Args:
@@ -113,12 +113,12 @@ def with_zone(area: WorkArea, zone: Zone, *, instead_of: str = "") -> WorkArea:
     zones: list[Zone] = [zone if each is before else each for each in area.zones]
     if before is None:
         zones.append(zone)
-    planes = tuple(each for each in zones if isinstance(each, Plane))
-    boxes = tuple(each for each in zones if isinstance(each, Box))
+    planes = tuple(each for each in zones if isinstance(each, AreaPlane))
+    boxes = tuple(each for each in zones if isinstance(each, AreaBox))
     return replace(area, planes=planes, boxes=boxes)
 
 
-def without_zone(area: WorkArea, name: str) -> WorkArea:
+def without_zone(area: Area, name: str) -> Area:
     """Return an area without the plane or box of a name."""
     return replace(
         area,
@@ -127,7 +127,7 @@ def without_zone(area: WorkArea, name: str) -> WorkArea:
     )
 
 
-def check_area(area: WorkArea) -> Refusal | None:
+def check_area(area: Area) -> Refusal | None:
     """Return why a work area is not possible, or ``None``."""
     for kind, value, maximum in (
         ("planes", len(area.planes), MOST_PLANES),
@@ -149,7 +149,7 @@ def _check_zone(zone: Zone) -> Refusal | None:
         refusal = check_figure(zone.name, field, value, -most, most)
         if refusal is not None:
             return refusal
-    if isinstance(zone, Box):
+    if isinstance(zone, AreaBox):
         for field, value in zip(_SIZES, zone.size_mm, strict=True):
             refusal = check_figure(zone.name, field, value, _SMALLEST_MM, _FURTHEST_MM)
             if refusal is not None:
@@ -157,7 +157,7 @@ def _check_zone(zone: Zone) -> Refusal | None:
     return None
 
 
-def to_entry(area: WorkArea) -> Mapping[str, object]:
+def to_entry(area: Area) -> Mapping[str, object]:
     """Return a work area as an object of a cell's file."""
     return {
         "margin_mm": area.margin_mm,
@@ -169,13 +169,13 @@ def to_entry(area: WorkArea) -> Mapping[str, object]:
     }
 
 
-def from_entry(fields: Fields) -> WorkArea:
+def from_entry(fields: Fields) -> Area:
     """Return the work area in an object of a cell's file.
 
     Raises:
         FieldError: A field is missing, unknown or wrong.
     """
-    area = WorkArea(
+    area = Area(
         tuple(map(_plane, fields.objects("planes"))),
         tuple(map(_box, fields.objects("boxes"))),
         fields.number("margin_mm"),
@@ -188,15 +188,15 @@ def _zone_entry(zone: Zone) -> dict[str, object]:
     return {"name": zone.name, "on": zone.on, **dict(zip(FIGURES, zone.pose, strict=True))}
 
 
-def _plane(fields: Fields) -> Plane:
-    plane = Plane(fields.text("name"), _numbers(fields, FIGURES), fields.flag("on"))
+def _plane(fields: Fields) -> AreaPlane:
+    plane = AreaPlane(fields.text("name"), _numbers(fields, FIGURES), fields.flag("on"))
     fields.nothing_else()
     return plane
 
 
-def _box(fields: Fields) -> Box:
+def _box(fields: Fields) -> AreaBox:
     pose, size = _numbers(fields, FIGURES), _numbers(fields, _SIZES)
-    box = Box(fields.text("name"), pose, size, fields.flag("on"))
+    box = AreaBox(fields.text("name"), pose, size, fields.flag("on"))
     fields.nothing_else()
     return box
 

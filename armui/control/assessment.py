@@ -69,6 +69,7 @@ class AssessmentInputs:
     model_fit: ModelFit = field(default_factory=ModelFit)
     below_base_mm: int | None = None
     intrusion: AreaIntrusion | None = None
+    keeps_area: bool = False
     offsets: OffsetFollower = field(default_factory=OffsetFollower)
 
 
@@ -144,6 +145,7 @@ def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> Operating
         model_fit=around.model_fit,
         below_base_mm=around.below_base_mm,
         intrusion=around.intrusion,
+        keeps_area=around.keeps_area,
         teaching_input=around.link in (LinkState.OFFLINE, LinkState.ONLINE)
         and is_fresh(state.foreign_targets_s, now_s)
         and not _controller_heard(state, now_s),

@@ -168,6 +168,7 @@ class OperatingState:
         below_base_mm: The depth of flange or fingertip below the plane the arm stands on, or
             ``None``.
         intrusion: Where the arm is too near to its work area, or ``None``.
+        keeps_area: True if a plane or a box of the work area is switched on.
         unconfirmed_cell: Why the cell kept for the adapter is not in force yet; nothing moves then.
         teaching_input: Commands are heard and no feedback: the arm is a teaching input (0x470).
     """
@@ -212,6 +213,7 @@ class OperatingState:
     model_fit: ModelFit = field(default_factory=ModelFit)
     below_base_mm: int | None = None
     intrusion: AreaIntrusion | None = None
+    keeps_area: bool = False
     unconfirmed_cell: Refusal | None = None
 
     @property

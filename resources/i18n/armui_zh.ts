@@ -519,6 +519,165 @@
     </message>
 </context>
 <context>
+    <name>AreaTab</name>
+    <message>
+        <source>Planes and boxes of the work area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a plane to the work area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a box to the work area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Apply the figures of the area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch a plane or box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete a plane or box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the present tool pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>— (a new one)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> (off)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a plane or a box above first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm stays on the side to which the plane&apos;s Z axis points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm stays out of the box; X to RZ are those of its centre.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Puts these figures in force, and the margin with them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deletes the chosen plane or box.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Off: it counts for nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nearest: “{name}”, {value} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm has not told its pose.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fills in the present tool pose; a plane&apos;s Z axis is that of the tool.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no cell yet: type its name above and press New.</source>
+        <translation type="unfinished">还没有单元：请在上方输入名称，再按“新建”。</translation>
+    </message>
+    <message>
+        <source>Press Add plane or Add box: it holds for everything from then on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is in force. Switch it, change its figures and press Apply, or</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type a name and a pose, or take the present tool pose. A plane keeps the arm on the side of its Z axis (all 0: above the table); a box keeps it out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plane or box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished">名称</translation>
+    </message>
+    <message>
+        <source>Name of the plane or box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation type="unfinished">开启</translation>
+    </message>
+    <message>
+        <source>Area {axis}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Box, edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edge of the box along {axis}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Margin of the work area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation type="unfinished">应用</translation>
+    </message>
+    <message>
+        <source>Add plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation type="unfinished">删除</translation>
+    </message>
+</context>
+<context>
     <name>ArmKind</name>
     <message>
         <source>{model} (zeros before S-V1.6-3)</source>
@@ -1294,6 +1453,10 @@
     <message>
         <source>Tools</source>
         <translation>工具</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3753,6 +3916,10 @@
     <message>
         <source>The way passes near a singular pose ({value}, should be {minimum} or more): joints turn fast there and the tool is slow. Use MOVE J, or turn the wrist.</source>
         <translation>路径经过奇异点附近（{value}，应不小于 {minimum}）：该处关节转动快而末端缓慢。请改用 MOVE J，或改变手腕姿态。</translation>
+    </message>
+    <message>
+        <source>{part} would come to {value} mm from “{name}” of the work area; {minimum} mm are kept. Put another point between, or change the point.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The first point is far from where the arm is: joint {joint} turns {value}°. Watch the way there in the preview, or bring the arm nearer first.</source>
@@ -6635,6 +6802,14 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>夹爪：已发送 {value} {unit}</translation>
     </message>
     <message>
+        <source>The arm has come into the work area&apos;s “{name}”: {part}, {value} mm too near.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm is clear of the work area again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Cell in force: {name}</source>
         <translation>生效的单元：{name}</translation>
     </message>
@@ -9022,6 +9197,10 @@ The other program must have ended.</source>
         <translation>上一目标经过奇异点。机械臂未运动，请发送其他目标或使用关节运动。</translation>
     </message>
     <message>
+        <source>The arm is {value} mm too near to “{name}” of the work area ({part}). It can only be moved out: jog the other way, or lead it by hand.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Ready</source>
         <translation>就绪</translation>
     </message>
@@ -9389,6 +9568,14 @@ The other program must have ended.</source>
         <translation>点动步长：“{value}”不是角度。请输入以度为单位的数字，例如 0.5。</translation>
     </message>
     <message>
+        <source>Not there: {part} would come to {value} mm from “{name}” of the work area; {minimum} mm are kept. Move another way, or change the area under Cell.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm stands in “{name}” of the work area, with {part} {value} mm too near; this would lead further in. Move it out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The cell has nothing named “{value}”. Choose one of those in its list.</source>
         <translation>单元中没有“{value}”。请从列表中选择。</translation>
     </message>
@@ -9427,6 +9614,14 @@ The other program must have ended.</source>
     <message>
         <source>“{name}”, {field}: {value} is not possible. Enter a figure from {minimum} to {maximum}.</source>
         <translation>“{name}”，{field}：{value} 无效。请输入 {minimum} 到 {maximum} 的数值。</translation>
+    </message>
+    <message>
+        <source>A work area has at most {maximum} {kind}; this one would have {value}. Delete one first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm would replay a way that only it knows, and the work area could not be kept. Switch the area off under Cell, or record and replay with this program.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>This adapter was last used with the cell “{name}”. See that it is the arm in front of you, then confirm the cell, or choose another one under Cell.</source>
@@ -9475,6 +9670,10 @@ The other program must have ended.</source>
     <message>
         <source>Not done: {name}: {text}. Check the rights to the library&apos;s folder.</source>
         <translation>未执行：{name}：{text}。请检查轨迹库文件夹的访问权限。</translation>
+    </message>
+    <message>
+        <source>Not run: tool, load, cell, settings or choices have changed since the check. Send again.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Robot description: the file {path} is not there. Choose another file, or use the built-in one.</source>
@@ -10199,10 +10398,6 @@ The other program must have ended.</source>
     <message>
         <source>What the question was about has changed: nothing was sent. Try again.</source>
         <translation>所询问的内容已经改变：未发送任何内容。请重新操作。</translation>
-    </message>
-    <message>
-        <source>Not run: tool, load, settings or choices have changed since the check. Send again.</source>
-        <translation>未运行：工具、负载、设置或所选项与检查时不同。请再次点击发送。</translation>
     </message>
     <message>
         <source>Not run: the check has found errors ({count}). Correct what is listed, then send again.</source>

@@ -3,23 +3,23 @@
 from armui.arm.models import model_data
 from armui.cell.area_check import AreaCheck, carried_body
 from armui.cell.cell import Cell
-from armui.cell.work_area import Box, Plane, WorkArea
+from armui.cell.work_area import Area, AreaBox, AreaPlane
 from armui.protocol.generation import PiperModel
 from tests.accepted import accepted
 
-TABLE = Plane("table")
+TABLE = AreaPlane("table")
 """The arm stays above the plane that it stands on."""
 
 
 def wall(x_mm):
     """Nothing may be beyond this X."""
-    return Plane("wall", (x_mm, 0.0, 0.0, 0.0, -90.0, 0.0))
+    return AreaPlane("wall", (x_mm, 0.0, 0.0, 0.0, -90.0, 0.0))
 
 
 def area_of(*zones, margin_mm=10.0):
-    planes = tuple(zone for zone in zones if isinstance(zone, Plane))
-    boxes = tuple(zone for zone in zones if isinstance(zone, Box))
-    return WorkArea(planes, boxes, margin_mm)
+    planes = tuple(zone for zone in zones if isinstance(zone, AreaPlane))
+    boxes = tuple(zone for zone in zones if isinstance(zone, AreaBox))
+    return Area(planes, boxes, margin_mm)
 
 
 def check_of(*zones, margin_mm=10.0, model=PiperModel.PIPER):

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from armui.cell.area_check import AREA_IN_THE_WAY, AREA_ONLY_OUT
-from armui.cell.work_area import Box
+from armui.cell.work_area import AreaBox
 from armui.control.motion.jog_path import JointJog, ToolJog
 from armui.control.motion.steered_path import SteeredJog
 from armui.control.operating_state import JOG_UNDER_WAY
@@ -67,7 +67,7 @@ def test_a_jog_at_full_speed_ends_before_a_plane(rig, jog):
 def test_a_jog_ends_before_a_box_and_goes_on_beside_it(rig):
     bend(rig)
     x, y, z = rig.controller.cartesian.tool_pose(rig.controller.state)[:3]
-    rig.zones = (Box("crate", (x + 260.0, y, z, 0.0, 0.0, 30.0), (150.0, 150.0, 300.0)),)
+    rig.zones = (AreaBox("crate", (x + 260.0, y, z, 0.0, 0.0, 30.0), (150.0, 150.0, 300.0)),)
     put(rig.controller, *rig.zones)
     accepted(rig.controller.jogging.start(OUTWARDS["tool"]))
     assert 9.0 <= drive(rig, OUTWARDS["tool"], 6.0) < 13.0
@@ -136,7 +136,7 @@ def test_single_motions_are_refused_by_their_way(rig):
 def test_a_turn_past_a_box_is_refused_although_both_ends_are_free(rig):
     bend(rig)
     x, y, z = rig.controller.cartesian.tool_pose(rig.controller.state)[:3]
-    put(rig.controller, Box("post", (x, y + 250.0, z, 0.0, 0.0, 0.0), (20.0, 20.0, 400.0)))
+    put(rig.controller, AreaBox("post", (x, y + 250.0, z, 0.0, 0.0, 0.0), (20.0, 20.0, 400.0)))
     beyond = (110.0, *BENT_DEG[1:])
     refusal = rig.controller.motion.send_joints(beyond)
     assert refusal.reason == AREA_IN_THE_WAY

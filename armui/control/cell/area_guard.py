@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.refusal import Reason, Refusal
+from armui.arm.refusal import Refusal
 from armui.control.cell.intrusion import AreaIntrusion
 from armui.control.context import ControllerPart
 from armui.control.events import Notice
@@ -22,16 +22,11 @@ from armui.trajectory.points.program import Trajectory, Waypoint
 # The checks bring numpy along. They are loaded for the first area: the window starts without them.
 if TYPE_CHECKING:
     from armui.arm.state import ArmState
-    from armui.cell.area_check import AreaCheck, Entry
+    from armui.cell.area_check import AreaCheck, AreaEntry
     from armui.cell.cell import Cell
-    from armui.cell.work_area import WorkArea
+    from armui.cell.work_area import Area
     from armui.control.context import Context
 
-AREA_WAY_UNKNOWN = Reason(
-    "area_way_unknown",
-    "The arm would replay a way that only it knows, and the work area could not be kept. Switch "
-    "the area off under Cell, or record and replay with this program.",
-)
 AREA_ENTERED = Notice(
     "area_entered",
     "The arm has come into the work area's “{name}”: {part}, {value} mm too near.",
@@ -74,19 +69,19 @@ class AreaGuard(ControllerPart):
         self._of: tuple[object, ...] = ()
         self._check: AreaCheck | None = None
         self._measured: tuple[object, ...] = ()
-        self._seen: tuple[Entry, ...] = ()
+        self._seen: tuple[AreaEntry, ...] = ()
         self._was_in = False
         self.stops_others = False
 
     # What is known ----------------------------------------------------------------------------
 
     @property
-    def area(self) -> WorkArea | None:
+    def area(self) -> Area | None:
         """The work area of the cell, or ``None`` if the arm may go anywhere."""
         cell = self._cell()
         return None if cell is None or cell.area.is_free else cell.area
 
-    def look(self, state: ArmState) -> tuple[Entry, ...]:
+    def look(self, state: ArmState) -> tuple[AreaEntry, ...]:
         """Return what of the measured arm is nearest to each plane and box, nearest first."""
         joints_deg, check = state.angles_deg(), self.check()
         if joints_deg is None or check is None:

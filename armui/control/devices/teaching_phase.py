@@ -29,6 +29,11 @@ TEACHING_RECORDING = Reason("teaching_recording", "The arm is recording. Stop re
 TEACHING_REPLAYING = Reason(
     "teaching_replaying", "The arm is replaying. Pause or terminate the replay first."
 )
+AREA_WAY_UNKNOWN = Reason(
+    "area_way_unknown",
+    "The arm would replay a way that only it knows, and the work area could not be kept. Switch "
+    "the area off under Cell, or record and replay with this program.",
+)
 TEACHING_PAUSED = Reason("teaching_paused", "The replay is paused. Continue or terminate it first.")
 
 
@@ -156,6 +161,8 @@ def why_not_teach(now: OperatingState, command: TeachingState) -> Refusal | None
     if command not in _ASKS_MUCH:
         return None
     refusal = now.occupied or now.cannot_send_motion
+    if refusal is None and now.keeps_area and command in _REPLAYING:
+        refusal = AREA_WAY_UNKNOWN()
     if refusal is not None:
         return refusal
     if phase is TeachingPhase.OFF and status.control_mode not in interlocks.MOVABLE_MODES:

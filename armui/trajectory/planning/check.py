@@ -126,8 +126,8 @@ TOOL_TOO_FAST = FindingKind(
 )
 AREA_TOO_NEAR = FindingKind(
     "area_too_near",
-    "{part} would come to {value} mm from “{name}” of the work area; {minimum} mm are kept. Put "
-    "another point between, or change the point.",
+    "Too near to “{name}” of the work area: {part} would come to {value} mm, where {minimum} mm "
+    "are kept. Put another point between, or change the point.",
     Severity.ERROR,
 )
 OTHER_ARM = FindingKind(

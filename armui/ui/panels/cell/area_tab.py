@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QLineEdit
 from armui.arm.state import ArmState
 from armui.cell.cell import Cell
 from armui.cell.checks import LONGEST_NAME
-from armui.cell.work_area import Box, Plane, WorkArea, Zone, with_zone, without_zone
+from armui.cell.work_area import Area, AreaBox, AreaPlane, Zone, with_zone, without_zone
 from armui.control.arm_controller import ArmController
 from armui.control.cell.cell_control import CellControl
 from armui.control.operations.operation import operation_of
@@ -120,15 +120,15 @@ class AreaTab(CellTab):
     # -- actions ------------------------------------------------------------------------------
 
     @property
-    def _area(self) -> WorkArea:
+    def _area(self) -> Area:
         cell = self._controller.cell.cell
-        return WorkArea() if cell is None else cell.area
+        return Area() if cell is None else cell.area
 
     @property
     def _zone(self) -> Zone | None:
         return self._area.named(self._chosen)
 
-    def _change(self, area: WorkArea, chosen: str) -> None:
+    def _change(self, area: Area, chosen: str) -> None:
         before, self._chosen = self._chosen, chosen
         cell = self._controller.cell.cell or Cell("")
         if not self._answered(self._controller.cell.change(replace(cell, area=area))):
@@ -159,7 +159,7 @@ class AreaTab(CellTab):
         if zone is None:
             self._change(area, "")
             return
-        typed = self._typed_plane() if isinstance(zone, Plane) else self._typed_box()
+        typed = self._typed_plane() if isinstance(zone, AreaPlane) else self._typed_box()
         typed = replace(typed, on=zone.on)
         self._change(with_zone(area, typed, instead_of=zone.name), typed.name)
 
@@ -171,11 +171,11 @@ class AreaTab(CellTab):
         if self._zone is not None:
             self._change(without_zone(self._area, self._chosen), "")
 
-    def _typed_plane(self) -> Plane:
-        return Plane(self._name.text().strip(), _figures(self._fields))
+    def _typed_plane(self) -> AreaPlane:
+        return AreaPlane(self._name.text().strip(), _figures(self._fields))
 
-    def _typed_box(self) -> Box:
-        return Box(self._name.text().strip(), _figures(self._fields), _figures(self._sizes))
+    def _typed_box(self) -> AreaBox:
+        return AreaBox(self._name.text().strip(), _figures(self._fields), _figures(self._sizes))
 
     def _typed_margin(self) -> float:
         return _figures([self._margin])[0]
@@ -188,7 +188,7 @@ class AreaTab(CellTab):
         self._choice.clear()
         self._choice.addItem(self.tr("— (a new one)"), "")
         for zone in self._area.zones:
-            kind = self.tr("Plane") if isinstance(zone, Plane) else self.tr("Box")
+            kind = self.tr("Plane") if isinstance(zone, AreaPlane) else self.tr("Box")
             off = "" if zone.on else self.tr(" (off)")
             self._choice.addItem(f"{kind}: {zone.name}{off}", zone.name)
         if self._zone is None:
@@ -233,7 +233,7 @@ class AreaTab(CellTab):
             self._name.setText(zone.name)
             for field, value in zip(self._fields, zone.pose, strict=True):
                 field.show_value(value)
-        if isinstance(zone, Box):
+        if isinstance(zone, AreaBox):
             for field, value in zip(self._sizes, zone.size_mm, strict=True):
                 field.show_value(value)
 
@@ -261,14 +261,14 @@ class AreaTab(CellTab):
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
-        self._choice_label.setText(self.tr("Plane or box"))
-        self._choice.setAccessibleName(self.tr("Plane or box"))
+        self._choice_label.setText(self.tr("AreaPlane or box"))
+        self._choice.setAccessibleName(self.tr("AreaPlane or box"))
         self._name_label.setText(self.tr("Name"))
         self._name.setAccessibleName(self.tr("Name of the plane or box"))
-        caption(self._on, self.tr("On"), whose=self.tr("Plane or box"))
+        caption(self._on, self.tr("On"), whose=self.tr("AreaPlane or box"))
         for axis, field in zip(AXES, self._fields, strict=True):
             field.setAccessibleName(self.tr("Area {axis}").format(axis=axis))
-        self._size_label.setText(self.tr("Box, edges"))
+        self._size_label.setText(self.tr("AreaBox, edges"))
         for edge, field in zip(_EDGES, self._sizes, strict=True):
             field.setAccessibleName(self.tr("Edge of the box along {axis}").format(axis=edge))
         self._margin_label.setText(self.tr("Margin"))
