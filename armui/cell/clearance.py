@@ -33,9 +33,7 @@ def plane_gaps(capsules: Capsules, frames: Array) -> Array:
     return gaps
 
 
-def box_gaps(
-    capsules: Capsules, frames: Array, sizes_mm: Array, near_mm: float = np.inf
-) -> Array:
+def box_gaps(capsules: Capsules, frames: Array, sizes_mm: Array, near_mm: float = np.inf) -> Array:
     """Return (n, k, b) the gaps between n × k capsules and b boxes.
 
     Args:

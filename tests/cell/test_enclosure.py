@@ -106,7 +106,9 @@ def test_the_base_counts_only_if_it_is_asked_for():
     geometry = model_data(PiperModel.PIPER).geometry
     bare = body_of(PiperModel.PIPER, geometry, 0.0)
     assert {each.part for each in bare.capsules} == set(PARTS) - {"base", "tool", "held object"}
-    assert "base" in {each.part for each in body_of(PiperModel.PIPER, geometry, 0, base=True).capsules}
+    assert "base" in {
+        each.part for each in body_of(PiperModel.PIPER, geometry, 0, base=True).capsules
+    }
 
 
 def test_a_tool_moves_with_the_flange():
