@@ -80,7 +80,7 @@ def capsule_around(points: Array) -> tuple[float, Array, Array, float]:
     points = points[ConvexHull(points).vertices]  # it holds all that lies between them
     middle = points.mean(axis=0)
     _, _, directions = np.linalg.svd(points - middle, full_matrices=False)
-    best: tuple[float, Array, Array, float] | None = None
+    tried = []
     for lead in range(3):
         axes = np.roll(directions, -lead, axis=0)
 
@@ -106,27 +106,22 @@ def capsule_around(points: Array) -> tuple[float, Array, Array, float]:
             method="Nelder-Mead",
             options={"maxiter": 600, "xatol": 1e-3, "fatol": 1.0},
         )
-        candidate = made(found.x)
-        if best is None or candidate[0] < best[0]:
-            best = candidate
-    assert best is not None
-    return best
+        tried.append(made(found.x))
+    return min(tried, key=lambda each: each[0])
 
 
 def capsules_around(triangles: Array, count: int) -> list[tuple[Array, Array, float]]:
     """That many capsules which hold all triangles, the best of several ways to deal them out."""
     centres = triangles.mean(axis=1)
-    best: tuple[float, list[tuple[float, Array, Array, float]]] | None = None
+    tried = []
     for seed in range(6):
         _, group = kmeans2(centres, count, minit="++", seed=seed)
         made = [
             capsule_around(triangles[group == each].reshape(-1, 3)) for each in sorted(set(group))
         ]
-        volume = sum(each[0] for each in made)
-        if best is None or volume < best[0]:
-            best = volume, made
-    assert best is not None
-    return [(start, end, radius) for _, start, end, radius in best[1]]
+        tried.append(made)
+    best = min(tried, key=lambda each: sum(volume for volume, *_ in each))
+    return [(start, end, radius) for _, start, end, radius in best]
 
 
 def enclosure_of(folder: Path) -> list[dict[str, object]]:

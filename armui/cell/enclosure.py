@@ -11,7 +11,7 @@ import json
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cache
-from typing import Final, NamedTuple
+from typing import Final
 
 import numpy as np
 import numpy.typing as npt
@@ -48,7 +48,8 @@ PARTS: Final = (
 """The names of the parts that capsules can have."""
 
 
-class Capsule(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Capsule:
     """All places within a distance of a straight line.
 
     Attributes:
@@ -83,7 +84,8 @@ class Body:
         return replace(self, capsules=(*self.capsules, *capsules))
 
 
-class Capsules(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Capsules:
     """The capsules of an arm at some poses, in the base frame, in mm.
 
     Attributes:
@@ -124,7 +126,7 @@ def body_of(
             continue
         ends = np.array((start, end))
         for moved in _openings(name, opening_mm):
-            placed = ends + (0.0, moved, 0.0)
+            placed = ends + np.array((0.0, moved, 0.0))
             if part == "gripper":
                 placed = placed @ turn.T
             first, last = (tuple(map(float, each)) for each in placed)

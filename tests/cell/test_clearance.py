@@ -18,8 +18,8 @@ def signed_mm(places, half):
 
 
 def one(start, end, radius):
-    ends = (np.array(each, dtype=float).reshape(1, 1, 3) for each in (start, end))
-    return Capsules(("hand",), *ends, np.array([radius]))
+    begin, last = (np.array(each, dtype=float).reshape(1, 1, 3) for each in (start, end))
+    return Capsules(("hand",), begin, last, np.array([radius]))
 
 
 @pytest.mark.parametrize("reach_mm", [40.0, 120.0, 400.0])
@@ -57,7 +57,7 @@ def test_a_gap_is_told_from_the_surface(start, end, gap):
 def test_a_box_may_stand_anyhow():
     frame = pose_to_matrix((200.0, -50.0, 120.0, 20.0, -35.0, 70.0))
     inside = np.array(((50.0, 0.0, 0.0, 1.0), (90.0, 0.0, 0.0, 1.0))) @ frame.T
-    gaps = box_gaps(one(*inside[:, :3], 5.0), frame[None], 2.0 * HALF[None])
+    gaps = box_gaps(one(inside[0, :3], inside[1, :3], 5.0), frame[None], 2.0 * HALF[None])
     assert gaps[0, 0, 0] == pytest.approx(15.0)
 
 
