@@ -13,7 +13,7 @@ from armui.cell.tools import FIGURES
 
 AREA_TOO_MANY = Reason(
     "area_too_many",
-    "A work area has at most {maximum} {kind}; this one would have {value}. Delete one first.",
+    "A work area has at most {planes} planes and {boxes} boxes. Delete one first.",
 )
 
 MOST_PLANES: Final = 8
@@ -75,11 +75,13 @@ class Area:
         planes: The planes, in the order of the list.
         boxes: The boxes, in the order of the list.
         margin_mm: The distance that the arm keeps from them.
+        stops_others: True if a hand or another host that enters is stopped.
     """
 
     planes: tuple[AreaPlane, ...] = ()
     boxes: tuple[AreaBox, ...] = ()
     margin_mm: float = MARGIN_MM
+    stops_others: bool = False
 
     @property
     def zones(self) -> tuple[Zone, ...]:
@@ -129,12 +131,8 @@ def without_zone(area: Area, name: str) -> Area:
 
 def check_area(area: Area) -> Refusal | None:
     """Return why a work area is not possible, or ``None``."""
-    for kind, value, maximum in (
-        ("planes", len(area.planes), MOST_PLANES),
-        ("boxes", len(area.boxes), MOST_BOXES),
-    ):
-        if value > maximum:
-            return AREA_TOO_MANY(kind=kind, value=value, maximum=maximum)
+    if len(area.planes) > MOST_PLANES or len(area.boxes) > MOST_BOXES:
+        return AREA_TOO_MANY(planes=MOST_PLANES, boxes=MOST_BOXES)
     refusal = check_names(zone.name for zone in area.zones)
     if refusal is None:
         refusal = check_figure(
@@ -161,6 +159,7 @@ def to_entry(area: Area) -> Mapping[str, object]:
     """Return a work area as an object of a cell's file."""
     return {
         "margin_mm": area.margin_mm,
+        "stops_others": area.stops_others,
         "planes": [_zone_entry(plane) for plane in area.planes],
         "boxes": [
             {**_zone_entry(box), **dict(zip(_SIZES, box.size_mm, strict=True))}
@@ -179,6 +178,7 @@ def from_entry(fields: Fields) -> Area:
         tuple(map(_plane, fields.objects("planes"))),
         tuple(map(_box, fields.objects("boxes"))),
         fields.number("margin_mm"),
+        fields.flag("stops_others"),
     )
     fields.nothing_else()
     return area

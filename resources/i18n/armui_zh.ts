@@ -522,159 +522,171 @@
     <name>AreaTab</name>
     <message>
         <source>Planes and boxes of the work area</source>
-        <translation type="unfinished"></translation>
+        <translation>工作区的平面和长方体</translation>
     </message>
     <message>
         <source>Add a plane to the work area</source>
-        <translation type="unfinished"></translation>
+        <translation>向工作区添加平面</translation>
     </message>
     <message>
         <source>Add a box to the work area</source>
-        <translation type="unfinished"></translation>
+        <translation>向工作区添加长方体</translation>
     </message>
     <message>
         <source>Apply the figures of the area</source>
-        <translation type="unfinished"></translation>
+        <translation>应用工作区的数值</translation>
     </message>
     <message>
         <source>Switch a plane or box</source>
-        <translation type="unfinished"></translation>
+        <translation>开关平面或长方体</translation>
     </message>
     <message>
         <source>Delete a plane or box</source>
-        <translation type="unfinished"></translation>
+        <translation>删除平面或长方体</translation>
+    </message>
+    <message>
+        <source>Stop who else enters the work area</source>
+        <translation>他者进入工作区时停住</translation>
     </message>
     <message>
         <source>Take the present tool pose</source>
-        <translation type="unfinished"></translation>
+        <translation>取当前工具位姿</translation>
     </message>
     <message>
         <source>— (a new one)</source>
-        <translation type="unfinished"></translation>
+        <translation>—（新建）</translation>
     </message>
     <message>
         <source>Plane</source>
-        <translation type="unfinished"></translation>
+        <translation>平面</translation>
     </message>
     <message>
         <source>Box</source>
-        <translation type="unfinished"></translation>
+        <translation>长方体</translation>
     </message>
     <message>
         <source> (off)</source>
-        <translation type="unfinished"></translation>
+        <translation>（关闭）</translation>
     </message>
     <message>
         <source>Choose a plane or a box above first.</source>
-        <translation type="unfinished"></translation>
+        <translation>请先在上方选择平面或长方体。</translation>
     </message>
     <message>
         <source>The arm stays on the side to which the plane&apos;s Z axis points.</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂留在平面 Z 轴所指的一侧。</translation>
     </message>
     <message>
         <source>The arm stays out of the box; X to RZ are those of its centre.</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂不进入长方体；X 至 RZ 是其中心的位姿。</translation>
     </message>
     <message>
         <source>Puts these figures in force, and the margin with them.</source>
-        <translation type="unfinished"></translation>
+        <translation>使这些数值连同余量生效。</translation>
     </message>
     <message>
         <source>Deletes the chosen plane or box.</source>
-        <translation type="unfinished"></translation>
+        <translation>删除所选的平面或长方体。</translation>
     </message>
     <message>
         <source>Off: it counts for nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>关闭后它不起作用。</translation>
+    </message>
+    <message>
+        <source>It is told in any case. A stop holds the arm where it is, powered.</source>
+        <translation>无论如何都会提示。停住时机械臂原地保持，不断电。</translation>
     </message>
     <message>
         <source>Nearest: “{name}”, {value} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>最近：“{name}”，{value} mm</translation>
     </message>
     <message>
         <source>The arm has not told its pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂尚未反馈位姿。</translation>
     </message>
     <message>
         <source>Fills in the present tool pose; a plane&apos;s Z axis is that of the tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>填入当前工具位姿；平面的 Z 轴就是工具的 Z 轴。</translation>
     </message>
     <message>
         <source>There is no cell yet: type its name above and press New.</source>
-        <translation type="unfinished">还没有单元：请在上方输入名称，再按“新建”。</translation>
+        <translation>还没有单元：请在上方输入名称，再按“新建”。</translation>
     </message>
     <message>
         <source>Press Add plane or Add box: it holds for everything from then on.</source>
-        <translation type="unfinished"></translation>
+        <translation>请按“添加平面”或“添加长方体”：此后对一切运动有效。</translation>
     </message>
     <message>
-        <source>It is in force. Switch it, change its figures and press Apply, or</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Type a name and a pose, or take the present tool pose. A plane keeps the arm on the side of its Z axis (all 0: above the table); a box keeps it out.</source>
-        <translation type="unfinished"></translation>
+        <source>It is in force. Switch it off, or change its figures and press Apply.</source>
+        <translation>它已生效。可以关闭，或更改数值后按“应用”。</translation>
     </message>
     <message>
         <source>Plane or box</source>
-        <translation type="unfinished"></translation>
+        <translation>平面或长方体</translation>
+    </message>
+    <message>
+        <source>Type a name and a pose, or take the present tool pose. A plane keeps the arm on the side of its Z axis (all 0: above the table); a box keeps it out.</source>
+        <translation>请输入名称和位姿，或取当前工具位姿。平面使机械臂留在其 Z 轴一侧（全 0：桌面以上）；长方体使机械臂不进入其中。</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished">名称</translation>
+        <translation>名称</translation>
     </message>
     <message>
         <source>Name of the plane or box</source>
-        <translation type="unfinished"></translation>
+        <translation>平面或长方体的名称</translation>
     </message>
     <message>
         <source>On</source>
-        <translation type="unfinished">开启</translation>
+        <translation>开启</translation>
     </message>
     <message>
         <source>Area {axis}</source>
-        <translation type="unfinished"></translation>
+        <translation>工作区 {axis}</translation>
+    </message>
+    <message>
+        <source>Stop the arm when a hand or another program brings it in</source>
+        <translation>用手或由其他程序带入时停住机械臂</translation>
     </message>
     <message>
         <source>Box, edges</source>
-        <translation type="unfinished"></translation>
+        <translation>长方体边长</translation>
     </message>
     <message>
         <source>Edge of the box along {axis}</source>
-        <translation type="unfinished"></translation>
+        <translation>长方体沿 {axis} 的边长</translation>
     </message>
     <message>
         <source>Margin</source>
-        <translation type="unfinished"></translation>
+        <translation>余量</translation>
     </message>
     <message>
         <source>Margin of the work area</source>
-        <translation type="unfinished"></translation>
+        <translation>工作区的余量</translation>
     </message>
     <message>
         <source>From tool</source>
-        <translation type="unfinished"></translation>
+        <translation>取自工具</translation>
     </message>
     <message>
         <source>Area</source>
-        <translation type="unfinished"></translation>
+        <translation>区域</translation>
     </message>
     <message>
         <source>Apply</source>
-        <translation type="unfinished">应用</translation>
+        <translation>应用</translation>
     </message>
     <message>
         <source>Add plane</source>
-        <translation type="unfinished"></translation>
+        <translation>添加平面</translation>
     </message>
     <message>
         <source>Add box</source>
-        <translation type="unfinished"></translation>
+        <translation>添加长方体</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation type="unfinished">删除</translation>
+        <translation>删除</translation>
     </message>
 </context>
 <context>
@@ -691,6 +703,10 @@
         <translation>底座</translation>
     </message>
     <message>
+        <source>the shoulder</source>
+        <translation>肩部</translation>
+    </message>
+    <message>
         <source>the upper arm</source>
         <translation>大臂</translation>
     </message>
@@ -705,6 +721,18 @@
     <message>
         <source>the gripper</source>
         <translation>夹爪</translation>
+    </message>
+    <message>
+        <source>the fourth link</source>
+        <translation>第四连杆</translation>
+    </message>
+    <message>
+        <source>the tool</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>the held object</source>
+        <translation>所持物体</translation>
     </message>
 </context>
 <context>
@@ -1456,7 +1484,7 @@
     </message>
     <message>
         <source>Area</source>
-        <translation type="unfinished"></translation>
+        <translation>区域</translation>
     </message>
 </context>
 <context>
@@ -3918,10 +3946,6 @@
         <translation>路径经过奇异点附近（{value}，应不小于 {minimum}）：该处关节转动快而末端缓慢。请改用 MOVE J，或改变手腕姿态。</translation>
     </message>
     <message>
-        <source>{part} would come to {value} mm from “{name}” of the work area; {minimum} mm are kept. Put another point between, or change the point.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The first point is far from where the arm is: joint {joint} turns {value}°. Watch the way there in the preview, or bring the arm nearer first.</source>
         <translation>第一点离机械臂当前位置较远：关节 {joint} 要转 {value}°。请在预览中查看这段路径，或先把机械臂移近。</translation>
     </message>
@@ -3930,12 +3954,20 @@
         <translation>到达该位姿时关节 {joint} 要转 {value}°。如非本意，请改用关节角度表示该点。</translation>
     </message>
     <message>
+        <source>Where the arm stands now, it is too near to “{name}” of the work area: {part} at {value} mm, where {minimum} mm are kept. Move it out, then send again: nothing of the trajectory has to be changed.</source>
+        <translation>机械臂当前离工作区的“{name}”太近：{part}相距 {value} mm，应保持 {minimum} mm。请先移出，再重新发送：轨迹无需更改。</translation>
+    </message>
+    <message>
         <source>Joint {joint} jumps {value}° from the sample before. Trim the recording there, or record again.</source>
         <translation>关节 {joint} 与上一采样相差 {value}°。请在此处裁剪，或重新录制。</translation>
     </message>
     <message>
         <source>The tool would go at {value} mm/s; its limit is {maximum} mm/s, and the arm does not keep it here by itself. Lower the speed.</source>
         <translation>末端速度将达 {value} mm/s，上限为 {maximum} mm/s，此处机械臂不会自行限速。请降低速度。</translation>
+    </message>
+    <message>
+        <source>Too near to “{name}” of the work area: {part} would come to {value} mm, where {minimum} mm are kept. Put another point between, or change the point.</source>
+        <translation>离工作区的“{name}”太近：{part}将到 {value} mm，应保持 {minimum} mm。请在中间加一个点，或更改该点。</translation>
     </message>
     <message>
         <source>The tool would be {value} mm below the plane the arm stands on. Accept this only if there is nothing.</source>
@@ -6803,11 +6835,11 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
     <message>
         <source>The arm has come into the work area&apos;s “{name}”: {part}, {value} mm too near.</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂进入了工作区的“{name}”：{part}，超出 {value} mm。</translation>
     </message>
     <message>
         <source>The arm is clear of the work area again.</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂已离开工作区的禁区。</translation>
     </message>
     <message>
         <source>Cell in force: {name}</source>
@@ -9198,7 +9230,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>The arm is {value} mm too near to “{name}” of the work area ({part}). It can only be moved out: jog the other way, or lead it by hand.</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂离工作区的“{name}”近了 {value} mm（{part}）。只能向外移动：请反向点动，或用手拖动。</translation>
     </message>
     <message>
         <source>Ready</source>
@@ -9569,11 +9601,11 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>Not there: {part} would come to {value} mm from “{name}” of the work area; {minimum} mm are kept. Move another way, or change the area under Cell.</source>
-        <translation type="unfinished"></translation>
+        <translation>不能去那里：{part}将到离工作区的“{name}”{value} mm 处；应保持 {minimum} mm。请换一种走法，或在“单元”中更改区域。</translation>
     </message>
     <message>
         <source>The arm stands in “{name}” of the work area, with {part} {value} mm too near; this would lead further in. Move it out.</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂位于工作区的“{name}”内，{part}近了 {value} mm；这样会更深入。请向外移动。</translation>
     </message>
     <message>
         <source>The cell has nothing named “{value}”. Choose one of those in its list.</source>
@@ -9616,16 +9648,16 @@ The other program must have ended.</source>
         <translation>“{name}”，{field}：{value} 无效。请输入 {minimum} 到 {maximum} 的数值。</translation>
     </message>
     <message>
-        <source>A work area has at most {maximum} {kind}; this one would have {value}. Delete one first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The arm would replay a way that only it knows, and the work area could not be kept. Switch the area off under Cell, or record and replay with this program.</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂要重放只有它自己知道的路径，无法保证工作区。请在“单元”中关闭区域，或用本程序录制和回放。</translation>
     </message>
     <message>
         <source>This adapter was last used with the cell “{name}”. See that it is the arm in front of you, then confirm the cell, or choose another one under Cell.</source>
         <translation>此适配器上次使用的单元是“{name}”。请看清面前就是那台机械臂，再确认单元，或在“单元”中另选一个。</translation>
+    </message>
+    <message>
+        <source>A work area has at most {planes} planes and {boxes} boxes. Delete one first.</source>
+        <translation>工作区最多有 {planes} 个平面和 {boxes} 个长方体。请先删除一个。</translation>
     </message>
     <message>
         <source>The cell “{name}” of this adapter could not be read. Choose another one under Cell, or none.</source>
@@ -9673,7 +9705,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>Not run: tool, load, cell, settings or choices have changed since the check. Send again.</source>
-        <translation type="unfinished"></translation>
+        <translation>未运行：检查之后工具、负载、单元、设置或选项已改变。请重新发送。</translation>
     </message>
     <message>
         <source>Robot description: the file {path} is not there. Choose another file, or use the built-in one.</source>
@@ -13113,6 +13145,10 @@ Afterwards the motors must be enabled again.</source>
         <translation>工作空间</translation>
     </message>
     <message>
+        <source>Work area</source>
+        <translation>工作区</translation>
+    </message>
+    <message>
         <source>Save picture…</source>
         <translation>保存画面…</translation>
     </message>
@@ -13151,6 +13187,10 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>Looks at the arm from below the floor; turning the picture never goes there</source>
         <translation>从地面以下看机械臂；拖动旋转不会转到地面以下</translation>
+    </message>
+    <message>
+        <source>Shows the planes and boxes of the cell&apos;s work area; those near the arm are lit</source>
+        <translation>显示单元工作区的平面和长方体；靠近机械臂的会亮起</translation>
     </message>
     <message>
         <source>Tool, along the axes of the base</source>

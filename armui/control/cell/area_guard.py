@@ -50,9 +50,6 @@ class AreaGuard(ControllerPart):
         cell: Returns the chosen cell, also while it is not confirmed.
         tool: Returns the tool centre point in force, in the flange.
         halt: Ends every motion and holds the arm.
-
-    Attributes:
-        stops_others: True if a hand or another host that comes in is stopped.
     """
 
     def __init__(
@@ -71,7 +68,6 @@ class AreaGuard(ControllerPart):
         self._measured: tuple[object, ...] = ()
         self._seen: tuple[AreaEntry, ...] = ()
         self._was_in = False
-        self.stops_others = False
 
     # What is known ----------------------------------------------------------------------------
 
@@ -180,7 +176,9 @@ class AreaGuard(ControllerPart):
         if found is not None and not self._was_in:
             figures = {"name": found.name, "part": found.part, "value": found.value_mm}
             context.tell(AREA_ENTERED, **figures)
-            if self.stops_others and context.authority.mover in _OTHERS:
+            area = self.area
+            stops = area is not None and area.stops_others
+            if stops and context.authority.mover in _OTHERS:
                 self._halt()
         elif found is None and self._was_in:
             context.tell(AREA_LEFT)

@@ -42,12 +42,13 @@ class AreaTab(CellTab):
         Command("cell.area_apply", Text("AreaTab", "Apply the figures of the area"), _CHANGE),
         Command("cell.area_switch", Text("AreaTab", "Switch a plane or box"), _CHANGE),
         Command("cell.area_delete", Text("AreaTab", "Delete a plane or box"), _CHANGE, risky=True),
+        Command("cell.area_stops", Text("AreaTab", "Stop who else enters the work area"), _CHANGE),
         Command("cell.area_here", Text("AreaTab", "Take the present tool pose")),
     )
 
     def __init__(self, controller: ArmController, answered: Answered) -> None:
         super().__init__(controller, answered)
-        self._shown: tuple[str, Zone | None, float] | None = None
+        self._shown: tuple[str, Area] | None = None
         self._chosen = ""
         self._next = text_label("cell_area_next", wraps=True)
         self._nearness = text_label("cell_area_nearness", rank="muted", wraps=True)
@@ -65,6 +66,7 @@ class AreaTab(CellTab):
         self._margin_label = QLabel()
         self._margin = named("cell_area_margin", FigureField(1, "mm"))
         self._margin_label.setBuddy(self._margin)
+        self._stops = named("cell_area_stops", QCheckBox())
         self._here = push_button("cell_area_here")
         self._apply = push_button("cell_area_apply")
         self._add_plane = push_button("cell_area_add_plane")
@@ -73,6 +75,9 @@ class AreaTab(CellTab):
         self._lay_out()
         self._choice.activated.connect(self._on_chosen)
         self._on.clicked.connect(self._on_switched)
+        self._stops.clicked.connect(
+            lambda on: self._change(replace(self._area, stops_others=on), self._chosen)
+        )
         for field in (self._name, self._margin, *self._fields, *self._sizes):
             field.textEdited.connect(lambda _text: self._show_news())
         self._here.clicked.connect(self._on_here)
@@ -103,7 +108,7 @@ class AreaTab(CellTab):
         grid.addWidget(self._nearness, 5, 2, 1, 4)
         adds = in_row((self._add_plane, 1), (self._add_box, 1), spacing=6)
         changes = in_row((self._apply, 1), (self._delete, 1), spacing=6)
-        in_column(self._next, grid, adds, changes, on=self, spacing=8, margins=0)
+        in_column(self._next, grid, adds, changes, self._stops, on=self, spacing=8, margins=0)
 
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
@@ -115,6 +120,7 @@ class AreaTab(CellTab):
             "cell.area_switch": self._on,
             "cell.area_delete": self._delete,
             "cell.area_here": self._here,
+            "cell.area_stops": self._stops,
         }
 
     # -- actions ------------------------------------------------------------------------------
@@ -193,7 +199,7 @@ class AreaTab(CellTab):
             self._choice.addItem(f"{kind}: {zone.name}{off}", zone.name)
         if self._zone is None:
             self._chosen = ""
-        now = (self._chosen, self._zone, self._area.margin_mm)
+        now = (self._chosen, self._area)
         self._show_zone(force=now != self._shown)
         self._shown = now
         none = "" if self._zone else self.tr("Choose a plane or a box above first.")
@@ -206,6 +212,8 @@ class AreaTab(CellTab):
         use = self.tr("Deletes the chosen plane or box.")
         enable_or_explain(self._delete, why_not or none, use)
         enable_or_explain(self._on, why_not or none, self.tr("Off: it counts for nothing."))
+        use = self.tr("It is told in any case. A stop holds the arm where it is, powered.")
+        enable_or_explain(self._stops, why_not, use)
         self._choice.setEnabled(self._controller.cell.cell is not None)
         self._show_news()
 
@@ -226,6 +234,7 @@ class AreaTab(CellTab):
         self._choice.setCurrentIndex(max(0, self._choice.findData(self._chosen)))
         zone = self._zone
         self._on.setChecked(zone is not None and zone.on)
+        self._stops.setChecked(self._area.stops_others)
         if not force:
             return
         self._margin.show_value(self._area.margin_mm)
@@ -233,9 +242,9 @@ class AreaTab(CellTab):
             self._name.setText(zone.name)
             for field, value in zip(self._fields, zone.pose, strict=True):
                 field.show_value(value)
-        if isinstance(zone, AreaBox):
-            for field, value in zip(self._sizes, zone.size_mm, strict=True):
-                field.show_value(value)
+        sizes_mm = zone.size_mm if isinstance(zone, AreaBox) else AreaBox("").size_mm
+        for field, value in zip(self._sizes, sizes_mm, strict=True):
+            field.show_value(value)
 
     def _show_news(self) -> None:
         """Say what is to be done next, and light its button."""
@@ -253,7 +262,7 @@ class AreaTab(CellTab):
         if new:
             return self.tr("Press Add plane or Add box: it holds for everything from then on.")
         if chosen:
-            return self.tr("It is in force. Switch it, change its figures and press Apply, or")
+            return self.tr("It is in force. Switch it off, or change its figures and press Apply.")
         return self.tr(
             "Type a name and a pose, or take the present tool pose. A plane keeps the arm on the "
             "side of its Z axis (all 0: above the table); a box keeps it out."
@@ -261,14 +270,16 @@ class AreaTab(CellTab):
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
-        self._choice_label.setText(self.tr("AreaPlane or box"))
-        self._choice.setAccessibleName(self.tr("AreaPlane or box"))
+        self._choice_label.setText(self.tr("Plane or box"))
+        self._choice.setAccessibleName(self.tr("Plane or box"))
         self._name_label.setText(self.tr("Name"))
         self._name.setAccessibleName(self.tr("Name of the plane or box"))
-        caption(self._on, self.tr("On"), whose=self.tr("AreaPlane or box"))
+        caption(self._on, self.tr("On"), whose=self.tr("Plane or box"))
         for axis, field in zip(AXES, self._fields, strict=True):
             field.setAccessibleName(self.tr("Area {axis}").format(axis=axis))
-        self._size_label.setText(self.tr("AreaBox, edges"))
+        text = self.tr("Stop the arm when a hand or another program brings it in")
+        caption(self._stops, text)
+        self._size_label.setText(self.tr("Box, edges"))
         for edge, field in zip(_EDGES, self._sizes, strict=True):
             field.setAccessibleName(self.tr("Edge of the box along {axis}").format(axis=edge))
         self._margin_label.setText(self.tr("Margin"))
