@@ -28,6 +28,7 @@ from armui.control.event_log.keeper import EventKeeper
 from armui.control.events import Event, Notice
 from armui.control.link.instance_registry import InstanceRegistry
 from armui.control.operating_state import LinkState, OperatingState
+from armui.control.safety.kept_references import KeptReferences
 from armui.control.sessions.choices import SessionChoices, choices_of
 from armui.ending import SystemEnd
 from armui.protocol.generation import Generation, PiperModel
@@ -219,6 +220,7 @@ class Program:
         controller.model_watch.assume(last_model(settings.models))
         self._node_keeper = NodeKeeper(controller, KeptModels(store))
         controller.session_choices = partial(_session_choices, store)
+        controller.reference_memory = KeptReferences(store)
         self._unsubscribe = store.subscribe(self._on_settings_changed)
         self._relay = _FailureRelay()
         self._relay.failed.connect(self._on_failed)

@@ -92,6 +92,7 @@ _AT_ONCE: Final = frozenset(
         Action.GIVE_UP,
         Action.TAKE_OVER,
         Action.LEAVE_MODE,
+        Action.ALLOW,
     }
 )
 """The actions without anything to wait for: they lead to another step."""
@@ -125,6 +126,7 @@ class Recovery(ControllerPart):
         planned_motion: Continues a motion held back, or drops it.
         take_over: Takes the arm from another host.
         mode_exit: Takes the arm out of another host's mode.
+        allow: Agrees to motions with a reference in doubt.
         announce: Called with each new step.
 
     Attributes:
@@ -144,6 +146,7 @@ class Recovery(ControllerPart):
         planned_motion: PlannedMotion,
         take_over: Callable[[], Refusal | None],
         mode_exit: ModeExitCommand,
+        allow: Callable[[], Started | Refusal],
         announce: Callable[[Step], object],
     ) -> None:
         self._context = context
@@ -179,6 +182,7 @@ class Recovery(ControllerPart):
             Action.GIVE_UP: lambda _step: planned_motion.command(TrajectoryCommand.ABORT),
             Action.TAKE_OVER: lambda _step: take_over(),
             Action.LEAVE_MODE: lambda _step: mode_exit.send(),
+            Action.ALLOW: lambda _step: allow(),
         }
         self._mode_exit = mode_exit
         self._planned_motion = planned_motion
