@@ -49,6 +49,21 @@ def motion_under_way(rig):
     rig.run(0.2)
 
 
+def in_doubt(rig):
+    rig.run(1.5)
+    rig.firmware.lost_reference.begin(4)
+    rig.run_until(lambda: rig.controller.operating_state.reference.doubtful)
+    rig.run(2.0)
+
+
+def checking(rig, *, answered=False):
+    reference = rig.controller.reference
+    accepted(reference.begin())
+    reference.look(())
+    for joint in range(1, 7) if answered else ():
+        reference.answer(joint, 0.0)
+
+
 BEFORE: dict[str, Any] = {
     "motors.resume": stopped,
     "run.pause": lambda rig: rig.controller.player.start(run_of(to(OUT), to(BACK))),
@@ -59,6 +74,9 @@ BEFORE: dict[str, Any] = {
         rig.run_until(lambda: rig.controller.replayer.progress.done > 0.2),
     ),
     "planned.command": motion_under_way,
+    "reference.allow": in_doubt,
+    "reference.drive": checking,
+    "reference.finish": lambda rig: checking(rig, answered=True),
 }
 """What is under way, so that the operation may begin."""
 
@@ -93,6 +111,9 @@ BEGIN: dict[str, tuple[Any, Ending]] = {
     "settings.save": (({Parameter("max_angle_deg", 2): 100.0},), DONE),
     "settings.reset_end_limits": (NONE, ANSWERED),
     "settings.reset_joint_limits": (NONE, ANSWERED),
+    **dict.fromkeys(("reference.allow", "reference.begin", "reference.finish"), (NONE, SENT)),
+    "reference.teach": (NONE, SENT),
+    "reference.drive": ((6,), DONE),
 }
 """The arguments each begins with, and how it ends where nothing comes in between."""
 

@@ -81,19 +81,19 @@ REFERENCE_DRIVEN = Notice(
     "reference_driven", "Sent J{joint} to its mark at {target}°", Level.INFO, EventKind.COMMAND
 )
 REFERENCE_TAUGHT = Notice(
-    "reference_taught", "Reference pose kept for this arm", Level.DONE, EventKind.RESULT
+    "reference_taught", "Reference pose kept for this arm", Level.DONE, EventKind.COMMAND
 )
 REFERENCE_FITS = Notice(
     "reference_fits",
     "Reference check finished: all joints stand where they report.",
     Level.DONE,
-    EventKind.RESULT,
+    EventKind.COMMAND,
 )
 REFERENCE_OFF = Notice(
     "reference_off",
     "Reference check finished: joint {joints} does not stand where it reports.",
     Level.FAULT,
-    EventKind.RESULT,
+    EventKind.COMMAND,
 )
 
 ALLOWED_S: Final = 60.0
@@ -218,7 +218,7 @@ class ReferenceControl(ControllerPart):
             return self._context.refuse(refusal)
         self._allowed_until_s = self._context.clock() + ALLOWED_S
         started = record_start(self.allow)
-        started.close(Ending.DONE)
+        started.close(Ending.SENT)
         joints = joint_list(list(self.record.doubtful))
         self._context.tell(REFERENCE_ALLOWED, started, joints=joints, seconds=round(ALLOWED_S))
         self._context.refresh()
@@ -232,7 +232,7 @@ class ReferenceControl(ControllerPart):
             return self._context.refuse(refusal)
         self.check = ReferenceCheck(self.record.doubtful, self.record.pose_deg)
         started = record_start(self.begin)
-        started.close(Ending.DONE)
+        started.close(Ending.SENT)
         self._context.tell(REFERENCE_CHECK_BEGUN, started)
         self._context.refresh()
         return started
@@ -300,9 +300,9 @@ class ReferenceControl(ControllerPart):
             )
         )
         started = record_start(self.finish)
-        ending = Ending.FAILED if off_deg else Ending.DONE
+        started.close(Ending.SENT)
         notice = REFERENCE_OFF if off_deg else REFERENCE_FITS
-        self._context.close(started, ending, notice, joints=joint_list(list(off_deg)))
+        self._context.tell(notice, started, joints=joint_list(list(off_deg)))
         self._context.refresh()
         return started
 
@@ -318,7 +318,8 @@ class ReferenceControl(ControllerPart):
         pose_deg = tuple(round(angle, 3) for angle in angles_deg)
         self._keep(replace(self.record, pose_deg=pose_deg, photo=""))
         started = record_start(self.teach)
-        self._context.close(started, Ending.DONE, REFERENCE_TAUGHT)
+        started.close(Ending.SENT)
+        self._context.tell(REFERENCE_TAUGHT, started)
         self._context.refresh()
         return started
 

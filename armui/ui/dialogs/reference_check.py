@@ -19,6 +19,7 @@ from armui.control.operations.operation import operation_of
 from armui.control.operations.started import Started, refusal_of
 from armui.control.safety.reference_control import (
     ReferenceControl,
+    why_not_allow,
     why_not_begin,
     why_not_drive,
     why_not_finish,
@@ -60,8 +61,9 @@ class ReferenceDialog(ArmDialog):
     """
 
     commands = (
+        Command("reference.allow", None, operation_of(ReferenceControl.allow)),
         Command("reference.begin", None, operation_of(ReferenceControl.begin)),
-        Command("reference.drive", None, operation_of(ReferenceControl.drive), presses=False),
+        Command("reference.drive", None, operation_of(ReferenceControl.drive)),
         Command("reference.finish", None, operation_of(ReferenceControl.finish)),
         Command(
             "reference.teach",
@@ -86,6 +88,7 @@ class ReferenceDialog(ArmDialog):
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
         return {
+            "reference.allow": self.allow_button,
             "reference.begin": self.begin_button,
             "reference.drive": self.drive_button,
             "reference.finish": self.finish_button,
@@ -113,6 +116,7 @@ class ReferenceDialog(ArmDialog):
             joint: named(f"reference_elsewhere_{joint}", QCheckBox(f"J{joint}")) for joint in JOINTS
         }
         self.begin_button = push_button("reference_begin", on_enter=False)
+        self.allow_button = named("reference_allow", HoldButton(self._controller))
         self.look_button = push_button("reference_look", on_enter=False)
         self.off_button = push_button("reference_motor_off", on_enter=False)
         self.drive_button = named("reference_drive", HoldButton(self._controller))
@@ -143,12 +147,14 @@ class ReferenceDialog(ArmDialog):
         self._close = CloseButton(self)
         fill(
             self.footer,
-            *(self.begin_button, self.teach_button, STRETCH, self.back_button, self._close),
+            *(self.begin_button, self.teach_button, self.allow_button, STRETCH),
+            *(self.back_button, self._close),
         )
 
     def _connect(self) -> None:
         reference = self._controller.reference
         self.begin_button.clicked.connect(lambda: self._tell(reference.begin()))
+        self.allow_button.held.connect(lambda: self._tell(reference.allow()))
         self.look_button.clicked.connect(self._on_looked)
         self.off_button.clicked.connect(self._ask_motor_off)
         self.drive_button.held.connect(self._on_drive)
@@ -301,9 +307,11 @@ class ReferenceDialog(ArmDialog):
         self.finish_button.setVisible(done)
         self.begin_button.setVisible(check is None)
         self.teach_button.setVisible(check is None)
+        self.allow_button.setVisible(check is None and bool(record.doubtful))
         self.back_button.setVisible(check is not None and check.looked)
         self.back_button.setEnabled(check is not None and len(check.unanswered) < len(JOINTS))
         enable_or_explain(self.begin_button, words.why_not(why_not_begin(now)))
+        enable_or_explain(self.allow_button, words.why_not(why_not_allow(now)))
         enable_or_explain(self.teach_button, words.why_not(why_not_teach_pose(now)))
         enable_or_explain(self.finish_button, words.why_not(why_not_finish(now)))
         if step is not None:
@@ -416,6 +424,7 @@ class ReferenceDialog(ArmDialog):
         for head, text in zip(self._heads, heads, strict=True):
             head.setText(text)
         caption(self.begin_button, self.tr("Begin the check"))
+        caption(self.allow_button, self.tr("Move anyway"))
         caption(self.look_button, self.tr("The others stand as shown"))
         caption(self.off_button, self.tr("Motor off…"))
         caption(self.drive_button, self.tr("Drive to the mark"))
