@@ -28,6 +28,7 @@ from armui.control.operating_state import (
 from armui.control.run.progress import OVER, RunPhase
 from armui.control.safety.recovery_rules import STEP_IN_VAIN, next_step
 from armui.control.safety.recovery_steps import UNHINDERED, Action, Step, StepKind
+from armui.control.safety.reference_status import ReferenceStatus
 from armui.protocol.codes import ArmStatusCode, ControlMode, TeachingState
 from armui.protocol.generation import Generation
 from armui.ui import words
@@ -185,6 +186,9 @@ def online() -> Iterator[tuple[ArmState, OperatingState]]:
     yield from in_company()
     state = arm(status())
     yield state, operating_state(state, below_base_mm=40)
+    for enabled, allowed, checking in itertools.product(ENABLED, (False, True), (False, True)):
+        doubt = ReferenceStatus((2, 5), allowed, checking)
+        yield arm(status(), enabled), operating_state(arm(status(), enabled), reference=doubt)
     for generation in (None, *Generation):
         yield ArmState(last_feedback_s=NOW_S), operating_state(ArmState(), generation=generation)
 
@@ -240,9 +244,10 @@ def is_valid(action: Action, state: ArmState, now: OperatingState) -> bool:
         return now.other_host is not None and now.other_host.may_be_taken_over
     if action in {Action.GO_ON, Action.GIVE_UP}:
         return bool(now.holds)
-    if action is Action.STOP:
-        return now.stop is StopState.RUNNING
-    return action is Action.CONNECT
+    if action in {Action.ALLOW, Action.STOP}:
+        asks = now.reference.doubtful and not (now.reference.allowed or now.reference.checking)
+        return now.stop is StopState.RUNNING if action is Action.STOP else bool(asks)
+    return action in {Action.CONNECT, Action.CHECK_REFERENCE}
 
 
 WAITS = {
@@ -358,7 +363,7 @@ def test_the_operator_is_asked_before_what_may_surprise() -> None:
     }
     assert asked == {
         *(Action.RESUME, Action.RESET, Action.LEAD_BY_HAND),
-        *(Action.LEAVE_MODE, Action.STANDBY, Action.WITHDRAW_STOP),
+        *(Action.LEAVE_MODE, Action.STANDBY, Action.WITHDRAW_STOP, Action.ALLOW),
     }
     assert all(words.step_question(action) for action in asked)
 
