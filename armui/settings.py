@@ -94,6 +94,7 @@ class Choices(TypedDict, total=False):
     gamepad_buttons: GamepadButtons
     models: Mapping[str, str]
     references: Mapping[str, Mapping[str, object]]
+    cells: Mapping[str, str]
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,6 +122,7 @@ class Settings:
             last choice last.
         references: What is known of each arm's reference, by the key of `home_poses`; see
             `armui.arm.reference_record`.
+        cells: The name of each arm's cell, by the adapter's serial number; the last choice last.
         session_save_at_faults: True if the last minutes are saved automatically at a fault or a
             stop.
         has_jogged: True if the operator has moved an arm before: the first step is not shown any
@@ -159,6 +161,7 @@ class Settings:
     gamepad_buttons: GamepadButtons = field(default_factory=dict)
     models: Mapping[str, str] = field(default_factory=dict)
     references: Mapping[str, Mapping[str, object]] = field(default_factory=dict)
+    cells: Mapping[str, str] = field(default_factory=dict)
 
 
 Subscriber = Callable[[Settings], None]

@@ -65,6 +65,7 @@ def test_a_change_is_there_in_the_next_run(path: Path) -> None:
         "gamepad_buttons": {},
         "models": {},
         "references": {},
+        "cells": {},
     }
 
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
+from armui.control.cell.cell_control import CellControl
 from armui.control.devices.end_reports import EndReports
 from armui.control.devices.gripper import GripperControl
 from armui.control.devices.joint_errors import JointErrors
@@ -59,9 +60,12 @@ class ControllerParts(QObject):
     Signals:
         step_changed: A :class:`Step`, when the next step of recovery differs.
         noticed: A :class:`Event`.
+        cell_changed: The chosen :class:`Cell` or ``None``, when it, its confirmation or the list of
+            cells has changed.
     """
 
     step_changed = Signal(object)
+    cell_changed = Signal(object)
     noticed = Signal(object)
 
     session_choices: Callable[[], SessionChoices] | None = None
@@ -87,6 +91,11 @@ class ControllerParts(QObject):
     def cartesian(self) -> Cartesian:
         """Moves the tool."""
         return Cartesian(self._context, self.motion, self.jog_floor)
+
+    @cached_property
+    def cell(self) -> CellControl:
+        """Holds the cell in force: tools, and what stands around the arm."""
+        return CellControl(self._context, self.cartesian, self.cell_changed.emit)
 
     @cached_property
     def jogging(self) -> Jogging:
@@ -168,6 +177,7 @@ class ControllerParts(QObject):
             take_over=self.take_over,
             mode_exit=self.mode_exit,
             allow=lambda: self.reference.allow(),  # noqa: PLW0108 - made when it is needed
+            cell=self.cell,
             announce=self.step_changed.emit,
         )
 
@@ -263,6 +273,7 @@ class ControllerParts(QObject):
             self.player,
             self.speed_override,
             self.cartesian,
+            self.cell,
             self.gripper,
             self.linkage,
             self.jogging,
@@ -285,7 +296,7 @@ class ControllerParts(QObject):
         more = (self.linkage, self.end_reports, self.mounting, self.teaching, self.settings)
         motions = (self.motion, self.cartesian, self.jogging, self.planned_motion)
         runs = (self.player, self.replayer, self.speed_override, self.recorder)
-        return Operations((*parts, *more, *motions, *runs, self.reference))
+        return Operations((*parts, *more, *motions, *runs, self.cell, self.reference))
 
     # What more than one part ends -------------------------------------------------------------
 

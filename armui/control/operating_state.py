@@ -168,6 +168,7 @@ class OperatingState:
         reference: The state of the joints' reference.
         below_base_mm: The depth of flange or fingertip below the plane the arm stands on, or
             ``None``.
+        unconfirmed_cell: Why the cell kept for the adapter is not in force yet; nothing moves then.
         teaching_input: Commands are heard and no feedback: the arm is a teaching input (0x470).
     """
 
@@ -211,6 +212,7 @@ class OperatingState:
     model_fit: ModelFit = field(default_factory=ModelFit)
     below_base_mm: int | None = None
     reference: ReferenceStatus = field(default_factory=ReferenceStatus)
+    unconfirmed_cell: Refusal | None = None
 
     @property
     def unreachable(self) -> Refusal | None:

@@ -15,6 +15,7 @@ from armui.arm.other_hosts import OtherHosts, OtherTraffic
 from armui.arm.state import ArmState, DriverSlow, Reading, Status
 from armui.control.assessment import ActiveTasks, AssessmentInputs, assess
 from armui.control.authority import Authority
+from armui.control.cell.cell_reasons import CELL_NOT_CONFIRMED, CELL_NOT_READ
 from armui.control.devices.teaching_phase import why_not_teach
 from armui.control.events import Level
 from armui.control.motion.motion_command import Hold, Observation
@@ -184,13 +185,22 @@ def online() -> Iterator[tuple[ArmState, OperatingState]]:
         state = arm(status(control_mode=mode, arm_status=code), enabled)
         yield state, operating_state(state, stop=stop, stop_unconfirmed=unconfirmed, busy=busy)
     yield from in_company()
+    yield from in_a_cell()
     state = arm(status())
     yield state, operating_state(state, below_base_mm=40)
+    for generation in (None, *Generation):
+        yield ArmState(last_feedback_s=NOW_S), operating_state(ArmState(), generation=generation)
+
+
+def in_a_cell() -> Iterator[tuple[ArmState, OperatingState]]:
+    """A cell that is not confirmed; a reference in doubt, agreed to or not, being checked or not."""
     for enabled, allowed, checking in itertools.product(ENABLED, (False, True), (False, True)):
         doubt = ReferenceStatus((2, 5), allowed, checking)
         yield arm(status(), enabled), operating_state(arm(status(), enabled), reference=doubt)
-    for generation in (None, *Generation):
-        yield ArmState(last_feedback_s=NOW_S), operating_state(ArmState(), generation=generation)
+    for waits in (CELL_NOT_CONFIRMED(name="bench"), CELL_NOT_READ(name="bench")):
+        authority, state = Authority(), arm(status())
+        authority.unconfirmed_cell = waits
+        yield state, operating_state(state, authority=authority)
 
 
 def in_company() -> Iterator[tuple[ArmState, OperatingState]]:
@@ -244,10 +254,18 @@ def is_valid(action: Action, state: ArmState, now: OperatingState) -> bool:
         return now.other_host is not None and now.other_host.may_be_taken_over
     if action in {Action.GO_ON, Action.GIVE_UP}:
         return bool(now.holds)
-    if action in {Action.ALLOW, Action.STOP}:
-        asks = now.reference.doubtful and not (now.reference.allowed or now.reference.checking)
-        return now.stop is StopState.RUNNING if action is Action.STOP else bool(asks)
-    return action in {Action.CONNECT, Action.CHECK_REFERENCE}
+    if action is Action.STOP:
+        return now.stop is StopState.RUNNING
+    return action in {Action.CONNECT, Action.CHECK_REFERENCE} or is_agreed_to(action, now)
+
+
+def is_agreed_to(action: Action, now: OperatingState) -> bool:
+    """Whether it agrees to something that waits for that."""
+    reference = now.reference
+    if action is Action.ALLOW:
+        return bool(reference.doubtful) and not (reference.allowed or reference.checking)
+    asks_for_cell = action in {Action.CONFIRM_CELL, Action.LEAVE_CELL}
+    return asks_for_cell and now.unconfirmed_cell is not None
 
 
 WAITS = {
@@ -363,7 +381,8 @@ def test_the_operator_is_asked_before_what_may_surprise() -> None:
     }
     assert asked == {
         *(Action.RESUME, Action.RESET, Action.LEAD_BY_HAND),
-        *(Action.LEAVE_MODE, Action.STANDBY, Action.WITHDRAW_STOP, Action.ALLOW),
+        *(Action.LEAVE_MODE, Action.STANDBY, Action.WITHDRAW_STOP),
+        *(Action.ALLOW, Action.LEAVE_CELL),
     }
     assert all(words.step_question(action) for action in asked)
 

@@ -8,6 +8,8 @@ import pytest
 
 from armui.arm.parameters import Parameter
 from armui.arm.refusal import Refusal
+from armui.cell.cell import Cell
+from armui.cell.tools import Tool
 from armui.control.motion.jog_path import JointJog
 from armui.control.operations.started import Ending, Started
 from armui.control.run.progress import RunPhase
@@ -64,6 +66,12 @@ def checking(rig, *, answered=False):
         reference.answer(joint, 0.0)
 
 
+def cell_unconfirmed(rig):
+    tool = Tool("pen", (0.0, 0.0, 100.0, 0.0, 0.0, 0.0))
+    accepted(rig.controller.cell.take(Cell("bench", (tool,), "pen")))
+    rig.controller.cell.forget_arm()
+
+
 BEFORE: dict[str, Any] = {
     "motors.resume": stopped,
     "run.pause": lambda rig: rig.controller.player.start(run_of(to(OUT), to(BACK))),
@@ -77,6 +85,11 @@ BEFORE: dict[str, Any] = {
     "reference.allow": in_doubt,
     "reference.drive": checking,
     "reference.finish": lambda rig: checking(rig, answered=True),
+    **dict.fromkeys(
+        ("cell.choose", "cell.change", "cell.delete"),
+        lambda rig: accepted(rig.controller.cell.take(Cell("bench"))),
+    ),
+    "cell.confirm": cell_unconfirmed,
 }
 """What is under way, so that the operation may begin."""
 
@@ -114,6 +127,10 @@ BEGIN: dict[str, tuple[Any, Ending]] = {
     **dict.fromkeys(("reference.allow", "reference.begin", "reference.finish"), (NONE, SENT)),
     "reference.teach": (NONE, SENT),
     "reference.drive": ((6,), DONE),
+    "cell.take": ((Cell("bench"),), DONE),
+    "cell.choose": (("bench",), DONE),
+    "cell.change": ((Cell("bench", (Tool("pen"),), "pen"),), DONE),
+    **dict.fromkeys(("cell.confirm", "cell.delete"), (NONE, DONE)),
 }
 """The arguments each begins with, and how it ends where nothing comes in between."""
 
@@ -122,8 +139,11 @@ GOES_ON = {"jog.begin", "recorder.start"}
 SHOWN = {
     *("recorder.start", "motors.enable"),
     *("gripper.disable", "gripper.clear_error", "gripper.set_zero"),
+    *("cell.take", "cell.choose", "cell.change", "cell.confirm", "cell.delete"),
 }
-"""What the feedback shows of an arm that has heard nothing, for it was so before."""
+"""What the feedback shows of an arm that has heard nothing, for it was so before, and cells, which
+no arm is told of.
+"""
 FOLLOWED = [name for name, (_begin, ending) in BEGIN.items() if ending is not SENT]
 
 

@@ -117,6 +117,11 @@ SHOWN = {
         "**Teach reference pose…**",
         "**示教基准位姿…**",
     ),
+    "cell.take": Shown("cell", "cell_new_button", "cell", "**New**", "**新建**"),
+    "cell.choose": Shown("cell", "cell_box", "cell", "Choosing", "选择"),
+    "cell.confirm": Shown("cell", "cell_confirm_button", "cell", "**Confirm**", "**确认**"),
+    "cell.change": Shown("cell", "cell_tool_apply", "cell", "**Apply**", "**应用**"),
+    "cell.delete": Shown("cell", "cell_delete_button", "cell", "**Delete**", "**删除**"),
     "recorder.start": Shown("recording", "record", "recording", "Records what", "记录手拖动"),
 }
 

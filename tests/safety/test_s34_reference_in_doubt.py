@@ -18,6 +18,7 @@ from armui.sim.mechanics.unpowered_joints import UnpoweredJoints
 from tests.accepted import accepted
 from tests.control.test_recovery import check_reference
 from tests.control.under_way import OUT, run_of, to
+from tests.moments import now
 from tests.sim.talk import mode, target
 
 BENT_DEG = (10.0, 60.0, -60.0, 0.0, 20.0, 0.0)
@@ -424,7 +425,7 @@ def test_the_press_holds_for_a_minute_and_for_what_began_in_it(lost):
     controller = lost.controller
     step = controller.recovery.step
     assert controller.recovery.act(step, Action.ALLOW) is None
-    assert controller.recovery.step.kind is StepKind.REFERENCE_AGREED
+    assert now(controller.recovery.step.kind) is StepKind.REFERENCE_AGREED
     lost.run(58.0)
     accepted(controller.motion.set_speed_percent(1))
     accepted(controller.motion.send_joints((40.0, *BENT_DEG[1:])))
@@ -433,7 +434,7 @@ def test_the_press_holds_for_a_minute_and_for_what_began_in_it(lost):
     controller.halt_and_hold()
     lost.run(3.0)
     assert not controller.operating_state.reference.allowed
-    assert controller.recovery.step.kind is StepKind.REFERENCE_IN_DOUBT
+    assert now(controller.recovery.step.kind) is StepKind.REFERENCE_IN_DOUBT
 
 
 def test_a_stop_and_another_excursion_take_the_agreement_back(lost):
