@@ -193,7 +193,7 @@ def online() -> Iterator[tuple[ArmState, OperatingState]]:
 
 
 def in_a_cell() -> Iterator[tuple[ArmState, OperatingState]]:
-    """A cell that is not confirmed; a reference in doubt, agreed to or not, being checked or not."""
+    """A cell that is not confirmed; a reference in doubt, agreed to, being checked or not."""
     for enabled, allowed, checking in itertools.product(ENABLED, (False, True), (False, True)):
         doubt = ReferenceStatus((2, 5), allowed, checking)
         yield arm(status(), enabled), operating_state(arm(status(), enabled), reference=doubt)
