@@ -9240,6 +9240,10 @@ The other program must have ended.</source>
         <translation>图片 ({kinds})</translation>
     </message>
     <message>
+        <source>Switch its motor off and turn it by hand first.</source>
+        <translation>请先关闭该关节的电机并用手转动。</translation>
+    </message>
+    <message>
         <source>in doubt</source>
         <translation>存疑</translation>
     </message>

@@ -112,6 +112,7 @@ class ReferenceDialog(ArmDialog):
                 grid.addWidget(cell, joint, column)
         grid.setColumnStretch(3, 1)
         self._task = text_label("reference_task", wraps=True, plain=True)
+        self._task.setAlignment(Qt.AlignmentFlag.AlignTop)
         self._elsewhere = {
             joint: named(f"reference_elsewhere_{joint}", QCheckBox(f"J{joint}")) for joint in JOINTS
         }
@@ -320,6 +321,8 @@ class ReferenceDialog(ArmDialog):
             self.drive_button.setToolTip(words.why_not(refusal))
             off = now.enabled[step.joint - 1] is False
             self.off_button.setEnabled(not off)
+            first = self.tr("Switch its motor off and turn it by hand first.")
+            enable_or_explain(self.mark_button, first if by_hand and marked and not off else "")
         self.differs_button.setEnabled(self.off_field.value is not None)
         self._task.setText(self._task_text(record, check, step))
         self._show_photo(record.photo if step is not None and step.joint in (2, 3) else "")
