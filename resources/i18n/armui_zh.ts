@@ -3776,8 +3776,8 @@
         <translation>把选中的轨迹移到某个文件夹</translation>
     </message>
     <message>
-        <source>The folder “{name}” cannot be read. Check the rights to it.</source>
-        <translation>无法读取文件夹“{name}”。请检查其访问权限。</translation>
+        <source>The folder “{name}” cannot be read. Check the rights to it, and its disk or network share.</source>
+        <translation>无法读取文件夹“{name}”。请检查其权限，以及所在的磁盘或网络共享。</translation>
     </message>
     <message>
         <source>Create</source>
