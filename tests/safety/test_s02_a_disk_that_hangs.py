@@ -17,6 +17,7 @@ from armui.trajectory.library import stored_files
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory
 from armui.ui.background import Background
+from armui.ui.trajectory.library import library_presence
 from armui.ui.trajectory.library.library_page import LibraryPage
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.widgets.message_line import MessageLine
@@ -213,6 +214,39 @@ def test_a_folder_of_the_library_on_a_share_that_hangs_holds_nobody(
     share.back.set()
     table = page.findChild(QTableView, "library_table")
     qtbot.waitUntil(lambda: table.model().rowCount() == 2)
+
+
+def test_whether_a_folder_has_changed_is_asked_in_the_file_thread(
+    driver_of, qtbot, files, share, monkeypatch
+):
+    app_driver = driver_of(files)
+    library = Library(app_driver.library_folder)
+    library.create_folder("cell")
+    app_driver.ready()
+    app_driver.click("library_button")
+    page = app_driver.page(LibraryPage)
+    qtbot.waitUntil(lambda: page._watch._names == ("cell",))
+    look, asked_by = library_presence._changed_ns, set()
+
+    def ask(folder):
+        asked_by.add(threading.current_thread().name)
+        if folder.name == "cell":
+            share.ask()
+        return look(folder)
+
+    monkeypatch.setattr(library_presence, "_changed_ns", ask)
+    qtbot.waitUntil(share.asked.is_set)
+    for _ in range(3):
+        page._watch._ask()
+    assert files.waiting.count("folder_times") == 1, "it is asked again when it has answered"
+    app_driver.controller.emergency_stop()
+    app_driver.step()
+    assert 0x150 in [frame.arbitration_id for frame in app_driver.heard()]
+    assert asked_by == {"armui-files"}
+    share.back.set()
+    library.save(Trajectory("new", points=(POINT,)))
+    table = page.findChild(QTableView, "library_table")
+    qtbot.waitUntil(lambda: table.model().rowCount() == 1)
 
 
 # Settings -----------------------------------------------------------------------------------------
