@@ -89,6 +89,7 @@ def check(name: str, value: object) -> Refusal | None:
         "gamepad_mode": value in get_args(GamepadMode),
         "gamepad_one_axis": isinstance(value, bool),
         "gamepad_buttons": _are_buttons(value),
+        "cells": _are_named(value),
         "models": _are_of_arms(value, tuple(PiperModel)),
     }
     if allowed.get(name, False):
@@ -139,6 +140,16 @@ def _are_of_arms(value: object, allowed: Sequence[object]) -> bool:
         and len(value) <= _MOST_ARMS
         and all(isinstance(key, str) and len(key) <= _LONGEST_PATH for key in value)
         and all(each in allowed for each in value.values())
+    )
+
+
+def _are_named(value: object) -> bool:
+    """Return whether a value names something for each arm, by what they are remembered by."""
+    return (
+        isinstance(value, dict)
+        and len(value) <= _MOST_ARMS
+        and all(isinstance(key, str) and len(key) <= _LONGEST_PATH for key in value)
+        and all(_is_name(each) for each in value.values())
     )
 
 

@@ -194,6 +194,7 @@ class ArmController(ControllerParts):
         self._stop.on_connecting(device)
         self.cartesian.prepare()
         self._parts.set_parts(self._all_parts(), last=self.recovery)
+        self.cell.begin_device(device)
         if not self._replays:
             self.sessions  # noqa: B018 - it keeps every frame, from the first on
         self._connection.open(device)
@@ -215,6 +216,7 @@ class ArmController(ControllerParts):
             abort_motion(self._context)
         self._forget_arm()
         self._connection.close()
+        self.cell.end_device()
         self._timer.stop()
         self._state = ArmState()
         self._tell(DISCONNECTED, device=device)

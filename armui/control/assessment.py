@@ -82,6 +82,7 @@ def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> Operating
         lambda: None if around.offsets.certain else CONTROL_OFFSET_UNKNOWN(),
         lambda: BUSY(what=tasks.altering) if tasks.altering else None,
         authority.why_not_ours,
+        lambda: authority.unconfirmed_cell,
         lambda: interlocks.why_not_enabled(enabled),
         lambda: interlocks.why_not_ready(state),
     )
@@ -111,7 +112,8 @@ def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> Operating
         run_phase=tasks.run_phase,
         jogging=tasks.jogging,
         recording=tasks.recording,
-        cannot_send_motion=authority.why_not_ours(),
+        cannot_send_motion=authority.why_not_ours() or authority.unconfirmed_cell,
+        unconfirmed_cell=authority.unconfirmed_cell,
         mover=authority.mover,
         other_host=around.other_host,
         holds=authority.holds,

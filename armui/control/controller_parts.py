@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
+from armui.control.cell.cell_control import CellControl
 from armui.control.devices.end_reports import EndReports
 from armui.control.devices.gripper import GripperControl
 from armui.control.devices.joint_errors import JointErrors
@@ -58,9 +59,12 @@ class ControllerParts(QObject):
     Signals:
         step_changed: A :class:`Step`, when the next step of recovery differs.
         noticed: A :class:`Event`.
+        cell_changed: The chosen :class:`Cell` or ``None``, when it, its confirmation or the list of
+            cells has changed.
     """
 
     step_changed = Signal(object)
+    cell_changed = Signal(object)
     noticed = Signal(object)
 
     session_choices: Callable[[], SessionChoices] | None = None
@@ -84,6 +88,11 @@ class ControllerParts(QObject):
     def cartesian(self) -> Cartesian:
         """Moves the tool."""
         return Cartesian(self._context, self.motion, self.jog_floor)
+
+    @cached_property
+    def cell(self) -> CellControl:
+        """Holds the cell in force: tools, and what stands around the arm."""
+        return CellControl(self._context, self.cartesian, self.cell_changed.emit)
 
     @cached_property
     def jogging(self) -> Jogging:
@@ -164,6 +173,7 @@ class ControllerParts(QObject):
             planned_motion=self.planned_motion,
             take_over=self.take_over,
             mode_exit=self.mode_exit,
+            cell=self.cell,
             announce=self.step_changed.emit,
         )
 
@@ -248,6 +258,7 @@ class ControllerParts(QObject):
             self.player,
             self.speed_override,
             self.cartesian,
+            self.cell,
             self.gripper,
             self.linkage,
             self.jogging,
@@ -269,7 +280,7 @@ class ControllerParts(QObject):
         more = (self.linkage, self.end_reports, self.mounting, self.teaching, self.settings)
         motions = (self.motion, self.cartesian, self.jogging, self.planned_motion)
         runs = (self.player, self.replayer, self.speed_override, self.recorder)
-        return Operations((*parts, *more, *motions, *runs))
+        return Operations((*parts, *more, *motions, *runs, self.cell))
 
     # What more than one part ends -------------------------------------------------------------
 

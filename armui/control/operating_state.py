@@ -166,6 +166,7 @@ class OperatingState:
         model_fit: The chosen model, and whether the arm's reports fit it.
         below_base_mm: The depth of flange or fingertip below the plane the arm stands on, or
             ``None``.
+        unconfirmed_cell: Why the cell kept for the adapter is not in force yet; nothing moves then.
         teaching_input: Commands are heard and no feedback: the arm is a teaching input (0x470).
     """
 
@@ -208,6 +209,7 @@ class OperatingState:
     control_certain: bool = True
     model_fit: ModelFit = field(default_factory=ModelFit)
     below_base_mm: int | None = None
+    unconfirmed_cell: Refusal | None = None
 
     @property
     def unreachable(self) -> Refusal | None:

@@ -286,7 +286,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
 
     def _show_in_view(self, state: ArmState) -> None:
         if self.isVisible():
-            tool = self._preferences.settings.tool
+            tool = self._controller.cartesian.tool
             show_in_view(self._view, state, self._controller.operating_state, tool)
 
     def _recolor(self) -> None:

@@ -15,6 +15,7 @@ from armui.arm.other_hosts import OtherHosts, OtherTraffic
 from armui.arm.state import ArmState, DriverSlow, Reading, Status
 from armui.control.assessment import ActiveTasks, AssessmentInputs, assess
 from armui.control.authority import Authority
+from armui.control.cell.cell_reasons import CELL_NOT_CONFIRMED, CELL_NOT_READ
 from armui.control.devices.teaching_phase import why_not_teach
 from armui.control.events import Level
 from armui.control.motion.motion_command import Hold, Observation
@@ -185,6 +186,10 @@ def online() -> Iterator[tuple[ArmState, OperatingState]]:
     yield from in_company()
     state = arm(status())
     yield state, operating_state(state, below_base_mm=40)
+    for waits in (CELL_NOT_CONFIRMED(name="bench"), CELL_NOT_READ(name="bench")):
+        authority = Authority()
+        authority.unconfirmed_cell = waits
+        yield state, operating_state(state, authority=authority)
     for generation in (None, *Generation):
         yield ArmState(last_feedback_s=NOW_S), operating_state(ArmState(), generation=generation)
 
@@ -242,7 +247,8 @@ def is_valid(action: Action, state: ArmState, now: OperatingState) -> bool:
         return bool(now.holds)
     if action is Action.STOP:
         return now.stop is StopState.RUNNING
-    return action is Action.CONNECT
+    asks_for_cell = action in {Action.CONFIRM_CELL, Action.LEAVE_CELL}
+    return action is Action.CONNECT or (asks_for_cell and now.unconfirmed_cell is not None)
 
 
 WAITS = {
@@ -358,7 +364,7 @@ def test_the_operator_is_asked_before_what_may_surprise() -> None:
     }
     assert asked == {
         *(Action.RESUME, Action.RESET, Action.LEAD_BY_HAND),
-        *(Action.LEAVE_MODE, Action.STANDBY, Action.WITHDRAW_STOP),
+        *(Action.LEAVE_MODE, Action.STANDBY, Action.WITHDRAW_STOP, Action.LEAVE_CELL),
     }
     assert all(words.step_question(action) for action in asked)
 

@@ -116,3 +116,15 @@ def hold_zero(app_driver: AppDriver) -> QDialog:
 def hold_disable(app_driver: AppDriver) -> QDialog:
     app_driver.click("disable_motor_7")
     return app_driver.dialog(ConfirmDialog)
+
+
+def cell(app_driver: AppDriver) -> None:
+    """A cell with a tool, whose next figures are typed."""
+    app_driver.ready()
+    app_driver.click("menu_cell")
+    app_driver.type_into("cell_name", "bench 2")
+    for name, text in (("name", "pen"), ("Z", "120"), ("radius", "15")):
+        app_driver.type_into(f"cell_tool_{name}", text)
+    app_driver.click("cell_tool_add")
+    app_driver.type_into("cell_tool_X", "12.5")
+    app_driver.step()

@@ -96,6 +96,11 @@ SHOWN = {
     "replay.go_on": Shown(
         "replay_paused", "run_continue", "recording", "gone on with (held)", "按住继续"
     ),
+    "cell.take": Shown("cell", "cell_new_button", "cell", "**New**", "**新建**"),
+    "cell.choose": Shown("cell", "cell_box", "cell", "Choosing", "选择"),
+    "cell.confirm": Shown("cell", "cell_confirm_button", "cell", "**Confirm**", "**确认**"),
+    "cell.change": Shown("cell", "cell_tool_apply", "cell", "**Apply**", "**应用**"),
+    "cell.delete": Shown("cell", "cell_delete_button", "cell", "**Delete**", "**删除**"),
     "recorder.start": Shown("recording", "record", "recording", "Records what", "记录手拖动"),
 }
 

@@ -23,6 +23,8 @@ from armui.control.safety.recovery_conditions import (
     Applies,
     RecoveryView,
     below_base,
+    cell_unconfirmed,
+    cell_unreadable,
     drivers,
     far_from_rest,
     has_code,
@@ -227,6 +229,9 @@ _RULES: Final = (
         Action.STOP,
         when(lambda view: view.operating_state.cancel_unheeded),
     ),
+    # nothing of ours moves the arm before, and the steps below may
+    _Rule(StepKind.CELL_UNREADABLE, Level.WARNING, Action.LEAVE_CELL, cell_unreadable),
+    _Rule(StepKind.CELL_UNCONFIRMED, Level.INFO, Action.CONFIRM_CELL, cell_unconfirmed),
     _Rule(StepKind.OTHER_MODE, Level.WARNING, Action.LEAVE_MODE, other_mode_that_ends),
     _Rule(StepKind.OTHER_MODE, Level.WARNING, Action.RESET, other_mode),
     _Rule(StepKind.LEADER_ARM, Level.WARNING, Action.TAKE_OVER, other_host_is(LEADER_ARM)),

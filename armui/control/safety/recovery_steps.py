@@ -84,6 +84,16 @@ class Action(enum.Enum):
         "nobody relies on it.",
     )
     """This host takes the command from another controller; in standby nothing moves."""
+    CONFIRM_CELL = ActionText("confirm_cell", "Confirm cell")
+    """The cell kept for the adapter is that of this arm."""
+    LEAVE_CELL = ActionText(
+        "leave_cell",
+        "Without it…",
+        "Go on without the cell",
+        "Nothing of the cell holds then, neither its tools nor anything it forbids. Its file is "
+        "left as it is.",
+    )
+    """The cell kept for the adapter could not be read, and is not used."""
     WITHDRAW_STOP = ActionText(
         "withdraw_stop",
         "Withdraw…",
@@ -233,6 +243,14 @@ class StepKind(enum.Enum):
         "other_mode",
         "Another program drives the arm in {other_mode} mode. Nothing is sent by itself: a new "
         "mode leaves the joints limp. Stop that program first.",
+    )
+    CELL_UNCONFIRMED = StepText(
+        "cell_unconfirmed",
+        "Last used here: the cell “{name}”. Is this its arm? Confirm it, or choose under Cell.",
+    )
+    CELL_UNREADABLE = StepText(
+        "cell_unreadable",
+        "The cell “{name}” kept for this arm could not be read. Choose another one under Cell.",
     )
     OTHER_HOST = StepText(
         "other_host", "Another program controls the arm since {since} ({frames}, {rate} frames/s)."
