@@ -1172,124 +1172,124 @@
 <context>
     <name>CellPanel</name>
     <message>
-        <source>New cell</source>
-        <translation>新建单元</translation>
-    </message>
-    <message>
-        <source>Import a cell</source>
-        <translation>导入单元</translation>
-    </message>
-    <message>
         <source>Export the cell</source>
         <translation>导出单元</translation>
-    </message>
-    <message>
-        <source>Tool</source>
-        <translation>工具</translation>
-    </message>
-    <message>
-        <source>Delete the cell</source>
-        <translation>删除单元</translation>
-    </message>
-    <message>
-        <source>“{name}” with everything in it is deleted, and no cell is in force then. Export it first if it may be wanted again.</source>
-        <translation>“{name}”及其全部内容将被删除，之后没有生效的单元。以后可能还要用的，请先导出。</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>删除</translation>
-    </message>
-    <message>
-        <source>They are the same.</source>
-        <translation>两者相同。</translation>
-    </message>
-    <message>
-        <source>… and {count} more</source>
-        <translation>……另有 {count} 处</translation>
-    </message>
-    <message>
-        <source>It takes the place of the cell of this name. What changes:</source>
-        <translation>它将取代同名的单元。改变的内容：</translation>
-    </message>
-    <message>
-        <source>In what it differs from “{name}”:</source>
-        <translation>与“{name}”的不同：</translation>
-    </message>
-    <message>
-        <source>What it holds:</source>
-        <translation>它的内容：</translation>
-    </message>
-    <message>
-        <source>Take over the cell “{name}”</source>
-        <translation>接管单元“{name}”</translation>
-    </message>
-    <message>
-        <source>Take over</source>
-        <translation>接管</translation>
-    </message>
-    <message>
-        <source>— (no cell)</source>
-        <translation>—（无单元）</translation>
-    </message>
-    <message>
-        <source>Puts another cell in force, or none; that confirms it, too.</source>
-        <translation>换用另一个单元或不用单元；同时也就确认了它。</translation>
-    </message>
-    <message>
-        <source>Nothing is to be confirmed: the cell is in force, or there is none.</source>
-        <translation>没有需要确认的：单元已生效，或没有单元。</translation>
-    </message>
-    <message>
-        <source>The cell shown is that of the arm in front of you; it takes effect.</source>
-        <translation>所示单元就是面前这台机械臂的；确认后生效。</translation>
     </message>
     <message>
         <source>Type a name first.</source>
         <translation>请先输入名称。</translation>
     </message>
     <message>
+        <source>Export…</source>
+        <translation>导出…</translation>
+    </message>
+    <message>
+        <source>… and {count} more</source>
+        <translation>……另有 {count} 处</translation>
+    </message>
+    <message>
         <source>Makes an empty cell; a tool typed before becomes its first.</source>
         <translation>新建一个空单元；先前输入的工具成为它的第一个工具。</translation>
-    </message>
-    <message>
-        <source>Reads a cell from a file; says what is different before it is taken over.</source>
-        <translation>从文件读取单元；接管之前说明有何不同。</translation>
-    </message>
-    <message>
-        <source>Writes the cell to a file of its own.</source>
-        <translation>把单元写到单独的文件。</translation>
-    </message>
-    <message>
-        <source>Asks first, then deletes the cell and its file.</source>
-        <translation>先询问，再删除单元及其文件。</translation>
-    </message>
-    <message>
-        <source>Cell</source>
-        <translation>单元</translation>
-    </message>
-    <message>
-        <source>Cell in force</source>
-        <translation>生效的单元</translation>
-    </message>
-    <message>
-        <source>Name of a new one</source>
-        <translation>新单元名称</translation>
-    </message>
-    <message>
-        <source>Confirm</source>
-        <translation>确认</translation>
-    </message>
-    <message>
-        <source>New</source>
-        <translation>新建</translation>
     </message>
     <message>
         <source>Import…</source>
         <translation>导入…</translation>
     </message>
     <message>
-        <source>Export…</source>
-        <translation>导出…</translation>
+        <source>New</source>
+        <translation>新建</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>Writes the cell to a file of its own.</source>
+        <translation>把单元写到单独的文件。</translation>
+    </message>
+    <message>
+        <source>Take over the cell “{name}”</source>
+        <translation>接管单元“{name}”</translation>
+    </message>
+    <message>
+        <source>Nothing is to be confirmed: the cell is in force, or there is none.</source>
+        <translation>没有需要确认的：单元已生效，或没有单元。</translation>
+    </message>
+    <message>
+        <source>Import a cell</source>
+        <translation>导入单元</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>The cell shown is that of the arm in front of you; it takes effect.</source>
+        <translation>所示单元就是面前这台机械臂的；确认后生效。</translation>
+    </message>
+    <message>
+        <source>Reads a cell from a file; says what is different before it is taken over.</source>
+        <translation>从文件读取单元；接管之前说明有何不同。</translation>
+    </message>
+    <message>
+        <source>Asks first, then deletes the cell and its file.</source>
+        <translation>先询问，再删除单元及其文件。</translation>
+    </message>
+    <message>
+        <source>Delete the cell</source>
+        <translation>删除单元</translation>
+    </message>
+    <message>
+        <source>It takes the place of the cell of this name. What changes:</source>
+        <translation>它将取代同名的单元。改变的内容：</translation>
+    </message>
+    <message>
+        <source>Name of a new one</source>
+        <translation>新单元名称</translation>
+    </message>
+    <message>
+        <source>They are the same.</source>
+        <translation>两者相同。</translation>
+    </message>
+    <message>
+        <source>“{name}” with everything in it is deleted, and no cell is in force then. Export it first if it may be wanted again.</source>
+        <translation>“{name}”及其全部内容将被删除，之后没有生效的单元。以后可能还要用的，请先导出。</translation>
+    </message>
+    <message>
+        <source>New cell</source>
+        <translation>新建单元</translation>
+    </message>
+    <message>
+        <source>Puts another cell in force, or none; that confirms it, too.</source>
+        <translation>换用另一个单元或不用单元；同时也就确认了它。</translation>
+    </message>
+    <message>
+        <source>— (no cell)</source>
+        <translation>—（无单元）</translation>
+    </message>
+    <message>
+        <source>In what it differs from “{name}”:</source>
+        <translation>与“{name}”的不同：</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translation>确认</translation>
+    </message>
+    <message>
+        <source>Cell in force</source>
+        <translation>生效的单元</translation>
+    </message>
+    <message>
+        <source>Cell</source>
+        <translation>单元</translation>
+    </message>
+    <message>
+        <source>What it holds:</source>
+        <translation>它的内容：</translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation>接管</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -3903,8 +3903,8 @@
         <translation>把选中的轨迹移到某个文件夹</translation>
     </message>
     <message>
-        <source>The folder “{name}” cannot be read. Check the rights to it.</source>
-        <translation>无法读取文件夹“{name}”。请检查其访问权限。</translation>
+        <source>The folder “{name}” cannot be read. Check the rights to it, and its disk or network share.</source>
+        <translation>无法读取文件夹“{name}”。请检查其权限，以及所在的磁盘或网络共享。</translation>
     </message>
     <message>
         <source>Create</source>
@@ -6147,10 +6147,6 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>零点已重设</translation>
     </message>
     <message>
-        <source>the tool changed</source>
-        <translation>工具已更改</translation>
-    </message>
-    <message>
         <source>the arm stopped elsewhere</source>
         <translation>机械臂停在别处</translation>
     </message>
@@ -6161,6 +6157,10 @@ Lamps give no feedback: this is only what will be sent.</source>
     <message>
         <source>disconnected</source>
         <translation>已断开连接</translation>
+    </message>
+    <message>
+        <source>the tool changed</source>
+        <translation>工具已更改</translation>
     </message>
 </context>
 <context>
@@ -6635,30 +6635,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>夹爪：已发送 {value} {unit}</translation>
     </message>
     <message>
-        <source>Cell in force: {name}</source>
-        <translation>生效的单元：{name}</translation>
-    </message>
-    <message>
-        <source>No cell is in force</source>
-        <translation>没有生效的单元</translation>
-    </message>
-    <message>
-        <source>Cell changed: {name}</source>
-        <translation>单元已更改：{name}</translation>
-    </message>
-    <message>
-        <source>Cell deleted: {name}</source>
-        <translation>单元已删除：{name}</translation>
-    </message>
-    <message>
-        <source>Cell confirmed: {name}</source>
-        <translation>单元已确认：{name}</translation>
-    </message>
-    <message>
-        <source>{reason}</source>
-        <translation>{reason}</translation>
-    </message>
-    <message>
         <source>The gripper is at {value} {unit}.</source>
         <translation>夹爪已到 {value} {unit}。</translation>
     </message>
@@ -6998,6 +6974,30 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <source>A part of the program has failed ({part}). The emergency stop still works; every motion of this program is ended. Start the program again.</source>
         <translation>程序的一部分出错（{part}）。急停仍有效；本程序的所有运动均已结束。请重新启动程序。</translation>
     </message>
+    <message>
+        <source>No cell is in force</source>
+        <translation>没有生效的单元</translation>
+    </message>
+    <message>
+        <source>Cell changed: {name}</source>
+        <translation>单元已更改：{name}</translation>
+    </message>
+    <message>
+        <source>Cell confirmed: {name}</source>
+        <translation>单元已确认：{name}</translation>
+    </message>
+    <message>
+        <source>Cell deleted: {name}</source>
+        <translation>单元已删除：{name}</translation>
+    </message>
+    <message>
+        <source>Cell in force: {name}</source>
+        <translation>生效的单元：{name}</translation>
+    </message>
+    <message>
+        <source>{reason}</source>
+        <translation>{reason}</translation>
+    </message>
 </context>
 <context>
     <name>Observed</name>
@@ -7112,26 +7112,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
 </context>
 <context>
     <name>Operation</name>
-    <message>
-        <source>Make or import a cell</source>
-        <translation>新建或导入单元</translation>
-    </message>
-    <message>
-        <source>Choose the cell</source>
-        <translation>选择单元</translation>
-    </message>
-    <message>
-        <source>Confirm the cell</source>
-        <translation>确认单元</translation>
-    </message>
-    <message>
-        <source>Change the cell</source>
-        <translation>更改单元</translation>
-    </message>
-    <message>
-        <source>Delete the cell</source>
-        <translation>删除单元</translation>
-    </message>
     <message>
         <source>Set the end load</source>
         <translation>设置末端负载</translation>
@@ -7279,6 +7259,26 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Set the speed override of runs</source>
         <translation>设置运行倍率</translation>
+    </message>
+    <message>
+        <source>Confirm the cell</source>
+        <translation>确认单元</translation>
+    </message>
+    <message>
+        <source>Make or import a cell</source>
+        <translation>新建或导入单元</translation>
+    </message>
+    <message>
+        <source>Choose the cell</source>
+        <translation>选择单元</translation>
+    </message>
+    <message>
+        <source>Delete the cell</source>
+        <translation>删除单元</translation>
+    </message>
+    <message>
+        <source>Change the cell</source>
+        <translation>更改单元</translation>
     </message>
 </context>
 <context>
@@ -8784,22 +8784,6 @@ The other program must have ended.</source>
 另一程序必须已经结束。</translation>
     </message>
     <message>
-        <source>Confirm cell</source>
-        <translation>确认单元</translation>
-    </message>
-    <message>
-        <source>Without it…</source>
-        <translation>不用它…</translation>
-    </message>
-    <message>
-        <source>Go on without the cell</source>
-        <translation>不用单元继续</translation>
-    </message>
-    <message>
-        <source>Nothing of the cell holds then, neither its tools nor anything it forbids. Its file is left as it is.</source>
-        <translation>之后单元的任何内容都不生效，包括它的工具和它所禁止的。其文件保持不变。</translation>
-    </message>
-    <message>
         <source>Withdraw the stop</source>
         <translation>撤回急停</translation>
     </message>
@@ -8814,6 +8798,22 @@ The other program must have ended.</source>
     <message>
         <source>The arm will no longer follow the other control; a motion under way ends. Make sure that nobody relies on it.</source>
         <translation>机械臂将不再由其他方式控制，正在进行的运动会停止。请确认无人正在使用。</translation>
+    </message>
+    <message>
+        <source>Nothing of the cell holds then, neither its tools nor anything it forbids. Its file is left as it is.</source>
+        <translation>之后单元的任何内容都不生效，包括它的工具和它所禁止的。其文件保持不变。</translation>
+    </message>
+    <message>
+        <source>Confirm cell</source>
+        <translation>确认单元</translation>
+    </message>
+    <message>
+        <source>Without it…</source>
+        <translation>不用它…</translation>
+    </message>
+    <message>
+        <source>Go on without the cell</source>
+        <translation>不用单元继续</translation>
     </message>
 </context>
 <context>
@@ -8958,14 +8958,6 @@ The other program must have ended.</source>
         <translation>已命令机械臂终止运动，但它仍在动。请急停，或切断其电源。</translation>
     </message>
     <message>
-        <source>Last used here: the cell “{name}”. Is this its arm? Confirm it, or choose under Cell.</source>
-        <translation>此处上次使用的单元：“{name}”。是这台机械臂吗？请确认，或在“单元”中选择。</translation>
-    </message>
-    <message>
-        <source>The cell “{name}” kept for this arm could not be read. Choose another one under Cell.</source>
-        <translation>为此机械臂保存的单元“{name}”无法读取。请在“单元”中另选一个。</translation>
-    </message>
-    <message>
         <source>Another program controls the arm since {since} ({frames}, {rate} frames/s).</source>
         <translation>另一个程序正在控制机械臂：自 {since} 起（{frames}，{rate} 帧/秒）。</translation>
     </message>
@@ -9084,6 +9076,14 @@ The other program must have ended.</source>
     <message>
         <source>The fingertip is {value} mm below the plane the arm stands on. Jog upwards unless there is nothing there. Settings have a lowest height for jogs.</source>
         <translation>末端在底座平面以下 {value} mm。除非那里没有物体，请向上点动。“设置”中可选点动的最低高度。</translation>
+    </message>
+    <message>
+        <source>The cell “{name}” kept for this arm could not be read. Choose another one under Cell.</source>
+        <translation>为此机械臂保存的单元“{name}”无法读取。请在“单元”中另选一个。</translation>
+    </message>
+    <message>
+        <source>Last used here: the cell “{name}”. Is this its arm? Confirm it, or choose under Cell.</source>
+        <translation>此处上次使用的单元：“{name}”。是这台机械臂吗？请确认，或在“单元”中选择。</translation>
     </message>
 </context>
 <context>
@@ -9387,70 +9387,6 @@ The other program must have ended.</source>
     <message>
         <source>Jog step: “{value}” is not an angle. Enter a number of degrees, for example 0.5.</source>
         <translation>点动步长：“{value}”不是角度。请输入以度为单位的数字，例如 0.5。</translation>
-    </message>
-    <message>
-        <source>The cell has nothing named “{value}”. Choose one of those in its list.</source>
-        <translation>单元中没有“{value}”。请从列表中选择。</translation>
-    </message>
-    <message>
-        <source>The cell&apos;s file is broken or cut short: line {line}, column {column} is not JSON. Nothing was taken over; choose another file, or correct that line.</source>
-        <translation>单元文件损坏或不完整：第 {line} 行第 {column} 列不是 JSON。未作任何接管；请选择另一个文件，或改正该行。</translation>
-    </message>
-    <message>
-        <source>This is no cell of this program. Nothing was taken over; choose another file.</source>
-        <translation>这不是本程序的单元文件。未作任何接管；请选择另一个文件。</translation>
-    </message>
-    <message>
-        <source>The cell&apos;s file has format version {version}; this program reads version {known}. Update this program, or use the one that wrote it.</source>
-        <translation>单元文件的格式版本为 {version}；本程序读取版本 {known}。请更新本程序，或使用写出它的程序。</translation>
-    </message>
-    <message>
-        <source>The cell&apos;s file is not valid at “{field}” ({problem}). Nothing was taken over; choose another file, or correct the field.</source>
-        <translation>单元文件在“{field}”处无效（{problem}）。未作任何接管；请选择另一个文件，或改正该字段。</translation>
-    </message>
-    <message>
-        <source>The cell could not be written to {path}: {text}. It holds until the program ends; export it to another folder.</source>
-        <translation>单元无法写入 {path}：{text}。程序结束前仍有效；请导出到另一个文件夹。</translation>
-    </message>
-    <message>
-        <source>Another program has changed the file {path} meanwhile; it was not overwritten. Export your cell under another name, then start the program again.</source>
-        <translation>另一个程序此间更改了文件 {path}；未覆盖它。请把您的单元以另一名称导出，再重新启动程序。</translation>
-    </message>
-    <message>
-        <source>“{value}” cannot be a name. Enter 1 to {maximum} characters without &lt; &gt; : &quot; / \ | ? *, and none of . ~ at its beginning, nor a dot or a space at its end.</source>
-        <translation>“{value}”不能作名称。请输入 1 到 {maximum} 个字符，不含 &lt; &gt; : &quot; / \ | ? *，开头不为 . 或 ~，结尾不为点或空格。</translation>
-    </message>
-    <message>
-        <source>“{value}” exists already in this list. Enter another name.</source>
-        <translation>列表中已有“{value}”。请输入另一个名称。</translation>
-    </message>
-    <message>
-        <source>“{name}”, {field}: {value} is not possible. Enter a figure from {minimum} to {maximum}.</source>
-        <translation>“{name}”，{field}：{value} 无效。请输入 {minimum} 到 {maximum} 的数值。</translation>
-    </message>
-    <message>
-        <source>This adapter was last used with the cell “{name}”. See that it is the arm in front of you, then confirm the cell, or choose another one under Cell.</source>
-        <translation>此适配器上次使用的单元是“{name}”。请看清面前就是那台机械臂，再确认单元，或在“单元”中另选一个。</translation>
-    </message>
-    <message>
-        <source>The cell “{name}” of this adapter could not be read. Choose another one under Cell, or none.</source>
-        <translation>此适配器的单元“{name}”无法读取。请在“单元”中另选一个，或不用单元。</translation>
-    </message>
-    <message>
-        <source>There is no cell yet. Enter a name, then press New.</source>
-        <translation>还没有单元。请输入名称，再按“新建”。</translation>
-    </message>
-    <message>
-        <source>There is no cell “{name}”. Choose one of those in the list.</source>
-        <translation>没有单元“{name}”。请从列表中选择。</translation>
-    </message>
-    <message>
-        <source>The arm moves: what its motion was checked with stays until it rests. Wait, or halt it.</source>
-        <translation>机械臂在运动：在它静止之前，检查所依据的内容不变。请等待，或停住它。</translation>
-    </message>
-    <message>
-        <source>Nothing is to be confirmed: the cell is in force, or there is none.</source>
-        <translation>没有需要确认的：单元已生效，或没有单元。</translation>
     </message>
     <message>
         <source>A folder needs a name. Enter one.</source>
@@ -10355,6 +10291,70 @@ The other program must have ended.</source>
     <message>
         <source>The report could not be saved as {path}: {text}. Free some room or choose another folder.</source>
         <translation>报告无法保存为 {path}：{text}。请腾出空间或选择其他文件夹。</translation>
+    </message>
+    <message>
+        <source>This adapter was last used with the cell “{name}”. See that it is the arm in front of you, then confirm the cell, or choose another one under Cell.</source>
+        <translation>此适配器上次使用的单元是“{name}”。请看清面前就是那台机械臂，再确认单元，或在“单元”中另选一个。</translation>
+    </message>
+    <message>
+        <source>The cell&apos;s file is not valid at “{field}” ({problem}). Nothing was taken over; choose another file, or correct the field.</source>
+        <translation>单元文件在“{field}”处无效（{problem}）。未作任何接管；请选择另一个文件，或改正该字段。</translation>
+    </message>
+    <message>
+        <source>The cell&apos;s file is broken or cut short: line {line}, column {column} is not JSON. Nothing was taken over; choose another file, or correct that line.</source>
+        <translation>单元文件损坏或不完整：第 {line} 行第 {column} 列不是 JSON。未作任何接管；请选择另一个文件，或改正该行。</translation>
+    </message>
+    <message>
+        <source>“{name}”, {field}: {value} is not possible. Enter a figure from {minimum} to {maximum}.</source>
+        <translation>“{name}”，{field}：{value} 无效。请输入 {minimum} 到 {maximum} 的数值。</translation>
+    </message>
+    <message>
+        <source>This is no cell of this program. Nothing was taken over; choose another file.</source>
+        <translation>这不是本程序的单元文件。未作任何接管；请选择另一个文件。</translation>
+    </message>
+    <message>
+        <source>There is no cell “{name}”. Choose one of those in the list.</source>
+        <translation>没有单元“{name}”。请从列表中选择。</translation>
+    </message>
+    <message>
+        <source>There is no cell yet. Enter a name, then press New.</source>
+        <translation>还没有单元。请输入名称，再按“新建”。</translation>
+    </message>
+    <message>
+        <source>The cell “{name}” of this adapter could not be read. Choose another one under Cell, or none.</source>
+        <translation>此适配器的单元“{name}”无法读取。请在“单元”中另选一个，或不用单元。</translation>
+    </message>
+    <message>
+        <source>“{value}” exists already in this list. Enter another name.</source>
+        <translation>列表中已有“{value}”。请输入另一个名称。</translation>
+    </message>
+    <message>
+        <source>Nothing is to be confirmed: the cell is in force, or there is none.</source>
+        <translation>没有需要确认的：单元已生效，或没有单元。</translation>
+    </message>
+    <message>
+        <source>The cell could not be written to {path}: {text}. It holds until the program ends; export it to another folder.</source>
+        <translation>单元无法写入 {path}：{text}。程序结束前仍有效；请导出到另一个文件夹。</translation>
+    </message>
+    <message>
+        <source>The cell&apos;s file has format version {version}; this program reads version {known}. Update this program, or use the one that wrote it.</source>
+        <translation>单元文件的格式版本为 {version}；本程序读取版本 {known}。请更新本程序，或使用写出它的程序。</translation>
+    </message>
+    <message>
+        <source>“{value}” cannot be a name. Enter 1 to {maximum} characters without &lt; &gt; : &quot; / \ | ? *, and none of . ~ at its beginning, nor a dot or a space at its end.</source>
+        <translation>“{value}”不能作名称。请输入 1 到 {maximum} 个字符，不含 &lt; &gt; : &quot; / \ | ? *，开头不为 . 或 ~，结尾不为点或空格。</translation>
+    </message>
+    <message>
+        <source>The cell has nothing named “{value}”. Choose one of those in its list.</source>
+        <translation>单元中没有“{value}”。请从列表中选择。</translation>
+    </message>
+    <message>
+        <source>Another program has changed the file {path} meanwhile; it was not overwritten. Export your cell under another name, then start the program again.</source>
+        <translation>另一个程序此间更改了文件 {path}；未覆盖它。请把您的单元以另一名称导出，再重新启动程序。</translation>
+    </message>
+    <message>
+        <source>The arm moves: what its motion was checked with stays until it rests. Wait, or halt it.</source>
+        <translation>机械臂在运动：在它静止之前，检查所依据的内容不变。请等待，或停住它。</translation>
     </message>
 </context>
 <context>
@@ -11296,10 +11296,6 @@ The other program must have ended.</source>
         <translation>末端控制</translation>
     </message>
     <message>
-        <source>Cell</source>
-        <translation>单元</translation>
-    </message>
-    <message>
         <source>Light control</source>
         <translation>灯光控制</translation>
     </message>
@@ -11338,6 +11334,10 @@ The other program must have ended.</source>
     <message>
         <source>Drag teaching</source>
         <translation>示教</translation>
+    </message>
+    <message>
+        <source>Cell</source>
+        <translation>单元</translation>
     </message>
 </context>
 <context>
@@ -12541,103 +12541,51 @@ The other program must have ended.</source>
         <translation>工具中心点相对法兰（mm、°），保存在本机</translation>
     </message>
     <message>
-        <source>Tool “{name}” of the cell (mm, °); it is changed under Cell</source>
-        <translation>单元的工具“{name}”（mm，°）；在“单元”中更改</translation>
+        <source>Tool {axis}</source>
+        <translation>工具 {axis}</translation>
     </message>
     <message>
         <source>The cell has no tool chosen; one is chosen under Cell</source>
         <translation>单元未选择工具；在“单元”中选择</translation>
     </message>
     <message>
-        <source>Tool {axis}</source>
-        <translation>工具 {axis}</translation>
+        <source>Tool “{name}” of the cell (mm, °); it is changed under Cell</source>
+        <translation>单元的工具“{name}”（mm，°）；在“单元”中更改</translation>
     </message>
 </context>
 <context>
     <name>ToolsTab</name>
     <message>
-        <source>Tool on the flange</source>
-        <translation>法兰上的工具</translation>
-    </message>
-    <message>
-        <source>Apply the figures of the tool</source>
-        <translation>应用工具的数值</translation>
-    </message>
-    <message>
-        <source>Add as a new tool</source>
-        <translation>添加为新工具</translation>
-    </message>
-    <message>
-        <source>Delete the tool</source>
-        <translation>删除工具</translation>
-    </message>
-    <message>
-        <source>— (bare flange)</source>
-        <translation>—（仅法兰）</translation>
-    </message>
-    <message>
-        <source>Puts these figures in the place of those of the chosen tool.</source>
-        <translation>用这些数值取代所选工具的数值。</translation>
-    </message>
-    <message>
-        <source>No tool is chosen. Add one, or choose one above.</source>
-        <translation>未选择工具。请添加一个，或在上方选择。</translation>
-    </message>
-    <message>
         <source>Adds a tool of this name and chooses it.</source>
         <translation>添加以此命名的工具并选择它。</translation>
-    </message>
-    <message>
-        <source>Deletes the chosen tool; the bare flange is chosen then.</source>
-        <translation>删除所选工具；之后仅有法兰。</translation>
-    </message>
-    <message>
-        <source>Checks see a capsule from the flange to the tip, {length} mm long.</source>
-        <translation>检查时视为从法兰到尖端的胶囊体，长 {length} mm。</translation>
-    </message>
-    <message>
-        <source>There is no cell yet: type its name above and press New.</source>
-        <translation>还没有单元：请在上方输入名称，再按“新建”。</translation>
-    </message>
-    <message>
-        <source>Type a name for the tool and what is known of it, then press Add.</source>
-        <translation>请输入工具的名称和已知的数值，再按“添加”。</translation>
-    </message>
-    <message>
-        <source>Press Add: the tool is chosen, and its tip is what moves from then on.</source>
-        <translation>请按“添加”：工具即被选用，从此运动的是它的尖端。</translation>
-    </message>
-    <message>
-        <source>Press Add for a further tool, or Apply to rename the chosen one.</source>
-        <translation>按“添加”另加一个工具，或按“应用”为所选工具改名。</translation>
     </message>
     <message>
         <source>Press Apply to put the new figures in force.</source>
         <translation>请按“应用”使新数值生效。</translation>
     </message>
     <message>
-        <source>This tool is in force. Choose another one, or change its figures.</source>
-        <translation>此工具已生效。可另选一个，或更改其数值。</translation>
-    </message>
-    <message>
-        <source>Tool&apos;s name</source>
-        <translation>工具名称</translation>
-    </message>
-    <message>
-        <source>Tool {axis}</source>
-        <translation>工具 {axis}</translation>
-    </message>
-    <message>
-        <source>Radius</source>
-        <translation>半径</translation>
-    </message>
-    <message>
-        <source>Radius of the tool&apos;s capsule</source>
-        <translation>工具胶囊体的半径</translation>
+        <source>Tool on the flange</source>
+        <translation>法兰上的工具</translation>
     </message>
     <message>
         <source>Apply</source>
         <translation>应用</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>Apply the figures of the tool</source>
+        <translation>应用工具的数值</translation>
+    </message>
+    <message>
+        <source>— (bare flange)</source>
+        <translation>—（仅法兰）</translation>
+    </message>
+    <message>
+        <source>This tool is in force. Choose another one, or change its figures.</source>
+        <translation>此工具已生效。可另选一个，或更改其数值。</translation>
     </message>
     <message>
         <source>Add</source>
@@ -12648,8 +12596,60 @@ The other program must have ended.</source>
         <translation>删除</translation>
     </message>
     <message>
-        <source>Tool</source>
-        <translation>工具</translation>
+        <source>Tool {axis}</source>
+        <translation>工具 {axis}</translation>
+    </message>
+    <message>
+        <source>No tool is chosen. Add one, or choose one above.</source>
+        <translation>未选择工具。请添加一个，或在上方选择。</translation>
+    </message>
+    <message>
+        <source>There is no cell yet: type its name above and press New.</source>
+        <translation>还没有单元：请在上方输入名称，再按“新建”。</translation>
+    </message>
+    <message>
+        <source>Radius of the tool&apos;s capsule</source>
+        <translation>工具胶囊体的半径</translation>
+    </message>
+    <message>
+        <source>Press Add: the tool is chosen, and its tip is what moves from then on.</source>
+        <translation>请按“添加”：工具即被选用，从此运动的是它的尖端。</translation>
+    </message>
+    <message>
+        <source>Press Add for a further tool, or Apply to rename the chosen one.</source>
+        <translation>按“添加”另加一个工具，或按“应用”为所选工具改名。</translation>
+    </message>
+    <message>
+        <source>Type a name for the tool and what is known of it, then press Add.</source>
+        <translation>请输入工具的名称和已知的数值，再按“添加”。</translation>
+    </message>
+    <message>
+        <source>Puts these figures in the place of those of the chosen tool.</source>
+        <translation>用这些数值取代所选工具的数值。</translation>
+    </message>
+    <message>
+        <source>Tool&apos;s name</source>
+        <translation>工具名称</translation>
+    </message>
+    <message>
+        <source>Add as a new tool</source>
+        <translation>添加为新工具</translation>
+    </message>
+    <message>
+        <source>Checks see a capsule from the flange to the tip, {length} mm long.</source>
+        <translation>检查时视为从法兰到尖端的胶囊体，长 {length} mm。</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>半径</translation>
+    </message>
+    <message>
+        <source>Delete the tool</source>
+        <translation>删除工具</translation>
+    </message>
+    <message>
+        <source>Deletes the chosen tool; the bare flange is chosen then.</source>
+        <translation>删除所选工具；之后仅有法兰。</translation>
     </message>
 </context>
 <context>
