@@ -26,10 +26,15 @@ def settle(folder, at_ns=OLD_NS):
 
 
 @pytest.fixture
-def watch(qtbot, folder):
+def page(qtbot):
     page = QWidget()
     qtbot.addWidget(page)
-    yield LibraryWatch(folder, page, Background(AtOnce()))
+    return page
+
+
+@pytest.fixture
+def watch(page, folder):
+    return LibraryWatch(folder, page, Background(AtOnce()))
 
 
 def changes(watch):
