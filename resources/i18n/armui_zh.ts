@@ -3911,10 +3911,6 @@
         <translation>把选中的轨迹移到某个文件夹</translation>
     </message>
     <message>
-        <source>The folder “{name}” cannot be read. Check the rights to it.</source>
-        <translation>无法读取文件夹“{name}”。请检查其访问权限。</translation>
-    </message>
-    <message>
         <source>Create</source>
         <translation>创建</translation>
     </message>
@@ -3961,6 +3957,10 @@
     <message>
         <source>Into no folder</source>
         <translation>不放入文件夹</translation>
+    </message>
+    <message>
+        <source>The folder “{name}” cannot be read. Check the rights to it, and its disk or network share.</source>
+        <translation>无法读取文件夹“{name}”。请检查其权限，以及所在的磁盘或网络共享。</translation>
     </message>
 </context>
 <context>
