@@ -15,6 +15,7 @@ from armui.arm.state import Six, Status
 from armui.control.cell.intrusion import AreaIntrusion
 from armui.control.motion.motion_command import Hold, Mover, why_held
 from armui.control.run.progress import RunPhase
+from armui.control.safety.reference_status import ReferenceStatus
 from armui.protocol.addressing import Addressing
 from armui.protocol.generation import Generation, PiperModel
 
@@ -165,6 +166,7 @@ class OperatingState:
         addressing: The identifier offsets in use (0x470).
         control_certain: True if the arm is known to take commands under them.
         model_fit: The chosen model, and whether the arm's reports fit it.
+        reference: The state of the joints' reference.
         below_base_mm: The depth of flange or fingertip below the plane the arm stands on, or
             ``None``.
         intrusion: Where the arm is too near to its work area, or ``None``.
@@ -214,6 +216,7 @@ class OperatingState:
     below_base_mm: int | None = None
     intrusion: AreaIntrusion | None = None
     keeps_area: bool = False
+    reference: ReferenceStatus = field(default_factory=ReferenceStatus)
     unconfirmed_cell: Refusal | None = None
 
     @property
