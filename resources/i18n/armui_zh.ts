@@ -547,6 +547,10 @@
         <source>the gripper</source>
         <translation>夹爪</translation>
     </message>
+    <message>
+        <source>the tool</source>
+        <translation>工具</translation>
+    </message>
 </context>
 <context>
     <name>ArmStatus</name>

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from armui.arm.refusal import Refusal
 from armui.cell.cell import Cell, check_cell
 from armui.cell.checks import CELL_NAME_TAKEN
-from armui.cell.tools import NO_TOOL
+from armui.cell.tools import NO_TOOL, Tool
 from armui.control.cell.cell_reasons import (
     CELL_ALREADY_CONFIRMED,
     CELL_GONE,
@@ -117,12 +117,6 @@ class CellControl(ControllerPart):
     def tool_name(self) -> str:
         """The name of the tool in force; "" without a cell or a tool."""
         return "" if self.in_force is None else self.in_force.tool
-
-    @property
-    def tool_radius_mm(self) -> float:
-        """The radius of the capsule that stands for the tool in force; 0 without one."""
-        tool = None if self.in_force is None else self.in_force.chosen_tool
-        return 0.0 if tool is None else tool.radius_mm
 
     # What the program tells -----------------------------------------------------------------
 
@@ -260,9 +254,11 @@ class CellControl(ControllerPart):
     def _take_effect(self) -> None:
         """Pass on the tool; a target of ours that was told with another one is none any more."""
         cell = self.in_force
-        tool = self._own_tool
+        tool, radius_mm = self._own_tool, 0.0
         if cell is not None:
-            tool = NO_TOOL if cell.chosen_tool is None else cell.chosen_tool.pose
+            chosen = cell.chosen_tool or Tool("")
+            tool, radius_mm = chosen.pose, chosen.radius_mm
+        self._cartesian.tool_radius_mm = radius_mm
         if tool != self._cartesian.tool:
             self._cartesian.tool = tool
             self._context.authority.end_command(End.TOOL_CHANGED)
