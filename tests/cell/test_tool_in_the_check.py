@@ -52,7 +52,7 @@ def test_a_tool_below_the_floor_is_said_by_its_lowest_point():
     found = [each for each in outcome.findings if each.kind == BELOW_FLOOR]
     flange, begin, end, tip = places(tool, low)
     depth = -min(flange[2], tip[2], begin[2] - 30.0, end[2] - 30.0)
-    assert [round(each.params["value"], 1) for each in found] == [round(depth, 1)]
+    assert [each.params["value"] for each in found] == [pytest.approx(depth, abs=0.051)]
 
 
 def test_a_tool_that_hits_the_arm_is_found_and_named():

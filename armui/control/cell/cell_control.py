@@ -12,6 +12,8 @@ from armui.cell.cell import Cell, check_cell
 from armui.cell.checks import CELL_NAME_TAKEN
 from armui.cell.tools import NO_TOOL, Tool
 from armui.control.cell.cell_reasons import (
+    CAPTURE_MOVING,
+    CAPTURE_STALE,
     CELL_ALREADY_CONFIRMED,
     CELL_GONE,
     CELL_NONE,
@@ -22,6 +24,7 @@ from armui.control.cell.cell_reasons import (
 from armui.control.context import ControllerPart
 from armui.control.events import Notice
 from armui.control.motion.motion_command import End
+from armui.control.operating_state import why_unreachable
 from armui.control.operations.operation import operation, record_start
 from armui.control.operations.started import Ending
 from armui.telemetry.events import EventKind, Level
@@ -232,6 +235,30 @@ class CellControl(ControllerPart):
             self.store.delete(name)
         self._put_in_force("")
         return self._done(record_start(self.delete), CELL_DELETED, name)
+
+    def why_not_capture(self) -> Refusal | None:
+        """Return why the pose of the flange cannot be taken now, or ``None``.
+
+        Only what is measured counts, of an arm that is heard and measured at rest.
+        """
+        context = self._context
+        now = context.operating_state()
+        unknown = why_unreachable(now.link) or self._cartesian.why_unknown()
+        if unknown is not None:
+            return unknown
+        state, now_s = context.state(), context.clock()
+        if any(each is None or not each.fresh(now_s) for each in (*state.pose, *state.joints_deg)):
+            return CAPTURE_STALE()
+        return None if context.authority.at_rest else CAPTURE_MOVING()
+
+    def capture(self) -> tuple[float, ...] | Refusal:
+        """Return the measured pose of the flange, or why it cannot be taken."""
+        self._context.refresh()
+        refusal = self.why_not_capture()
+        pose = self._context.state().end_pose()
+        if refusal is not None or pose is None:
+            return self._context.refuse(refusal or CAPTURE_STALE())
+        return tuple(pose)
 
     def _save(self, cell: Cell) -> None:
         self._cells[cell.name] = cell
