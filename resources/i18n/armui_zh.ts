@@ -12601,8 +12601,8 @@ The other program must have ended.</source>
         <translation>用工具 X 方向一侧触碰该点；再按“X 侧”。</translation>
     </message>
     <message>
-        <source>Compare below what was found with what was, then press Apply the tip.</source>
-        <translation>请在下方比较求得的与原有的，再按“应用尖端”。</translation>
+        <source>Compare what was found with what was, then press Apply the tip.</source>
+        <translation>请比较求得的与原有的，再按“应用尖端”。</translation>
     </message>
     <message>
         <source>{turned}° from the nearest pose taken; {wanted}° or more are wanted.</source>
@@ -12623,6 +12623,10 @@ The other program must have ended.</source>
     <message>
         <source>Touch the point with the shank behind the tip; press On the shank.</source>
         <translation>用尖端后方的杆部触碰该点；再按“杆部”。</translation>
+    </message>
+    <message>
+        <source>The tip found is in force. Start again for another tool.</source>
+        <translation>求得的尖端已生效。要求另一工具，请重新开始。</translation>
     </message>
     <message>
         <source>Tilt the tool by {wanted}° or more, touch the point, take the pose.</source>

@@ -26,7 +26,7 @@ def test_each_sentence_leads_to_the_next_and_the_last_press_applies(search):
     take(search, 1)
     assert "turn about Y, Z by 15° or more" in search.read("tip_next")
     take(search, 2, 3)
-    assert "Compare below" in search.read("tip_next")
+    assert "Compare what was found" in search.read("tip_next")
     assert search.controller.cartesian.tool == NO_TOOL
     assert "Before: X 0.00  Y 0.00  Z 0.00 mm" in search.read("tip_result")
     search.click("tip_apply")
@@ -35,6 +35,7 @@ def test_each_sentence_leads_to_the_next_and_the_last_press_applies(search):
     assert found[3:] == (0.0, 0.0, 0.0)
     assert search.controller.cell.cell.tool == "Tool 1"
     assert "how well the poses fit" in search.read("tip_note")
+    assert "The tip found is in force" in search.read("tip_next")
 
 
 def test_a_pose_is_not_taken_while_the_arm_moves_or_is_not_heard(search):
@@ -72,11 +73,11 @@ def test_a_slipped_pose_is_named_left_out_or_taken_again(search):
     assert not search.find("tip_apply").isEnabled()
     search.click("tip_use_5")
     assert search.read("tip_residual_5") == "—"
-    assert "Compare below" in search.read("tip_next")
+    assert "Compare what was found" in search.read("tip_next")
     search.click("tip_use_5")
     touch(search, 4)
     search.click("tip_again_5")
-    assert "Compare below" in search.read("tip_next")
+    assert "Compare what was found" in search.read("tip_next")
     assert float(search.read("tip_residual_5").split()[0]) < 0.5
 
 

@@ -23,6 +23,7 @@ from armui.cell.tool_calibration import (
     turned_from_deg,
 )
 from armui.control.arm_controller import ArmController
+from armui.control.cell.cell_reasons import CELL_NONE
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.panels.cell.cell_tab import Answered
@@ -116,8 +117,8 @@ class TipByPoints(Translated, QWidget):
         turn_takes = in_row(*((button, 1) for button in self._turn_takes), spacing=6)
         ends = in_row((self._apply, 1), (self._restart, 1), spacing=6)
         rows: QGridLayout = self._grid
-        parts = (self._next, self._live, self.take, rows, limit, turn, turn_takes)
-        in_column(*parts, self._result, self._note, ends, on=self, spacing=6, margins=0)
+        first = (self._next, self._live, self.take, turn_takes, self._result, ends)
+        in_column(*first, rows, turn, limit, self._note, STRETCH, on=self, spacing=6, margins=0)
 
     # -- actions ------------------------------------------------------------------------------
 
@@ -265,7 +266,8 @@ class TipByPoints(Translated, QWidget):
         missing = self.tr("The orientation is not taken yet.") if self._turn_missing else ""
         use = self.tr("Puts the tip found in force, in the place of what was.")
         enable_or_explain(self._apply, self._why_not or reason or missing, use)
-        show_primary(self._apply, wanted=ready and self._spread_is_enough and not self._why_not)
+        new = ready and self._spread_is_enough and not self._is_in_force(found)
+        show_primary(self._apply, wanted=new and not self._why_not)
         show_primary(self.take, wanted=not ready or not self._spread_is_enough)
         self._restart.setEnabled(bool(self._poses))
         self._next.setText(self._next_step(found))
@@ -278,6 +280,8 @@ class TipByPoints(Translated, QWidget):
 
     def _next_step(self, found: Pose | Refusal) -> str:
         poses = [self._poses[place] for place in self._used]
+        if self._controller.cell.cell is None:
+            return words.refusal(CELL_NONE())
         if not poses:
             return self.tr(
                 "Fix a sharp point in front of the arm. Jog the tool's tip onto it (Motion or Tool "
@@ -295,7 +299,14 @@ class TipByPoints(Translated, QWidget):
             if self._turn_poses[0] is None:
                 return self.tr("Touch the point with the shank behind the tip; press On the shank.")
             return self.tr("Touch the point with the side of the tool's X; press On the X side.")
-        return self.tr("Compare below what was found with what was, then press Apply the tip.")
+        if self._is_in_force(found):
+            return self.tr("The tip found is in force. Start again for another tool.")
+        return self.tr("Compare what was found with what was, then press Apply the tip.")
+
+    def _is_in_force(self, found: Pose | Refusal) -> bool:
+        if isinstance(found, Refusal) or self._controller.cell.in_force is None:
+            return False
+        return tuple(round(each, fmt.DECIMALS) for each in found) == self._before
 
     def _which_turn(self, poses: list[Pose]) -> str:
         """Say which way to turn next: about the two other axes than the one that differs least."""
