@@ -167,6 +167,10 @@
         <source>; joints 2 and 3 use the zeros from before S-V1.6-3</source>
         <translation>；关节 2、3 采用 S-V1.6-3 之前的零点</translation>
     </message>
+    <message>
+        <source>Reference of the joints</source>
+        <translation>关节零位基准</translation>
+    </message>
 </context>
 <context>
     <name>AboutArmDialog</name>
@@ -1950,6 +1954,10 @@
     <message>
         <source>--firmware belongs to --sim in generation 2: a real arm tells its own</source>
         <translation>--firmware 只用于第 2 代的 --sim：真实机械臂会自行说明</translation>
+    </message>
+    <message>
+        <source>a joint reports an excursion of 60° and its return, and stands as far off from then on; 0x150 resume mends it (VALUE: joint)</source>
+        <translation>一个关节上报 60° 的偏移后又返回，此后实际位置便相差这么多；用 0x150 恢复可修复 (VALUE: 关节)</translation>
     </message>
 </context>
 <context>
@@ -3907,10 +3915,6 @@
         <translation>把选中的轨迹移到某个文件夹</translation>
     </message>
     <message>
-        <source>The folder “{name}” cannot be read. Check the rights to it.</source>
-        <translation>无法读取文件夹“{name}”。请检查其访问权限。</translation>
-    </message>
-    <message>
         <source>Create</source>
         <translation>创建</translation>
     </message>
@@ -3957,6 +3961,10 @@
     <message>
         <source>Into no folder</source>
         <translation>不放入文件夹</translation>
+    </message>
+    <message>
+        <source>The folder “{name}” cannot be read. Check the rights to it, and its disk or network share.</source>
+        <translation>无法读取文件夹“{name}”。请检查其权限，以及所在的磁盘或网络共享。</translation>
     </message>
 </context>
 <context>
@@ -7002,6 +7010,42 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <source>A part of the program has failed ({part}). The emergency stop still works; every motion of this program is ended. Start the program again.</source>
         <translation>程序的一部分出错（{part}）。急停仍有效；本程序的所有运动均已结束。请重新启动程序。</translation>
     </message>
+    <message>
+        <source>Reference check begun</source>
+        <translation>零位基准检查已开始</translation>
+    </message>
+    <message>
+        <source>Joint {joint} left its place of {place}° uncommanded, enabled, and was reported at {value}°: its reference is in doubt. It may stand elsewhere than it reports from now on.</source>
+        <translation>关节 {joint} 在使能且无指令的情况下离开了 {place}°，上报为 {value}°：其零位基准存疑。此后它的实际位置可能与上报不符。</translation>
+    </message>
+    <message>
+        <source>Motions are agreed to for {seconds} s, with the reference of joint {joints} in doubt</source>
+        <translation>已同意在关节 {joints} 零位基准存疑时运动，{seconds} s 内有效</translation>
+    </message>
+    <message>
+        <source>Reference check finished: all joints stand where they report.</source>
+        <translation>零位基准检查完成：所有关节都在上报的位置。</translation>
+    </message>
+    <message>
+        <source>Of an earlier day: the reference of joint {joints} is in doubt, and was not checked since.</source>
+        <translation>之前的记录：关节 {joints} 的零位基准存疑，至今尚未检查。</translation>
+    </message>
+    <message>
+        <source>Reference pose kept for this arm</source>
+        <translation>已为这台机械臂保存基准位姿</translation>
+    </message>
+    <message>
+        <source>Sent J{joint} to its mark at {target}°</source>
+        <translation>已发送：J{joint} 到刻线 {target}°</translation>
+    </message>
+    <message>
+        <source>Reference check left without a result: what was in doubt stays so.</source>
+        <translation>零位基准检查未完成便已退出：存疑的关节仍然存疑。</translation>
+    </message>
+    <message>
+        <source>Reference check finished: joint {joints} does not stand where it reports.</source>
+        <translation>零位基准检查完成：关节 {joints} 不在上报的位置。</translation>
+    </message>
 </context>
 <context>
     <name>Observed</name>
@@ -7283,6 +7327,26 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Set the speed override of runs</source>
         <translation>设置运行倍率</translation>
+    </message>
+    <message>
+        <source>Teach the reference pose</source>
+        <translation>示教基准位姿</translation>
+    </message>
+    <message>
+        <source>Check the reference</source>
+        <translation>检查零位基准</translation>
+    </message>
+    <message>
+        <source>Drive a joint to its mark</source>
+        <translation>将关节驱动到刻线</translation>
+    </message>
+    <message>
+        <source>Move with the reference in doubt</source>
+        <translation>零位基准存疑时运动</translation>
+    </message>
+    <message>
+        <source>Finish the reference check</source>
+        <translation>完成零位基准检查</translation>
     </message>
 </context>
 <context>
@@ -8819,6 +8883,22 @@ The other program must have ended.</source>
         <source>The arm will no longer follow the other control; a motion under way ends. Make sure that nobody relies on it.</source>
         <translation>机械臂将不再由其他方式控制，正在进行的运动会停止。请确认无人正在使用。</translation>
     </message>
+    <message>
+        <source>Move anyway…</source>
+        <translation>仍要运动…</translation>
+    </message>
+    <message>
+        <source>Move with the reference in doubt</source>
+        <translation>零位基准存疑时运动</translation>
+    </message>
+    <message>
+        <source>Reference check…</source>
+        <translation>零位基准检查…</translation>
+    </message>
+    <message>
+        <source>A joint in doubt may stand up to 85° from what it reports: the arm then goes another way than the picture and the check show, and may strike itself or the table. Runs and faster motions may begin for one minute. Keep a hand on the stop.</source>
+        <translation>存疑的关节与上报位置最多可能相差 85°：机械臂的实际路径会与画面和检查结果不同，可能撞到自身或桌面。一分钟内可以开始轨迹运行和较快的运动。请把手放在急停上。</translation>
+    </message>
 </context>
 <context>
     <name>RecoveryLine</name>
@@ -9088,6 +9168,200 @@ The other program must have ended.</source>
     <message>
         <source>The fingertip is {value} mm below the plane the arm stands on. Jog upwards unless there is nothing there. Settings have a lowest height for jogs.</source>
         <translation>末端在底座平面以下 {value} mm。除非那里没有物体，请向上点动。“设置”中可选点动的最低高度。</translation>
+    </message>
+    <message>
+        <source>The reference is being checked: nothing moves but what the check drives.</source>
+        <translation>正在检查零位基准：除检查本身驱动的关节外，一律不动。</translation>
+    </message>
+    <message>
+        <source>Joint {joints} left its place uncommanded while it was enabled: it may stand elsewhere than it reports. Check its reference.</source>
+        <translation>关节 {joints} 在使能且无指令时离开了原位：实际位置可能与上报不符。请检查其零位基准。</translation>
+    </message>
+    <message>
+        <source>Motions are agreed to, though joint {joints} may stand elsewhere than it reports.</source>
+        <translation>已同意运动，但关节 {joints} 的实际位置可能与上报不符。</translation>
+    </message>
+</context>
+<context>
+    <name>Reference</name>
+    <message>
+        <source>joint {joints} in doubt since {time}</source>
+        <translation>关节 {joints} 自 {time} 起存疑</translation>
+    </message>
+    <message>
+        <source>last checked {time}: {off} off</source>
+        <translation>上次检查 {time}：{off} 偏差</translation>
+    </message>
+    <message>
+        <source>never checked</source>
+        <translation>从未检查</translation>
+    </message>
+    <message>
+        <source>last checked {time}: all joints fit</source>
+        <translation>上次检查 {time}：所有关节相符</translation>
+    </message>
+</context>
+<context>
+    <name>ReferenceDialog</name>
+    <message>
+        <source>The others stand as shown</source>
+        <translation>其余与画面相符</translation>
+    </message>
+    <message>
+        <source>off by {off}</source>
+        <translation>偏差 {off}</translation>
+    </message>
+    <message>
+        <source>What can be done: (1) Reset with the arm held. Emergency stop, hold the arm, Resume: its motors lose their power and the arm drops; the arm then finds its reference again. Enable, and check once more. (2) Set the joint&apos;s zero, only if a reset does not help and the joint stands at its mark: nothing moves, but every angle, limit and saved point counts from there. Neither ends the doubt: only this check does.</source>
+        <translation>可采取的措施：(1) 扶住机械臂后复位。急停，扶住机械臂，恢复：电机断电，机械臂下落，随后重新找到零位基准。使能后再检查一次。(2) 设置该关节的零点，仅当复位无效且关节对准刻线时：机械臂不动，但此后所有角度、限位和已保存的点都从这里计算。两者都不会消除存疑：只有本检查可以。</translation>
+    </message>
+    <message>
+        <source>Motor off</source>
+        <translation>电机关闭</translation>
+    </message>
+    <message>
+        <source>Begin the check</source>
+        <translation>开始检查</translation>
+    </message>
+    <message>
+        <source>Does each joint stand where it reports? The feedback alone cannot tell.</source>
+        <translation>每个关节是否在上报的位置？仅凭反馈无法判断。</translation>
+    </message>
+    <message>
+        <source>Keep this pose</source>
+        <translation>保存此位姿</translation>
+    </message>
+    <message>
+        <source>Switch off the motor of joint {joint}</source>
+        <translation>关闭关节 {joint} 的电机</translation>
+    </message>
+    <message>
+        <source>Teach the reference pose</source>
+        <translation>示教基准位姿</translation>
+    </message>
+    <message>
+        <source>fits</source>
+        <translation>相符</translation>
+    </message>
+    <message>
+        <source>Teach reference pose…</source>
+        <translation>示教基准位姿…</translation>
+    </message>
+    <message>
+        <source>Reference check</source>
+        <translation>零位基准检查</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>All joints are answered for, and some are off. Finish the check: they stay in doubt, and what can be done is shown then.</source>
+        <translation>所有关节均已回答，其中有偏差。请完成检查：有偏差的关节仍然存疑，随后显示可采取的措施。</translation>
+    </message>
+    <message>
+        <source>Stands at its mark</source>
+        <translation>已对准刻线</translation>
+    </message>
+    <message>
+        <source>Look at the whole arm beside the picture, which shows what it reports. Tick each joint that stands elsewhere than the picture shows. Nothing drives those joints; the ones in doubt are ticked.</source>
+        <translation>对照画面查看整台机械臂，画面显示的是它上报的位置。勾选实际位置与画面不同的关节。这些关节不会被驱动；存疑的关节已勾选。</translation>
+    </message>
+    <message>
+        <source>in doubt</source>
+        <translation>存疑</translation>
+    </message>
+    <message>
+        <source>its mark</source>
+        <translation>刻线</translation>
+    </message>
+    <message>
+        <source>Motor off…</source>
+        <translation>电机关闭…</translation>
+    </message>
+    <message>
+        <source>Reported</source>
+        <translation>上报</translation>
+    </message>
+    <message>
+        <source>Switch its motor off and turn it by hand first.</source>
+        <translation>请先关闭该关节的电机并用手转动。</translation>
+    </message>
+    <message>
+        <source>Joint {joint} has no mark, and no reference pose is taught. Compare it with the picture: does it stand as shown? If not, type by how much it is off.</source>
+        <translation>关节 {joint} 没有刻线，也没有示教基准位姿。请与画面比较：是否如画面所示？若不是，请输入偏差。</translation>
+    </message>
+    <message>
+        <source>Off by this</source>
+        <translation>偏差如此</translation>
+    </message>
+    <message>
+        <source>At the mark</source>
+        <translation>刻线处</translation>
+    </message>
+    <message>
+        <source>Photo of the arm in its reference pose</source>
+        <translation>机械臂基准位姿的照片</translation>
+    </message>
+    <message>
+        <source>its place in the reference pose</source>
+        <translation>基准位姿中的位置</translation>
+    </message>
+    <message>
+        <source>Drive to the mark</source>
+        <translation>驱动到刻线</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>Move anyway</source>
+        <translation>仍要运动</translation>
+    </message>
+    <message>
+        <source>All joints stand where they report. Finish the check to keep that.</source>
+        <translation>所有关节都在上报的位置。完成检查即可保存结果。</translation>
+    </message>
+    <message>
+        <source>Answer again</source>
+        <translation>重新回答</translation>
+    </message>
+    <message>
+        <source>Hold “Drive to the mark”: joint {joint} goes to {place} at 5 %, the others stay. Look whether it then stands there. If not, type by how much it is off.</source>
+        <translation>按住“驱动到刻线”：关节 {joint} 以 5 % 速度转到{place}，其他关节不动。查看它是否到位。若未到位，请输入偏差。</translation>
+    </message>
+    <message>
+        <source>Where the arm stands now is kept as its reference pose: joints 2 and 3, which have no mark, are compared with it. Put the arm where you will recognise it to the degree, for example with the fingertip on a cross on the table. You may then choose a photo of it. Only teach it while the reference is right.</source>
+        <translation>机械臂当前的位置将保存为基准位姿：没有刻线的关节 2 和 3 与它比较。请把机械臂放到能精确到度辨认的位置，例如指尖对准桌面上的十字。随后可以选择一张照片。只有在零位基准正确时才可示教。</translation>
+    </message>
+    <message>
+        <source>The check takes some two minutes. A joint in doubt is brought to its mark by hand; the others are driven slowly, each by a held button.</source>
+        <translation>检查约需两分钟。存疑的关节用手转到刻线；其他关节缓慢驱动，每个都要按住按钮确认。</translation>
+    </message>
+    <message>
+        <source>Pictures ({kinds})</source>
+        <translation>图片 ({kinds})</translation>
+    </message>
+    <message>
+        <source>Joint {joint} goes limp, and what hangs on it drops: hold the arm with both hands. The other joints keep their power.</source>
+        <translation>关节 {joint} 将失去动力，其后的部分会下落：请用双手扶住机械臂。其他关节保持使能。</translation>
+    </message>
+    <message>
+        <source>The photo cannot be read.</source>
+        <translation>照片无法读取。</translation>
+    </message>
+    <message>
+        <source>Joint {joint} may stand 85° from what it reports: nothing drives it. Hold the arm, switch its motor off and turn it to {place} by hand; then press “Stands at its mark”. What it reports there shows how far it is off.</source>
+        <translation>关节 {joint} 与上报位置最多可能相差 85°：不会驱动它。扶住机械臂，关闭该关节的电机，用手转到{place}，再按“已对准刻线”。此时的上报角度即显示偏差。</translation>
+    </message>
+    <message>
+        <source>Finish the check</source>
+        <translation>完成检查</translation>
+    </message>
+    <message>
+        <source>Off by</source>
+        <translation>偏差</translation>
     </message>
 </context>
 <context>
@@ -10383,6 +10657,38 @@ The other program must have ended.</source>
     <message>
         <source>The report could not be saved as {path}: {text}. Free some room or choose another folder.</source>
         <translation>报告无法保存为 {path}：{text}。请腾出空间或选择其他文件夹。</translation>
+    </message>
+    <message>
+        <source>Look at the whole arm first and say which joints stand elsewhere than the picture shows.</source>
+        <translation>请先查看整台机械臂，并指出哪些关节与画面不同。</translation>
+    </message>
+    <message>
+        <source>Joint {joint} has no mark, and no reference pose is taught: compare it with the picture.</source>
+        <translation>关节 {joint} 没有刻线，也没有示教基准位姿：请与画面比较。</translation>
+    </message>
+    <message>
+        <source>Joint {joints} may stand elsewhere than it reports: its reference is in doubt. Check it, or agree to motions in the line above the panels. Single motions up to {maximum} % need no agreement.</source>
+        <translation>关节 {joints} 的实际位置可能与上报不符：其零位基准存疑。请检查，或在面板上方的提示行中同意运动。不超过 {maximum} % 的单次运动无需同意。</translation>
+    </message>
+    <message>
+        <source>The reference is being checked: nothing moves but what the check drives. Finish the check, or close its window.</source>
+        <translation>正在检查零位基准：除检查本身驱动的关节外，一律不动。请完成检查或关闭其窗口。</translation>
+    </message>
+    <message>
+        <source>The reference check is not open.</source>
+        <translation>零位基准检查未打开。</translation>
+    </message>
+    <message>
+        <source>These joints are still to be answered for: {joints}.</source>
+        <translation>以下关节尚未回答：{joints}。</translation>
+    </message>
+    <message>
+        <source>Joint {joint} is in doubt: it may stand 85° from what it reports, so nothing drives it. Bring it to its mark by hand, with the motors off and the arm held.</source>
+        <translation>关节 {joint} 存疑：与上报位置最多可能相差 85°，因此不会驱动它。请在电机关闭、扶住机械臂的情况下用手转到刻线。</translation>
+    </message>
+    <message>
+        <source>No joint&apos;s reference is in doubt.</source>
+        <translation>没有关节的零位基准存疑。</translation>
     </message>
 </context>
 <context>
