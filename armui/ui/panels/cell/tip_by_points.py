@@ -294,14 +294,17 @@ class TipByPoints(Translated, QWidget):
         if isinstance(found, Refusal):
             return words.refusal(found)
         if self._turn_missing:
-            if self._turn.currentIndex() != _TWO_POINTS:
-                return self.tr("Turn the tool until it points along that axis; press It points so.")
-            if self._turn_poses[0] is None:
-                return self.tr("Touch the point with the shank behind the tip; press On the shank.")
-            return self.tr("Touch the point with the side of the tool's X; press On the X side.")
+            return self._turn_step()
         if self._is_in_force(found):
             return self.tr("The tip found is in force. Start again for another tool.")
         return self.tr("Compare what was found with what was, then press Apply the tip.")
+
+    def _turn_step(self) -> str:
+        if self._turn.currentIndex() != _TWO_POINTS:
+            return self.tr("Turn the tool until it points along that axis; press It points so.")
+        if self._turn_poses[0] is None:
+            return self.tr("Touch the point with the shank behind the tip; press On the shank.")
+        return self.tr("Touch the point with the side of the tool's X; press On the X side.")
 
     def _is_in_force(self, found: Pose | Refusal) -> bool:
         if isinstance(found, Refusal) or self._controller.cell.in_force is None:
