@@ -33,6 +33,7 @@ from armui.control.motion.joint_motion import Motion
 from armui.control.motion.motion_command import End
 from armui.control.motion.planned_motion import PlannedMotion
 from armui.control.operations.operation import Operations
+from armui.control.parameters.arm_model import tool_capsule
 from armui.control.parameters.arm_settings import ArmSettings
 from armui.control.requests.transactions import TransactionQueue
 from armui.control.run.player import Player
@@ -86,7 +87,9 @@ class ControllerParts(QObject):
     @cached_property
     def jog_floor(self) -> JogFloor:
         """Knows how low the arm reaches, and how low a jog may take it."""
-        return JogFloor(self._context, lambda: self.cartesian.tool)
+        return JogFloor(
+            self._context, lambda: tool_capsule(self.cartesian.tool, self.cartesian.tool_radius_mm)
+        )
 
     @cached_property
     def area_guard(self) -> AreaGuard:

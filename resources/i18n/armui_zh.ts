@@ -10889,6 +10889,30 @@ The other program must have ended.</source>
         <source>Joint {joint} has no mark, and no reference pose is taught: compare it with the picture.</source>
         <translation>关节 {joint} 没有刻线，也没有示教基准位姿：请与画面比较。</translation>
     </message>
+    <message>
+        <source>The poses do not fit together: pose {pose} is {value} mm off, at most {maximum} mm are allowed. Take that pose again, or leave it out.</source>
+        <translation>各位姿不相符：位姿 {pose} 偏差 {value} mm，最大允许 {maximum} mm。请重新采集该位姿，或不用它。</translation>
+    </message>
+    <message>
+        <source>The point is {value} mm beside the line it must be off from; at least {minimum} mm are needed. Choose a point further away.</source>
+        <translation>该点距应离开的直线只有 {value} mm，至少需要 {minimum} mm。请选择更远的点。</translation>
+    </message>
+    <message>
+        <source>{count} poses are taken; at least {minimum} are needed. Take another one.</source>
+        <translation>已采集 {count} 个位姿，至少需要 {minimum} 个。请再采集一个。</translation>
+    </message>
+    <message>
+        <source>The arm is not at rest: a pose that is taken now would be wrong. Wait until it stands still.</source>
+        <translation>机械臂未静止：此时采集的位姿不准确。请等它停稳。</translation>
+    </message>
+    <message>
+        <source>The poses are too much alike: the condition is {value}, at most {maximum} is possible. The flange&apos;s {axis} axis has pointed {turned}° apart at most; turn it further, by {wanted}° or more.</source>
+        <translation>各位姿过于相似：条件数为 {value}，最大允许 {maximum}。法兰 {axis} 轴的指向最多相差 {turned}°；请再转开，{wanted}° 或更多。</translation>
+    </message>
+    <message>
+        <source>The pose is not heard any more: nothing was taken. Wait until the arm reports it again.</source>
+        <translation>收不到位姿：未采集。请等机械臂重新上报。</translation>
+    </message>
 </context>
 <context>
     <name>ReplayEventBar</name>
@@ -13068,6 +13092,143 @@ The other program must have ended.</source>
     </message>
 </context>
 <context>
+    <name>TipByPoints</name>
+    <message>
+        <source>Takes the measured pose; nothing moves.</source>
+        <translation>采集实测位姿；什么都不动。</translation>
+    </message>
+    <message>
+        <source>Found: {found}
+Before: {before}</source>
+        <translation>求得：{found}
+原有：{before}</translation>
+    </message>
+    <message>
+        <source>Touch the point with the shank behind the tip; press On the shank.</source>
+        <translation>用尖端后方的杆部触碰该点；再按“杆部”。</translation>
+    </message>
+    <message>
+        <source>Fix a sharp point in front of the arm. Jog the tool&apos;s tip onto it (Motion or Tool control, or lead the arm by hand), come back and press Take pose.</source>
+        <translation>在机械臂前固定一个尖点。把工具尖端点动到它上面（“运动控制”、“末端控制”，或用手拖动），回到此处按“采集位姿”。</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>姿态</translation>
+    </message>
+    <message>
+        <source>The flange&apos;s {axis} axis has pointed {turned}° apart so far: turn about {about} by {wanted}° or more, touch the point, take the pose.</source>
+        <translation>法兰 {axis} 轴的指向至今最多相差 {turned}°：请绕 {about} 再转 {wanted}° 或更多，触碰该点，采集位姿。</translation>
+    </message>
+    <message>
+        <source>Take pose</source>
+        <translation>采集位姿</translation>
+    </message>
+    <message>
+        <source>by two more points</source>
+        <translation>再用两个点</translation>
+    </message>
+    <message>
+        <source>Compare what was found with what was, then press Apply the tip.</source>
+        <translation>请比较求得的与原有的，再按“应用尖端”。</translation>
+    </message>
+    <message>
+        <source>The residual says how well the poses fit, not how true the tool is.</source>
+        <translation>残差说明各位姿相符的程度，不说明工具有多准。</translation>
+    </message>
+    <message>
+        <source>No more than {count} poses are taken. Take one of them again.</source>
+        <translation>最多采集 {count} 个位姿。请重新采集其中一个。</translation>
+    </message>
+    <message>
+        <source>Turn the tool until it points along that axis; press It points so.</source>
+        <translation>转动工具，直到它指向该轴；再按“已指向”。</translation>
+    </message>
+    <message>
+        <source>Pose {number}</source>
+        <translation>位姿 {number}</translation>
+    </message>
+    <message>
+        <source>it points along {axis} of the base</source>
+        <translation>指向基座 {axis}</translation>
+    </message>
+    <message>
+        <source>Puts the tip found in force, in the place of what was.</source>
+        <translation>使求得的尖端生效，取代原有的。</translation>
+    </message>
+    <message>
+        <source>Apply the tip</source>
+        <translation>应用尖端</translation>
+    </message>
+    <message>
+        <source>Start again</source>
+        <translation>重新开始</translation>
+    </message>
+    <message>
+        <source>The tip found is in force. Start again for another tool.</source>
+        <translation>求得的尖端已生效。要求另一工具，请重新开始。</translation>
+    </message>
+    <message>
+        <source>Again</source>
+        <translation>重新采集</translation>
+    </message>
+    <message>
+        <source>It points so</source>
+        <translation>已指向</translation>
+    </message>
+    <message>
+        <source>Left out of the search while it is not ticked</source>
+        <translation>不勾选则不参与求解</translation>
+    </message>
+    <message>
+        <source>The orientation is not taken yet.</source>
+        <translation>姿态尚未采集。</translation>
+    </message>
+    <message>
+        <source>as before</source>
+        <translation>不变</translation>
+    </message>
+    <message>
+        <source>On the X side</source>
+        <translation>X 侧</translation>
+    </message>
+    <message>
+        <source>RMS {rms} mm, largest {largest} mm, condition {condition}, {turned}° apart</source>
+        <translation>均方根 {rms} mm，最大 {largest} mm，条件数 {condition}，相差 {turned}°</translation>
+    </message>
+    <message>
+        <source>Take pose {number} again</source>
+        <translation>重新采集位姿 {number}</translation>
+    </message>
+    <message>
+        <source>Largest residual allowed</source>
+        <translation>允许的最大残差</translation>
+    </message>
+    <message>
+        <source>Puts the measured pose in the place of this one.</source>
+        <translation>用实测位姿取代此位姿。</translation>
+    </message>
+    <message>
+        <source>{turned}° from the nearest pose taken; {wanted}° or more are wanted.</source>
+        <translation>与最接近的已采集位姿相差 {turned}°；最好 {wanted}° 或更多。</translation>
+    </message>
+    <message>
+        <source>Touch the point with the side of the tool&apos;s X; press On the X side.</source>
+        <translation>用工具 X 方向一侧触碰该点；再按“X 侧”。</translation>
+    </message>
+    <message>
+        <source>Pose {count} of at least {least} is taken. {turn}</source>
+        <translation>已采集第 {count} 个位姿，至少 {least} 个。{turn}</translation>
+    </message>
+    <message>
+        <source>On the shank</source>
+        <translation>杆部</translation>
+    </message>
+    <message>
+        <source>Tilt the tool by {wanted}° or more, touch the point, take the pose.</source>
+        <translation>把工具倾斜 {wanted}° 或更多，触碰该点，采集位姿。</translation>
+    </message>
+</context>
+<context>
     <name>ToolBox</name>
     <message>
         <source>Tool centre point relative to the flange (mm, °), saved on this PC</source>
@@ -13183,6 +13344,18 @@ The other program must have ended.</source>
     <message>
         <source>Tool</source>
         <translation>工具</translation>
+    </message>
+    <message>
+        <source>Find the tip by points</source>
+        <translation>用点求尖端</translation>
+    </message>
+    <message>
+        <source>Tool {number}</source>
+        <translation>工具 {number}</translation>
+    </message>
+    <message>
+        <source>Type it</source>
+        <translation>手动输入</translation>
     </message>
 </context>
 <context>

@@ -97,6 +97,9 @@ class Cartesian(ControllerPart):
         motion: Owns the speed.
         floor: Checks how low a step leads.
         area: Checks where a motion leads in the work area.
+
+    Attributes:
+        tool_radius_mm: The radius of the capsule that stands for the tool in checks; 0 without one.
     """
 
     def __init__(self, context: Context, motion: Motion, floor: JogFloor, area: AreaGuard) -> None:
@@ -106,6 +109,7 @@ class Cartesian(ControllerPart):
         self._motion = motion
         self._model: Kinematics | None = None
         self._tool: tuple[float, ...] = _NO_TOOL
+        self.tool_radius_mm = 0.0
 
     @property
     def tool(self) -> tuple[float, ...]:
