@@ -150,7 +150,7 @@ class AreaGuard(ControllerPart):
         from armui.trajectory.planning.timing import plan_path  # noqa: PLC0415 - scipy
 
         context = self._context
-        arm = planning_model(context.state(), context.operating_state(), self._tool()[2])
+        arm = planning_model(context.state(), context.operating_state(), self._tool())
         trajectory = Trajectory("", points=(point,))
         for start_deg in self._places():
             refusal = check.why_no_way(plan_path(trajectory, arm, start_deg).joints_deg)
