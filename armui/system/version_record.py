@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import asdict, dataclass
 from datetime import datetime
 from pathlib import Path
@@ -38,7 +38,12 @@ class TakenOver:
 
 
 def note_version(
-    version: str, settings: Path, places: Mapping[str, Path], now: datetime
+    version: str,
+    settings: Path,
+    places: Mapping[str, Path],
+    now: datetime,
+    *,
+    nested: Collection[str] = (),
 ) -> TakenOver | None:
     """Note that a version runs; waits for the disk.
 
@@ -47,6 +52,7 @@ def note_version(
         settings: The file of settings; the note lies beside it.
         places: The folders whose files are counted, by kind.
         now: With its time zone.
+        nested: The kinds whose sub-folders are counted, too.
 
     Returns:
         What was taken over, by this version or one before; ``None``: nothing ever was.
@@ -59,7 +65,7 @@ def note_version(
     if before == version:
         return taken_over
     files = {"settings": int(settings.is_file())}
-    files |= {kind: _count(folder) for kind, folder in places.items()}
+    files |= {kind: _count(folder, nested=kind in nested) for kind, folder in places.items()}
     if any(files.values()):
         taken_over = TakenOver(before, version, now.isoformat(timespec="seconds"), files)
     kept = None if taken_over is None else asdict(taken_over)
@@ -89,10 +95,13 @@ def _understood(kept: dict[str, Any]) -> TakenOver:
     return TakenOver(str(kept["before"]), str(kept["version"]), kept["at"], files)
 
 
-def _count(folder: Path) -> int:
-    """How many files a folder has; a folder that is not there has none."""
+def _count(folder: Path, *, nested: bool) -> int:
+    """Return how many files a folder has; one that is not there, or cannot be read, has none."""
     try:
-        with os.scandir(folder) as found:
-            return sum(each.is_file() and not each.name.startswith(".") for each in found)
+        with os.scandir(folder) as items:
+            found = [each for each in items if not each.name.startswith(".")]
+            inner = [each for each in found if nested and each.is_dir(follow_symlinks=False)]
+            files = sum(each.is_file() for each in found)
     except OSError:
         return 0
+    return files + sum(_count(Path(each), nested=False) for each in inner)
