@@ -244,7 +244,7 @@ class _Worker(threading.Thread):
 
     Attributes:
         since_s: When what it is doing was begun; ``None``: it waits for more.
-        calling: Whether it waits for the other process.
+        calling: True if it waits for the other process.
         left: Nobody counts on it any more: it hangs.
     """
 
