@@ -29,6 +29,7 @@ from armui.control.event_log.keeper import EventKeeper
 from armui.control.events import Event, Notice
 from armui.control.link.instance_registry import InstanceRegistry
 from armui.control.operating_state import LinkState, OperatingState
+from armui.control.safety.kept_references import KeptReferences
 from armui.control.sessions.choices import SessionChoices, choices_of
 from armui.ending import SystemEnd
 from armui.protocol.generation import Generation, PiperModel
@@ -225,6 +226,7 @@ class Program:
         folder = trajectories or paths.trajectories()
         self._cell_keeper = CellKeeper(controller.cell, store, folder, files or workers)
         controller.session_choices = partial(_session_choices, store)
+        controller.reference_memory = KeptReferences(store)
         self._unsubscribe = store.subscribe(self._on_settings_changed)
         self._relay = _FailureRelay()
         self._relay.failed.connect(self._on_failed)

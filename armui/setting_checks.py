@@ -7,6 +7,7 @@ from typing import Final, Literal, get_args
 
 from armui.arm.json_fields import finite
 from armui.arm.limits import JOINTS
+from armui.arm.reference_record import read_record
 from armui.arm.refusal import Reason, Refusal
 from armui.protocol.generation import PiperModel
 
@@ -91,6 +92,7 @@ def check(name: str, value: object) -> Refusal | None:
         "gamepad_buttons": _are_buttons(value),
         "cells": _are_named(value),
         "models": _are_of_arms(value, tuple(PiperModel)),
+        "references": _are_references(value),
     }
     if allowed.get(name, False):
         return None
@@ -164,6 +166,15 @@ def _are_home_poses(value: object) -> bool:
         and len(pose) == len(JOINTS)
         and all((angle := finite(each)) is not None and abs(angle) <= _TURN_DEG for each in pose)
         for key, pose in value.items()
+    )
+
+
+def _are_references(value: object) -> bool:
+    if not isinstance(value, dict) or len(value) > _MOST_ARMS:
+        return False
+    return all(
+        isinstance(key, str) and len(key) <= _LONGEST_PATH and read_record(record) is not None
+        for key, record in value.items()
     )
 
 

@@ -49,6 +49,7 @@ if TYPE_CHECKING:
     from armui.arm.refusal import Refusal
     from armui.control.context import Context, ControllerPart
     from armui.control.event_log.collector import EventCollector
+    from armui.control.safety.reference_control import ReferenceControl, ReferenceMemory
     from armui.control.sessions.choices import SessionChoices
     from armui.telemetry.events import EventLog
 
@@ -69,6 +70,8 @@ class ControllerParts(QObject):
 
     session_choices: Callable[[], SessionChoices] | None = None
     """Returns how and where sessions are recorded; by default as `SessionRecorder` has it."""
+    reference_memory: ReferenceMemory | None = None
+    """Keeps what is known of each arm's reference; by default nothing is kept."""
     _context: Context
     """The context that the parts share; the controller sets it before it asks for any."""
     _wall: Callable[[float], datetime]
@@ -173,8 +176,20 @@ class ControllerParts(QObject):
             planned_motion=self.planned_motion,
             take_over=self.take_over,
             mode_exit=self.mode_exit,
+            allow=lambda: self.reference.allow(),  # noqa: PLW0108 - made when it is needed
             cell=self.cell,
             announce=self.step_changed.emit,
+        )
+
+    @cached_property
+    def reference(self) -> ReferenceControl:
+        """Watches the joints' reference, and carries out its check."""
+        from armui.control.safety.reference_control import (  # noqa: PLC0415 - cantools
+            ReferenceControl,
+        )
+
+        return ReferenceControl(
+            self._context, self.reference_memory, lambda: self._wall(self._context.clock())
         )
 
     @cached_property
@@ -267,6 +282,7 @@ class ControllerParts(QObject):
             self.transactions,
             self.settings,
             self.teaching,
+            self.reference,
             self.mode_exit,
             self._dropped_frames,
             self.model_watch,
@@ -280,7 +296,7 @@ class ControllerParts(QObject):
         more = (self.linkage, self.end_reports, self.mounting, self.teaching, self.settings)
         motions = (self.motion, self.cartesian, self.jogging, self.planned_motion)
         runs = (self.player, self.replayer, self.speed_override, self.recorder)
-        return Operations((*parts, *more, *motions, *runs, self.cell))
+        return Operations((*parts, *more, *motions, *runs, self.cell, self.reference))
 
     # What more than one part ends -------------------------------------------------------------
 
@@ -296,6 +312,7 @@ class ControllerParts(QObject):
     def _forget_places(self) -> None:
         """Forget the places asked for: the angles are counted anew, and none means the same."""
         self._context.authority.end_command(End.ZERO_CHANGED)
+        self.reference.places_change()
         self.player.drop()
 
     # What the controller itself does ----------------------------------------------------------

@@ -185,7 +185,9 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._work_column = WorkColumn(self._work_area, run, self._drawer)
 
         top = TopBar(self._controller, self.open_connect_dialog)
-        recovery = RecoveryLine(self._controller, self.open_connect_dialog)
+        recovery = RecoveryLine(
+            self._controller, self.open_connect_dialog, self._diagnosis.open_reference_check
+        )
         self._trajectory_pages.run_asks.connect(recovery.show_asking)
         self.window_actions.link(
             *(top.ask_to_resume, recovery, run, self._diagnosis, self._watch),

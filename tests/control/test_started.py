@@ -51,6 +51,21 @@ def motion_under_way(rig):
     rig.run(0.2)
 
 
+def in_doubt(rig):
+    rig.run(1.5)
+    rig.firmware.lost_reference.begin(4)
+    rig.run_until(lambda: rig.controller.operating_state.reference.doubtful)
+    rig.run(2.0)
+
+
+def checking(rig, *, answered=False):
+    reference = rig.controller.reference
+    accepted(reference.begin())
+    reference.look(())
+    for joint in range(1, 7) if answered else ():
+        reference.answer(joint, 0.0)
+
+
 def cell_unconfirmed(rig):
     tool = Tool("pen", (0.0, 0.0, 100.0, 0.0, 0.0, 0.0))
     accepted(rig.controller.cell.take(Cell("bench", (tool,), "pen")))
@@ -67,6 +82,9 @@ BEFORE: dict[str, Any] = {
         rig.run_until(lambda: rig.controller.replayer.progress.done > 0.2),
     ),
     "planned.command": motion_under_way,
+    "reference.allow": in_doubt,
+    "reference.drive": checking,
+    "reference.finish": lambda rig: checking(rig, answered=True),
     **dict.fromkeys(
         ("cell.choose", "cell.change", "cell.delete"),
         lambda rig: accepted(rig.controller.cell.take(Cell("bench"))),
@@ -106,6 +124,9 @@ BEGIN: dict[str, tuple[Any, Ending]] = {
     "settings.save": (({Parameter("max_angle_deg", 2): 100.0},), DONE),
     "settings.reset_end_limits": (NONE, ANSWERED),
     "settings.reset_joint_limits": (NONE, ANSWERED),
+    **dict.fromkeys(("reference.allow", "reference.begin", "reference.finish"), (NONE, SENT)),
+    "reference.teach": (NONE, SENT),
+    "reference.drive": ((6,), DONE),
     "cell.take": ((Cell("bench"),), DONE),
     "cell.choose": (("bench",), DONE),
     "cell.change": ((Cell("bench", (Tool("pen"),), "pen"),), DONE),

@@ -110,7 +110,10 @@ class Motion(ControllerPart):
         if not 0 <= percent <= 100:
             return context.refuse(SPEED_OUT_OF_RANGE(value=percent))
         operating_state = context.refresh()
-        if (refusal := why_no_speed(operating_state)) is not None:
+        refusal = why_no_speed(operating_state)
+        if refusal is None and operating_state.moving:
+            refusal = operating_state.reference.why_not_move(percent)
+        if refusal is not None:
             return context.refuse(refusal)
         lower = round(percent) < self.speed_percent
         self.speed_percent = round(percent)

@@ -95,6 +95,7 @@ _AT_ONCE: Final = frozenset(
         Action.GIVE_UP,
         Action.TAKE_OVER,
         Action.LEAVE_MODE,
+        Action.ALLOW,
         Action.CONFIRM_CELL,
         Action.LEAVE_CELL,
     }
@@ -130,6 +131,7 @@ class Recovery(ControllerPart):
         planned_motion: Continues a motion held back, or drops it.
         take_over: Takes the arm from another host.
         mode_exit: Takes the arm out of another host's mode.
+        allow: Agrees to motions with a reference in doubt.
         cell: Confirms the cell of the arm.
         announce: Called with each new step.
 
@@ -150,6 +152,7 @@ class Recovery(ControllerPart):
         planned_motion: PlannedMotion,
         take_over: Callable[[], Refusal | None],
         mode_exit: ModeExitCommand,
+        allow: Callable[[], Started | Refusal],
         cell: CellControl,
         announce: Callable[[Step], object],
     ) -> None:
@@ -186,6 +189,7 @@ class Recovery(ControllerPart):
             Action.GIVE_UP: lambda _step: planned_motion.command(TrajectoryCommand.ABORT),
             Action.TAKE_OVER: lambda _step: take_over(),
             Action.LEAVE_MODE: lambda _step: mode_exit.send(),
+            Action.ALLOW: lambda _step: allow(),
             Action.CONFIRM_CELL: lambda _step: cell.confirm(),
             Action.LEAVE_CELL: lambda _step: cell.choose(""),
         }

@@ -213,6 +213,18 @@ def below_base(view: RecoveryView) -> Params | None:
     return None if below is None else {"value": below}
 
 
+def reference_in_doubt(*, agreed: bool) -> Applies:
+    """Return a check that applies to a reference in doubt, agreed to or not; with the joints."""
+
+    def applies(view: RecoveryView) -> Params | None:
+        reference = view.operating_state.reference
+        if not reference.doubtful or reference.allowed is not agreed:
+            return None
+        return {"joints": reference.joints, "numbers": reference.doubtful}
+
+    return applies
+
+
 def near_rest(view: RecoveryView) -> bool:
     """Return whether the arm is led by hand and near the rest pose."""
     farthest = farthest_from_rest(view.state) if view.in_drag_mode else None

@@ -42,6 +42,7 @@ from armui.control.safety.recovery_conditions import (
     other_mode,
     other_mode_that_ends,
     overspeed,
+    reference_in_doubt,
     run_is,
     status_flags,
     stop_lapsed_away,
@@ -276,6 +277,19 @@ _RULES: Final = (
         held_back(Hold.SPEED_ZERO),
         alternative=Action.GIVE_UP,
     ),
+    _Rule(
+        StepKind.REFERENCE_CHECK,
+        Level.WARNING,
+        Action.CHECK_REFERENCE,
+        when(lambda view: view.operating_state.reference.checking),
+    ),
+    _Rule(
+        StepKind.REFERENCE_IN_DOUBT,
+        Level.WARNING,
+        Action.CHECK_REFERENCE,
+        reference_in_doubt(agreed=False),
+        alternative=Action.ALLOW,
+    ),
     _Rule(StepKind.MOTORS_OFF, Level.INFO, Action.ENABLE, when(lambda view: not view.enabled)),
     # a target was refused; the arm stands where it was and takes the next
     _Rule(
@@ -295,6 +309,12 @@ _RULES: Final = (
     _Rule(StepKind.RUN_PAUSED, Level.WARNING, None, run_is(RunPhase.PAUSED)),
     _Rule(StepKind.RUN_WAITS, Level.INFO, None, run_is(RunPhase.WAITING)),
     _Rule(StepKind.RUNNING, Level.INFO, None, run_is(RunPhase.MOVING, RunPhase.DWELLING)),
+    _Rule(
+        StepKind.REFERENCE_AGREED,
+        Level.WARNING,
+        Action.CHECK_REFERENCE,
+        reference_in_doubt(agreed=True),
+    ),
     _Rule(StepKind.BELOW_BASE, Level.WARNING, None, below_base),
     _Rule(StepKind.MOVING, Level.INFO, None, when(moves)),
     _Rule(StepKind.READY, Level.DONE, None, when(lambda _view: True)),
