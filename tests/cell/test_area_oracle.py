@@ -35,8 +35,9 @@ def surfaces_mm(model):
     return urdf, found
 
 
-def places_mm(urdf, surfaces, joints_deg, finger_m):
+def places_mm(robot, joints_deg, finger_m):
     """All those places in the base frame; the base does not move and does not count."""
+    urdf, surfaces = robot
     names = urdf.actuated_joint_names
     values = {f"joint{index + 1}": np.radians(angle) for index, angle in enumerate(joints_deg)}
     urdf.update_cfg({name: values.get(name, finger_m) for name in names})
@@ -75,7 +76,7 @@ def outcomes(count, seed):
         said = check_of(box, margin_mm=MARGIN_MM, model=model).entries(np.array((start, end)))
         way = start + np.linspace(0.0, 1.0, STEPS)[:, None] * (end - start)
         gap = min(
-            gap_mm(places_mm(*models[model], each, rng.uniform(0.0, 0.035)), box) for each in way
+            gap_mm(places_mm(models[model], each, rng.uniform(0.0, 0.035)), box) for each in way
         )
         if gap <= 0.0:
             told["touch, said" if said else "touch, unsaid"] += 1
