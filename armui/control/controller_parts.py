@@ -248,7 +248,7 @@ class ControllerParts(QObject):
     @cached_property
     def sessions(self) -> SessionRecorder:
         """Records what is on the bus."""
-        recorder = SessionRecorder(self._context, self.events, self)
+        recorder = SessionRecorder(self._context, self.events, self, self.cell.holding)
         if self.session_choices is not None:
             recorder.choose(self.session_choices())
         return recorder
