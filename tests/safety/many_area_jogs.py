@@ -11,6 +11,8 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 import numpy as np
 from PySide6.QtCore import QCoreApplication
 
+from armui.arm.refusal import Refusal
+from armui.cell.area_check import AREA_IN_THE_WAY
 from armui.control.motion.jog_path import JointJog, ToolJog
 from armui.kinematics.axes import JogFrame
 from armui.protocol.generation import PiperModel
@@ -41,9 +43,10 @@ def nearest_mm(place, number):
     for _ in range(15):
         hold(rig, 0.02)
         nearest = min(nearest, check.look(rig.firmware.joints_deg)[0].gap_mm)
-    reasons = [each.params["reason"].code for each in rig.events if each.code == "jog_ended"]
+    reasons = [each.params.get("reason") for each in rig.events if each.code == "jog_ended"]
     rig.controller.shutdown()
-    return nearest, "area_in_the_way" in reasons
+    barred = [isinstance(each, Refusal) and each.reason == AREA_IN_THE_WAY for each in reasons]
+    return nearest, any(barred)
 
 
 def main(count):
@@ -53,7 +56,7 @@ def main(count):
     found = [nearest_mm(place, number) for number, place in enumerate(places)]
     gaps = np.array([gap for gap, _ in found])
     ended = sum(by_area for _, by_area in found)
-    print(f"{count} jogs, {ended} ended by the plane; least gap {gaps.min():.1f} mm")  # noqa: T201
+    print(f"{count} jogs, {ended} ended by the plane; least gap {gaps.min():.1f} mm")
     application.quit()
 
 
