@@ -15,7 +15,7 @@ from typing import Final
 
 from armui.arm.json_fields import FieldError, FieldProblem, Fields
 from armui.arm.refusal import Reason, Refusal
-from armui.cell import tools
+from armui.cell import gripper_table, tools
 from armui.cell.cell import Cell, check_cell
 from armui.system.atomic import write_whole
 from armui.system.files import error_text, read_file
@@ -165,7 +165,12 @@ def differences(before: Cell, after: Cell) -> tuple[Difference, ...]:
 
 
 def _entries(cell: Cell) -> dict[str, object]:
-    return {"tools": [tools.to_entry(tool) for tool in cell.tools], "tool": cell.tool}
+    return {
+        "tools": [tools.to_entry(tool) for tool in cell.tools],
+        "tool": cell.tool,
+        "gripper_table": gripper_table.to_entries(cell.gripper_table),
+        "gripper_calibrated": int(cell.gripper_calibrated),
+    }
 
 
 def _cell(fields: Fields, name: str) -> Cell:
@@ -182,6 +187,10 @@ def _cell(fields: Fields, name: str) -> Cell:
         name,
         tools=tuple(map(tools.from_entry, fields.objects("tools"))) if "tools" in fields else (),
         tool=fields.text("tool", ""),
+        gripper_table=gripper_table.from_entries(
+            fields.objects("gripper_table") if "gripper_table" in fields else ()
+        ),
+        gripper_calibrated=bool(fields.whole("gripper_calibrated", 0, (0, 1))),
     )
     fields.nothing_else()
     refusal = check_cell(cell)

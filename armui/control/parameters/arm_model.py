@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.models import ArmModel, model_data
@@ -17,9 +18,12 @@ HOME_DEG: Final = (0.0,) * 6
 
 def arm_model(controller: ArmController) -> ArmModel:
     """Return the model of the connected arm, or of an arm as it leaves the factory."""
-    return planning_model(
-        controller.state, controller.operating_state, controller.cartesian.tool[2]
-    )
+    arm = planning_model(controller.state, controller.operating_state, controller.cartesian.tool[2])
+    cell = controller.cell.in_force
+    table = None if cell is None else cell.gripper
+    if table is None or arm.stroke_mm is None:
+        return arm
+    return replace(arm, widest_mm=round(table.measured_mm(arm.stroke_mm), 3))
 
 
 def planning_model(state: ArmState, now: OperatingState, tool_z_mm: float = 0.0) -> ArmModel:

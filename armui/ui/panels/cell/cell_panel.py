@@ -24,6 +24,7 @@ from armui.ui.actions.command import Command, Target
 from armui.ui.dialogs.confirm_dialog import confirm
 from armui.ui.dialogs.files import choose_file
 from armui.ui.panels.cell.cell_tab import CellTab
+from armui.ui.panels.cell.gripper_tab import GripperTab
 from armui.ui.panels.cell.tools_tab import ToolsTab
 from armui.ui.panels.panel import Panel
 from armui.ui.widgets.buttons import (
@@ -41,7 +42,7 @@ if TYPE_CHECKING:
     from armui.control.operating_state import OperatingState
     from armui.settings import SettingsStore
 
-TABS: Final[tuple[type[CellTab], ...]] = (ToolsTab,)
+TABS: Final[tuple[type[CellTab], ...]] = (ToolsTab, GripperTab)
 """The tabs from left to right."""
 _TALLEST_CARD_PX: Final = 560
 _NARROW_PX: Final = 60
