@@ -76,7 +76,12 @@ class GripperTab(CellTab):
             for row, field in enumerate(fields, start=1):
                 grid.addWidget(field, row, column)
         buttons = in_row((self._widths, 1), (self._open, 1), (self._apply, 1), spacing=6)
-        in_column(*(self._next, self._on, grid, buttons, STRETCH), on=self, spacing=8, margins=0)
+        in_column(
+            *(self._next, in_row(self._on, STRETCH), grid, buttons, STRETCH),
+            on=self,
+            spacing=8,
+            margins=0,
+        )
         self._on.clicked.connect(self._on_switched)
         self._widths.clicked.connect(self._on_widths)
         self._open.clicked.connect(self._on_open)
@@ -149,6 +154,7 @@ class GripperTab(CellTab):
     def show_cell(self, why_not: str) -> None:
         """Show the table of the chosen cell; what is typed stays while that is the same."""
         self._why_not = why_not
+        self._controller.gripper.learn_stroke()
         shown = self._cell.name, self._cell.gripper_table
         if shown != self._shown:
             self._shown = shown
