@@ -236,6 +236,10 @@ class GripperControl(ControllerPart):
         """Return where the gripper stands, calibrated if its table is applied."""
         return self._shown(gripper.travel, gripper.unit)
 
+    def calibrated_mm(self, opening_mm: float) -> float:
+        """Return an opening of the arm's as callipers measure it, if its table is applied."""
+        return self._shown(opening_mm, _MM)
+
     def _shown(self, travel: float, unit: str) -> float:
         table = self._table_of(unit)
         return travel if table is None else round(max(0.0, table.measured_mm(travel)), 3)

@@ -19,11 +19,9 @@ HOME_DEG: Final = (0.0,) * 6
 def arm_model(controller: ArmController) -> ArmModel:
     """Return the model of the connected arm, or of an arm as it leaves the factory."""
     arm = planning_model(controller.state, controller.operating_state, controller.cartesian.tool[2])
-    cell = controller.cell.in_force
-    table = None if cell is None else cell.gripper
-    if table is None or arm.stroke_mm is None:
+    if arm.stroke_mm is None or not controller.gripper.is_calibrated:
         return arm
-    return replace(arm, widest_mm=round(table.measured_mm(arm.stroke_mm), 3))
+    return replace(arm, widest_mm=controller.gripper.calibrated_mm(arm.stroke_mm))
 
 
 def planning_model(state: ArmState, now: OperatingState, tool_z_mm: float = 0.0) -> ArmModel:

@@ -41,13 +41,14 @@ class GripperTab(CellTab):
             "cell.gripper_on",
             Text("GripperTab", "Show and command calibrated openings"),
             _CHANGE,
-            presses=False,
+            leads=True,
         ),
         Command("cell.gripper_widths", Text("GripperTab", "Propose widths for the gripper table")),
         Command(
             "cell.gripper_open",
             Text("GripperTab", "Open the gripper to the next width of its table"),
             operation_of(GripperControl.move),
+            leads=True,
         ),
         Command(
             "cell.gripper_apply", Text("GripperTab", "Apply the gripper table"), _CHANGE, leads=True
@@ -76,12 +77,8 @@ class GripperTab(CellTab):
             for row, field in enumerate(fields, start=1):
                 grid.addWidget(field, row, column)
         buttons = in_row((self._widths, 1), (self._open, 1), (self._apply, 1), spacing=6)
-        in_column(
-            *(self._next, in_row(self._on, STRETCH), grid, buttons, STRETCH),
-            on=self,
-            spacing=8,
-            margins=0,
-        )
+        parts = (self._next, buttons, in_row(self._on, STRETCH), grid, STRETCH)
+        in_column(*parts, on=self, spacing=8, margins=0)
         self._on.clicked.connect(self._on_switched)
         self._widths.clicked.connect(self._on_widths)
         self._open.clicked.connect(self._on_open)
