@@ -15,8 +15,9 @@ from typing import Final
 
 from armui.arm.json_fields import FieldError, FieldProblem, Fields
 from armui.arm.refusal import Reason, Refusal
-from armui.cell import gripper_table, tools
+from armui.cell import gripper_table, tools, work_area
 from armui.cell.cell import Cell, check_cell
+from armui.cell.work_area import Area
 from armui.system.atomic import write_whole
 from armui.system.files import error_text, read_file
 
@@ -170,6 +171,7 @@ def _entries(cell: Cell) -> dict[str, object]:
         "tool": cell.tool,
         "gripper_table": gripper_table.to_entries(cell.gripper_table),
         "gripper_calibrated": int(cell.gripper_calibrated),
+        "area": work_area.to_entry(cell.area),
     }
 
 
@@ -191,6 +193,7 @@ def _cell(fields: Fields, name: str) -> Cell:
             fields.objects("gripper_table") if "gripper_table" in fields else ()
         ),
         gripper_calibrated=bool(fields.whole("gripper_calibrated", 0, (0, 1))),
+        area=work_area.from_entry(fields.object("area")) if "area" in fields else Area(),
     )
     fields.nothing_else()
     refusal = check_cell(cell)

@@ -85,7 +85,7 @@ def test_its_tool_counts_once_it_is_confirmed(kept):
     assert (kept.controller.cartesian.tool, cells.in_force) == (NO_TOOL, None)
     accepted(cells.confirm())
     assert (kept.controller.cartesian.tool, cells.in_force) == (PEN.pose, BENCH)
-    assert cells.tool_radius_mm == 10.0
+    assert kept.controller.cartesian.tool_radius_mm == 10.0
 
 
 def test_the_line_of_the_next_step_asks_and_confirms(kept):
