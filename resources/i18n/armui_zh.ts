@@ -12293,12 +12293,6 @@ The other program must have ended.</source>
         <translation>急停恢复</translation>
     </message>
     <message>
-        <source>Resuming cuts the power of the motors: the arm will drop. Hold the arm.
-Afterwards the motors must be enabled again.</source>
-        <translation>恢复会切断电机电源，机械臂会下落，请扶住机械臂。
-恢复后需重新使能电机。</translation>
-    </message>
-    <message>
         <source>Resume</source>
         <translation>恢复</translation>
     </message>
