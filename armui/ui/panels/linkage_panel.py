@@ -172,7 +172,10 @@ class LinkagePanel(Panel):
 
         What a teaching input uses is not heard; the way back from it stands above.
         """
-        teaching, addressing = self._operating_state.teaching_input, self._operating_state.addressing
+        teaching, addressing = (
+            self._operating_state.teaching_input,
+            self._operating_state.addressing,
+        )
         in_use = (LinkageRole.MOTION_OUTPUT, addressing.feedback_offset, addressing.control_offset)
         offsets = (self._boxes[name].currentData() for name in ("feedback", "control"))
         chosen = (self._roles.checkedId(), *offsets)
