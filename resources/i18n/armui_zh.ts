@@ -8432,6 +8432,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>录制</translation>
     </message>
     <message>
+        <source>“{name}” has not been saved. A new recording replaces it.</source>
+        <translation>“{name}”尚未保存。开始新的录制会替换它。</translation>
+    </message>
+    <message>
         <source>Recording: {time}, {count} samples</source>
         <translation>正在录制：{time}，{count} 个采样</translation>
     </message>
@@ -8442,10 +8446,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Lead the arm by hand, or move it by anything, while it records.</source>
         <translation>录制期间可拖动机械臂，或以任意方式使其运动。</translation>
-    </message>
-    <message>
-        <source>A new recording replaces the unsaved one</source>
-        <translation>重新录制将覆盖未保存的内容</translation>
     </message>
     <message>
         <source>Trim samples</source>
