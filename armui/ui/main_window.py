@@ -185,7 +185,9 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._work_column = WorkColumn(self._work_area, run, self._drawer)
 
         top = TopBar(self._controller, self.open_connect_dialog)
-        recovery = RecoveryLine(self._controller, self.open_connect_dialog)
+        recovery = RecoveryLine(
+            self._controller, self.open_connect_dialog, self._diagnosis.open_reference_check
+        )
         self._trajectory_pages.run_asks.connect(recovery.show_asking)
         self.window_actions.link(
             *(top.ask_to_resume, recovery, run, self._diagnosis, self._watch),
@@ -286,8 +288,11 @@ class MainWindow(Translated, KeepsFocus, QWidget):
 
     def _show_in_view(self, state: ArmState) -> None:
         if self.isVisible():
-            tool = self._preferences.settings.tool
-            show_in_view(self._view, state, self._controller.operating_state, tool)
+            controller = self._controller
+            show_in_view(
+                *(self._view, state, controller.operating_state, controller.cartesian.tool),
+                calibrated=lambda gripper: controller.gripper.shown(gripper),  # noqa: PLW0108
+            )
 
     def _recolor(self) -> None:
         dark = colors_of(self) is DARK

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
@@ -43,11 +43,12 @@ _TIPS: Final = Texts("ViewBar") | {
     "reach": (
         "Shows where the tool centre point can reach; orange outlines what it cannot reach within"
     ),
+    "area": "Shows the planes and boxes of the cell's work area; those near the arm are lit",
     "save": "Writes the picture with its figures to a file",
     "copy": "Puts the picture with its figures into the clipboard",
 }
 """The tooltip of each action; name and key are those of ``view.<action>`` in `SHORTCUTS`."""
-_SWITCHES: Final = ("follow", "orthographic", "tool_frame", "reach")
+_SWITCHES: Final = ("follow", "orthographic", "tool_frame", "reach", "area")
 _HANDLES: Final = Texts("ViewBar") | {
     None: "No handles",
     HandleKind.TOOL: "Tool, along the axes of the base",
@@ -58,7 +59,7 @@ _STRIP: Final = ("front", "side", "top", "iso", "fit", "follow")
 _MENU: Final = (
     ("front", "side", "top", "iso", "below"),
     ("fit", "follow", "orthographic"),
-    ("tool_frame", "reach", "trail"),
+    ("tool_frame", "reach", "area", "trail"),
     ("save", "copy"),
 )
 
@@ -103,6 +104,7 @@ class ViewBar(Translated, QFrame):
         super().__init__()
         self.setObjectName("view_bar")
         self._view = view
+        self._of_tool = any(preferences.settings.tool)
         self._preferences = preferences
         self._buttons: list[QToolButton] = []
         self.view_actions = {name: self._action(name) for name in _TIPS}
@@ -212,6 +214,7 @@ class ViewBar(Translated, QFrame):
         for direction in ViewDirection:
             actions[direction.value].triggered.connect(partial(self._look_from, direction))
         actions["fit"].triggered.connect(self._view.fit)
+        actions["area"].setChecked(True)
         actions["follow"].triggered.connect(lambda on: self._view.follow_tool(wanted=on))
         actions["orthographic"].triggered.connect(
             lambda on: self._preferences.change(picture_orthographic=on)
@@ -266,11 +269,17 @@ class ViewBar(Translated, QFrame):
             action.setText(words if length_s else self.tr("Off"))
         describe(self._more, self.tr("View"), self.tr("Views, and what is drawn in the picture"))
 
+    def show_tool(self, tool: Sequence[float]) -> None:
+        """Name the trail after the tool in force, or after the flange."""
+        self._of_tool = any(tool)
+        self._name_trail()
+
     def _name_trail(self) -> None:
         """Say whose way the trail is: that of the point whose figures stand in the picture."""
-        of_tool = any(self._preferences.settings.tool)
         way = (
-            self.tr("Trail of the tool centre point") if of_tool else self.tr("Trail of the flange")
+            self.tr("Trail of the tool centre point")
+            if self._of_tool
+            else self.tr("Trail of the flange")
         )
         self._trail_menu.setTitle(way)
 

@@ -32,6 +32,7 @@ from armui.control.sessions.session_recorder import (
     SESSION_ENDED,
     SESSION_FAILED_NOTICE,
 )
+from armui.system.files import size_text
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.command import Command, Target
@@ -212,7 +213,7 @@ class SessionsModel(TableModel):
         if column is SessionColumn.LENGTH:
             return length_text(entry.length_s)
         if column is SessionColumn.SIZE:
-            return fmt.size_text(entry.total_bytes)
+            return size_text(entry.total_bytes)
         if column is SessionColumn.FAULTS:
             return fmt.NOTHING if entry.faults is None else str(entry.faults)
         if column is SessionColumn.STOPS:
@@ -247,7 +248,7 @@ class SessionsModel(TableModel):
 
 _ROW_PX: Final = 26
 _LEAST_PX: Final = 58
-"""Of the table: its titles and a row, while a message stands below."""
+"""The least height of the table: its titles and a row, while a message stands below."""
 _GAP_PX: Final = 6
 _LOOK_MS: Final = 500
 _WIDTHS_PX: Final = {
@@ -273,7 +274,7 @@ _SAID_HERE: Final = frozenset(
 
 
 class SessionsPage(Page):
-    """Records, and lists the recordings.
+    """Records sessions, and lists the recordings.
 
     Args:
         controller: Has the recorder.
