@@ -9054,10 +9054,6 @@ The other program must have ended.</source>
         <translation>机械臂上报的位姿与关节角度不符，程序无法计算路径。请检查各关节零点；仍可单独移动各关节。</translation>
     </message>
     <message>
-        <source>This arm was connected as a {chosen}, but the pose it reports is that of a {fits}: the program would compute with the wrong lengths. Connect it as a {fits}; until then the joints can be moved one by one.</source>
-        <translation>该机械臂按 {chosen} 连接，但其反馈的位姿属于 {fits}：程序会用错误的连杆长度计算。请按 {fits} 重新连接；在此之前可以逐个移动关节。</translation>
-    </message>
-    <message>
         <source>Tool centre point: {value} is not possible. Enter lengths up to {maximum} mm and angles up to 180°.</source>
         <translation>工具中心点：不能为 {value}。长度不超过 {maximum} mm，角度不超过 180°。</translation>
     </message>
@@ -9188,6 +9184,14 @@ The other program must have ended.</source>
     <message>
         <source>Jog step: “{value}” is not an angle. Enter a number of degrees, for example 0.5.</source>
         <translation>点动步长：“{value}”不是角度。请输入以度为单位的数字，例如 0.5。</translation>
+    </message>
+    <message>
+        <source>Connected as a {chosen}, but the pose it reports is that of a {fits}: paths would be wrong. Connect it as a {fits}; until then the joints can be moved one by one.</source>
+        <translation>该机械臂按 {chosen} 连接，但其反馈的位姿属于 {fits}：路径会算错。请按 {fits} 重新连接；在此之前可以逐个移动关节。</translation>
+    </message>
+    <message>
+        <source>Which identifiers the arm obeys is not proven, so it is not moved; stop and halt reach it. Set the offsets again in Linkage with the arm in standby.</source>
+        <translation>机械臂在哪些标识符上接收指令尚未证实，因此不让它运动；急停和停住仍能到达。请让机械臂处于待机，在联动控制中重新设置偏移。</translation>
     </message>
     <message>
         <source>A folder needs a name. Enter one.</source>
@@ -9712,10 +9716,6 @@ The other program must have ended.</source>
     <message>
         <source>This connection only listens: nothing is sent on it but the emergency stop.</source>
         <translation>此连接为只听：除急停外不发送任何帧。</translation>
-    </message>
-    <message>
-        <source>Whether the arm takes commands on the identifiers in use is not proven, so it is not moved; stop and halt reach it. To prove it, set the offsets again in Linkage with the arm in standby: they count once the arm has answered.</source>
-        <translation>机械臂是否在当前标识符上接收指令尚未证实，因此不让它运动；急停和停住仍能到达。证实方法：让机械臂处于待机，在联动控制中重新设置偏移，得到应答后即生效。</translation>
     </message>
     <message>
         <source>For half a second {device} could send nothing, because nobody on the bus acknowledges. Check the arm&apos;s power, the CAN cable, the terminating resistors and the bit rate (1 Mbit/s).</source>
@@ -10451,20 +10451,16 @@ The other program must have ended.</source>
         <translation>剩余 {time}</translation>
     </message>
     <message>
+        <source>ended by the emergency stop</source>
+        <translation>因急停结束</translation>
+    </message>
+    <message>
         <source>moving</source>
         <translation>运动中</translation>
     </message>
     <message>
         <source>dwelling</source>
         <translation>停留中</translation>
-    </message>
-    <message>
-        <source>waits for the next step</source>
-        <translation>等待下一步</translation>
-    </message>
-    <message>
-        <source>paused</source>
-        <translation>已暂停</translation>
     </message>
     <message>
         <source>coming to rest</source>
@@ -10477,10 +10473,6 @@ The other program must have ended.</source>
     <message>
         <source>ended</source>
         <translation>已结束</translation>
-    </message>
-    <message>
-        <source>ended by a fault</source>
-        <translation>因故障结束</translation>
     </message>
     <message>
         <source>Next step</source>
@@ -10497,6 +10489,18 @@ The other program must have ended.</source>
     <message>
         <source>End run</source>
         <translation>结束运行</translation>
+    </message>
+    <message>
+        <source>waiting: press “Next step”</source>
+        <translation>等待中：请按“下一步”</translation>
+    </message>
+    <message>
+        <source>paused: hold “Continue” for 1 s</source>
+        <translation>已暂停：按住“继续”1 秒</translation>
+    </message>
+    <message>
+        <source>ended early</source>
+        <translation>提前结束</translation>
     </message>
     <message>
         <source>Close</source>

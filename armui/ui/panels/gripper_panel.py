@@ -326,7 +326,8 @@ class GripperPanel(Panel):
     def _lay_out(self) -> None:
         state = in_row(self._mark, self._power, STRETCH)
         card = QFrame()
-        parts = (state, self._faults, self._measure, self._rows, self._stroke_note, STRETCH)
+        # errors come and go by themselves: below all that is pressed
+        parts = (state, self._measure, self._rows, self._stroke_note, self._faults, STRETCH)
         in_column(*parts, on=card, spacing=10, margins=(16, 12, 16, 12))
         acts = empty_grid(gaps=(8, 8))
         for place, button in enumerate(self._acts.values()):

@@ -7,7 +7,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import QKeySequence, QShortcut
+from PySide6.QtGui import QKeySequence, QResizeEvent, QShortcut
 from PySide6.QtWidgets import QHeaderView, QLineEdit, QWidget
 
 from armui.arm.refusal import Refusal
@@ -98,6 +98,8 @@ _OF_POINTS: Final = ("go_to", "find", "check")
 """Actions that are possible with points only."""
 _NOTE_PX: Final = 200
 """Below this width the note's field moves to a line of its own."""
+_LOW_PX: Final = 440
+"""Below this height the table would have no room beside a jog box that does not scroll."""
 
 
 class EditorPage(Page):
@@ -211,11 +213,11 @@ class EditorPage(Page):
 
     def _lay_out(self) -> None:
         self._find_bar.hide()
-        # what comes and goes takes room from the table: jog buttons and 发送 stay where they are
+        # what comes and goes takes room from the table, then scrolls: jog buttons and 发送 stay
         fill(self.body, self._actions.bar(self._note), self._find_bar, (self.table, 1))
         fill(self.body, self._findings, self._other_arm, self._message)
-        fill(self.body, self._jog)
-        fill(self.footer, (self._run_bar, 1))
+        self._foot = in_column(self._jog, self._run_bar, margins=0)
+        self.footer.addLayout(self._foot, 1)
 
     def _connect(self) -> None:
         stack = self.document.stack
@@ -250,6 +252,16 @@ class EditorPage(Page):
     def subject(self) -> str:
         """The trajectory's name."""
         return self.document.name
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Have the jog box scroll with the table where there is little height."""
+        super().resizeEvent(event)
+        low = event.size().height() < _LOW_PX
+        if low == (self._foot.indexOf(self._jog) >= 0):
+            if low:
+                self.body.addWidget(self._jog)
+            else:
+                self._foot.insertWidget(0, self._jog)
 
     def _show_jog(self) -> None:
         """Beside the jog buttons, making a point is what is done most: not running."""
@@ -291,7 +303,9 @@ class EditorPage(Page):
         self.bring_into_sight(self._message)  # below findings a low window has no room for it
 
     def _on_jogged(self, refusal: Refusal | None) -> None:
-        self._say("" if refusal is None else words.refusal(refusal), Level.WARNING)
+        self._say("" if refusal is None else partial(words.refusal, refusal), Level.WARNING)
+        if refusal is not None:
+            self.bring_into_sight(self._message)
 
     def _to_move(self, row: int, move: MoveMode) -> Waypoint | Refusal:
         return self._edits.to_move(row, move)
