@@ -98,8 +98,8 @@ _OF_POINTS: Final = ("go_to", "find", "check")
 """Actions that are possible with points only."""
 _NOTE_PX: Final = 200
 """Below this width the note's field moves to a line of its own."""
-_LOW_PX: Final = 440
-"""Below this height the table would have no room beside a jog box that does not scroll."""
+_LEAST_BODY_PX: Final = 270
+"""The height for the actions and some rows of the table beside a jog box that does not scroll."""
 
 
 class EditorPage(Page):
@@ -254,9 +254,14 @@ class EditorPage(Page):
         return self.document.name
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Have the jog box scroll with the table where there is little height."""
+        """Place the jog box anew, because there is more or less height."""
         super().resizeEvent(event)
-        low = event.size().height() < _LOW_PX
+        self._place_jog()
+
+    def _place_jog(self) -> None:
+        """Have the jog box stay in its place, or scroll with the table where there is no height."""
+        foot_px = sum(_height_of(each, self.width()) for each in (self._jog, self._run_bar))
+        low = self.height() - foot_px < _LEAST_BODY_PX
         if low == (self._foot.indexOf(self._jog) >= 0):
             if low:
                 self.body.addWidget(self._jog)
@@ -267,6 +272,7 @@ class EditorPage(Page):
         """Beside the jog buttons, making a point is what is done most: not running."""
         jogs = self._actions["jog"].isChecked()
         self._jog.unfold(jogs)
+        self._place_jog()
         self._run_bar.show_secondary(jogs)
 
     # Editing ----------------------------------------------------------------------------------
@@ -533,6 +539,11 @@ class EditorPage(Page):
         self._note.setPlaceholderText(self.tr("What this trajectory is for"))
         self.table.setAccessibleName(self.tr("Points"))
         self._show_title()
+
+
+def _height_of(part: QWidget, width_px: int) -> int:
+    layout = part.layout()
+    return 0 if layout is None else layout.totalHeightForWidth(width_px)
 
 
 def _has_arcs(points: Iterable[Waypoint]) -> bool:
