@@ -24,10 +24,12 @@ from armui import __version__
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
+from armui.control.cell.cell_keeper import CellKeeper
 from armui.control.event_log.keeper import EventKeeper
 from armui.control.events import Event, Notice
 from armui.control.link.instance_registry import InstanceRegistry
 from armui.control.operating_state import LinkState, OperatingState
+from armui.control.safety.kept_references import KeptReferences
 from armui.control.sessions.choices import SessionChoices, choices_of
 from armui.ending import SystemEnd
 from armui.protocol.generation import Generation, PiperModel
@@ -77,6 +79,7 @@ _LOG: Final = logging.getLogger(__name__)
 
 DRIVE_NOTHING: Final = (
     "armui.bus.notifier",
+    "armui.cell",
     "armui.session",
     "armui.settings",
     "armui.system",
@@ -127,6 +130,7 @@ _LOOK_AT_FILES_MS: Final = 1000
 
 _LATE_ROOMS: Final = (
     "arm",
+    "cell",
     "kinematics",
     "protocol",
     "session.recording",
@@ -218,7 +222,11 @@ class Program:
         controller.jog_floor.lowest_mm = settings.jog_floor_mm
         controller.model_watch.assume(last_model(settings.models))
         self._node_keeper = NodeKeeper(controller, KeptModels(store))
+        controller.cell.use_own_tool(settings.tool)
+        folder = trajectories or paths.trajectories()
+        self._cell_keeper = CellKeeper(controller.cell, store, folder, files or workers)
         controller.session_choices = partial(_session_choices, store)
+        controller.reference_memory = KeptReferences(store)
         self._unsubscribe = store.subscribe(self._on_settings_changed)
         self._relay = _FailureRelay()
         self._relay.failed.connect(self._on_failed)
@@ -316,6 +324,7 @@ class Program:
             self._translator.set_language(settings.language)
         self.controller.stop_again_when_undone(settings.stop_again)
         self.controller.jog_floor.lowest_mm = settings.jog_floor_mm
+        self.controller.cell.use_own_tool(settings.tool)
         self.controller.on_sessions_chosen()
         self._settings = settings
 

@@ -7,6 +7,7 @@ from typing import Final, Literal, get_args
 
 from armui.arm.json_fields import finite
 from armui.arm.limits import JOINTS
+from armui.arm.reference_record import read_record
 from armui.arm.refusal import Reason, Refusal
 from armui.protocol.generation import PiperModel
 
@@ -89,7 +90,9 @@ def check(name: str, value: object) -> Refusal | None:
         "gamepad_mode": value in get_args(GamepadMode),
         "gamepad_one_axis": isinstance(value, bool),
         "gamepad_buttons": _are_buttons(value),
+        "cells": _are_named(value),
         "models": _are_of_arms(value, tuple(PiperModel)),
+        "references": _are_references(value),
     }
     if allowed.get(name, False):
         return None
@@ -142,6 +145,16 @@ def _are_of_arms(value: object, allowed: Sequence[object]) -> bool:
     )
 
 
+def _are_named(value: object) -> bool:
+    """Return whether a value names something for each arm, by what they are remembered by."""
+    return (
+        isinstance(value, dict)
+        and len(value) <= _MOST_ARMS
+        and all(isinstance(key, str) and len(key) <= _LONGEST_PATH for key in value)
+        and all(_is_name(each) for each in value.values())
+    )
+
+
 def _are_home_poses(value: object) -> bool:
     """Six finite angles for each arm, none of them more than a turn."""
     if not isinstance(value, dict) or len(value) > _MOST_ARMS:
@@ -153,6 +166,15 @@ def _are_home_poses(value: object) -> bool:
         and len(pose) == len(JOINTS)
         and all((angle := finite(each)) is not None and abs(angle) <= _TURN_DEG for each in pose)
         for key, pose in value.items()
+    )
+
+
+def _are_references(value: object) -> bool:
+    if not isinstance(value, dict) or len(value) > _MOST_ARMS:
+        return False
+    return all(
+        isinstance(key, str) and len(key) <= _LONGEST_PATH and read_record(record) is not None
+        for key, record in value.items()
     )
 
 

@@ -93,6 +93,8 @@ class Choices(TypedDict, total=False):
     gamepad_one_axis: bool
     gamepad_buttons: GamepadButtons
     models: Mapping[str, str]
+    references: Mapping[str, Mapping[str, object]]
+    cells: Mapping[str, str]
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,6 +120,9 @@ class Settings:
         session_rotate_mb: A file that has reached this size is followed by another.
         models: The chosen model by the adapter's serial number, with the node number if known; the
             last choice last.
+        references: What is known of each arm's reference, by the key of `home_poses`; see
+            `armui.arm.reference_record`.
+        cells: The name of each arm's cell, by the adapter's serial number; the last choice last.
         session_save_at_faults: True if the last minutes are saved automatically at a fault or a
             stop.
         has_jogged: True if the operator has moved an arm before: the first step is not shown any
@@ -155,6 +160,8 @@ class Settings:
     gamepad_one_axis: bool = True
     gamepad_buttons: GamepadButtons = field(default_factory=dict)
     models: Mapping[str, str] = field(default_factory=dict)
+    references: Mapping[str, Mapping[str, object]] = field(default_factory=dict)
+    cells: Mapping[str, str] = field(default_factory=dict)
 
 
 Subscriber = Callable[[Settings], None]

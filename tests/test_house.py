@@ -202,6 +202,17 @@ def full_name(node: ast.expr, known: dict[str, str]) -> str:
     return ".".join([first, *reversed(parts)])
 
 
+def test_no_module_has_qt_watch_files():
+    """It looks at each path, in the thread that asks; on a network disk it then tells nothing."""
+    found = {
+        name
+        for name, path in modules()
+        if "PySide6.QtCore.QFileSystemWatcher" in imported_names(tree(path)).values()
+    }
+
+    assert found == set()
+
+
 def test_the_search_for_opened_files_sees_them():
     text = """
 import numpy as np

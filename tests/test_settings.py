@@ -64,6 +64,8 @@ def test_a_change_is_there_in_the_next_run(path: Path) -> None:
         "gamepad_one_axis": True,
         "gamepad_buttons": {},
         "models": {},
+        "references": {},
+        "cells": {},
     }
 
 

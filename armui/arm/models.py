@@ -27,6 +27,7 @@ from armui.system.paths import URDF
 
 if TYPE_CHECKING:
     from armui.arm.state import EndLimits
+    from armui.arm.tool_capsule import ToolCapsule
     from armui.kinematics.arm_kinematics import Kinematics
 
 FORMAT: Final = 1
@@ -306,6 +307,7 @@ class ArmModel:
         stroke_mm: The gripper's largest opening; ``None`` if not known.
         gripper_turned_deg: The gripper's turn about the flange's Z axis.
         kind: The model and its zeros; if "", trajectories of other arms are not recognised.
+        tool: The tool set on the flange; ``None`` if only the gripper's tip counts.
     """
 
     limits: tuple[JointLimits, ...]
@@ -316,6 +318,12 @@ class ArmModel:
     stroke_mm: float | None = None
     gripper_turned_deg: float = 0.0
     kind: str = ""
+    tool: ToolCapsule | None = None
+
+    @property
+    def tip_mm(self) -> tuple[float, float, float]:
+        """The place in the flange of the tip that is watched: the tool's, else the gripper's."""
+        return (0.0, 0.0, self.tool_mm) if self.tool is None else self.tool.tip_mm
 
     @property
     def fingerprint(self) -> str:

@@ -194,6 +194,7 @@ class ArmController(ControllerParts):
         self._stop.on_connecting(device)
         self.cartesian.prepare()
         self._parts.set_parts(self._all_parts(), last=self.recovery)
+        self.cell.begin_device(device)
         if not self._replays:
             self.sessions  # noqa: B018 - it keeps every frame, from the first on
         self._connection.open(device)
@@ -215,6 +216,7 @@ class ArmController(ControllerParts):
             abort_motion(self._context)
         self._forget_arm()
         self._connection.close()
+        self.cell.end_device()
         self._timer.stop()
         self._state = ArmState()
         self._tell(DISCONNECTED, device=device)
@@ -405,5 +407,7 @@ class ArmController(ControllerParts):
         """Let no part go on with what a halt has ended, and no target come back."""
         self._end_driven()
         self._authority.cancelled(self._clock())
-        self.mode_exit.halt()
+        for part in (self.motion, self.planned_motion, self.speed_override, self.mode_exit):
+            part.halt()
+        self.teaching.drop_pause()
         self.gripper.end_travel()

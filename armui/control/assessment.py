@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from armui.arm.device import Device
 from armui.arm.limits import plausible
@@ -26,6 +26,7 @@ from armui.control.operating_state import (
 from armui.control.run.progress import RunPhase
 from armui.control.safety import interlocks
 from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN, SPEED_ZERO
+from armui.control.safety.reference_status import ReferenceStatus
 from armui.protocol.generation import Generation
 
 
@@ -68,6 +69,7 @@ class AssessmentInputs:
     model_fit: ModelFit = field(default_factory=ModelFit)
     below_base_mm: int | None = None
     offsets: OffsetFollower = field(default_factory=OffsetFollower)
+    reference: ReferenceStatus = field(default_factory=ReferenceStatus)
 
 
 def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> OperatingState:
@@ -77,15 +79,17 @@ def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> Operating
     no_command = interlocks.why_no_command(
         why_unreachable(around.link, around.device), around.stop, around.busy
     )
-    cannot_run = _first(
+    cannot_drive = _first(
         lambda: no_command,
         lambda: None if around.offsets.certain else CONTROL_OFFSET_UNKNOWN(),
         lambda: BUSY(what=tasks.altering) if tasks.altering else None,
         authority.why_not_ours,
+        lambda: authority.unconfirmed_cell,
         lambda: interlocks.why_not_enabled(enabled),
         lambda: interlocks.why_not_ready(state),
     )
-    held = authority.why_held()
+    held, reference = authority.why_held(), around.reference
+    cannot_run = cannot_drive or reference.why_not_run()
     read = [
         heard.value if heard is not None and plausible(heard.value) else None
         for heard in state.limits
@@ -102,16 +106,18 @@ def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> Operating
         enabled=enabled,
         busy=around.busy,
         cannot_move=_first(
-            lambda: cannot_run,
+            lambda: cannot_drive,
             lambda: RUN_UNDER_WAY() if tasks.running else held,
             lambda: SPEED_ZERO() if around.speed_percent == 0 else None,
+            lambda: reference.why_not_move(around.speed_percent),
         ),
         cannot_run=cannot_run,
         running=tasks.running,
         run_phase=tasks.run_phase,
         jogging=tasks.jogging,
         recording=tasks.recording,
-        cannot_send_motion=authority.why_not_ours(),
+        cannot_send_motion=authority.why_not_ours() or authority.unconfirmed_cell,
+        unconfirmed_cell=authority.unconfirmed_cell,
         mover=authority.mover,
         other_host=around.other_host,
         holds=authority.holds,
@@ -139,6 +145,9 @@ def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> Operating
         control_certain=around.offsets.certain,
         model_fit=around.model_fit,
         below_base_mm=around.below_base_mm,
+        reference=replace(
+            reference, cannot_drive=cannot_drive or (RUN_UNDER_WAY() if tasks.running else held)
+        ),
         teaching_input=around.link in (LinkState.OFFLINE, LinkState.ONLINE)
         and is_fresh(state.foreign_targets_s, now_s)
         and not _controller_heard(state, now_s),

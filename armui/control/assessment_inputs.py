@@ -101,6 +101,7 @@ class Assessor:
             offsets=connection.offsets,
             model_fit=controller.model_watch.fit(),
             below_base_mm=controller.jog_floor.below_base_mm(controller.state),
+            reference=controller.reference.status,
             authority=self._watch.authority,
             other_host=self._watch.report(),
             tasks=ActiveTasks(

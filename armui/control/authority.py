@@ -74,6 +74,8 @@ class Authority:
         other: Follows what another host does to the arm.
         overspeed: The measured speed and the speed shown, where our motion is far too fast.
         failed: A part of the program fails at each look: no motion of ours may begin.
+        unconfirmed_cell: The reason against a motion while the cell kept for the adapter is not
+            confirmed, or ``None``.
     """
 
     def __init__(self) -> None:
@@ -97,6 +99,7 @@ class Authority:
         self.cancel_unheeded = False
         self.overspeed: Refusal | None = None
         self.failed = False
+        self.unconfirmed_cell: Refusal | None = None
 
     # What is heard ------------------------------------------------------------------------------
 
@@ -181,7 +184,7 @@ class Authority:
 
     def why_not(self) -> Refusal | None:
         """Return the reason against sending any motion frame now, or ``None``."""
-        return self.why_not_ours() or self.why_held()
+        return self.why_not_ours() or self.unconfirmed_cell or self.why_held()
 
     def why_not_ours(self) -> Refusal | None:
         """Return the reason against going on with our motion that is held back, or ``None``."""

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
+from armui.control.cell.cell_control import CellControl
 from armui.control.devices.end_reports import EndReports
 from armui.control.devices.gripper import GripperControl
 from armui.control.devices.joint_errors import JointErrors
@@ -31,6 +32,7 @@ from armui.control.motion.joint_motion import Motion
 from armui.control.motion.motion_command import End
 from armui.control.motion.planned_motion import PlannedMotion
 from armui.control.operations.operation import Operations
+from armui.control.parameters.arm_model import tool_capsule
 from armui.control.parameters.arm_settings import ArmSettings
 from armui.control.requests.transactions import TransactionQueue
 from armui.control.run.player import Player
@@ -48,6 +50,7 @@ if TYPE_CHECKING:
     from armui.arm.refusal import Refusal
     from armui.control.context import Context, ControllerPart
     from armui.control.event_log.collector import EventCollector
+    from armui.control.safety.reference_control import ReferenceControl, ReferenceMemory
     from armui.control.sessions.choices import SessionChoices
     from armui.telemetry.events import EventLog
 
@@ -58,13 +61,18 @@ class ControllerParts(QObject):
     Signals:
         step_changed: A :class:`Step`, when the next step of recovery differs.
         noticed: A :class:`Event`.
+        cell_changed: The chosen :class:`Cell` or ``None``, when it, its confirmation or the list of
+            cells has changed.
     """
 
     step_changed = Signal(object)
+    cell_changed = Signal(object)
     noticed = Signal(object)
 
     session_choices: Callable[[], SessionChoices] | None = None
     """Returns how and where sessions are recorded; by default as `SessionRecorder` has it."""
+    reference_memory: ReferenceMemory | None = None
+    """Keeps what is known of each arm's reference; by default nothing is kept."""
     _context: Context
     """The context that the parts share; the controller sets it before it asks for any."""
     _wall: Callable[[float], datetime]
@@ -78,12 +86,19 @@ class ControllerParts(QObject):
     @cached_property
     def jog_floor(self) -> JogFloor:
         """Knows how low the arm reaches, and how low a jog may take it."""
-        return JogFloor(self._context, lambda: self.cartesian.tool)
+        return JogFloor(
+            self._context, lambda: tool_capsule(self.cartesian.tool, self.cartesian.tool_radius_mm)
+        )
 
     @cached_property
     def cartesian(self) -> Cartesian:
         """Moves the tool."""
         return Cartesian(self._context, self.motion, self.jog_floor)
+
+    @cached_property
+    def cell(self) -> CellControl:
+        """Holds the cell in force: tools, and what stands around the arm."""
+        return CellControl(self._context, self.cartesian, self.cell_changed.emit)
 
     @cached_property
     def jogging(self) -> Jogging:
@@ -164,7 +179,20 @@ class ControllerParts(QObject):
             planned_motion=self.planned_motion,
             take_over=self.take_over,
             mode_exit=self.mode_exit,
+            allow=lambda: self.reference.allow(),  # noqa: PLW0108 - made when it is needed
+            cell=self.cell,
             announce=self.step_changed.emit,
+        )
+
+    @cached_property
+    def reference(self) -> ReferenceControl:
+        """Watches the joints' reference, and carries out its check."""
+        from armui.control.safety.reference_control import (  # noqa: PLC0415 - cantools
+            ReferenceControl,
+        )
+
+        return ReferenceControl(
+            self._context, self.reference_memory, lambda: self._wall(self._context.clock())
         )
 
     @cached_property
@@ -248,6 +276,7 @@ class ControllerParts(QObject):
             self.player,
             self.speed_override,
             self.cartesian,
+            self.cell,
             self.gripper,
             self.linkage,
             self.jogging,
@@ -256,6 +285,7 @@ class ControllerParts(QObject):
             self.transactions,
             self.settings,
             self.teaching,
+            self.reference,
             self.mode_exit,
             self._dropped_frames,
             self.model_watch,
@@ -269,7 +299,7 @@ class ControllerParts(QObject):
         more = (self.linkage, self.end_reports, self.mounting, self.teaching, self.settings)
         motions = (self.motion, self.cartesian, self.jogging, self.planned_motion)
         runs = (self.player, self.replayer, self.speed_override, self.recorder)
-        return Operations((*parts, *more, *motions, *runs))
+        return Operations((*parts, *more, *motions, *runs, self.cell, self.reference))
 
     # What more than one part ends -------------------------------------------------------------
 
@@ -285,6 +315,7 @@ class ControllerParts(QObject):
     def _forget_places(self) -> None:
         """Forget the places asked for: the angles are counted anew, and none means the same."""
         self._context.authority.end_command(End.ZERO_CHANGED)
+        self.reference.places_change()
         self.player.drop()
 
     # What the controller itself does ----------------------------------------------------------

@@ -14,6 +14,7 @@ from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import Six, Status
 from armui.control.motion.motion_command import Hold, Mover, why_held
 from armui.control.run.progress import RunPhase
+from armui.control.safety.reference_status import ReferenceStatus
 from armui.protocol.addressing import Addressing
 from armui.protocol.generation import Generation, PiperModel
 
@@ -164,8 +165,10 @@ class OperatingState:
         addressing: The identifier offsets in use (0x470).
         control_certain: True if the arm is known to take commands under them.
         model_fit: The chosen model, and whether the arm's reports fit it.
+        reference: The state of the joints' reference.
         below_base_mm: The depth of flange or fingertip below the plane the arm stands on, or
             ``None``.
+        unconfirmed_cell: Why the cell kept for the adapter is not in force yet; nothing moves then.
         teaching_input: Commands are heard and no feedback: the arm is a teaching input (0x470).
     """
 
@@ -208,6 +211,8 @@ class OperatingState:
     control_certain: bool = True
     model_fit: ModelFit = field(default_factory=ModelFit)
     below_base_mm: int | None = None
+    reference: ReferenceStatus = field(default_factory=ReferenceStatus)
+    unconfirmed_cell: Refusal | None = None
 
     @property
     def unreachable(self) -> Refusal | None:

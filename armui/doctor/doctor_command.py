@@ -16,8 +16,9 @@ from armui.doctor.probes.can_devices import look_at_can
 from armui.doctor.probes.listening import listen
 from armui.doctor.probes.program import look_at_program
 from armui.doctor.probes.screen import TRIALS, look_at_screen
-from armui.doctor.problem_report import collect, doctor_files, save, size_text
+from armui.doctor.problem_report import collect, doctor_files, save
 from armui.doctor.report import Words, as_json, as_text
+from armui.system.files import size_text
 from armui.system.plain_words import Language, language_of_system, settings_file, translation
 
 EXIT_ARM_ANSWERS: Final = 0

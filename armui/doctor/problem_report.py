@@ -165,10 +165,3 @@ def save(path: Path, files: Sequence[ReportFile]) -> Path | Refusal:
     except (OSError, ValueError) as error:
         return REPORT_NOT_SAVED(path=str(path), text=error_text(error))
     return path
-
-
-def size_text(count: int) -> str:
-    """Return a size for people, in B, kB or MB."""
-    if count < 1_000:
-        return f"{count} B"
-    return f"{count / 1e3:.1f} kB" if count < 1_000_000 else f"{count / 1e6:.1f} MB"

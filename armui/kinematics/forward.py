@@ -16,7 +16,7 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from armui.kinematics.geometry import Geometry, Wrist
+from armui.kinematics.geometry import JOINT_COUNT, Geometry, Wrist
 from armui.kinematics.poses import Matrix, components
 
 _ROUNDING: Final = 1e-9
@@ -121,6 +121,29 @@ def flange_transforms(geometry: Geometry, joints_deg: Matrix) -> Matrix:
         transforms[..., :3, column] = stacked(vector)
     transforms[..., 3, 3] = 1.0
     return transforms
+
+
+def link_frames(geometry: Geometry, joints_deg: Matrix) -> Matrix:
+    """Return (n, 7, 4, 4) the frames of base and links at (n, 6) joint angles, lengths in mm.
+
+    Frame 0 is the base; the Z axis of frame i is the axis of joint i, as in the DH table and in the
+    robot descriptions. Frame 6 is the flange.
+    """
+    frames = np.zeros((len(joints_deg), JOINT_COUNT + 1, 4, 4))
+    frames[:, :, 3, 3] = 1.0
+    frames[:, 0, :3, :3] = np.eye(3)
+    for index, row in enumerate(geometry.rows):
+        alpha, theta = math.radians(row.alpha_deg), np.radians(joints_deg[:, index] + row.theta_deg)
+        ca, sa, ct, st = math.cos(alpha), math.sin(alpha), np.cos(theta), np.sin(theta)
+        step = np.zeros((len(joints_deg), 3, 3))
+        step[:, 0, 0], step[:, 0, 1] = ct, -st
+        step[:, 1, 0], step[:, 1, 1], step[:, 1, 2] = ca * st, ca * ct, -sa
+        step[:, 2, 0], step[:, 2, 1], step[:, 2, 2] = sa * st, sa * ct, ca
+        way = np.array((row.a_mm, -sa * row.d_mm, ca * row.d_mm))
+        before = frames[:, index]
+        frames[:, index + 1, :3, :3] = before[:, :3, :3] @ step
+        frames[:, index + 1, :3, 3] = before[:, :3, 3] + before[:, :3, :3] @ way
+    return frames
 
 
 def flange_rows(geometry: Geometry, joints_deg: Sequence[float]) -> list[float]:

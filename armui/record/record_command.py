@@ -36,6 +36,7 @@ from armui.system.clock import steady_s
 from armui.system.command_line import add_device
 from armui.system.command_process import is_packaged
 from armui.system.end_signals import handled_by, interrupting
+from armui.system.files import size_text
 
 if TYPE_CHECKING:
     import can
@@ -251,7 +252,7 @@ def _summary(
     if problem:
         sys.stderr.write(f"armui record: {problem}\n")
     if recording.path is not None and recording.frames:
-        size = _size(recording.total_bytes)
+        size = size_text(recording.total_bytes)
         sys.stdout.write(f"{recording.path}: {recording.frames} frames, {size}\n")
     elif not problem:
         sys.stderr.write("armui record: not one frame was heard; `armui doctor` tells more\n")
@@ -271,17 +272,13 @@ def _tell(recording: SessionRecording, lane: FrameLane, now_s: float) -> None:
         return
     elapsed_s = now_s - recording.begun_s
     minutes, seconds = divmod(int(elapsed_s), 60)
-    size = _size(recording.total_bytes)
+    size = size_text(recording.total_bytes)
     lost = recording.lost + lane.dropped
     text = f"{minutes:3d}:{seconds:02d}  {recording.frames} frames  {size}"
     if lost:
         text += f"  {lost} lost"
     sys.stderr.write(f"\r{text:<60}")
     sys.stderr.flush()
-
-
-def _size(count: int) -> str:
-    return f"{count / _MEGABYTE:.1f} MB" if count >= _MEGABYTE else f"{count / 1000:.0f} kB"
 
 
 def _device(options: argparse.Namespace) -> Device | None:

@@ -188,7 +188,7 @@ class Feedback:
 
     def frames(self, names: Iterable[str]) -> list[Frame]:
         """Return the present frames of these messages, in their order."""
-        positions = self._arm.mechanics.positions_deg
+        positions = self._arm.reported_deg
         if positions != self._posed_at:
             self._posed_at = positions
             self._pose = self._kinematics.forward(positions)
@@ -224,7 +224,7 @@ class Feedback:
         return self._cache.frame("EndPose3", RY=self._pose.ry_deg, RZ=self._pose.rz_deg)
 
     def _joint_feedback(self, name: str, joint: int) -> Frame:
-        positions = self._arm.mechanics.positions_deg
+        positions = self._arm.reported_deg
         signals = {f"J{joint}": positions[joint - 1], f"J{joint + 1}": positions[joint]}
         return self._cache.frame(name, **signals)
 
@@ -246,13 +246,14 @@ class Feedback:
         )
 
     def _driver_fast(self, joint: int) -> Frame:
-        index, mechanics = joint - 1, self._arm.mechanics
-        current_a = self._arm.drivers.currents_a[index]
+        index, lost = joint - 1, self._arm.lost_reference
+        speed_deg_s = self._arm.mechanics.speeds_deg_s[index] + lost.speed_deg_s(index)
+        current_a = lost.current_a(index, self._arm.drivers.currents_a[index])
         return self._cache.frame(
             f"DriverFast{joint}",
-            Speed=mechanics.speeds_deg_s[index] / self._speed_unit_deg,
+            Speed=speed_deg_s / self._speed_unit_deg,
             Current=abs(current_a) if self._first_generation else current_a,
-            Position=mechanics.positions_deg[index] / self._position_unit_deg,
+            Position=self._arm.reported_deg[index] / self._position_unit_deg,
         )
 
     def _driver_slow(self, joint: int) -> Frame:

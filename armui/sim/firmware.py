@@ -38,6 +38,7 @@ from armui.sim.arm_role import CONTROL, ArmRole
 from armui.sim.arm_type import ArmType
 from armui.sim.condition import Condition
 from armui.sim.faults.bugs import FirmwareBugs
+from armui.sim.faults.lost_reference import LostReference
 from armui.sim.faults.protection import Protection
 from armui.sim.feedback import Feedback, FeedbackSchedule
 from armui.sim.mechanics.drivers import Drivers
@@ -75,6 +76,7 @@ class Firmware:
         protection: The protection that watches the drivers.
         settings_applier: Applies the settings to the parts.
         bugs: Known bugs of firmware versions that it has.
+        lost_reference: The fault by which a joint loses its reference.
         feedback_stopped: True if the arm, by a fault, sends no periodic feedback.
         drivers_tell: True if 0x251–0x266 continue while it is a teaching input, as on some arms.
         ignored: The number of frames not understood, by kind.
@@ -150,6 +152,7 @@ class Firmware:
             flash=self.flash,
             drop_targets=self._moves.drop_targets,
         )
+        self.lost_reference = LostReference(self.settings_applier)
         self._linkage = ArmRole(self, drop_targets=self._moves.drop_targets, speak=self._speak)
         self._motion_commands = MotionCommandHandler(self, self._moves, self._enter)
         self._linkage.take_effect()
@@ -171,6 +174,11 @@ class Firmware:
     def joints_deg(self) -> SixValues:
         """The joint angles."""
         return self.mechanics.positions_deg
+
+    @property
+    def reported_deg(self) -> SixValues:
+        """The joint angles as the feedback tells them; in an excursion they are not true."""
+        return self.lost_reference.reported_deg(self.mechanics.positions_deg)
 
     @property
     def true_joints_deg(self) -> SixValues:
@@ -350,6 +358,7 @@ class Firmware:
             self.gripper.lead_to(self.hand_guiding.gripper_to)
         self._moves.time_passed()
         self.bugs.time_passed(dt_s)
+        self.lost_reference.step(dt_s)
 
     def _periodic(self, names: list[str]) -> list[Frame]:
         """Return what is due under these names; a teaching input leads instead."""
@@ -369,6 +378,7 @@ class Firmware:
     def _motion_command(self, signals: Signals) -> list[Frame]:
         if signals["EmergencyStop"] == StopCommand.RESUME:
             self.bugs.reset()
+            self.lost_reference.mend()
         if not self._motion_commands.obey(signals):
             return []
         # the trajectory point of 0x476 is 0: no transferred trajectory is under way

@@ -72,9 +72,7 @@ def wrapped(text: str, width: int) -> list[str]:
     if text.isascii():
         return textwrap.wrap(text, width)
     lines, used = [""], 0
-    for part in re.findall(
-        r"[\x21-\x7e]+[，。；：、）”！]*|\s+|[^\x00-\x7f][，。；：、）”！]*", text
-    ):
+    for part in _PARTS.findall(text):
         columns = _columns(part)
         if used and used + columns > width:
             lines.append("")

@@ -110,3 +110,12 @@ def _check(found: os.stat_result, path: Any) -> None:
 def error_text(error: BaseException) -> str:
     """Return an error's message, without number and path for errors of the system, or its type."""
     return getattr(error, "strerror", None) or str(error) or type(error).__name__
+
+
+def size_text(count: int) -> str:
+    """Return a number of bytes as text: ``999 B``, ``1.5 kB``, ``3.4 MB``, ``1.20 GB``."""
+    if count < 1_000:
+        return f"{count} B"
+    if count < 999_500:  # more would be rounded to 1000 kB
+        return f"{count / 1e3:.{1 if count < 9_950 else 0}f} kB"
+    return f"{count / 1e6:.1f} MB" if count < 999_950_000 else f"{count / 1e9:.2f} GB"

@@ -77,13 +77,6 @@ def joint_spans(numbers: list[int]) -> str:
     return ", ".join(texts)
 
 
-def size_text(count: int) -> str:
-    """Return a number of bytes as text: ``12 kB``, ``3.4 MB``, ``1.20 GB``."""
-    if count < 1e6:
-        return f"{count / 1e3:.0f} kB"
-    return f"{count / 1e6:.1f} MB" if count < 1e9 else f"{count / 1e9:.2f} GB"
-
-
 def duration(seconds: float | None) -> str:
     """Return the duration of a motion as text: ``7.5 s``, ``12:30`` or ``1:05:00``."""
     if seconds is None:

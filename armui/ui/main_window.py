@@ -188,7 +188,9 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._work_column = WorkColumn(self._work_area, self._drawer)
 
         top = TopBar(self._controller, self.open_connect_dialog)
-        recovery = RecoveryLine(self._controller, self.open_connect_dialog)
+        recovery = RecoveryLine(
+            self._controller, self.open_connect_dialog, self._diagnosis.open_reference_check
+        )
         run = self._run = StepRow(self._controller, recovery)
         self._trajectory_pages.run_asks.connect(recovery.show_asking)
         self.window_actions.link(
@@ -288,7 +290,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
 
     def _show_in_view(self, state: ArmState) -> None:
         if self.isVisible():
-            tool = self._preferences.settings.tool
+            tool = self._controller.cartesian.tool
             show_in_view(self._view, state, self._controller.operating_state, tool)
 
     def _recolor(self) -> None:

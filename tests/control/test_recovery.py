@@ -40,12 +40,28 @@ def obey(rig: ArmRig, seconds: float = 30.0) -> list[StepKind]:
             rig.firmware.hand_guiding.lead_to(REST_DEG, speed_deg_s=40.0)
         elif rig.controller.recovery.why_not(step) is not None:
             pass  # its button is off, and says why
+        elif step.action is Action.CHECK_REFERENCE:
+            check_reference(rig)
         elif step.action not in {None, Action.CONNECT} and not step.waiting:
             refusal = rig.controller.recovery.act(step)
             # the arm may have changed since the step was shown: then the next one is
             assert refusal is None or refusal.reason == STEP_GONE, step
         rig.step()
     return kinds
+
+
+def check_reference(rig: ArmRig) -> None:
+    """Reset the arm, and answer that each joint stands at its mark."""
+    controller, reference = rig.controller, rig.controller.reference
+    controller.emergency_stop()
+    rig.run(1.0)
+    accepted(controller.motors.resume())
+    rig.run(1.0)
+    accepted(reference.begin())
+    reference.look(())
+    for joint in range(1, 7):
+        reference.answer(joint, 0.0)
+    accepted(reference.finish())
 
 
 def until(rig: ArmRig, kind: StepKind) -> None:
@@ -63,6 +79,10 @@ def test_no_fault_is_a_dead_end(any_rig, name):
     rig.ready()
     broken = fault(name)
     rig.node.faults.start(broken)
+    if name == "lost-reference":  # just enabled, it may still have sunk
+        rig.run(3.0)
+        rig.node.faults.end(broken)
+        rig.node.faults.start(broken)
     if name == "stall":
         accepted(rig.controller.motion.send_joints((30.0, *REST_DEG[1:])))
     rig.run(1.0)

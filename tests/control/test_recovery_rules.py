@@ -15,6 +15,7 @@ from armui.arm.other_hosts import OtherHosts, OtherTraffic
 from armui.arm.state import ArmState, DriverSlow, Reading, Status
 from armui.control.assessment import ActiveTasks, AssessmentInputs, assess
 from armui.control.authority import Authority
+from armui.control.cell.cell_reasons import CELL_NOT_CONFIRMED, CELL_NOT_READ
 from armui.control.devices.teaching_phase import why_not_teach
 from armui.control.events import Level
 from armui.control.motion.motion_command import Hold, Observation
@@ -28,6 +29,7 @@ from armui.control.operating_state import (
 from armui.control.run.progress import OVER, RunPhase
 from armui.control.safety.recovery_rules import STEP_IN_VAIN, next_step
 from armui.control.safety.recovery_steps import UNHINDERED, Action, Step, StepKind
+from armui.control.safety.reference_status import ReferenceStatus
 from armui.protocol.codes import ArmStatusCode, ControlMode, TeachingState
 from armui.protocol.generation import Generation
 from armui.ui import words
@@ -183,10 +185,22 @@ def online() -> Iterator[tuple[ArmState, OperatingState]]:
         state = arm(status(control_mode=mode, arm_status=code), enabled)
         yield state, operating_state(state, stop=stop, stop_unconfirmed=unconfirmed, busy=busy)
     yield from in_company()
+    yield from in_a_cell()
     state = arm(status())
     yield state, operating_state(state, below_base_mm=40)
     for generation in (None, *Generation):
         yield ArmState(last_feedback_s=NOW_S), operating_state(ArmState(), generation=generation)
+
+
+def in_a_cell() -> Iterator[tuple[ArmState, OperatingState]]:
+    """A cell that is not confirmed; a reference in doubt, agreed to, being checked or not."""
+    for enabled, allowed, checking in itertools.product(ENABLED, (False, True), (False, True)):
+        doubt = ReferenceStatus((2, 5), allowed, checking)
+        yield arm(status(), enabled), operating_state(arm(status(), enabled), reference=doubt)
+    for waits in (CELL_NOT_CONFIRMED(name="bench"), CELL_NOT_READ(name="bench")):
+        authority, state = Authority(), arm(status())
+        authority.unconfirmed_cell = waits
+        yield state, operating_state(state, authority=authority)
 
 
 def in_company() -> Iterator[tuple[ArmState, OperatingState]]:
@@ -242,7 +256,16 @@ def is_valid(action: Action, state: ArmState, now: OperatingState) -> bool:
         return bool(now.holds)
     if action is Action.STOP:
         return now.stop is StopState.RUNNING
-    return action is Action.CONNECT
+    return action in {Action.CONNECT, Action.CHECK_REFERENCE} or is_agreed_to(action, now)
+
+
+def is_agreed_to(action: Action, now: OperatingState) -> bool:
+    """Whether it agrees to something that waits for that."""
+    reference = now.reference
+    if action is Action.ALLOW:
+        return bool(reference.doubtful) and not (reference.allowed or reference.checking)
+    asks_for_cell = action in {Action.CONFIRM_CELL, Action.LEAVE_CELL}
+    return asks_for_cell and now.unconfirmed_cell is not None
 
 
 WAITS = {
@@ -359,6 +382,7 @@ def test_the_operator_is_asked_before_what_may_surprise() -> None:
     assert asked == {
         *(Action.RESUME, Action.RESET, Action.LEAD_BY_HAND),
         *(Action.LEAVE_MODE, Action.STANDBY, Action.WITHDRAW_STOP),
+        *(Action.ALLOW, Action.LEAVE_CELL),
     }
     assert all(words.step_question(action) for action in asked)
 

@@ -8,6 +8,8 @@ import pytest
 
 from armui.arm.parameters import Parameter
 from armui.arm.refusal import Refusal
+from armui.cell.cell import Cell
+from armui.cell.tools import Tool
 from armui.control.motion.jog_path import JointJog
 from armui.control.operations.started import Ending, Started
 from armui.control.run.progress import RunPhase
@@ -49,6 +51,27 @@ def motion_under_way(rig):
     rig.run(0.2)
 
 
+def in_doubt(rig):
+    rig.run(1.5)
+    rig.firmware.lost_reference.begin(4)
+    rig.run_until(lambda: rig.controller.operating_state.reference.doubtful)
+    rig.run(2.0)
+
+
+def checking(rig, *, answered=False):
+    reference = rig.controller.reference
+    accepted(reference.begin())
+    reference.look(())
+    for joint in range(1, 7) if answered else ():
+        reference.answer(joint, 0.0)
+
+
+def cell_unconfirmed(rig):
+    tool = Tool("pen", (0.0, 0.0, 100.0, 0.0, 0.0, 0.0))
+    accepted(rig.controller.cell.take(Cell("bench", (tool,), "pen")))
+    rig.controller.cell.forget_arm()
+
+
 BEFORE: dict[str, Any] = {
     "motors.resume": stopped,
     "run.pause": lambda rig: rig.controller.player.start(run_of(to(OUT), to(BACK))),
@@ -59,6 +82,14 @@ BEFORE: dict[str, Any] = {
         rig.run_until(lambda: rig.controller.replayer.progress.done > 0.2),
     ),
     "planned.command": motion_under_way,
+    "reference.allow": in_doubt,
+    "reference.drive": checking,
+    "reference.finish": lambda rig: checking(rig, answered=True),
+    **dict.fromkeys(
+        ("cell.choose", "cell.change", "cell.delete"),
+        lambda rig: accepted(rig.controller.cell.take(Cell("bench"))),
+    ),
+    "cell.confirm": cell_unconfirmed,
 }
 """What is under way, so that the operation may begin."""
 
@@ -93,6 +124,13 @@ BEGIN: dict[str, tuple[Any, Ending]] = {
     "settings.save": (({Parameter("max_angle_deg", 2): 100.0},), DONE),
     "settings.reset_end_limits": (NONE, ANSWERED),
     "settings.reset_joint_limits": (NONE, ANSWERED),
+    **dict.fromkeys(("reference.allow", "reference.begin", "reference.finish"), (NONE, SENT)),
+    "reference.teach": (NONE, SENT),
+    "reference.drive": ((6,), DONE),
+    "cell.take": ((Cell("bench"),), DONE),
+    "cell.choose": (("bench",), DONE),
+    "cell.change": ((Cell("bench", (Tool("pen"),), "pen"),), DONE),
+    **dict.fromkeys(("cell.confirm", "cell.delete"), (NONE, DONE)),
 }
 """The arguments each begins with, and how it ends where nothing comes in between."""
 
@@ -101,8 +139,11 @@ GOES_ON = {"jog.begin", "recorder.start"}
 SHOWN = {
     *("recorder.start", "motors.enable"),
     *("gripper.disable", "gripper.clear_error", "gripper.set_zero"),
+    *("cell.take", "cell.choose", "cell.change", "cell.confirm", "cell.delete"),
 }
-"""What the feedback shows of an arm that has heard nothing, for it was so before."""
+"""What the feedback shows of an arm that has heard nothing, for it was so before, and cells, which
+no arm is told of.
+"""
 FOLLOWED = [name for name, (_begin, ending) in BEGIN.items() if ending is not SENT]
 
 

@@ -18,7 +18,6 @@ from armui.doctor.problem_report import (
     collect,
     doctor_files,
     save,
-    size_text,
     without_home,
 )
 from armui.session.reader import LogFile
@@ -102,15 +101,6 @@ def test_one_zip_and_nothing_is_replaced(tmp_path):
     gone = save(tmp_path / "gone" / "report.zip", FILES)
     assert gone.reason == REPORT_NOT_SAVED
     assert [each.name for each in tmp_path.iterdir()] == ["report.zip"]
-
-
-def test_sizes_are_for_people():
-    assert [size_text(each) for each in (0, 999, 1_500, 40_000_000)] == [
-        "0 B",
-        "999 B",
-        "1.5 kB",
-        "40.0 MB",
-    ]
 
 
 def test_the_bus_is_a_log_that_can_be_replayed(tmp_path):

@@ -58,6 +58,8 @@ WINDOW_SCENES = (
     Scene("moving", arm.moving, panels=True),
     Scene("refused", arm.refused),
     Scene("tool", panels.tool),
+    Scene("cell", panels.cell),
+    Scene("cell-tip", panels.cell_tip),
     Scene("tool-refused", panels.tool_refused),
     Scene("joint-keys", panels.joint_keys),
     Scene("run", arm.run),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import pytest
+from PySide6.QtWidgets import QApplication
 
 from armui.control.operations.operation import Consent
 from armui.trajectory.library.store import Library
@@ -13,6 +14,7 @@ from armui.ui.actions.places import PLACES
 from armui.ui.guide.text import read_guide
 from tests.accepted import accepted
 from tests.app_driver import PANELS
+from tests.control.test_started import checking, in_doubt
 from tests.control.under_way import replay_moving, run_moving
 from tests.operator.library.actions import POINT
 from tests.operator.test_palette import commands
@@ -96,6 +98,30 @@ SHOWN = {
     "replay.go_on": Shown(
         "replay_paused", "run_continue", "recording", "gone on with (held)", "按住继续"
     ),
+    "reference.allow": Shown(
+        "in_doubt", "reference_allow", "reference", "**Move anyway**", "**仍要运动**"
+    ),
+    "reference.begin": Shown(
+        "reference", "reference_begin", "reference", "**Begin the check**", "**开始检查**"
+    ),
+    "reference.drive": Shown(
+        "checking", "reference_drive", "reference", "**Drive to the mark**", "**驱动到刻线**"
+    ),
+    "reference.finish": Shown(
+        "answered", "reference_finish", "reference", "**Finish the check**", "**完成检查**"
+    ),
+    "reference.teach": Shown(
+        "reference",
+        "reference_teach",
+        "reference",
+        "**Teach reference pose…**",
+        "**示教基准位姿…**",
+    ),
+    "cell.take": Shown("cell", "cell_new_button", "cell", "**New**", "**新建**"),
+    "cell.choose": Shown("cell", "cell_box", "cell", "Choosing", "选择"),
+    "cell.confirm": Shown("cell", "cell_confirm_button", "cell", "**Confirm**", "**确认**"),
+    "cell.change": Shown("cell", "cell_tool_apply", "cell", "**Apply**", "**应用**"),
+    "cell.delete": Shown("cell", "cell_delete_button", "cell", "**Delete**", "**删除**"),
     "recorder.start": Shown("recording", "record", "recording", "Records what", "记录手拖动"),
 }
 
@@ -136,6 +162,20 @@ def open_recording(driver):
     driver.click("library_record")
 
 
+def open_reference(driver, state="reference"):
+    if state == "in_doubt":
+        in_doubt(driver)
+    elif state != "reference":
+        checking(driver, answered=state == "answered")
+    driver.program.window.page_actions._openers["reference"]()
+
+
+def is_seen(name):
+    return any(each.isVisible() for each in QApplication.allWidgets() if each.objectName() == name)
+
+
+DIALOG = ("in_doubt", "reference", "checking", "answered")
+"""The window of the reference check, at each of its stages."""
 BESIDES = ("run", "run_paused", "replay_run", "replay_paused")
 """The run strip, which is seen from every panel."""
 OPEN = {
@@ -145,13 +185,17 @@ OPEN = {
     "recording": open_recording,
     **{panel: lambda driver, panel=panel: driver.click(f"menu_{panel}") for panel in PANELS},
     **{place: under_way(place) for place in BESIDES},
+    **{stage: lambda driver, stage=stage: open_reference(driver, stage) for stage in DIALOG},
 }
 
 
 def test_each_has_a_place(rig):
     assert set(SHOWN) == set(rig.controller.operations)
     places = {each.place for each in SHOWN.values()}
-    assert places - PLACES.keys() - set(PANELS) == {"editing", *BESIDES} - {"run"}
+    assert places - PLACES.keys() - set(PANELS) == {"editing", *BESIDES, *DIALOG} - {
+        "run",
+        "reference",
+    }
 
 
 @pytest.mark.parametrize("place", sorted({each.place for each in SHOWN.values()}))
@@ -159,9 +203,7 @@ def test_what_does_it_is_seen_at_its_place(app_driver, place):
     app_driver.ready()
     OPEN[place](app_driver)
     unseen = {
-        name
-        for name, shown in SHOWN.items()
-        if shown.place == place and not app_driver.find(shown.button).isVisible()
+        name for name, shown in SHOWN.items() if shown.place == place and not is_seen(shown.button)
     }
     assert unseen == set()
 

@@ -270,7 +270,8 @@ def use(root: Root) -> None:
             until(bus_heard.has_jogged, screen.jog, "jogged")
             until(bus_heard.has_stopped, lambda _s: screen.hand("key", "F12"), "stopped")
             assert window.poll() is None, "the window has ended"
-            recorder.send_signal(signal.SIGINT)
+            # not SIGINT: what a shell begins in the background ignores it
+            recorder.send_signal(signal.SIGTERM)
             recorder.wait(PATIENCE_S)
     (log,) = (home / "logs").glob("*.blf")
     path = f"/{log.relative_to(root.folder)}"

@@ -6,17 +6,24 @@ import time
 from concurrent.futures import BrokenExecutor, CancelledError
 
 import pytest
-from PySide6.QtWidgets import QToolButton
+from PySide6.QtWidgets import QTableView, QToolButton
 
 from armui.arm.refusal import Refusal
 from armui.protocol.generation import Generation
 from armui.settings import SettingsStore
 from armui.system import helper_process
 from armui.system.helper_process import FileThread
+from armui.trajectory.library import stored_files
 from armui.trajectory.library.store import Library
+from armui.trajectory.points.program import Trajectory
 from armui.ui.background import Background
+from armui.ui.trajectory.library import library_presence
+from armui.ui.trajectory.library.library_page import LibraryPage
 from armui.ui.trajectory.library.library_work import LibraryWork
+from armui.ui.widgets.message_line import MessageLine
+from tests.accepted import accepted
 from tests.app_driver import AppDriver, AtOnce, Slow
+from tests.operator.library.actions import POINT
 
 MOST_S = 60.0
 
@@ -168,6 +175,78 @@ def test_it_is_said_and_the_window_goes_on(driver_of, files, share):
     assert json.loads(app_driver.store.path.read_text())["theme"] == "dark"
     assert app_driver.controller.emergency_stop() is None
     share.back.set()
+
+
+def test_a_folder_of_the_library_on_a_share_that_hangs_holds_nobody(
+    driver_of, qtbot, files, share, monkeypatch
+):
+    app_driver = driver_of(files)
+    library = Library(app_driver.library_folder)
+    library.create_folder("cell")
+    library.save(Trajectory("near", points=(POINT,)))
+    library.save(Trajectory("far", points=(POINT,)))
+    library.move(["far"], "cell")
+    app_driver.ready()
+    look = stored_files._files
+
+    def ask(folder):
+        if folder.name == "cell":
+            share.ask()
+        return look(folder)
+
+    monkeypatch.setattr(stored_files, "_files", ask)
+    app_driver.click("library_button")
+    page = app_driver.page(LibraryPage)
+    qtbot.waitUntil(share.asked.is_set)
+    files._worker.since_s -= helper_process.HANGS_S
+    app_driver.program._replace_hung(files)
+    assert "files_hang" in app_driver.codes()
+    page.refresh()
+    message = page.findChild(MessageLine, "library_message")
+    qtbot.waitUntil(lambda: "timed out" in message.text())
+    assert files.hanging == 1, "the library is not asked by a second thread"
+    accepted(app_driver.controller.motion.jog(1, 5.0))
+    app_driver.run(0.3)
+    app_driver.heard()
+    app_driver.controller.emergency_stop()
+    app_driver.step()
+    assert 0x150 in [frame.arbitration_id for frame in app_driver.heard()]
+    share.back.set()
+    table = page.findChild(QTableView, "library_table")
+    qtbot.waitUntil(lambda: table.model().rowCount() == 2)
+
+
+def test_whether_a_folder_has_changed_is_asked_in_the_file_thread(
+    driver_of, qtbot, files, share, monkeypatch
+):
+    app_driver = driver_of(files)
+    library = Library(app_driver.library_folder)
+    library.create_folder("cell")
+    app_driver.ready()
+    app_driver.click("library_button")
+    page = app_driver.page(LibraryPage)
+    qtbot.waitUntil(lambda: page._watch._names == ("cell",))
+    look, asked_by = library_presence._changed_ns, set()
+
+    def ask(folder):
+        asked_by.add(threading.current_thread().name)
+        if folder.name == "cell":
+            share.ask()
+        return look(folder)
+
+    monkeypatch.setattr(library_presence, "_changed_ns", ask)
+    qtbot.waitUntil(share.asked.is_set)
+    for _ in range(3):
+        page._watch._ask()
+    assert files.waiting.count("folder_times") == 1, "it is asked again when it has answered"
+    app_driver.controller.emergency_stop()
+    app_driver.step()
+    assert 0x150 in [frame.arbitration_id for frame in app_driver.heard()]
+    assert asked_by == {"armui-files"}
+    share.back.set()
+    library.save(Trajectory("new", points=(POINT,)))
+    table = page.findChild(QTableView, "library_table")
+    qtbot.waitUntil(lambda: table.model().rowCount() == 1)
 
 
 # Settings -----------------------------------------------------------------------------------------

@@ -73,6 +73,26 @@ def test_it_ends_whatever_is_under_way_and_nothing_comes_back(any_rig, begin):
     assert "halt_at_rest" in rig.codes()
 
 
+@pytest.mark.parametrize("end", ["halt", "stop"])
+def test_a_pause_of_the_arms_own_recording_is_not_told_again_after_it(any_rig, end):
+    """The arm misses the pause (0x150 byte 2 = 4), which is repeated after 0.5 s else."""
+    rig, controller = any_rig, any_rig.controller
+    rig.ready()
+    teaching_replay(rig)
+    rig.node.link.lose_to_arm(0x150)
+    accepted(controller.teaching.command(TeachingState.PAUSE))
+    rig.step()
+    rig.heard()
+    if end == "halt":
+        assert controller.halt_and_hold() is None
+    else:
+        controller.emergency_stop()
+    rig.run(2.0)
+    sent = [frame.data[2] for frame in rig.heard() if frame.arbitration_id == 0x150]
+    assert TeachingState.PAUSE not in sent
+    assert controller.teaching.pending is None
+
+
 def test_the_literal_frames_go_out_on_all_three_identifiers(rig):
     rig.ready()
     rig.heard()

@@ -301,3 +301,39 @@ def test_every_fault_leaves_no_trace_when_it_has_ended_and_errors_are_cleared(
     tell(arm, RESUME, ENABLE)
     arm.step(0.1)
     assert told(arm) == ("00", "00", [FINE[generation]] * 6)
+
+
+def test_a_joint_that_loses_its_reference_reports_an_excursion_and_is_off_from_then_on() -> None:
+    arm = ready()
+    faults, broken = breaking(arm), fault("lost-reference")
+    faults.start(broken)
+    frames = arm.step(0.5)
+    # 60.000° = 60,000 = 0x0000EA60; J6 stays at 0
+    assert heard(frames, 0x2A7)[-1] == "0000EA6000000000"
+    # the motor's current in mA: 3,700 = 0x0E74, and no more
+    assert {data[4:8] for data in heard(frames, 0x255)[1:-1]} == {"0E74"}
+    assert arm.true_joints_deg[4] == 0.0
+    faults.end(broken)  # does not mend by itself
+    frames = arm.step(1.0)
+    assert heard(frames, 0x2A7)[-1] == "0000000000000000"
+    assert heard(frames, 0x255)[-1][:4] == "0000"  # and stands still
+    assert arm.true_joints_deg[4] == pytest.approx(-60.0)
+    assert told(arm) == ("00", "00", [FINE[TWO]] * 6)
+    arm.power_cycle()
+    tell(arm, ENABLE)
+    arm.step(0.1)
+    assert arm.true_joints_deg[4] - arm.joints_deg[4] == pytest.approx(-60.0)
+    tell(arm, RESUME)
+    arm.step(0.1)
+    assert arm.true_joints_deg[4] == arm.joints_deg[4]
+    # -60.000° = 0xFFFF15A0, as long as the joint has not sunk
+    assert heard(arm.step(0.02), 0x2A7)[-1][:6] == "FFFF15"
+
+
+def test_its_shift_ends_at_the_stop_and_may_be_smaller_than_the_excursion() -> None:
+    arm = ready(joints_deg=(0.0, 0.0, 0.0, 0.0, 20.0, 0.0))
+    arm.lost_reference.begin(4, excursion_deg=89.0, shift_deg=-85.0)
+    assert heard(arm.step(0.5), 0x2A7)[-1] == "0001A9C800000000"  # 109.000°
+    arm.step(1.0)
+    assert arm.true_joints_deg[4] == pytest.approx(-65.0)
+    assert heard(arm.step(0.02), 0x2A7)[-1] == "00004E2000000000"

@@ -10,7 +10,7 @@ from armui.ui.shell.recovery_line import RecoveryLine
 
 @pytest.fixture
 def line(qtbot, controller):
-    line = RecoveryLine(controller, lambda: None)
+    line = RecoveryLine(controller, lambda: None, lambda: None)
     qtbot.addWidget(line)
     line.show()
     return line

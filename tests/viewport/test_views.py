@@ -93,7 +93,7 @@ def test_what_is_drawn_over_the_picture_is_where_the_picture_shows_it(
     image = view._picture.image.copy()
     projection = view.projection
     red = QColor(LIGHT.axes[0])
-    for share in (0.12, 0.16, 0.19):
+    for share in (0.12, 0.13, 0.14):
         pixel = projection.pixel((share, 0.0, 0.0))
         assert pixel is not None
         x, y = (round(part) for part in pixel)

@@ -102,6 +102,11 @@ class TeachingControl(ControllerPart):
             ending, notice = Ending.FAILED, TEACHING_UNANSWERED
         self._context.close(self._started, ending, notice, command=int(command))
 
+    def drop_pause(self) -> None:
+        """Do not repeat a pause, because what it was to pause has been ended."""
+        if self._pending is TeachingState.PAUSE:
+            self._drop_request()
+
     def halt(self) -> None:
         """Drop the pending command, because the arm is to stop."""
         self._drop_request()

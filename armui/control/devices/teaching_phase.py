@@ -156,6 +156,8 @@ def why_not_teach(now: OperatingState, command: TeachingState) -> Refusal | None
     if command not in _ASKS_MUCH:
         return None
     refusal = now.occupied or now.cannot_send_motion
+    if refusal is None and (now.reference.checking or command is not TeachingState.START_RECORDING):
+        refusal = now.reference.why_not_run()  # led by hand, nothing drives it
     if refusal is not None:
         return refusal
     if phase is TeachingPhase.OFF and status.control_mode not in interlocks.MOVABLE_MODES:

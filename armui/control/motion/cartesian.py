@@ -94,6 +94,9 @@ class Cartesian(ControllerPart):
         context: The context that the controller's parts share.
         motion: Owns the speed.
         floor: Checks how low a step leads.
+
+    Attributes:
+        tool_radius_mm: The radius of the capsule that stands for the tool in checks; 0 without one.
     """
 
     def __init__(self, context: Context, motion: Motion, floor: JogFloor) -> None:
@@ -102,6 +105,7 @@ class Cartesian(ControllerPart):
         self._motion = motion
         self._model: Kinematics | None = None
         self._tool: tuple[float, ...] = _NO_TOOL
+        self.tool_radius_mm = 0.0
 
     @property
     def tool(self) -> tuple[float, ...]:

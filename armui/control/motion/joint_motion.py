@@ -12,6 +12,7 @@ from armui.control.events import Notice
 from armui.control.motion.jog_floor import JogFloor
 from armui.control.motion.jog_path import JOG_AT_LIMIT
 from armui.control.motion.motion_command import CommandKind
+from armui.control.motion.retransmission import Retransmission
 from armui.control.operating_state import RUN_UNDER_WAY, OperatingState
 from armui.control.operations.operation import operation, record_start
 from armui.control.operations.started import Ending, Started
@@ -48,8 +49,6 @@ SPEED_WAITS = Notice(
 _HOME_DEG: Final = (0.0,) * 6
 _FIRST_SPEED_PERCENT: Final = 30
 _LAG_STEPS: Final = 2
-_AGAIN_S: Final = 0.1
-"""A lower percentage is sent once more after this time, because a frame may be lost."""
 _SETTLE_S: Final = 0.3
 """The operator's speed is not restored until this long after a command of ours."""
 
@@ -91,7 +90,7 @@ class Motion(ControllerPart):
         self._context = context
         self._floor = floor
         self.speed_percent = _FIRST_SPEED_PERCENT
-        self._again_s: float | None = None
+        self._lower_speed = Retransmission(context)
 
     @property
     def setpoint_deg(self) -> tuple[float, ...] | None:
@@ -111,11 +110,14 @@ class Motion(ControllerPart):
         if not 0 <= percent <= 100:
             return context.refuse(SPEED_OUT_OF_RANGE(value=percent))
         operating_state = context.refresh()
-        if (refusal := why_no_speed(operating_state)) is not None:
+        refusal = why_no_speed(operating_state)
+        if refusal is None and operating_state.moving:
+            refusal = operating_state.reference.why_not_move(percent)
+        if refusal is not None:
             return context.refuse(refusal)
         lower = round(percent) < self.speed_percent
         self.speed_percent = round(percent)
-        self._again_s = None
+        self._lower_speed.drop()
         tellable = operating_state.control_certain and not operating_state.jogging
         tellable &= (
             interlocks.why_no_command(operating_state.unreachable, operating_state.stop, None)
@@ -126,7 +128,7 @@ class Motion(ControllerPart):
         if tellable and self.tell_speed():
             context.tell(SENT_SPEED, started, percent=self.speed_percent)
             if lower and context.authority.may_be_ours:
-                self._again_s = context.clock() + _AGAIN_S
+                self._lower_speed.schedule()
         elif context.authority.holds:
             context.tell(SPEED_WAITS, started, percent=self.speed_percent)
         context.refresh()
@@ -230,16 +232,19 @@ class Motion(ControllerPart):
             self.tell_speed()
 
     def _tell_lower_speed_again(self) -> None:
-        if self._again_s is None or self._context.clock() < self._again_s:
+        if not self._lower_speed.take_due():
             return
-        self._again_s = None
         now = self._context.operating_state()
         if self._context.authority.may_be_ours and not (now.running or now.jogging):
             self.tell_speed()
 
+    def halt(self) -> None:
+        """Do not repeat a lower speed: nothing may follow the frame that ends the motion."""
+        self._lower_speed.drop()
+
     def forget_arm(self) -> None:
-        """Drop a speed that is still to be sent, because another arm may come."""
-        self._again_s = None
+        """Do not repeat a lower speed, because another arm may come."""
+        self._lower_speed.drop()
 
     def _settled(self) -> bool:
         command = self._context.authority.command

@@ -74,6 +74,7 @@ class End(enum.Enum):
     SILENT = enum.auto()
     LIMITS_CHANGED = enum.auto()
     ZERO_CHANGED = enum.auto()
+    TOOL_CHANGED = enum.auto()
     MOVED_AWAY = enum.auto()
     """The arm is at rest elsewhere than where it was sent."""
     NOT_SENT = enum.auto()

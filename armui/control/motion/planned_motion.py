@@ -8,6 +8,7 @@ from armui.arm.refusal import Reason, Refusal
 from armui.control.context import Context, ControllerPart
 from armui.control.events import Notice
 from armui.control.motion.motion_command import Hold
+from armui.control.motion.retransmission import Retransmission
 from armui.control.operating_state import LINK_LOST
 from armui.control.operations.operation import operation, record_start
 from armui.control.operations.started import Ending, Started
@@ -33,8 +34,6 @@ PLAN_SENT = Notice(
 )
 
 
-_PAUSE_AGAIN_S: Final = 0.1
-"""A pause is sent once more after this time."""
 _ENDS: Final = frozenset(
     {TrajectoryCommand.CLEAR_CURRENT, TrajectoryCommand.CLEAR_ALL, TrajectoryCommand.ABORT}
 )
@@ -74,25 +73,22 @@ class PauseCommand:
 
     def __init__(self, context: Context) -> None:
         self._context = context
-        self._again_s: float | None = None
+        self._second = Retransmission(context)
 
     def send(self) -> bool:
         """Send the pause, and once more after 0.1 s; return false if no bus is open."""
         self._context.authority.paused()
-        self._again_s = self._context.clock() + _PAUSE_AGAIN_S
+        self._second.schedule()
         return self._send()
 
     def repeat(self) -> None:
         """Send the pause once more when that is due and the motion is still held back."""
-        if self._again_s is None or self._context.clock() < self._again_s:
-            return
-        self._again_s = None
-        if Hold.PAUSE in self._context.authority.holds:
+        if self._second.take_due() and Hold.PAUSE in self._context.authority.holds:
             self._send()
 
     def drop(self) -> None:
-        """Do not repeat the pause, because the motion is to go on."""
-        self._again_s = None
+        """Do not repeat the pause, because the motion goes on or has ended."""
+        self._second.drop()
 
     def _send(self) -> bool:
         connection = self._context.connection
@@ -168,6 +164,10 @@ class PlannedMotion(ControllerPart):
     def follow_arm(self) -> None:
         """Repeat a pause that is due."""
         self._pause.repeat()
+
+    def halt(self) -> None:
+        """Drop a pause that is due: nothing may follow the frame that ends the motion."""
+        self._pause.drop()
 
     def forget_arm(self) -> None:
         """Drop a pause that is due, because the arm is gone."""

@@ -120,6 +120,7 @@ class Execution(QObject, ControllerPart):
     # What both do the same way ----------------------------------------------------------------
 
     def _fail(self, reason: Refusal, ending: Ending = Ending.FAILED) -> None:
+        self._hold.drop()
         abort_motion_for(self._context, reason)
         self._end(RunPhase.FAILED)
         self._progress = self._snapshot(reason)
@@ -128,6 +129,7 @@ class Execution(QObject, ControllerPart):
 
     def _abort_motion(self) -> None:
         """Have the arm end its motion and stay powered; wait until it rests."""
+        self._hold.drop()
         abort_motion(self._context)
         self._await_rest()
 

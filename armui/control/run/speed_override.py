@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Final
 from armui.arm.refusal import Refusal
 from armui.control.context import Context, ControllerPart
 from armui.control.events import Notice
+from armui.control.motion.retransmission import Retransmission
 from armui.control.operations.operation import operation, record_start
 from armui.control.operations.started import Ending, Started
 from armui.control.run.player import NOT_RUNNING
@@ -24,8 +25,6 @@ OVERRIDE_SET = Notice(
     "override_set", "Speed override {percent} %", Level.INFO, EventKind.COMMAND, streams=True
 )
 
-_AGAIN_S: Final = 0.1
-"""A lower percentage is sent once more after this time, because a frame may be lost."""
 FULL_PERCENT: Final = 100
 """The override at which everything goes at its own speed."""
 STEP_PERCENT: Final = 10
@@ -60,7 +59,7 @@ class SpeedOverride(ControllerPart):
         self._context = context
         self._motion = motion
         self._runs = runs
-        self._again_s: float | None = None
+        self._lower_speed = Retransmission(context)
         self._before_zero = self.percent = FULL_PERCENT
 
     @operation("run.override", "Set the speed override of runs", why_no_override)
@@ -85,7 +84,9 @@ class SpeedOverride(ControllerPart):
         if wanted > 0:
             self._before_zero = wanted
         self.percent = wanted
-        self._again_s = context.clock() + _AGAIN_S if 0 < wanted < before else None
+        self._lower_speed.drop()
+        if 0 < wanted < before:
+            self._lower_speed.schedule()
         started = record_start(self.set_percent)
         started.close(Ending.SENT)
         context.tell(OVERRIDE_SET, started, percent=wanted)
@@ -114,8 +115,14 @@ class SpeedOverride(ControllerPart):
             self.percent = self._before_zero
             for run in self._runs:
                 run.set_override(self.percent)
-        if self._again_s is None or self._context.clock() < self._again_s:
-            return
-        self._again_s = None
-        for run in self._runs:
-            run.tell_speed()
+        if self._lower_speed.take_due():
+            for run in self._runs:
+                run.tell_speed()
+
+    def halt(self) -> None:
+        """Do not repeat a lower speed, because the runs end."""
+        self._lower_speed.drop()
+
+    def forget_arm(self) -> None:
+        """Do not repeat a lower speed, because another arm may come."""
+        self._lower_speed.drop()

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Reason, Refusal
+from armui.control.cell.cell_control import CellControl
 from armui.control.context import Context, ControllerPart
 from armui.control.devices.joint_errors import JointErrors
 from armui.control.devices.motors import Motors
@@ -80,6 +81,8 @@ _OPERATIONS: Final[Mapping[Action | None, tuple[Operation, Mapping[str, object]]
     Action.LEAD_BY_HAND: (_TEACH, {"command": TeachingState.START_RECORDING}),
     Action.GO_ON: (_PLAN, {"command": TrajectoryCommand.CONTINUE}),
     Action.GIVE_UP: (_PLAN, {"command": TrajectoryCommand.ABORT}),
+    Action.CONFIRM_CELL: (operation_of(CellControl.confirm), {}),
+    Action.LEAVE_CELL: (operation_of(CellControl.choose), {}),
 }
 """The operations of actions: an operation's own reason also stands against its action."""
 
@@ -92,6 +95,9 @@ _AT_ONCE: Final = frozenset(
         Action.GIVE_UP,
         Action.TAKE_OVER,
         Action.LEAVE_MODE,
+        Action.ALLOW,
+        Action.CONFIRM_CELL,
+        Action.LEAVE_CELL,
     }
 )
 """The actions without anything to wait for: they lead to another step."""
@@ -125,6 +131,8 @@ class Recovery(ControllerPart):
         planned_motion: Continues a motion held back, or drops it.
         take_over: Takes the arm from another host.
         mode_exit: Takes the arm out of another host's mode.
+        allow: Agrees to motions with a reference in doubt.
+        cell: Confirms the cell of the arm.
         announce: Called with each new step.
 
     Attributes:
@@ -144,6 +152,8 @@ class Recovery(ControllerPart):
         planned_motion: PlannedMotion,
         take_over: Callable[[], Refusal | None],
         mode_exit: ModeExitCommand,
+        allow: Callable[[], Started | Refusal],
+        cell: CellControl,
         announce: Callable[[Step], object],
     ) -> None:
         self._context = context
@@ -179,6 +189,9 @@ class Recovery(ControllerPart):
             Action.GIVE_UP: lambda _step: planned_motion.command(TrajectoryCommand.ABORT),
             Action.TAKE_OVER: lambda _step: take_over(),
             Action.LEAVE_MODE: lambda _step: mode_exit.send(),
+            Action.ALLOW: lambda _step: allow(),
+            Action.CONFIRM_CELL: lambda _step: cell.confirm(),
+            Action.LEAVE_CELL: lambda _step: cell.choose(""),
         }
         self._mode_exit = mode_exit
         self._planned_motion = planned_motion

@@ -10,6 +10,7 @@ from armui.arm.limits import JOINTS
 from armui.arm.quirks import exits_by_mode_word
 from armui.arm.refusal import Reason
 from armui.arm.state import ArmState, DriverSlow, Status
+from armui.control.cell.cell_reasons import CELL_NOT_CONFIRMED, CELL_NOT_READ
 from armui.control.devices.teaching_phase import (
     NEAR_REST_DEG,
     TeachingPhase,
@@ -212,6 +213,18 @@ def below_base(view: RecoveryView) -> Params | None:
     return None if below is None else {"value": below}
 
 
+def reference_in_doubt(*, agreed: bool) -> Applies:
+    """Return a check that applies to a reference in doubt, agreed to or not; with the joints."""
+
+    def applies(view: RecoveryView) -> Params | None:
+        reference = view.operating_state.reference
+        if not reference.doubtful or reference.allowed is not agreed:
+            return None
+        return {"joints": reference.joints, "numbers": reference.doubtful}
+
+    return applies
+
+
 def near_rest(view: RecoveryView) -> bool:
     """Return whether the arm is led by hand and near the rest pose."""
     farthest = farthest_from_rest(view.state) if view.in_drag_mode else None
@@ -238,3 +251,15 @@ def motors_mixed(view: RecoveryView) -> list[bool]:
 
 
 overspeed = has_code(ArmStatusCode.OVERSPEED_WHILE_TEACHING)
+
+
+def cell_unconfirmed(view: RecoveryView) -> Params | None:
+    """Apply while the cell kept for the adapter waits for the operator's confirmation."""
+    waits = view.operating_state.unconfirmed_cell
+    return waits.params if waits is not None and waits.reason == CELL_NOT_CONFIRMED else None
+
+
+def cell_unreadable(view: RecoveryView) -> Params | None:
+    """Apply while the cell kept for the adapter could not be read."""
+    waits = view.operating_state.unconfirmed_cell
+    return waits.params if waits is not None and waits.reason == CELL_NOT_READ else None

@@ -76,6 +76,17 @@ class Action(enum.Enum):
         "lost. Hold the arm.\nThe other program must have ended.",
     )
     """The arm is taken out of MIT, CPV or high-follow by a mode word, and holds where it is."""
+    CHECK_REFERENCE = ActionText("check_reference", "Reference check…")
+    """The window of the reference check is opened."""
+    ALLOW = ActionText(
+        "allow",
+        "Move anyway…",
+        "Move with the reference in doubt",
+        "A joint in doubt may stand up to 85° from what it reports: the arm then goes another way "
+        "than the picture and the check show, and may strike itself or the table. Runs and faster "
+        "motions may begin for one minute. Keep a hand on the stop.",
+    )
+    """Motions are agreed to with a reference in doubt."""
     STANDBY = ActionText(
         "standby",
         "Take command…",
@@ -84,6 +95,16 @@ class Action(enum.Enum):
         "nobody relies on it.",
     )
     """This host takes the command from another controller; in standby nothing moves."""
+    CONFIRM_CELL = ActionText("confirm_cell", "Confirm cell")
+    """The cell kept for the adapter is that of this arm."""
+    LEAVE_CELL = ActionText(
+        "leave_cell",
+        "Without it…",
+        "Go on without the cell",
+        "Nothing of the cell holds then, neither its tools nor anything it forbids. Its file is "
+        "left as it is.",
+    )
+    """The cell kept for the adapter could not be read, and is not used."""
     WITHDRAW_STOP = ActionText(
         "withdraw_stop",
         "Withdraw…",
@@ -234,6 +255,14 @@ class StepKind(enum.Enum):
         "Another program drives the arm in {other_mode} mode. Nothing is sent by itself: a new "
         "mode leaves the joints limp. Stop that program first.",
     )
+    CELL_UNCONFIRMED = StepText(
+        "cell_unconfirmed",
+        "Last used here: the cell “{name}”. Is this its arm? Confirm it, or choose under Cell.",
+    )
+    CELL_UNREADABLE = StepText(
+        "cell_unreadable",
+        "The cell “{name}” kept for this arm could not be read. Choose another one under Cell.",
+    )
     OTHER_HOST = StepText(
         "other_host", "Another program controls the arm since {since} ({frames}, {rate} frames/s)."
     )
@@ -280,6 +309,19 @@ class StepKind(enum.Enum):
         "motors_mixed", "The motors of joint {joints} are off. Hold the arm, then enable them."
     )
     MOTORS_OFF = StepText("motors_off", "The motors are off. Enable them to move the arm.")
+    REFERENCE_CHECK = StepText(
+        "reference_check",
+        "The reference is being checked: nothing moves but what the check drives.",
+    )
+    REFERENCE_IN_DOUBT = StepText(
+        "reference_in_doubt",
+        "Joint {joints} left its place uncommanded while it was enabled: it may stand elsewhere "
+        "than it reports. Check its reference.",
+    )
+    REFERENCE_AGREED = StepText(
+        "reference_agreed",
+        "Motions are agreed to, though joint {joints} may stand elsewhere than it reports.",
+    )
     BEYOND_LIMIT = StepText(
         "beyond_limit",
         "Joint {joints} beyond its limit. The arm stands still; send a target within the limits.",
@@ -314,6 +356,7 @@ UNHINDERED: Final = frozenset(
         StepKind.RUN_PAUSED,
         StepKind.RUN_WAITS,
         StepKind.RUNNING,
+        StepKind.REFERENCE_AGREED,
         StepKind.BELOW_BASE,
         StepKind.MOVING,
         StepKind.READY,

@@ -85,8 +85,8 @@ class FirmwareBugs:
     def switched_on(self) -> None:
         """Starts again after a power cycle."""
         self.silent = self._handle_set = False
-        self._on_s = 0.0
-        self.reset()
+        self._on_s = self._powered_s = 0.0
+        self._arm.settings_applier.find_place(but=self._arm.lost_reference.joints)
 
     def reset(self) -> None:
         """Clears what 0x150 resume repairs: a joint that had lost its position reports it again."""

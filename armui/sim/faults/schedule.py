@@ -124,6 +124,13 @@ FAULTS: Final[dict[str, FaultKind]] = {
             joint - 1, _ANY_PUSH_NM if present else 0.0
         ),
     ),
+    "lost-reference": FaultKind(
+        "a joint reports an excursion of 60° and its return, and stands as far off from then on; "
+        "0x150 resume mends it",
+        FaultParameter.JOINT,
+        5.0,
+        lambda on, joint, present: on.arm.lost_reference.begin(int(joint) - 1) if present else None,
+    ),
     "corrupt-limits": _arm_fault(
         "a joint's limits read 0xFFFF until they are reset; does not mend by itself",
         lambda arm, joint, present: arm.corrupt_limits(joint) if present else None,

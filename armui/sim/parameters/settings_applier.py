@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 
 from armui.arm.limits import JointLimits
 from armui.protocol.addressing import Addressing
@@ -124,13 +124,12 @@ class SettingsApplier:
             self._slips_deg[index] = there
             self._refresh()
 
-    def find_place(self) -> None:
-        """Makes every joint that has slipped report its true angle again."""
-        if any(self._slips_deg):
-            there = [
-                a + b for a, b in zip(self._mechanics.positions_deg, self._slips_deg, strict=True)
-            ]
-            self._slips_deg = [0.0] * len(self._slips_deg)
+    def find_place(self, but: Collection[int] = ()) -> None:
+        """Makes every joint that has slipped report its true angle again, but these (0–5)."""
+        found = [0.0 if i in but else slip for i, slip in enumerate(self._slips_deg)]
+        if any(found):
+            there = [a + b for a, b in zip(self._mechanics.positions_deg, found, strict=True)]
+            self._slips_deg = [a - b for a, b in zip(self._slips_deg, found, strict=True)]
             self._drop_targets()
             self._refresh()
             self._mechanics.count_anew(there)

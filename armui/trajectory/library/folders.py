@@ -6,6 +6,7 @@ are the library's own: bin, index, recordings.
 
 from __future__ import annotations
 
+import contextlib
 import os
 import stat
 from pathlib import Path
@@ -54,6 +55,16 @@ def is_real_folder(path: Path) -> bool:
     return stat.S_ISDIR(found.st_mode) and getattr(found, "st_reparse_tag", 0) != _JUNCTION
 
 
+def _is_listed(item: os.DirEntry[str]) -> bool:
+    """Return whether it is a sub-folder; one out of reach is what the folder around it says."""
+    try:
+        return is_real_folder(Path(item.path))
+    except OSError:
+        with contextlib.suppress(OSError):
+            return item.is_dir(follow_symlinks=False)
+        return False
+
+
 def shown_folder(folder: str) -> str:
     """Return a sub-folder's name as far as it can be shown."""
     return folder.encode(errors="replace").decode()
@@ -86,8 +97,8 @@ class Folders:
         if not self._root.is_dir():
             return []
         with os.scandir(self._root) as items:
-            found = [item.name for item in items if not item.name.startswith(".")]
-        return sorted(name for name in found if self.has(name))
+            found = [item for item in items if not item.name.startswith(".")]
+        return sorted(item.name for item in found if _is_listed(item))
 
     def has(self, name: str) -> bool:
         """Return whether there is a sub-folder of this name; one that is out of reach is none."""

@@ -96,14 +96,12 @@ class Listing:
     Attributes:
         entries: All entries, sorted by name.
         drafts: The names of entries with unsaved changes.
-        exists: True if the library's folder exists.
         folders: The names of its sub-folders, sorted.
         closed: The names of those that cannot be read.
     """
 
     entries: tuple[IndexEntry, ...]
     drafts: tuple[str, ...]
-    exists: bool
     folders: tuple[str, ...] = ()
     closed: tuple[str, ...] = ()
 

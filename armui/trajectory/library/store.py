@@ -185,14 +185,14 @@ class Library:
         return sorted(entries, key=lambda one: one.name)
 
     def listing(self) -> Listing:
-        """Return the entries, the names with unsaved changes, and whether the folder exists.
+        """Return the entries, the names with unsaved changes, and the sub-folders.
 
         Raises:
             LibraryError: The folder cannot be read.
         """
         entries, drafts = tuple(self.entries()), tuple(self.drafts())
         folders, closed = self._file_store.folders, self._file_store.closed
-        return Listing(entries, drafts, self._folder.is_dir(), folders, closed)
+        return Listing(entries, drafts, folders, closed)
 
     def load(self, name: str, *, to_edit: bool = False) -> Content:
         """Return a trajectory or recording.

@@ -79,6 +79,8 @@ def write_content(path: Path, content: Content) -> None:
 _SUFFIXES: Final = (".log", ".npz")
 _INDEX: Final = ".index.json"
 _ROOM_FOR_NUMBER: Final = 8
+_UNKNOWN: Final = Stamp(0, 0, 0)
+"""The stamp of a file that cannot be looked at."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -170,12 +172,13 @@ class FileStore:
         found = list(_files(self._folder))
         folders = []
         for name in self._subfolders.names():
-            with contextlib.suppress(FileNotFoundError):  # gone, or renamed meanwhile
-                try:
-                    found += list(_files(self._folder / name))
-                except PermissionError:
-                    self.closed = (*self.closed, name)
-                folders.append(name)
+            try:
+                found += list(_files(self._folder / name))
+            except (FileNotFoundError, NotADirectoryError):
+                continue  # gone, or renamed meanwhile
+            except OSError:  # no rights, a bad disk, a share that is gone
+                self.closed = (*self.closed, name)
+            folders.append(name)
         self.folders = tuple(folders)
         return found
 
@@ -187,7 +190,7 @@ class FileStore:
             try:
                 entry = entry_by(self._call, path, stamp.size)
             except TrajectoryFileError as error:
-                if not path.exists():  # another program has deleted it meanwhile
+                if _is_gone(path):  # another program has deleted it meanwhile
                     return None
                 kind: Final = "points" if path.suffix == ".log" else "recording"
                 name = self._index.last_name(key) or _name_of(path)
@@ -203,14 +206,29 @@ def _files(folder: Path) -> Iterator[tuple[Path, Stamp]]:
     """Find the trajectories in one folder, with their stamps.
 
     Raises:
-        OSError: It cannot be read.
+        OSError: The folder cannot be read.
     """
     with os.scandir(folder) as items:
         for item in items:
-            shown = item.name.endswith(_SUFFIXES) and not item.name.startswith(".")
-            if shown and item.is_file():
-                with contextlib.suppress(FileNotFoundError):  # another program has deleted it
+            if item.name.startswith(".") or not item.name.endswith(_SUFFIXES):
+                continue
+            try:
+                if item.is_file():
                     yield Path(item.path), Stamp.of(Path(item.path).stat())
+            except FileNotFoundError:
+                continue  # another program has deleted it
+            except OSError:  # it is listed as one that cannot be read
+                yield Path(item.path), _UNKNOWN
+
+
+def _is_gone(path: Path) -> bool:
+    try:
+        path.lstat()
+    except FileNotFoundError:
+        return True
+    except OSError:
+        return False
+    return False
 
 
 def _by_name(found: list[StoredFile]) -> dict[str, StoredFile]:

@@ -339,7 +339,10 @@ def _far_from_start(path: PlannedPath) -> Iterator[Finding]:
 
 def _below_floor(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
     flanges_mm = flange_heights(arm.kinematics.geometry, path.joints_deg)
-    heights = np.minimum(path.places_mm[:, 2], flanges_mm)
+    tips_mm = path.places_mm[:, 2]
+    heights = np.minimum(tips_mm, flanges_mm)
+    if arm.tool is not None:
+        heights = arm.tool.lowest(flanges_mm, tips_mm)
     below = FLOOR_MM - heights
     only_way = below[_first_point(path)] <= 0.0
     for index in _worst(below > 0.0, below, path):
@@ -368,7 +371,11 @@ def _collisions(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
     strides = np.floor(np.concatenate(([0.0], np.cumsum(turned))) / _COLLISION_STEP_DEG)
     looked_at = np.flatnonzero(np.diff(strides, prepend=-1.0) != 0.0)
     hits = collisions(
-        arm.kinematics.geometry, path.joints_deg[looked_at], arm.tool_mm, arm.gripper_turned_deg
+        arm.kinematics.geometry,
+        path.joints_deg[looked_at],
+        arm.tool_mm,
+        arm.gripper_turned_deg,
+        arm.tool,
     )
     recorded = path.expected_s == ()
     rows = path.rows[looked_at]

@@ -29,6 +29,7 @@ PLACES: Final[Mapping[str, Text]] = {
     "joint_status": Text("JointStatusPage", "Joint status"),
     "about_arm": Text("AboutArmDialog", "About this arm"),
     "doctor": Text("DoctorDialog", "Diagnosis"),
+    "reference": Text("ReferenceDialog", "Reference check"),
     "report": Text("ProblemReportDialog", "Report a problem"),
     "about": Text("AboutDialog", "About armui"),
     "run": Text("Place", "Run"),

@@ -18,6 +18,7 @@ from armui import __version__
 from armui.arm.device import Device
 from armui.arm.limits import JOINTS
 from armui.arm.models import model_data
+from armui.arm.reference_record import ReferenceRecord
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
@@ -35,6 +36,7 @@ from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.layouts import empty_grid, fill
 from armui.ui.widgets.seen_timer import SeenTimer
 from armui.ui.widgets.text_label import text_label
+from armui.ui.words.reference import reference_text
 from armui.ui.words.text import Text, Texts
 
 _SIZE_PX: Final = (720, 720)
@@ -61,6 +63,7 @@ _LABELS: Final = Texts("AboutArm") | {
     "running": "Running time of the arm",
     "joint": "Joint {joint}",
     "end": "End",
+    "reference": "Reference of the joints",
     "program": "Program",
 }
 _NO_BITRATE: Final = frozenset({"virtual", "udp_multicast"})
@@ -119,6 +122,7 @@ def about_rows(
     *,
     online_s: float | None,
     frames_per_s: float | None,
+    reference: ReferenceRecord | None = None,
 ) -> list[AboutRow]:
     """Return the lines, always the same ones in the same order.
 
@@ -128,6 +132,7 @@ def about_rows(
         links: The operating system's facts on its CAN interfaces.
         online_s: The time for which the arm has been online; ``None`` if it is offline.
         frames_per_s: The rate of received frames; ``None`` if not measured yet.
+        reference: What is known of the joints' reference; ``None`` if the arm has not named itself.
     """
     online = now.link is LinkState.ONLINE
     untold = translate("AboutArm", "unknown: the arm does not report it")
@@ -149,6 +154,7 @@ def about_rows(
         "running": untold,
         **{f"joint_{joint}": _limits(state, joint) for joint in JOINTS},
         "end": _end_limits(state),
+        "reference": _unknown() if reference is None else reference_text(reference),
         "program": f"armui {__version__}, {system}",
     }
     return [AboutRow(key, _label(key), value) for key, value in values.items()]
@@ -417,6 +423,7 @@ class AboutArmDialog(ArmDialog):
             self._links,
             online_s=self._online.seconds(),
             frames_per_s=self._rate,
+            reference=self._controller.reference.known,
         )
         while len(self._labels) < len(self._rows):
             self._add_row()

@@ -23,10 +23,10 @@ from armui.doctor.problem_report import (
     collect,
     doctor_files,
     save,
-    size_text,
 )
 from armui.doctor.process import DoctorProcess
 from armui.doctor.report import as_json, as_text
+from armui.system.files import size_text
 from armui.ui import words
 from armui.ui.actions.command import Command, Target
 from armui.ui.background import Background, Job

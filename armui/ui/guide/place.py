@@ -33,6 +33,7 @@ _WINDOWS: Final[Mapping[str, str]] = {
     "PlotPage": "plots",
     "ProblemReportDialog": "report",
     "RecordingPage": "recording",
+    "ReferenceDialog": "reference",
     "ReplayWindow": "replay",
     "SessionsPage": "sessions",
     "SettingsDialog": "settings",

@@ -348,8 +348,10 @@ class PictureWork(QObject):
         self._reach.toggled.connect(self._show_reach)
         self.bar.view_actions["save"].triggered.connect(self._export.save)
         self.bar.view_actions["copy"].triggered.connect(self._export.copy)
-        self._tool = controller.cartesian.tool = preferences.settings.tool
+        controller.cell.use_own_tool(preferences.settings.tool)
+        self._tool = controller.cartesian.tool
         view.set_tool(self._tool)
+        controller.cell_changed.connect(self._on_cell_changed)
         view.look_from(ViewDirection(preferences.settings.picture_direction))
         self._unsubscribe = preferences.subscribe(self._on_settings)
         self.destroyed.connect(self._unsubscribe)
@@ -404,14 +406,19 @@ class PictureWork(QObject):
         return self._targets.get(panel)
 
     def _on_settings(self, settings: Settings) -> None:
-        if settings.tool != self._tool:
-            self._tool = self._controller.cartesian.tool = settings.tool
-            self._view.set_tool(settings.tool)
-            self._trail.clear()
-            self._show_reach()
+        self._controller.cell.use_own_tool(settings.tool)
         if settings.picture_trail_s != self._trail_s:
             self._trail_s = settings.picture_trail_s
             self._trail.set_length(self._trail_s)
+
+    def _on_cell_changed(self, _cell: object) -> None:
+        tool = self._controller.cartesian.tool
+        if tool != self._tool:
+            self._tool = tool
+            self._view.set_tool(tool)
+            self.bar.show_tool(tool)
+            self._trail.clear()
+            self._show_reach()
 
     def _on_state(self, state: ArmState) -> None:
         self._trail.follow(state)

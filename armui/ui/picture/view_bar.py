@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
@@ -103,6 +103,7 @@ class ViewBar(Translated, QFrame):
         super().__init__()
         self.setObjectName("view_bar")
         self._view = view
+        self._of_tool = any(preferences.settings.tool)
         self._preferences = preferences
         self._buttons: list[QToolButton] = []
         self.view_actions = {name: self._action(name) for name in _TIPS}
@@ -266,11 +267,17 @@ class ViewBar(Translated, QFrame):
             action.setText(words if length_s else self.tr("Off"))
         describe(self._more, self.tr("View"), self.tr("Views, and what is drawn in the picture"))
 
+    def show_tool(self, tool: Sequence[float]) -> None:
+        """Name the trail after the tool in force, or after the flange."""
+        self._of_tool = any(tool)
+        self._name_trail()
+
     def _name_trail(self) -> None:
         """Say whose way the trail is: that of the point whose figures stand in the picture."""
-        of_tool = any(self._preferences.settings.tool)
         way = (
-            self.tr("Trail of the tool centre point") if of_tool else self.tr("Trail of the flange")
+            self.tr("Trail of the tool centre point")
+            if self._of_tool
+            else self.tr("Trail of the flange")
         )
         self._trail_menu.setTitle(way)
 

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from armui.ui.dialogs.about import AboutDialog
     from armui.ui.dialogs.doctor import DoctorDialog
     from armui.ui.dialogs.problem_report import ProblemReportDialog
+    from armui.ui.dialogs.reference_check import ReferenceDialog
 
 
 class DiagnosisDialogs:
@@ -42,6 +43,7 @@ class DiagnosisDialogs:
         self._doctor: DoctorDialog | None = None
         self._about_arm: AboutArmDialog | None = None
         self._report: ProblemReportDialog | None = None
+        self._reference: ReferenceDialog | None = None
         self._about: AboutDialog | None = None
 
     def open_doctor(self, device: Device | None = None) -> None:
@@ -64,6 +66,14 @@ class DiagnosisDialogs:
                 self._controller, self._online, self._background(), self._window
             )
         self._about_arm.open()
+
+    def open_reference_check(self) -> None:
+        """Show the check of whether the joints stand where they report."""
+        from armui.ui.dialogs.reference_check import ReferenceDialog  # noqa: PLC0415 - cantools
+
+        if self._reference is None:
+            self._reference = ReferenceDialog(self._controller, self._background(), self._window)
+        self._reference.open()
 
     def open_report(self) -> None:
         """Show the contents of a problem report and let the user save it."""
@@ -94,12 +104,13 @@ class DiagnosisDialogs:
             "doctor": self._doctor,
             "about_arm": self._about_arm,
             "report": self._report,
+            "reference": self._reference,
             "about": self._about,
         }
         return made.get(key)
 
     def close(self) -> None:
         """Cancel running examinations, because the program ends."""
-        for each in (self._doctor, self._report):
+        for each in (self._doctor, self._report, self._reference):
             if each is not None:
                 each.close()

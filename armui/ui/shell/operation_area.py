@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Final, Protocol, runtime_checkable
 from PySide6.QtWidgets import QStackedWidget, QWidget
 
 from armui.ui.actions.command import CommandSource, also
+from armui.ui.panels.cell.cell_panel import CellPanel
 from armui.ui.panels.gripper_panel import GripperPanel
 from armui.ui.panels.jogging.cartesian_panel import CartesianPanel
 from armui.ui.panels.jogging.motion_panel import MotionPanel
@@ -63,6 +64,9 @@ PANELS: Final = (
     PanelEntry("cartesian", Text("SideMenu", "Tool control"), CartesianPanel,
                lambda arm, store, _: CartesianPanel(arm, store),
                also("tcp pose linear xyz 位姿 直线")),
+    PanelEntry("cell", Text("SideMenu", "Cell"), CellPanel,
+               lambda arm, store, _: CellPanel(arm, store),
+               also("tool tcp frame work area box 工具 坐标系 工作区")),
     PanelEntry("light", Text("SideMenu", "Light control"), LightPanel,
                lambda arm, _store, _: LightPanel(arm)),
     PanelEntry("linkage", Text("SideMenu", "Linkage control"), LinkagePanel,

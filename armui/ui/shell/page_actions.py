@@ -96,6 +96,7 @@ class PageActions(QObject):
             "about_arm": diagnosis.open_about_arm,
             "doctor": diagnosis.open_doctor,
             "report": diagnosis.open_report,
+            "reference": diagnosis.open_reference_check,
             "about": diagnosis.open_about,
         }
         does: dict[str, Callback] = {"drawer.fold": drawer.fold}
@@ -118,6 +119,7 @@ class PageActions(QObject):
         from armui.ui.dialogs.about import AboutDialog  # noqa: PLC0415
         from armui.ui.dialogs.doctor import DoctorDialog  # noqa: PLC0415
         from armui.ui.dialogs.problem_report import ProblemReportDialog  # noqa: PLC0415
+        from armui.ui.dialogs.reference_check import ReferenceDialog  # noqa: PLC0415
         from armui.ui.trajectory.editor.editor_page import EditorPage  # noqa: PLC0415
         from armui.ui.trajectory.library.library_page import LibraryPage  # noqa: PLC0415
         from armui.ui.trajectory.recording.recording_page import RecordingPage  # noqa: PLC0415
@@ -139,6 +141,7 @@ class PageActions(QObject):
             "about_arm": AboutArmDialog,
             "doctor": DoctorDialog,
             "report": ProblemReportDialog,
+            "reference": ReferenceDialog,
             "about": AboutDialog,
         }
         own = (

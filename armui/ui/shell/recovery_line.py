@@ -66,6 +66,7 @@ class RecoveryLine(Translated, QWidget):
     Args:
         controller: Gives the step.
         open_connection: Opens the window in which a CAN device is chosen.
+        open_reference_check: Opens the window of the reference check.
 
     Signals:
         step_shown: Another step is shown.
@@ -73,11 +74,17 @@ class RecoveryLine(Translated, QWidget):
 
     step_shown = Signal()
 
-    def __init__(self, controller: ArmController, open_connection: Callable[[], None]) -> None:
+    def __init__(
+        self,
+        controller: ArmController,
+        open_connection: Callable[[], None],
+        open_reference_check: Callable[[], None],
+    ) -> None:
         super().__init__()
         self.setObjectName("recovery_line")
         self._controller = controller
         self._open_connection = open_connection
+        self._open_reference_check = open_reference_check
         self._asking = ""
         begun = controller.operating_state.link is not LinkState.NO_DEVICE
         self._step = controller.recovery.step if begun else NO_DEVICE
@@ -106,7 +113,7 @@ class RecoveryLine(Translated, QWidget):
             button.pressed.connect(self._on_pressed)
         self._button.clicked.connect(self._on_clicked)
         self._hold_button.held.connect(lambda: self._act(self._pressed.action))
-        self._other_button.clicked.connect(lambda: self._act(self._pressed.alternative))
+        self._other_button.clicked.connect(lambda: self._carry_out(self._pressed.alternative))
         controller.step_changed.connect(self._on_step_changed)
         controller.operating_state_changed.connect(self._on_operating_state_changed)
         self._show_step()
@@ -152,22 +159,27 @@ class RecoveryLine(Translated, QWidget):
         self._pressed_for = self._controller.mark
 
     def _on_clicked(self) -> None:
+        self._carry_out(self._pressed.action)
+
+    def _carry_out(self, action: Action | None) -> None:
         step = self._pressed
-        if step.action is Action.CONNECT:
+        if action is Action.CONNECT:
             self._open_connection()
-        elif step.action is not None and step.dangerous:
+        elif action is Action.CHECK_REFERENCE:
+            self._open_reference_check()
+        elif action is not None and action.value.danger:
             confirm(
                 self.window(),
                 self._controller,
-                title=words.step_question(step.action),
-                text=words.step_danger(step.action),
-                action_label=words.step_action(step.action).rstrip("…"),
-                on_confirmed=lambda: self._controller.recovery.act(step),
+                title=words.step_question(action),
+                text=words.step_danger(action),
+                action_label=words.step_action(action).rstrip("…"),
+                on_confirmed=lambda: self._controller.recovery.act(step, action),
                 hold=True,
                 still=lambda: self._controller.recovery.step.kind is step.kind,
             )
         else:
-            self._act(step.action)
+            self._act(action)
 
     def _act(self, action: Action | None) -> None:
         if action is not None:
@@ -203,7 +215,7 @@ class RecoveryLine(Translated, QWidget):
     def _show_button(self) -> None:
         step = self._step
         action = None if step.kind in _CALM else step.action
-        free = action is None or action is Action.CONNECT
+        free = action in {None, Action.CONNECT, Action.CHECK_REFERENCE}
         blocked = None if free else self._controller.recovery.why_not(step)
         button = self._hold_button if step.held else self._button
         policy = self._button.sizePolicy()

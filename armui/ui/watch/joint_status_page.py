@@ -326,8 +326,10 @@ class JointStatusPage(Page):
         self._build_head()
         self._detail = text_label("joint_status_detail", rank="muted", wraps=True, plain=True)
         self._message = named("joint_status_message", MessageLine(keeps_room=False, lines=1))
+        self._reference = named("joint_status_reference", MessageLine(keeps_room=False, lines=1))
         self.body.setSpacing(_BETWEEN_PX)
-        fill(self.body, self._head, (self.table, _MOST), self._detail, self._message, STRETCH)
+        table = (self.table, _MOST)
+        fill(*(self.body, self._head, table, self._detail, self._reference, self._message, STRETCH))
         monitor.updated.connect(self._on_updated)
         controller.operating_state_changed.connect(self._on_operating_state_changed)
         controller.noticed.connect(self._on_noticed)
@@ -431,6 +433,8 @@ class JointStatusPage(Page):
         use = self.tr("Ask the driver of joint {joint} to clear its error")
         for joint, button in zip(JOINTS, self.clear_buttons, strict=True):
             enable_or_explain(button, words.why_not(reason), use.format(joint=joint))
+        doubt = words.why_not(operating_state.reference.why_doubtful())
+        self._reference.show_message(doubt, Level.WARNING if doubt else Level.INFO)
 
     def _on_chosen(self, *_cells: object) -> None:
         """The operator reads the table: what was said of an error stands in the way no more."""

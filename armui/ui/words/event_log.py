@@ -47,6 +47,7 @@ _ENDS: Final = Texts("MotionEnd") | {
     End.SILENT.name: "no more feedback from the arm",
     End.LIMITS_CHANGED.name: "the joint limits changed",
     End.ZERO_CHANGED.name: "a zero was set",
+    End.TOOL_CHANGED.name: "the tool changed",
     End.MOVED_AWAY.name: "the arm stopped elsewhere",
     End.NOT_SENT.name: "its frames were not sent",
     End.FORGOTTEN.name: "disconnected",

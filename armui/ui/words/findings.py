@@ -15,6 +15,7 @@ _PARTS: Final = Texts("ArmPart") | {
     "forearm": "the forearm",
     "hand": "the wrist",
     "gripper": "the gripper",
+    "tool": "the tool",
 }
 
 _CYCLES: Final = Texts("FindingCycle") | {"later": "From cycle {cycle} on: {text}"}

@@ -49,7 +49,7 @@ if TYPE_CHECKING:
 
 _FLOOR_RADIUS_M = 0.9
 _FLOOR_STEP_M = 0.1
-_AXIS_LENGTH_M = 0.2
+_AXIS_LENGTH_M = 0.15
 _LETTER_HEIGHT_M = 0.022
 _AXES = (("X", (1.0, 0.0, 0.0)), ("Y", (0.0, 1.0, 0.0)), ("Z", (0.0, 0.0, 1.0)))
 

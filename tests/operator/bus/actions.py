@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QApplication, QLabel, QWidget
 
 from armui.ui.watch.bus import frame_model
 from armui.ui.watch.bus.bus_page import BusPage
-from armui.ui.watch.bus.cells import Cell
+from armui.ui.watch.bus.cells import TableCell
 
 LEFT = Qt.MouseButton.LeftButton
 
@@ -103,7 +103,7 @@ class BusMonitor:
         self.type_into("bus_send_data", data)
 
 
-def painted(index: Any) -> Cell:
+def painted(index: Any) -> TableCell:
     """What is painted in a cell."""
-    cells: list[Cell] = index.model().cells(index)
+    cells: list[TableCell] = index.model().cells(index)
     return cells[index.column()]

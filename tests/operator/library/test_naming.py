@@ -78,10 +78,10 @@ def test_a_name_that_cannot_be_is_told_beside_the_field_while_it_is_typed(asked,
     assert "four" in asked.names()
 
 
-def test_a_name_another_program_takes_meanwhile_is_refused_and_another_offered(driver, monkeypatch):
+def test_a_name_another_program_takes_meanwhile_is_refused_and_another_offered(driver):
     driver.click("create")
     other = Library(driver.library.folder)
-    monkeypatch.setattr(driver.window._watch, "later", lambda: None)
+    driver.window._watch.blockSignals(True)
     other.save(Trajectory("Trajectory", points=(POINT,)))
     QTest.keyClick(field(driver), Qt.Key.Key_Return)
     assert not editors()

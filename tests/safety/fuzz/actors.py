@@ -246,7 +246,7 @@ class Actors:
 
     def next_step(self) -> None:
         step = self._controller.recovery.step
-        if step.action in (None, Action.CONNECT):
+        if step.action in (None, Action.CONNECT, Action.CHECK_REFERENCE):
             return
         if self._controller.recovery.act(step) is not None:
             return

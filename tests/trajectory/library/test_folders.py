@@ -1,7 +1,10 @@
 """Sub-folders of the library: made, renamed, deleted; trajectories moved, deleted, brought back."""
 
+import errno
 import json
+import os
 import shutil
+from pathlib import Path
 
 import pytest
 
@@ -171,13 +174,14 @@ def test_what_old_deletions_held_in_folders_is_removed_in_time(cell, folder):
     assert not room.exists()
 
 
-def test_a_folder_without_rights_hides_no_other(cell, folder, monkeypatch):
+@pytest.mark.parametrize("number", [errno.EACCES, errno.EIO, errno.ESTALE, errno.ENOTCONN])
+def test_a_folder_that_cannot_be_read_hides_no_other(cell, folder, monkeypatch, number):
     cell.save(trajectory("top"))
     look = stored_files._files
 
     def refuse(path):
         if path.name == "cell":
-            raise PermissionError(13, "Permission denied")
+            raise OSError(number, os.strerror(number))
         return look(path)
 
     with monkeypatch.context() as patch:
@@ -186,3 +190,69 @@ def test_a_folder_without_rights_hides_no_other(cell, folder, monkeypatch):
     assert (seen.folders, seen.closed) == (("cell", "line"), ("cell",))
     assert [entry.name for entry in seen.entries] == ["top"]
     assert {entry.name: entry.check for entry in cell.entries()}["pick"] == "ok"
+
+
+@pytest.mark.parametrize("number", [errno.EIO, errno.ESTALE])
+def test_a_folder_that_cannot_even_be_looked_at_is_no_lost_one(cell, monkeypatch, number):
+    cell.save(trajectory("top"))
+    look_at, look = Path.lstat, stored_files._files
+
+    def refuse(path):
+        if path.name == "cell":
+            raise OSError(number, os.strerror(number))
+        return look_at(path)
+
+    def refuse_files(path):
+        refuse(path)
+        return look(path)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(Path, "lstat", refuse)
+        patch.setattr(stored_files, "_files", refuse_files)
+        seen = cell.listing()
+    assert (seen.folders, seen.closed) == (("cell", "line"), ("cell",))
+    assert [entry.name for entry in seen.entries] == ["top"]
+    assert {entry.name: entry.check for entry in cell.entries()}["pick"] == "ok"
+
+
+def test_a_folder_that_goes_while_it_is_read_is_none(cell, folder, monkeypatch):
+    look = stored_files._files
+
+    def race(path):
+        if path.name == "line":
+            path.rmdir()
+        return look(path)
+
+    monkeypatch.setattr(stored_files, "_files", race)
+    seen = cell.listing()
+    assert (seen.folders, seen.closed) == (("cell",), ())
+
+
+@pytest.mark.parametrize("where", ["", "cell"])
+def test_a_file_that_cannot_be_looked_at_hides_no_other(cell, folder, monkeypatch, where):
+    """As one on a share that is gone."""
+    cell.save(trajectory("top"))
+    (folder / where / "lost.log").write_bytes(b"")
+    look_at = Path.stat
+
+    def refuse(path, **more):
+        if path.name == "lost.log":
+            raise OSError(errno.ESTALE, os.strerror(errno.ESTALE))
+        return look_at(path, **more)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(Path, "stat", refuse)
+        found = {entry.name: entry for entry in cell.entries()}
+    assert found.keys() == {"lost", "pick", "top"}
+    assert found["lost"].damage is not None
+    assert found["pick"].check == "ok"
+
+
+@pytest.mark.skipif(not hasattr(os, "symlink"), reason="no links here")
+@pytest.mark.parametrize("where", ["", "cell"])
+def test_a_link_that_leads_in_a_circle_hides_no_other(cell, folder, where):
+    place = folder / where / "round.log"
+    place.symlink_to(place)
+    found = {entry.name: entry for entry in cell.entries()}
+    assert found.keys() == {"pick", "round"}
+    assert found["round"].damage is not None

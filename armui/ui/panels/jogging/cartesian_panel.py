@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QAbstractButton, QButtonGroup, QFrame, QLabel, QSi
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
+from armui.control.cell.cell_control import why_not_change
 from armui.control.motion.cartesian import POSE_UNKNOWN, Cartesian
 from armui.control.motion.jog_path import ToolJog
 from armui.control.operating_state import OperatingState
@@ -204,6 +205,7 @@ class CartesianPanel(JogPanel):
         self._preferences = preferences
         self._sent = False
         self._heard = False
+        self._shown_tool = controller.cartesian.tool
         self._frame = FrameChoice()
         self._point = text_label("point_label", rank="muted")
         self._measured_head = text_label(rank="muted")
@@ -218,7 +220,8 @@ class CartesianPanel(JogPanel):
         self._move_l = push_button("move_l_button")
         self._lay_out()
         self._connect()
-        self._use_tool(preferences.settings.tool)
+        controller.cell_changed.connect(self._on_cell_changed)
+        self._use_tool(controller.cartesian.tool)
         self._on_step_chosen()
         self.retranslate_ui()
 
@@ -273,15 +276,21 @@ class CartesianPanel(JogPanel):
             self._accepted(None)
             self._tool.mark(wrong=False)
             return
-        refusal = self._preferences.change(tool=tool)
+        refusal = why_not_change(self._operating_state) or self._preferences.change(tool=tool)
         self._tool.mark(wrong=refusal is not None)
         self._accepted(refusal)
         if self._preferences.settings.tool == tool:
-            self._use_tool(tool)
+            self._controller.cell.use_own_tool(tool)
+
+    def _on_cell_changed(self, _cell: object) -> None:
+        self._tool.name_tool(self._controller.cell)
+        if self._controller.cartesian.tool != self._shown_tool:
+            self._use_tool(self._controller.cartesian.tool)
 
     def _use_tool(self, tool: tuple[float, ...]) -> None:
         """Poses of another point stand for nothing: they are taken anew."""
-        self._controller.cartesian.tool = tool
+        self._shown_tool = tool
+        self._tool.name_tool(self._controller.cell)
         self._tool.show_tool(tool)
         for row in self._rows:
             row.name_curves(of_tool=any(tool))
@@ -444,9 +453,9 @@ class CartesianPanel(JogPanel):
     def _name_point(self) -> None:
         """Say which point the figures are about."""
         with_tool = any(self._controller.cartesian.tool)
-        self._point.setText(
-            self.tr("Tool centre point") if with_tool else self.tr("Flange (no tool set)")
-        )
+        text = self.tr("Tool centre point") if with_tool else self.tr("Flange (no tool set)")
+        name = self._controller.cell.tool_name
+        self._point.setText(f"{text}: {name}" if name else text)
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""

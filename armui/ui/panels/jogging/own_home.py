@@ -11,10 +11,10 @@ from PySide6.QtWidgets import QMenu, QWidget
 from armui.arm.limits import check_joints
 from armui.arm.refusal import Reason, Refusal
 from armui.control.context import GENERATION_UNKNOWN
+from armui.control.link.arm_key import arm_key
 from armui.control.operating_state import NOT_CONNECTED
 from armui.control.operations.started import refusal_of
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
-from armui.protocol.generation import Generation
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.widgets.buttons import (
@@ -38,8 +38,6 @@ NO_OWN_HOME = Reason(
 )
 
 
-_NO_NUMBER: Final = "?"
-"""Stands for the node number of arms of generation 1, which are known by their adapter alone."""
 _MOST: Final = 200
 """The most arms remembered."""
 
@@ -95,11 +93,8 @@ class OwnHome(Translated, QWidget):
     @property
     def _arm(self) -> str | None:
         """What the arm that is connected is remembered by; ``None`` before it has named itself."""
-        now, identity = self._controller.operating_state, self._controller.state.identity
-        first = now.generation is Generation.ONE
-        if now.device is None or (identity is None and not first):
-            return None
-        return now.device.arm_key(self._node or ("" if first else _NO_NUMBER))
+        now = self._controller.operating_state
+        return arm_key(now.device, now.generation, self._controller.state.identity)
 
     @property
     def _node(self) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
@@ -24,6 +24,9 @@ from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import empty_grid, in_column, in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
+
+if TYPE_CHECKING:
+    from armui.control.cell.cell_control import CellControl
 
 Pose = tuple[float, ...]
 _POINTS = ("start", "middle", "end")
@@ -50,7 +53,15 @@ class ToolBox(Translated, QWidget):
             grid.setColumnStretch(column + 1, 1)
             field.editingFinished.connect(self._on_finished)
         grid.setRowStretch(grid.rowCount(), 1)
+        self._cell_tool: str | None = None
         self.retranslate_ui()
+
+    def name_tool(self, cells: CellControl) -> None:
+        """Say which tool the figures are of; those of a cell are changed in its own panel."""
+        self._cell_tool = None if cells.in_force is None else cells.tool_name
+        for field in self._fields:
+            field.setReadOnly(self._cell_tool is not None)
+        self._name()
 
     def show_tool(self, tool: Sequence[float]) -> None:
         """Set the fields to the figures in force."""
@@ -63,7 +74,18 @@ class ToolBox(Translated, QWidget):
         for field in self._fields:
             field.show_attention(wanted=wrong and (field.value is None or abs(field.value) > 180))
 
+    def _name(self) -> None:
+        if self._cell_tool is None:
+            text = self.tr("Tool centre point relative to the flange (mm, °), saved on this PC")
+        elif self._cell_tool:
+            text = self.tr("Tool “{name}” of the cell (mm, °); it is changed under Cell")
+        else:
+            text = self.tr("The cell has no tool chosen; one is chosen under Cell")
+        self._title.setText(text.format(name=self._cell_tool))
+
     def _on_finished(self) -> None:
+        if self._cell_tool is not None:
+            return
         self.changed.emit(
             tuple(
                 field.text() or fmt.NOTHING if field.value is None else field.value
@@ -73,9 +95,7 @@ class ToolBox(Translated, QWidget):
 
     def retranslate_ui(self) -> None:
         """Set the names in the operator's language."""
-        self._title.setText(
-            self.tr("Tool centre point relative to the flange (mm, °), saved on this PC")
-        )
+        self._name()
         for name, field in zip(AXES, self._fields, strict=True):
             field.setAccessibleName(self.tr("Tool {axis}").format(axis=name))
 

@@ -132,7 +132,10 @@ class FolderBar(QObject):
             self.shown_changed.emit()
 
     def _say_closed(self) -> None:
-        text = self.tr("The folder “{name}” cannot be read. Check the rights to it.")
+        text = self.tr(
+            "The folder “{name}” cannot be read. Check the rights to it, and its disk or network "
+            "share."
+        )
         self.said.emit(text.format(name=shown_folder(self._shown)), Level.WARNING)
 
     # What is done with folders ----------------------------------------------------------------

@@ -41,6 +41,7 @@ from armui.ui.trajectory.library.library_editors import LibraryEditors
 from armui.ui.trajectory.library.library_exchange import FileDrop, LibraryExchange
 from armui.ui.trajectory.library.library_model import ENTRY_ROLE, LibraryFilter, LibraryModel
 from armui.ui.trajectory.library.library_presence import (
+    FolderTimes,
     LibraryPresence,
     LibraryWatch,
     SharedUseBanner,
@@ -127,7 +128,7 @@ class LibraryPage(Page):
         self._undo_button = UndoButton(self._actions, self)
         self._bin_button = BinButton(controller, self._work, self._actions, self)
         self._hint = LibraryHint(self._table)
-        self._watch = LibraryWatch(library.folder, self)
+        self._watch = LibraryWatch(library.folder, self, background)
         self._exchange = LibraryExchange(controller, background, self._work, self)
         self._findings = FindingsPane()
         self._found_of = ""
@@ -244,19 +245,23 @@ class LibraryPage(Page):
             choose: The names to be selected; by default those selected before.
         """
         self._work.do(
-            lambda: (self._actions.listing(), self._presence.others()),
+            lambda: (self._watch.times(), self._actions.listing(), self._presence.others()),
             lambda seen: self._show_listing(choose, *seen),
             lambda text: self._say(text, Level.FAULT),
         )
 
     def _show_listing(
-        self, choose: Sequence[str] | None, listing: Listing, others: Sequence[str]
+        self,
+        choose: Sequence[str] | None,
+        times: FolderTimes,
+        listing: Listing,
+        others: Sequence[str],
     ) -> None:
         names = self._chosen_names() if choose is None else list(choose)
         self._show_marks()
         self._choices.follow(listing.entries, self.editors.__contains__)
         changed = self._model.show(listing.entries, listing.drafts)
-        self._watch.follow(exists=listing.exists, folders=listing.folders)
+        self._watch.on_listed(times, listing.folders)
         self._folder_bar.show_listing(listing)
         self.editors.show_folders({each.name: each.folder for each in listing.entries})
         self._shared_use.show_others(others)
@@ -291,9 +296,7 @@ class LibraryPage(Page):
 
     def _on_folder(self) -> None:
         """Somebody may have changed the folder; a name that is being typed is not disturbed."""
-        if self._table.is_editing:
-            self._watch.later()
-        elif self.isVisible():
+        if self.isVisible() and not self._table.is_editing:
             self.refresh()
 
     def _on_search(self, text: str) -> None:

@@ -4,15 +4,21 @@ from __future__ import annotations
 
 import os
 import secrets
+import time
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Final
 
-from PySide6.QtCore import QFileSystemWatcher, QLockFile, QObject, QTimer, Signal
+from PySide6.QtCore import QLockFile, QObject, Signal
+from PySide6.QtWidgets import QWidget
+from shiboken6 import isValid
 
+from armui.arm.refusal import Refusal
 from armui.control.events import Level
 from armui.ui import format as fmt
+from armui.ui.background import Background, Job
 from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.seen_timer import SeenTimer
 from armui.ui.widgets.translated import Translated
 
 
@@ -91,45 +97,79 @@ class SharedUseBanner(Translated, MessageLine):
         self.show_message(text.format(names=fmt.name_list(list(self._others))), Level.WARNING)
 
 
-_PAUSE_MS: Final = 150
-"""The delay that collects several changes: a new file, its renaming, the cache of the list."""
+_LOOK_MS: Final = 1000
+_YOUNG_S: Final = 2.0
+"""A second change this soon after one may bear the same time; some file systems count in this."""
+
+FolderTimes = dict[str, int | None]
+"""When each folder was changed last, in ns, by its name; ``None``: too young to tell."""
+
+
+def folder_times(folder: Path, names: Sequence[str]) -> FolderTimes:
+    """Return when the library's folder (``""``) and its sub-folders were changed. Waits for a disk.
+
+    Args:
+        folder: The library's folder; it need not exist.
+        names: The names of its sub-folders.
+    """
+    return {name: _changed_ns(folder / name) for name in ("", *names)}
+
+
+def _changed_ns(folder: Path) -> int | None:
+    try:
+        at_ns = folder.stat().st_mtime_ns
+    except OSError:
+        return -1
+    return None if abs(time.time_ns() - at_ns) < _YOUNG_S * 1e9 else at_ns
 
 
 class LibraryWatch(QObject):
-    """Watches a folder; on network disks, where the system reports nothing, it stays silent.
+    """Has the file thread look once a second, while a page is seen, whether folders have changed.
+
+    A share may hang, and a system tells nothing of what other computers do to it: the window's
+    thread is not the one to ask, nor is the system.
 
     Args:
         folder: The folder; it need not exist.
-        parent: Its owner.
+        page: The page.
+        background: Has the file thread.
 
     Signals:
-        changed: Files have come, gone or been replaced.
+        changed: Files have come, gone or been replaced since the content was listed.
     """
 
     changed = Signal()
 
-    def __init__(self, folder: Path, parent: QObject) -> None:
-        super().__init__(parent)
+    def __init__(self, folder: Path, page: QWidget, background: Background) -> None:
+        super().__init__(page)
         self._folder = folder
-        self._watcher = QFileSystemWatcher(self)
-        self._timer = QTimer(self, singleShot=True, interval=_PAUSE_MS)
-        self._timer.timeout.connect(self.changed)
-        self._watcher.directoryChanged.connect(lambda _path: self.later())
+        self._background = background
+        self._names: tuple[str, ...] = ()
+        self._listed: FolderTimes = {}
+        self._asked: Job[FolderTimes] | None = None
+        SeenTimer(page, _LOOK_MS, self._ask)
 
-    def follow(self, *, exists: bool, folders: Sequence[str] = ()) -> None:
-        """Start watching the folder and its sub-folders, also those that were created only now.
+    def times(self) -> FolderTimes:
+        """Return the times to be handed to `on_listed`; called before the content is listed."""
+        return folder_times(self._folder, self._names)
+
+    def on_listed(self, times: FolderTimes, names: Sequence[str]) -> None:
+        """Compare with these times from now on.
 
         Args:
-            exists: Whether the folder is there.
-            folders: The names of its sub-folders.
+            times: What `times` returned.
+            names: The names of the sub-folders there are.
         """
-        wanted = {str(self._folder / name) for name in ("", *folders)} if exists else set()
-        known = set(self._watcher.directories())
-        if known - wanted:
-            self._watcher.removePaths(sorted(known - wanted))
-        if wanted - known:
-            self._watcher.addPaths(sorted(wanted - known))
+        self._listed, self._names = times, tuple(names)
 
-    def later(self) -> None:
-        """Emit the change in a moment, starting the delay again."""
-        self._timer.start()
+    def _ask(self) -> None:
+        if self._asked is None:
+            self._asked = Job(self._on_answer)
+            self._background.begin_here(self._asked, folder_times, self._folder, self._names)
+
+    def _on_answer(self, found: FolderTimes | Refusal) -> None:
+        self._asked = None
+        if isinstance(found, Refusal) or not isValid(self):
+            return
+        if any(at is None or at != self._listed.get(name, at) for name, at in found.items()):
+            self.changed.emit()

@@ -16,6 +16,7 @@ from armui.control.events import Level
 from armui.control.operating_state import BUSY, OperatingState
 from armui.control.operations.operation import operation_of
 from armui.control.run.recorder import Recorder
+from armui.system.files import size_text
 from armui.trajectory.library.run_options import RunOptions
 from armui.trajectory.library.store import Library
 from armui.trajectory.samples import thin
@@ -404,7 +405,7 @@ class RecordingPage(Page):
         else:
             text = self.tr("Keeps {kept} of {count} samples, {time}, {size}")
             kept, count = fmt.count(len(result.samples)), fmt.count(len(whole.samples))
-            time, size = fmt.duration(result.duration_s), fmt.size_text(result.samples.nbytes)
+            time, size = fmt.duration(result.duration_s), size_text(result.samples.nbytes)
             self._kept.setText(text.format(kept=kept, count=count, time=time, size=size))
         for button in (self._preview, self._as_samples, self._as_points):
             button.setEnabled(result is not None or self._job is not None)
@@ -500,7 +501,7 @@ class RecordingPage(Page):
             text = self._told().format(
                 time=fmt.duration(self._recording.duration_s),
                 count=fmt.count(len(samples)),
-                size=fmt.size_text(samples.nbytes),
+                size=size_text(samples.nbytes),
             )
         self._state.setText(text)
         for field in (self._from, self._to, self._tolerance):

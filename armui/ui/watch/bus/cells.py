@@ -62,7 +62,7 @@ class Payload:
 
 
 @dataclass(frozen=True, slots=True)
-class Cell:
+class TableCell:
     """The content of a cell.
 
     Attributes:
@@ -92,7 +92,7 @@ class Cell:
 class HasCells(Protocol):
     """A model that returns the cells of a row at once: Qt would ask ten questions for each."""
 
-    def cells(self, index: Index) -> Sequence[Cell]:
+    def cells(self, index: Index) -> Sequence[TableCell]:
         """Return the cells from the first column to the last."""
 
 
@@ -177,7 +177,7 @@ class RowView(QTreeView):
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.drawRect(box.adjusted(0, 0, -1, -1))
 
-    def _draw_text(self, painter: QPainter, box: QRect, cell: Cell) -> None:
+    def _draw_text(self, painter: QPainter, box: QRect, cell: TableCell) -> None:
         text = cell.text
         if self._metrics.horizontalAdvance(text) > box.width():
             text = self._metrics.elidedText(text, Qt.TextElideMode.ElideRight, box.width())

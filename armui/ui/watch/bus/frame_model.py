@@ -18,7 +18,7 @@ from armui.telemetry.bus_senders import Sender
 from armui.telemetry.bus_statistics import Cycle, FrameRow
 from armui.telemetry.quantities import quantity_key
 from armui.ui import format as fmt
-from armui.ui.watch.bus.cells import KEY_ROLE, Cell, Payload, Tone
+from armui.ui.watch.bus.cells import KEY_ROLE, Payload, TableCell, Tone
 from armui.ui.widgets.table_model import LEFT, RIGHT, Index
 from armui.ui.words import frames
 from armui.ui.words.frames import message_name, signal_name, signal_value
@@ -385,7 +385,7 @@ class FrameModel(QAbstractItemModel):
             return App.translate("BusMonitor", "Show as curve")
         return self.cells(index)[index.column()].text
 
-    def cells(self, index: Index) -> list[Cell]:
+    def cells(self, index: Index) -> list[TableCell]:
         """Return a whole row for painting."""
         node = self._node(index)
         if index.internalId():
@@ -393,11 +393,11 @@ class FrameModel(QAbstractItemModel):
         row = node.row
         tones = self._tones(row)
         cells = [
-            Cell(self._text(row, column), tones[column], column in _RIGHT)
+            TableCell(self._text(row, column), tones[column], column in _RIGHT)
             for column in range(COLUMNS)
         ]
-        cells[DATA] = Cell("", tones[DATA], payload=self._payload(row))
-        cells[SAYS] = Cell(node.says(self._texts), tones[SAYS])
+        cells[DATA] = TableCell("", tones[DATA], payload=self._payload(row))
+        cells[SAYS] = TableCell(node.says(self._texts), tones[SAYS])
         return cells
 
     def _payload(self, row: FrameRow) -> Payload:
@@ -449,18 +449,18 @@ class FrameModel(QAbstractItemModel):
         longest_s = math.nan if row.max_gap_s is None else row.max_gap_s
         return f"±{_ms(cycle.deviation_s)} / {_ms(longest_s)}"
 
-    def _detail_cells(self, node: _Node, place: int) -> list[Cell]:
+    def _detail_cells(self, node: _Node, place: int) -> list[TableCell]:
         """A signal; below the signals what is wrong with the frame."""
-        cells = [Cell()] * COLUMNS
+        cells = [TableCell()] * COLUMNS
         signals = node.signals(self._texts)
         if place < len(signals):
-            cells[NAME] = Cell(signals[place].name)
-            cells[SAYS] = Cell(signals[place].value)
+            cells[NAME] = TableCell(signals[place].name)
+            cells[SAYS] = TableCell(signals[place].value)
             return cells
-        cells[NAME] = Cell(self._texts.trouble(node.row), Tone.TROUBLE)
+        cells[NAME] = TableCell(self._texts.trouble(node.row), Tone.TROUBLE)
         if node.row.invalid_count:
-            cells[COUNT] = Cell(str(node.row.invalid_count), Tone.TROUBLE, right=True)
-            cells[LAST] = Cell(self._clock_text(node.row.invalid_s), Tone.TROUBLE)
+            cells[COUNT] = TableCell(str(node.row.invalid_count), Tone.TROUBLE, right=True)
+            cells[LAST] = TableCell(self._clock_text(node.row.invalid_s), Tone.TROUBLE)
         return cells
 
 

@@ -11,7 +11,7 @@ from PySide6.QtCore import QModelIndex, QObject, Qt
 from armui.protocol.frame import FrameFlag
 from armui.telemetry.bus_senders import Sender
 from armui.telemetry.bus_trace import TracedFrame, TraceSnapshot
-from armui.ui.watch.bus.cells import Cell, Payload, Tone
+from armui.ui.watch.bus.cells import Payload, TableCell, Tone
 from armui.ui.watch.bus.frame_model import FrameTexts, signals_text
 from armui.ui.widgets.table_model import LEFT, Index, TableModel
 from armui.ui.words import frames
@@ -105,22 +105,22 @@ class TraceModel(TableModel):
             return None
         return self.cells(index)[index.column()].data(role)
 
-    def cells(self, index: Index) -> list[Cell]:
+    def cells(self, index: Index) -> list[TableCell]:
         """Return a whole row for painting."""
         frame = self._frame(index.row())
         texts = self._texts
         arbitration_id, flags, sender = frame.arbitration_id, frame.flags, frame.sender
         signals = texts.signals(arbitration_id, flags, frame.data, sender)
         return [
-            Cell(self._clock_text(frame.at_s)),
-            Cell(frames.frame_id(arbitration_id, flags)),
-            Cell(texts.name(arbitration_id, flags)),
-            Cell(
+            TableCell(self._clock_text(frame.at_s)),
+            TableCell(frames.frame_id(arbitration_id, flags)),
+            TableCell(texts.name(arbitration_id, flags)),
+            TableCell(
                 texts.sender(sender, arbitration_id),
                 Tone.NOTE if sender in _OTHERS else Tone.PLAIN,
             ),
-            Cell(payload=Payload(frame.data, frame.changed)),
-            Cell(signals_text(signals)),
+            TableCell(payload=Payload(frame.data, frame.changed)),
+            TableCell(signals_text(signals)),
         ]
 
     def _frame(self, place: int) -> TracedFrame:

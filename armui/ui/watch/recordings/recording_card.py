@@ -24,6 +24,7 @@ from armui.control.sessions.session_recorder import KEPT_S
 from armui.session.recording.kinds import MF4_SUFFIX, no_mf4
 from armui.setting_checks import ROTATE_MAX_MB, ROTATE_MIN_MB
 from armui.system.clock import local_time
+from armui.system.files import size_text
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.background import Job
@@ -198,7 +199,7 @@ class RingCard(Translated, QFrame):
         )
         self.memory_label.show_text(
             self.tr("{now} of memory, {most} at most").format(
-                now=fmt.size_text(ring.bytes_kept), most=fmt.size_text(ring.most_bytes)
+                now=size_text(ring.bytes_kept), most=size_text(ring.most_bytes)
             )
         )
 
@@ -343,8 +344,8 @@ class RecordingCard(Translated, QFrame):
         text = self.tr("{length} · {frames} frames · {size} · {rate}/s").format(
             length=length_text(progress.elapsed_s),
             frames=fmt.count(progress.frames),
-            size=fmt.size_text(progress.total_bytes),
-            rate=fmt.size_text(round(self._rate)),
+            size=size_text(progress.total_bytes),
+            rate=size_text(round(self._rate)),
         )
         if progress.lost:
             text += " · " + self.tr("{count} lost").format(count=fmt.count(progress.lost))

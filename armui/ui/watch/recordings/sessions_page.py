@@ -32,6 +32,7 @@ from armui.control.sessions.session_recorder import (
     SESSION_ENDED,
     SESSION_FAILED_NOTICE,
 )
+from armui.system.files import size_text
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.command import Command, Target
@@ -212,7 +213,7 @@ class SessionsModel(TableModel):
         if column is SessionColumn.LENGTH:
             return length_text(entry.length_s)
         if column is SessionColumn.SIZE:
-            return fmt.size_text(entry.total_bytes)
+            return size_text(entry.total_bytes)
         if column is SessionColumn.FAULTS:
             return fmt.NOTHING if entry.faults is None else str(entry.faults)
         if column is SessionColumn.STOPS:

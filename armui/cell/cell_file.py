@@ -1,0 +1,204 @@
+"""Cells as files that people can read: JSON, a parameter a line with its unit in its name.
+
+A file is taken whole or not at all: one that is broken, cut short, foreign, of a newer version or
+with a figure that is not possible is refused, and the place of the error is named.
+"""
+
+from __future__ import annotations
+
+import errno
+import json
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+from armui.arm.json_fields import FieldError, FieldProblem, Fields
+from armui.arm.refusal import Reason, Refusal
+from armui.cell import tools
+from armui.cell.cell import Cell, check_cell
+from armui.system.atomic import write_whole
+from armui.system.files import error_text, read_file
+
+CELL_NO_JSON = Reason(
+    "cell_no_json",
+    "The cell's file is broken or cut short: line {line}, column {column} is not JSON. Nothing "
+    "was taken over; choose another file, or correct that line.",
+)
+CELL_FOREIGN = Reason(
+    "cell_foreign", "This is no cell of this program. Nothing was taken over; choose another file."
+)
+CELL_VERSION = Reason(
+    "cell_version",
+    "The cell's file has format version {version}; this program reads version {known}. Update "
+    "this program, or use the one that wrote it.",
+)
+CELL_FIELD_BAD = Reason(
+    "cell_field_bad",
+    "The cell's file is not valid at “{field}” ({problem}). Nothing was taken over; choose "
+    "another file, or correct the field.",
+)
+CELL_UNREADABLE = Reason(
+    "cell_unreadable", "The file {path} cannot be read: {text}. Choose another one."
+)
+CELL_NOT_WRITTEN = Reason(
+    "cell_not_written",
+    "The cell could not be written to {path}: {text}. It holds until the program ends; export it "
+    "to another folder.",
+)
+CELL_CHANGED_ELSEWHERE = Reason(
+    "cell_changed_elsewhere",
+    "Another program has changed the file {path} meanwhile; it was not overwritten. Export your "
+    "cell under another name, then start the program again.",
+)
+
+SUFFIX: Final = ".armui-cell"
+FORMAT: Final = "armui-cell"
+VERSION: Final = 1
+_LARGEST_BYTES: Final = 1_000_000
+
+
+@dataclass(frozen=True, slots=True)
+class Difference:
+    """A place at which two cells differ.
+
+    Attributes:
+        place: The path of the parameter in the file, as ``tools.gripper.z_mm``.
+        before: Its value in the first cell; ``None`` if it is not there.
+        after: Its value in the second.
+    """
+
+    place: str
+    before: object
+    after: object
+
+
+def to_text(cell: Cell) -> str:
+    """Return a cell as the text of its file; its name is that of the file."""
+    entries = {"format": FORMAT, "version": VERSION, **_entries(cell)}
+    return json.dumps(entries, indent=2, ensure_ascii=False) + "\n"
+
+
+def from_text(text: str, name: str) -> Cell | Refusal:
+    """Return the cell in the text of a file, or why it is none.
+
+    Args:
+        text: The text.
+        name: The name of the cell: that of the file, without its suffix.
+    """
+    try:
+        values = json.loads(text)
+    except json.JSONDecodeError as error:
+        return CELL_NO_JSON(line=error.lineno, column=error.colno)
+    except (ValueError, RecursionError):  # a number of thousands of digits; lists in lists in lists
+        return CELL_FOREIGN()
+    if not isinstance(values, dict) or values.get("format") != FORMAT:
+        return CELL_FOREIGN()
+    try:
+        return _cell(Fields(values), name)
+    except FieldError as error:
+        problem = error.problem.value if error.refusal is None else error.expected
+        return error.refusal or CELL_FIELD_BAD(field=error.place, problem=problem)
+
+
+def read_cell(path: Path) -> Cell | Refusal:
+    """Return the cell in a file, or why the file is none."""
+    try:
+        text = read_file(path, _LARGEST_BYTES).decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return CELL_FOREIGN()
+    except OSError as error:
+        if error.errno == errno.EFBIG:
+            return CELL_FOREIGN()
+        return CELL_UNREADABLE(path=str(path), text=error_text(error))
+    return from_text(text, path.stem)
+
+
+def write_cell(path: Path, cell: Cell) -> Refusal | None:
+    """Write a cell to a file, whole or not at all; return ``None``, or why it was not written."""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        write_whole(path, to_text(cell).encode())
+    except OSError as error:
+        return CELL_NOT_WRITTEN(path=str(path), text=error_text(error))
+    return None
+
+
+def save_cell(path: Path, cell: Cell, expected: Cell | None) -> Refusal | None:
+    """Write a cell to its own file, unless another program has changed that.
+
+    Args:
+        path: The file.
+        cell: The cell.
+        expected: The cell that this program has last read from there, or written; ``None`` if it
+            knows of none.
+    """
+    if path.exists() and read_cell(path) != expected:
+        return CELL_CHANGED_ELSEWHERE(path=str(path))
+    return write_cell(path, cell)
+
+
+def read_cells(folder: Path) -> Mapping[str, Cell | Refusal]:
+    """Return all cells of a folder by name, with the reasons against those that are broken."""
+    try:
+        paths = sorted(folder.glob(f"[!.]*{SUFFIX}"))
+    except OSError:
+        return {}
+    return {path.stem: read_cell(path) for path in paths}
+
+
+def delete_cell(path: Path) -> Refusal | None:
+    """Delete the file of a cell; return ``None``, or why it could not be deleted."""
+    try:
+        path.unlink(missing_ok=True)
+    except OSError as error:
+        return CELL_NOT_WRITTEN(path=str(path), text=error_text(error))
+    return None
+
+
+def differences(before: Cell, after: Cell) -> tuple[Difference, ...]:
+    """Return where two cells differ, by parameter; things of one list are told apart by name."""
+    old, new = (dict(_flat("", _entries(cell))) for cell in (before, after))
+    places = [*old, *(place for place in new if place not in old)]
+    pairs = ((place, old.get(place), new.get(place)) for place in places)
+    return tuple(Difference(*pair) for pair in pairs if pair[1] != pair[2])
+
+
+def _entries(cell: Cell) -> dict[str, object]:
+    return {"tools": [tools.to_entry(tool) for tool in cell.tools], "tool": cell.tool}
+
+
+def _cell(fields: Fields, name: str) -> Cell:
+    """Return the cell in the fields of a file.
+
+    Raises:
+        FieldError: The file is refused.
+    """
+    fields.text("format")
+    version = fields.whole("version")
+    if version != VERSION:
+        raise fields.wrong("version", CELL_VERSION(version=version, known=VERSION))
+    cell = Cell(
+        name,
+        tools=tuple(map(tools.from_entry, fields.objects("tools"))) if "tools" in fields else (),
+        tool=fields.text("tool", ""),
+    )
+    fields.nothing_else()
+    refusal = check_cell(cell)
+    if refusal is not None:
+        raise FieldError(FieldProblem.BAD, (), refusal=refusal)
+    return cell
+
+
+def _flat(place: str, value: object) -> Iterator[tuple[str, object]]:
+    """Yield each parameter with its place."""
+    if isinstance(value, Mapping):
+        for key, each in value.items():
+            if not (key == "name" and place):
+                yield from _flat(f"{place}.{key}".removeprefix("."), each)
+    elif isinstance(value, list):
+        for number, each in enumerate(value, start=1):
+            named = isinstance(each, Mapping) and "name" in each
+            yield from _flat(f"{place}.{each['name'] if named else number}", each)
+    else:
+        yield place, value

@@ -1,0 +1,69 @@
+"""Tools on the flange: the tool centre point of each, and the capsule that stands for it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Final
+
+from armui.arm.json_fields import Fields
+from armui.arm.refusal import Refusal
+from armui.cell.checks import check_figure
+from armui.setting_checks import TOOL_LONGEST_MM
+
+FIGURES: Final = ("x_mm", "y_mm", "z_mm", "rx_deg", "ry_deg", "rz_deg")
+"""The figures of a pose as a cell's file names them."""
+_TURN_DEG: Final = 180.0
+_THICKEST_MM: Final = 200.0
+NO_TOOL: Final = (0.0,) * 6
+
+
+@dataclass(frozen=True, slots=True)
+class Tool:
+    """A tool that the flange may carry.
+
+    Attributes:
+        name: Its name in the cell.
+        pose: The tool centre point in the flange: X, Y, Z in mm, RX, RY, RZ in degrees.
+        radius_mm: The radius of the capsule from the flange's centre to the tip that stands for
+            the tool in checks; 0 if only the tip counts.
+    """
+
+    name: str
+    pose: tuple[float, ...] = NO_TOOL
+    radius_mm: float = 0.0
+
+    @property
+    def length_mm(self) -> float:
+        """The distance from the flange's centre to the tip: the length of the capsule's axis."""
+        return math.hypot(*self.pose[:3])
+
+
+def check_tool(tool: Tool) -> Refusal | None:
+    """Return why the figures of a tool are not possible, or ``None``."""
+    for place, (field, value) in enumerate(zip(FIGURES, tool.pose, strict=True)):
+        most = TOOL_LONGEST_MM if place < 3 else _TURN_DEG
+        refusal = check_figure(tool.name, field, value, -most, most)
+        if refusal is not None:
+            return refusal
+    return check_figure(tool.name, "radius_mm", tool.radius_mm, 0.0, _THICKEST_MM)
+
+
+def to_entry(tool: Tool) -> Mapping[str, object]:
+    """Return a tool as an object of a cell's file."""
+    figures = dict(zip(FIGURES, tool.pose, strict=True))
+    return {"name": tool.name, **figures, "radius_mm": tool.radius_mm}
+
+
+def from_entry(fields: Fields) -> Tool:
+    """Return the tool in an object of a cell's file.
+
+    Raises:
+        FieldError: A field is missing, unknown or of another type.
+    """
+    name = fields.text("name")
+    pose = tuple(fields.number(figure) for figure in FIGURES)
+    tool = Tool(name, pose, fields.number("radius_mm"))
+    fields.nothing_else()
+    return tool

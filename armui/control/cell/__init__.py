@@ -1,0 +1,1 @@
+"""The cell in force: chosen, confirmed at each connection, changed and kept."""

@@ -1,0 +1,293 @@
+"""The cell in force: chosen by the operator, confirmed at each connection, changed while at rest.
+
+Without a cell everything is as it was: the tool is the one in the settings.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from armui.arm.refusal import Refusal
+from armui.cell.cell import Cell, check_cell
+from armui.cell.checks import CELL_NAME_TAKEN
+from armui.cell.tools import NO_TOOL, Tool
+from armui.control.cell.cell_reasons import (
+    CAPTURE_MOVING,
+    CAPTURE_STALE,
+    CELL_ALREADY_CONFIRMED,
+    CELL_GONE,
+    CELL_NONE,
+    CELL_NOT_CONFIRMED,
+    CELL_NOT_READ,
+    CELL_WHILE_MOVING,
+)
+from armui.control.context import ControllerPart
+from armui.control.events import Notice
+from armui.control.motion.motion_command import End
+from armui.control.operating_state import why_unreachable
+from armui.control.operations.operation import operation, record_start
+from armui.control.operations.started import Ending
+from armui.telemetry.events import EventKind, Level
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+
+    from armui.arm.device import Device
+    from armui.control.cell.cell_store import CellStore
+    from armui.control.context import Context
+    from armui.control.motion.cartesian import Cartesian
+    from armui.control.operating_state import OperatingState
+    from armui.control.operations.started import Started
+
+CELL_CHOSEN = Notice("cell_chosen", "Cell in force: {name}", Level.INFO, EventKind.COMMAND)
+CELL_LEFT = Notice("cell_left", "No cell is in force", Level.INFO, EventKind.COMMAND)
+CELL_CHANGED = Notice("cell_changed", "Cell changed: {name}", Level.INFO, EventKind.COMMAND)
+CELL_DELETED = Notice("cell_deleted", "Cell deleted: {name}", Level.INFO, EventKind.COMMAND)
+CELL_CONFIRMED = Notice("cell_confirmed", "Cell confirmed: {name}", Level.INFO, EventKind.COMMAND)
+CELL_PROBLEM = Notice("cell_problem", "{reason}", Level.WARNING, EventKind.PROGRAM)
+
+
+def why_not_change(now: OperatingState) -> Refusal | None:
+    """Return why cells may not be changed: a motion was checked with the one in force."""
+    if now.occupied is not None:
+        return now.occupied
+    return CELL_WHILE_MOVING() if now.moving else None
+
+
+class CellControl(ControllerPart):
+    """Holds the cells and the one in force.
+
+    Args:
+        context: The context that the controller's parts share.
+        cartesian: Gets the tool in force.
+        announce: Called after every change, with this object's :attr:`cell`.
+
+    Attributes:
+        store: Keeps the cells; ``None`` if they end with the program, as in a replay.
+    """
+
+    def __init__(
+        self, context: Context, cartesian: Cartesian, announce: Callable[[object], object]
+    ) -> None:
+        self._context = context
+        self._cartesian = cartesian
+        self._announce = announce
+        self._cells: dict[str, Cell] = {}
+        self._broken: dict[str, Refusal] = {}
+        self._name = ""
+        self._confirmed = False
+        self._device: Device | None = None
+        self._own_tool: tuple[float, ...] = NO_TOOL
+        self.store: CellStore | None = None
+
+    # What is known --------------------------------------------------------------------------
+
+    @property
+    def cells(self) -> Mapping[str, Cell]:
+        """All cells by name."""
+        return self._cells
+
+    @property
+    def broken(self) -> Mapping[str, Refusal]:
+        """The reasons against the files that were refused, by the name of the cell."""
+        return self._broken
+
+    @property
+    def cell(self) -> Cell | None:
+        """The chosen cell, also while it is not confirmed; ``None`` without one."""
+        return self._cells.get(self._name)
+
+    @property
+    def in_force(self) -> Cell | None:
+        """The chosen cell once it is confirmed for this connection, or while none is open."""
+        return self.cell if self.confirmed else None
+
+    @property
+    def confirmed(self) -> bool:
+        """True if nothing is to be confirmed: no cell, an empty one, or no open device."""
+        return self.unconfirmed is None
+
+    @property
+    def unconfirmed(self) -> Refusal | None:
+        """The reason against a motion as long as the cell is not confirmed, or ``None``."""
+        if self._device is None or not self._name or self._confirmed:
+            return None
+        if self.cell is None:
+            return CELL_NOT_READ(name=self._name)
+        return None if self.cell.is_empty else CELL_NOT_CONFIRMED(name=self._name)
+
+    @property
+    def tool_name(self) -> str:
+        """The name of the tool in force; "" without a cell or a tool."""
+        return "" if self.in_force is None else self.in_force.tool
+
+    # What the program tells -----------------------------------------------------------------
+
+    def use_own_tool(self, tool: tuple[float, ...]) -> None:
+        """Take the tool of the settings, which holds while no cell is in force."""
+        self._own_tool = tool
+        self._take_effect()
+
+    def take_loaded(self, cells: Mapping[str, Cell | Refusal]) -> None:
+        """Take the cells that were read, with the reasons against those that are broken.
+
+        A cell that this program has made or changed meanwhile stays.
+        """
+        for name, cell in cells.items():
+            if isinstance(cell, Refusal):
+                self._broken[name] = cell
+                self._context.tell(CELL_PROBLEM, reason=cell)
+            else:
+                self._cells.setdefault(name, cell)
+        self._take_effect()
+
+    def tell_problem(self, reason: Refusal) -> None:
+        """Tell the operator why a cell could not be saved or deleted."""
+        self._context.tell(CELL_PROBLEM, reason=reason)
+
+    def begin_device(self, device: Device) -> None:
+        """A device is opened: its own cell is to be confirmed before anything moves."""
+        self._device = device
+        self._name = "" if self.store is None else self.store.kept(device.arm_key())
+        self._confirmed = False
+        self._take_effect()
+
+    def end_device(self) -> None:
+        """The device was closed by the operator: the cell stays chosen."""
+        self._device = None
+        self._take_effect()
+
+    def forget_arm(self) -> None:
+        """Have the cell confirmed again: what comes next may be another arm."""
+        self._confirmed = False
+        self._take_effect()
+
+    # What the operator does -----------------------------------------------------------------
+
+    @operation("cell.take", "Make or import a cell", why_not_change)
+    def take(self, cell: Cell) -> Started | Refusal:
+        """Add a cell of a new name, and put it in force."""
+        taken = cell.name.casefold() in map(str.casefold, (*self._cells, *self._broken))
+        refusal = (
+            why_not_change(self._context.refresh())
+            or check_cell(cell)
+            or (CELL_NAME_TAKEN(value=cell.name) if taken else None)
+        )
+        if refusal is not None:
+            return self._context.refuse(refusal)
+        self._save(cell)
+        self._put_in_force(cell.name)
+        return self._done(record_start(self.take), CELL_CHOSEN, cell.name)
+
+    @operation("cell.choose", "Choose the cell", why_not_change)
+    def choose(self, name: str) -> Started | Refusal:
+        """Put a cell in force, by the operator's choice; "" for none."""
+        refusal = why_not_change(self._context.refresh())
+        if refusal is None and name and name not in self._cells:
+            refusal = self._broken.get(name) or CELL_GONE(name=name)
+        if refusal is not None:
+            return self._context.refuse(refusal)
+        self._put_in_force(name)
+        notice = CELL_CHOSEN if name else CELL_LEFT
+        return self._done(record_start(self.choose), notice, name)
+
+    @operation("cell.confirm", "Confirm the cell", why_not_change)
+    def confirm(self) -> Started | Refusal:
+        """Confirm that the kept cell is that of the connected arm."""
+        refusal = why_not_change(self._context.refresh())
+        if refusal is None and self.unconfirmed is None:
+            refusal = CELL_ALREADY_CONFIRMED()
+        elif refusal is None and self.cell is None:
+            refusal = self.unconfirmed
+        if refusal is not None:
+            return self._context.refuse(refusal)
+        self._put_in_force(self._name)
+        return self._done(record_start(self.confirm), CELL_CONFIRMED, self._name)
+
+    @operation("cell.change", "Change the cell", why_not_change)
+    def change(self, cell: Cell) -> Started | Refusal:
+        """Replace the chosen cell by a changed one of the same name."""
+        refusal = why_not_change(self._context.refresh()) or self.unconfirmed
+        if refusal is None and self.cell is None:
+            refusal = CELL_NONE()
+        elif refusal is None and cell.name != self._name:
+            refusal = CELL_GONE(name=cell.name)
+        refusal = refusal or check_cell(cell)
+        if refusal is not None:
+            return self._context.refuse(refusal)
+        self._save(cell)
+        self._confirmed = True
+        self._take_effect()
+        return self._done(record_start(self.change), CELL_CHANGED, cell.name)
+
+    @operation("cell.delete", "Delete the cell", why_not_change)
+    def delete(self) -> Started | Refusal:
+        """Delete the chosen cell and its file; none is in force then."""
+        name = self._name
+        refusal = why_not_change(self._context.refresh())
+        if refusal is None and not name:
+            refusal = CELL_NONE()
+        if refusal is not None:
+            return self._context.refuse(refusal)
+        self._cells.pop(name, None)
+        self._broken.pop(name, None)
+        if self.store is not None:
+            self.store.delete(name)
+        self._put_in_force("")
+        return self._done(record_start(self.delete), CELL_DELETED, name)
+
+    def why_not_capture(self) -> Refusal | None:
+        """Return why the pose of the flange cannot be taken now, or ``None``.
+
+        Only what is measured counts, of an arm that is heard and measured at rest.
+        """
+        context = self._context
+        now = context.operating_state()
+        unknown = why_unreachable(now.link) or self._cartesian.why_unknown()
+        if unknown is not None:
+            return unknown
+        state, now_s = context.state(), context.clock()
+        if any(each is None or not each.fresh(now_s) for each in (*state.pose, *state.joints_deg)):
+            return CAPTURE_STALE()
+        return None if context.authority.at_rest else CAPTURE_MOVING()
+
+    def capture(self) -> tuple[float, ...] | Refusal:
+        """Return the measured pose of the flange, or why it cannot be taken."""
+        self._context.refresh()
+        refusal = self.why_not_capture()
+        pose = self._context.state().end_pose()
+        if refusal is not None or pose is None:
+            return self._context.refuse(refusal or CAPTURE_STALE())
+        return tuple(pose)
+
+    def _save(self, cell: Cell) -> None:
+        self._cells[cell.name] = cell
+        if self.store is not None:
+            self.store.save(cell)
+
+    def _put_in_force(self, name: str) -> None:
+        self._name, self._confirmed = name, True
+        if self._device is not None and self.store is not None:
+            self.store.keep(self._device.arm_key(), name)
+        self._take_effect()
+
+    def _done(self, started: Started, notice: Notice, name: str) -> Started:
+        started.close(Ending.DONE)
+        figures = {"name": name} if name else {}
+        self._context.tell(notice, started, **figures)
+        self._context.refresh()
+        return started
+
+    def _take_effect(self) -> None:
+        """Pass on the tool; a target of ours that was told with another one is none any more."""
+        cell = self.in_force
+        tool, radius_mm = self._own_tool, 0.0
+        if cell is not None:
+            chosen = cell.chosen_tool or Tool("")
+            tool, radius_mm = chosen.pose, chosen.radius_mm
+        self._cartesian.tool_radius_mm = radius_mm
+        if tool != self._cartesian.tool:
+            self._cartesian.tool = tool
+            self._context.authority.end_command(End.TOOL_CHANGED)
+        self._context.authority.unconfirmed_cell = self.unconfirmed
+        self._announce(self.cell)

@@ -1,0 +1,32 @@
+"""The reasons why a cell is not in force, or cannot be changed now."""
+
+from __future__ import annotations
+
+from armui.arm.refusal import Reason
+
+CELL_NOT_CONFIRMED = Reason(
+    "cell_not_confirmed",
+    "This adapter was last used with the cell “{name}”. See that it is the arm in front of you, "
+    "then confirm the cell, or choose another one under Cell.",
+)
+CELL_NOT_READ = Reason(
+    "cell_not_read",
+    "The cell “{name}” of this adapter could not be read. Choose another one under Cell, or none.",
+)
+CAPTURE_MOVING = Reason(
+    "capture_moving",
+    "The arm is not at rest: a pose that is taken now would be wrong. Wait until it stands still.",
+)
+CAPTURE_STALE = Reason(
+    "capture_stale",
+    "The pose is not heard any more: nothing was taken. Wait until the arm reports it again.",
+)
+CELL_NONE = Reason("cell_none", "There is no cell yet. Enter a name, then press New.")
+CELL_GONE = Reason("cell_gone", "There is no cell “{name}”. Choose one of those in the list.")
+CELL_WHILE_MOVING = Reason(
+    "cell_while_moving",
+    "The arm moves: what its motion was checked with stays until it rests. Wait, or halt it.",
+)
+CELL_ALREADY_CONFIRMED = Reason(
+    "cell_already_confirmed", "Nothing is to be confirmed: the cell is in force, or there is none."
+)

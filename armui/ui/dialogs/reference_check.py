@@ -1,0 +1,450 @@
+"""The window of the reference check: does each joint stand where it reports? (S34)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QCloseEvent, QImage, QPixmap, QShowEvent
+from PySide6.QtWidgets import QCheckBox, QFrame, QLabel, QWidget
+
+from armui.arm.limits import JOINTS
+from armui.arm.reference_record import ReferenceRecord
+from armui.arm.refusal import Refusal
+from armui.control.arm_controller import ArmController
+from armui.control.events import Level
+from armui.control.operations.operation import operation_of
+from armui.control.operations.started import Started, refusal_of
+from armui.control.safety.reference_control import (
+    ReferenceControl,
+    why_not_allow,
+    why_not_begin,
+    why_not_drive,
+    why_not_finish,
+    why_not_teach_pose,
+)
+from armui.ui import format as fmt
+from armui.ui import words
+from armui.ui.actions.command import Command, Target
+from armui.ui.background import Background, Job
+from armui.ui.dialogs.base import ArmDialog, CloseButton
+from armui.ui.dialogs.confirm_dialog import confirm
+from armui.ui.dialogs.files import choose_file
+from armui.ui.widgets.buttons import caption, enable_or_explain, named, push_button
+from armui.ui.widgets.figure_field import FigureField
+from armui.ui.widgets.hold_button import HoldButton
+from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_column, in_row
+from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.text_label import text_label
+from armui.ui.words.reference import reference_text
+from armui.ui.words.text import Text
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from armui.control.safety.reference_check import CheckStep, ReferenceCheck
+
+_SIZE_PX: Final = (720, 620)
+_PHOTO_PX: Final = 200
+_PHOTOS: Final = "*.png *.jpg *.jpeg *.bmp"
+
+
+class ReferenceDialog(ArmDialog):
+    """Leads through the check: the arm by eye, each joint in doubt by hand, the others slowly.
+
+    Args:
+        controller: Carries out the check.
+        background: Reads the photo of the reference pose.
+        parent: The main window.
+    """
+
+    commands = (
+        Command("reference.allow", None, operation_of(ReferenceControl.allow)),
+        Command("reference.begin", None, operation_of(ReferenceControl.begin)),
+        Command("reference.drive", None, operation_of(ReferenceControl.drive)),
+        Command("reference.finish", None, operation_of(ReferenceControl.finish)),
+        Command(
+            "reference.teach",
+            Text("ReferenceDialog", "Teach reference pose…"),
+            operation_of(ReferenceControl.teach),
+        ),
+    )
+
+    def __init__(
+        self, controller: ArmController, background: Background, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(controller, parent)
+        self._controller = controller
+        self._background = background
+        self._photo = ""
+        self._said: Refusal | None = None
+        self._build()
+        self._connect()
+        self.resize(*_SIZE_PX)
+        self.retranslate_ui()
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return the target of each command, by the command's name."""
+        return {
+            "reference.allow": self.allow_button,
+            "reference.begin": self.begin_button,
+            "reference.drive": self.drive_button,
+            "reference.finish": self.finish_button,
+            "reference.teach": self.teach_button,
+        }
+
+    # -- layout -------------------------------------------------------------------------------
+
+    def _build(self) -> None:
+        self._intro = text_label("reference_intro", rank="muted", wraps=True)
+        self._labels: dict[int, tuple[QLabel, QLabel, QLabel, QLabel]] = {}
+        table = QFrame()
+        grid = empty_grid(table, gaps=(28, 6), margins=0)
+        self._heads = [text_label(rank="muted") for _ in range(4)]
+        for column, head in enumerate(self._heads):
+            grid.addWidget(head, 0, column)
+        for joint in JOINTS:
+            cells = (text_label(), text_label(), text_label(), text_label(f"reference_{joint}"))
+            self._labels[joint] = cells
+            for column, cell in enumerate(cells):
+                grid.addWidget(cell, joint, column)
+        grid.setColumnStretch(3, 1)
+        self._task = text_label("reference_task", wraps=True, plain=True)
+        self._task.setAlignment(Qt.AlignmentFlag.AlignTop)
+        self._elsewhere = {
+            joint: named(f"reference_elsewhere_{joint}", QCheckBox(f"J{joint}")) for joint in JOINTS
+        }
+        self.begin_button = push_button("reference_begin", on_enter=False)
+        self.allow_button = named("reference_allow", HoldButton(self._controller))
+        self.look_button = push_button("reference_look", on_enter=False)
+        self.off_button = push_button("reference_motor_off", on_enter=False)
+        self.drive_button = named("reference_drive", HoldButton(self._controller))
+        self.mark_button = push_button("reference_at_mark", on_enter=False)
+        self.off_field = named("reference_off_field", FigureField(1, "°"))
+        self.off_field.setFixedWidth(100)
+        self.differs_button = push_button("reference_differs", on_enter=False)
+        self.finish_button = push_button("reference_finish", primary=True, on_enter=False)
+        self.back_button = push_button("reference_back", on_enter=False)
+        self.teach_button = push_button("reference_teach", on_enter=False)
+        self._picture = QLabel()
+        self._picture.setVisible(False)
+        self._message = MessageLine(self)
+        does = in_row(*self._elsewhere.values(), self.look_button, STRETCH, spacing=10)
+        answers = in_row(
+            *(self.off_button, self.drive_button, self.mark_button),
+            *(self.off_field, self.differs_button, self.finish_button, STRETCH),
+            spacing=10,
+        )
+        task = in_column((self._task, 1), does, answers, spacing=10)
+        card = QFrame()
+        card.setProperty("card", True)
+        in_row((task, 1), self._picture, on=card, spacing=14, margins=14)
+        self.body.addWidget(self._intro)
+        self.body.addWidget(table)
+        self.body.addWidget(card, 1)
+        self.body.addWidget(self._message)
+        self._close = CloseButton(self)
+        fill(
+            self.footer,
+            *(self.begin_button, self.teach_button, self.allow_button, STRETCH),
+            *(self.back_button, self._close),
+        )
+
+    def _connect(self) -> None:
+        reference = self._controller.reference
+        self.begin_button.clicked.connect(lambda: self._tell(reference.begin()))
+        self.allow_button.held.connect(lambda: self._tell(reference.allow()))
+        self.look_button.clicked.connect(self._on_looked)
+        self.off_button.clicked.connect(self._ask_motor_off)
+        self.drive_button.held.connect(self._on_drive)
+        self.mark_button.clicked.connect(self._on_at_mark)
+        self.differs_button.clicked.connect(self._on_differs)
+        self.off_field.value_edited.connect(self._show)
+        self.finish_button.clicked.connect(lambda: self._tell(reference.finish()))
+        self.back_button.clicked.connect(self._on_back)
+        self.teach_button.clicked.connect(self._ask_to_teach)
+        self._controller.state_changed.connect(self._on_changed)
+        self._controller.operating_state_changed.connect(self._on_changed)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Show the present state and the photo of the reference pose."""
+        super().showEvent(event)
+        if not event.spontaneous():
+            self._said = None
+            self._show()
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Leave a check that has no result yet."""
+        self._controller.reference.leave()
+        super().closeEvent(event)
+
+    def reject(self) -> None:
+        """Close by Escape as by the button."""
+        self._controller.reference.leave()
+        super().reject()
+
+    # -- what the operator does ---------------------------------------------------------------
+
+    @property
+    def _check(self) -> ReferenceCheck | None:
+        return self._controller.reference.check
+
+    @property
+    def _step(self) -> CheckStep | None:
+        check = self._check
+        return check.next if check is not None and check.looked else None
+
+    def _tell(self, result: Started | Refusal | None) -> None:
+        self._said = refusal_of(result)
+        self._show()
+
+    def _on_looked(self) -> None:
+        self._controller.reference.look(
+            [j for j, box in self._elsewhere.items() if box.isChecked()]
+        )
+        self._show()
+
+    def _ask_motor_off(self) -> None:
+        step = self._step
+        if step is None:
+            return
+        confirm(
+            self,
+            self._controller,
+            title=self.tr("Switch off the motor of joint {joint}").format(joint=step.joint),
+            text=self.tr(
+                "Joint {joint} goes limp, and what hangs on it drops: hold the arm with both "
+                "hands. The other joints keep their power."
+            ).format(joint=step.joint),
+            action_label=self.tr("Motor off"),
+            on_confirmed=lambda: self._tell(self._controller.motors.disable(step.joint)),
+            hold=True,
+            still=lambda: self._step == step,
+        )
+
+    def _on_drive(self) -> None:
+        step = self._step
+        if step is not None:
+            self._tell(self._controller.reference.drive(step.joint))
+
+    def _on_at_mark(self) -> None:
+        step, reference = self._step, self._controller.reference
+        if step is not None:
+            off_deg = 0.0 if step.mark_deg is None else reference.at_mark(step.joint)
+            if off_deg is not None:
+                self._answer(step.joint, off_deg)
+
+    def _on_differs(self) -> None:
+        step, off_deg = self._step, self.off_field.value
+        if step is not None and off_deg is not None:
+            self._answer(step.joint, off_deg)
+
+    def _answer(self, joint: int, off_deg: float) -> None:
+        self._controller.reference.answer(joint, round(off_deg, 1))
+        self.off_field.show_value(None)
+        self._show()
+
+    def _on_back(self) -> None:
+        check = self._check
+        if check is not None:
+            answered = [s.joint for s in check.steps if check.answered(s.joint) is not None]
+            if answered:
+                self._controller.reference.take_back(answered[-1])
+            self._show()
+
+    def _ask_to_teach(self) -> None:
+        confirm(
+            self,
+            self._controller,
+            title=self.tr("Teach the reference pose"),
+            text=self.tr(
+                "Where the arm stands now is kept as its reference pose: joints 2 and 3, which "
+                "have no mark, are compared with it. Put the arm where you will recognise it to "
+                "the degree, for example with the fingertip on a cross on the table. You may "
+                "then choose a photo of it. Only teach it while the reference is right."
+            ),
+            action_label=self.tr("Keep this pose"),
+            on_confirmed=self._on_teach,
+        )
+
+    def _on_teach(self) -> None:
+        self._tell(self._controller.reference.teach())
+        if self._said is None:
+            choose_file(
+                self,
+                self._controller,
+                title=self.tr("Photo of the arm in its reference pose"),
+                name_filter=self.tr("Pictures ({kinds})").format(kinds=_PHOTOS),
+                on_chosen=lambda path: self._controller.reference.keep_photo(str(path)),
+                start=Path.home(),
+            )
+
+    # -- appearance ---------------------------------------------------------------------------
+
+    def _on_changed(self) -> None:
+        if self.isVisible():
+            self._show()
+
+    def _show(self) -> None:
+        now, check, step = self._controller.operating_state, self._check, self._step
+        record = self._controller.reference.record
+        self._show_joints(record.doubtful, step)
+        looks = check is not None and not check.looked
+        done = check is not None and check.looked and step is None
+        marked = step is not None and step.mark_deg is not None
+        by_hand = step is not None and step.by_hand
+        for joint, box in self._elsewhere.items():
+            box.setVisible(looks)
+            if check is None:
+                box.setChecked(joint in record.doubtful)
+            box.setEnabled(joint not in record.doubtful)
+        self.look_button.setVisible(looks)
+        self.off_button.setVisible(by_hand)
+        self.drive_button.setVisible(marked and not by_hand)
+        for widget in (self.mark_button, self.off_field, self.differs_button):
+            widget.setVisible(step is not None)
+        self.finish_button.setVisible(done)
+        self.begin_button.setVisible(check is None)
+        self.teach_button.setVisible(check is None)
+        self.allow_button.setVisible(check is None and bool(record.doubtful))
+        self.back_button.setVisible(check is not None and check.looked)
+        self.back_button.setEnabled(check is not None and len(check.unanswered) < len(JOINTS))
+        enable_or_explain(self.begin_button, words.why_not(why_not_begin(now)))
+        enable_or_explain(self.allow_button, words.why_not(why_not_allow(now)))
+        enable_or_explain(self.teach_button, words.why_not(why_not_teach_pose(now)))
+        enable_or_explain(self.finish_button, words.why_not(why_not_finish(now)))
+        if step is not None:
+            refusal = why_not_drive(now, step.joint)
+            self.drive_button.setEnabled(refusal is None)
+            self.drive_button.setToolTip(words.why_not(refusal))
+            off = now.enabled[step.joint - 1] is False
+            self.off_button.setEnabled(not off)
+            first = self.tr("Switch its motor off and turn it by hand first.")
+            enable_or_explain(self.mark_button, first if by_hand and marked and not off else "")
+        self.differs_button.setEnabled(self.off_field.value is not None)
+        self._task.setText(self._task_text(record, check, step))
+        self._show_photo(record.photo if step is not None and step.joint in (2, 3) else "")
+        said = words.why_not(self._said)
+        self._message.show_message(said, Level.WARNING if said else Level.INFO)
+
+    def _show_joints(self, doubtful: Sequence[int], step: CheckStep | None) -> None:
+        check, state = self._check, self._controller.state
+        marks = {} if check is None else {each.joint: each.mark_deg for each in check.steps}
+        for joint, (name, reported, mark, result) in self._labels.items():
+            heard = state.joints_deg[joint - 1]
+            arrow = "▸ " if step is not None and step.joint == joint else ""
+            name.setText(f"{arrow}J{joint}")
+            reported.setText(fmt.NOTHING if heard is None else fmt.angle(heard.value))
+            at = marks.get(joint)
+            mark.setText(fmt.NOTHING if at is None else fmt.angle(at))
+            off = None if check is None else check.answered(joint)
+            text = self.tr("in doubt") if joint in doubtful else ""
+            if off is not None and check is not None:
+                fits = joint not in check.off_deg
+                text = self.tr("fits") if fits else self.tr("off by {off}")
+                text = text.format(off=fmt.angle(off))
+            result.setText(text)
+
+    def _task_text(
+        self, record: ReferenceRecord, check: ReferenceCheck | None, step: CheckStep | None
+    ) -> str:
+        if check is None:
+            return "\n\n".join((reference_text(record), self._remedy(record)))
+        if not check.looked:
+            return self.tr(
+                "Look at the whole arm beside the picture, which shows what it reports. Tick each "
+                "joint that stands elsewhere than the picture shows. Nothing drives those joints; "
+                "the ones in doubt are ticked."
+            )
+        if step is None:
+            if check.off_deg:
+                return self.tr(
+                    "All joints are answered for, and some are off. Finish the check: they stay in "
+                    "doubt, and what can be done is shown then."
+                )
+            return self.tr("All joints stand where they report. Finish the check to keep that.")
+        return self._joint_text(step)
+
+    def _joint_text(self, step: CheckStep) -> str:
+        place = self.tr("its mark")
+        if step.joint in (2, 3):
+            place = self.tr("its place in the reference pose")
+        figures = {"joint": step.joint, "place": place}
+        if step.mark_deg is None:
+            text = self.tr(
+                "Joint {joint} has no mark, and no reference pose is taught. Compare it with the "
+                "picture: does it stand as shown? If not, type by how much it is off."
+            )
+        elif step.by_hand:
+            text = self.tr(
+                "Joint {joint} may stand 85° from what it reports: nothing drives it. Hold the "
+                "arm, switch its motor off and turn it to {place} by hand; then press “Stands at "
+                "its mark”. What it reports there shows how far it is off."
+            )
+        else:
+            text = self.tr(
+                "Hold “Drive to the mark”: joint {joint} goes to {place} at 5 %, the others stay. "
+                "Look whether it then stands there. If not, type by how much it is off."
+            )
+        return text.format(**figures)
+
+    def _remedy(self, record: ReferenceRecord) -> str:
+        if not record.off_deg:
+            return self.tr(
+                "The check takes some two minutes. A joint in doubt is brought to its mark by "
+                "hand; the others are driven slowly, each by a held button."
+            )
+        return self.tr(
+            "What can be done: (1) Reset with the arm held. Emergency stop, hold the arm, Resume: "
+            "its motors lose their power and the arm drops; the arm then finds its reference "
+            "again. Enable, and check once more. (2) Set the joint's zero, only if a reset does "
+            "not help and the joint stands at its mark: nothing moves, but every angle, limit and "
+            "saved point counts from there. Neither ends the doubt: only this check does."
+        )
+
+    def _show_photo(self, path: str) -> None:
+        self._picture.setVisible(bool(path))
+        if path and path != self._photo:
+            self._picture.clear()
+            self._background.begin_here(Job(self._on_photo), _read_photo, path)
+        self._photo = path
+
+    def _on_photo(self, photo: QImage | Refusal) -> None:
+        if isinstance(photo, Refusal) or photo.isNull():
+            self._picture.setText(self.tr("The photo cannot be read."))
+        else:
+            self._picture.setPixmap(QPixmap.fromImage(photo))
+
+    def retranslate_ui(self) -> None:
+        """Set all texts in the operator's language."""
+        self.set_title(self.tr("Reference check"))
+        self._intro.setText(
+            self.tr("Does each joint stand where it reports? The feedback alone cannot tell.")
+        )
+        heads = (self.tr("Joint"), self.tr("Reported"), self.tr("At the mark"), self.tr("Result"))
+        for head, text in zip(self._heads, heads, strict=True):
+            head.setText(text)
+        caption(self.begin_button, self.tr("Begin the check"))
+        caption(self.allow_button, self.tr("Move anyway"))
+        caption(self.look_button, self.tr("The others stand as shown"))
+        caption(self.off_button, self.tr("Motor off…"))
+        caption(self.drive_button, self.tr("Drive to the mark"))
+        caption(self.mark_button, self.tr("Stands at its mark"))
+        caption(self.differs_button, self.tr("Off by this"))
+        self.off_field.setAccessibleName(self.tr("Off by"))
+        caption(self.finish_button, self.tr("Finish the check"))
+        caption(self.back_button, self.tr("Answer again"))
+        caption(self.teach_button, self.tr("Teach reference pose…"))
+        self._show()
+
+
+def _read_photo(path: str) -> QImage:
+    """Return a photo as small as it is shown; it waits for a disk."""
+    size = Qt.AspectRatioMode.KeepAspectRatio
+    image = QImage(path)
+    if image.isNull():
+        return image
+    smooth = Qt.TransformationMode.SmoothTransformation
+    return image.scaled(_PHOTO_PX, _PHOTO_PX, size, smooth)

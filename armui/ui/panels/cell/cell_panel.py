@@ -1,0 +1,335 @@
+"""单元: what is fixed to the arm and stands around it: chosen, confirmed, changed, exchanged."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtWidgets import QButtonGroup, QComboBox, QFrame, QLabel, QLineEdit
+
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState
+from armui.cell.cell import Cell
+from armui.cell.cell_file import SUFFIX, differences
+from armui.cell.checks import LONGEST_NAME
+from armui.cell.tools import Tool
+from armui.control.arm_controller import ArmController
+from armui.control.cell.cell_control import CellControl, why_not_change
+from armui.control.cell.cell_reasons import CELL_NONE
+from armui.control.operations.operation import operation_of
+from armui.ui import format as fmt
+from armui.ui import words
+from armui.ui.actions.command import Command, Target
+from armui.ui.dialogs.confirm_dialog import confirm
+from armui.ui.dialogs.files import choose_file
+from armui.ui.panels.cell.cell_tab import CellTab, CurrentStack
+from armui.ui.panels.cell.tools_tab import ToolsTab
+from armui.ui.panels.panel import Panel
+from armui.ui.widgets.buttons import (
+    caption,
+    choice_button,
+    enable_or_explain,
+    named,
+    push_button,
+    show_primary,
+)
+from armui.ui.widgets.layouts import empty_grid, in_column, in_row, scrolled
+from armui.ui.words.text import Text
+
+if TYPE_CHECKING:
+    from armui.control.operating_state import OperatingState
+    from armui.settings import SettingsStore
+
+TABS: Final[tuple[type[CellTab], ...]] = (ToolsTab,)
+"""The tabs from left to right."""
+_TALLEST_CARD_PX: Final = 560
+_NARROW_PX: Final = 60
+_MOST_SHOWN: Final = 14
+"""The most differences that a question names."""
+
+
+class CellPanel(Panel):
+    """The cell: chosen, made, confirmed, exchanged; below it a tab for each part of it.
+
+    Args:
+        controller: The controller of the arm; it holds the cells.
+        preferences: The settings, whose tool becomes the first one of a new cell.
+    """
+
+    commands = (
+        Command("cell.choose", operation=operation_of(CellControl.choose), presses=False),
+        Command("cell.confirm", operation=operation_of(CellControl.confirm), leads=True),
+        Command(
+            "cell.new", Text("CellPanel", "New cell"), operation_of(CellControl.take), leads=True
+        ),
+        Command("cell.import", Text("CellPanel", "Import a cell"), operation_of(CellControl.take)),
+        Command("cell.export", Text("CellPanel", "Export the cell")),
+        Command("cell.delete", operation=operation_of(CellControl.delete), leads=True, risky=True),
+        *(Command(f"cell.tab_{tab.key}", tab.title) for tab in TABS),
+        *(command for tab in TABS for command in tab.commands),
+    )
+
+    def __init__(self, controller: ArmController, preferences: SettingsStore) -> None:
+        super().__init__(controller, "cell_message")
+        self._preferences = preferences
+        self._choice = named("cell_box", QComboBox())
+        self._choice.setMinimumWidth(_NARROW_PX)
+        self._confirm = push_button("cell_confirm_button")
+        self._name = named("cell_name", QLineEdit())
+        self._name.setMaxLength(LONGEST_NAME)
+        self._new = push_button("cell_new_button")
+        self._import = push_button("cell_import_button")
+        self._export = push_button("cell_export_button")
+        self._delete = push_button("cell_delete_button")
+        self._labels = (QLabel(), QLabel())
+        self._group = QButtonGroup(self)
+        self._stack_of_tabs = CurrentStack()
+        self._tabs = [tab(controller, self._accepted) for tab in TABS]
+        self._lay_out()
+        self._choice.activated.connect(self._on_chosen)
+        self._confirm.clicked.connect(lambda: self._accepted(controller.cell.confirm()))
+        self._new.clicked.connect(self._on_new)
+        self._name.returnPressed.connect(self._on_new)
+        self._name.textEdited.connect(lambda _text: self._show_buttons())
+        self._import.clicked.connect(self._on_import)
+        self._export.clicked.connect(self._on_export)
+        self._delete.clicked.connect(self._on_delete)
+        controller.cell_changed.connect(self._on_cell_changed)
+        self._listen("cell_")
+        self.retranslate_ui()
+
+    def _lay_out(self) -> None:
+        head = empty_grid(gaps=(8, 6), margins=0)
+        for row, (label, field, button) in enumerate(
+            zip(self._labels, (self._choice, self._name), (self._confirm, self._new), strict=True)
+        ):
+            label.setBuddy(field)
+            head.addWidget(label, row, 0)
+            head.addWidget(field, row, 1)
+            head.addWidget(button, row, 2)
+        head.setColumnStretch(1, 1)
+        files = in_row((self._import, 1), (self._export, 1), (self._delete, 1), spacing=6)
+        choice = in_row(spacing=6)
+        for place, tab in enumerate(self._tabs):
+            tab_button = choice_button(f"cell_tab_{tab.key}")
+            self._group.addButton(tab_button, place)
+            self._stack_of_tabs.addWidget(tab)
+            choice.addWidget(tab_button, 1)
+        self._group.button(0).setChecked(True)
+        self._group.idClicked.connect(self._show_tab)
+        card = QFrame()
+        in_column(self._stack_of_tabs, on=card, spacing=8, margins=(16, 12, 16, 12))
+        self._stack(head, files, choice, scrolled(card, _TALLEST_CARD_PX))
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return the target of each command, by the command's name."""
+        targets: dict[str, Target] = {
+            "cell.choose": self._choice,
+            "cell.confirm": self._confirm,
+            "cell.new": self._new,
+            "cell.import": self._import,
+            "cell.export": self._export,
+            "cell.delete": self._delete,
+        }
+        for place, tab in enumerate(self._tabs):
+            targets[f"cell.tab_{tab.key}"] = self._group.button(place)
+            targets.update(tab.command_targets())
+        return targets
+
+    # -- actions ------------------------------------------------------------------------------
+
+    def _on_chosen(self, place: int) -> None:
+        self._accepted(self._controller.cell.choose(self._choice.itemData(place) or ""))
+        self._show_cells()
+
+    def _on_new(self) -> None:
+        """The tool of the settings becomes the new cell's first one."""
+        pose, name = self._preferences.settings.tool, self._name.text().strip()
+        tool = Tool(self.tr("Tool"), pose)
+        cell = Cell(name, (tool,), tool.name) if any(pose) else Cell(name)
+        if self._accepted(self._controller.cell.take(cell)):
+            self._name.clear()
+            self._show_buttons()
+
+    def _on_delete(self) -> None:
+        cell = self._controller.cell.cell
+        if cell is None:
+            self._accepted(self._controller.cell.delete())
+            return
+        confirm(
+            self.window(),
+            self._controller,
+            title=self.tr("Delete the cell"),
+            text=self.tr(
+                "“{name}” with everything in it is deleted, and no cell is in force then. Export "
+                "it first if it may be wanted again."
+            ).format(name=cell.name),
+            action_label=self.tr("Delete"),
+            on_confirmed=lambda: self._accepted(self._controller.cell.delete()),
+            concerns_arm=False,
+            still=lambda: self._controller.cell.cell == cell,
+        )
+
+    def _on_export(self) -> None:
+        cell, store = self._controller.cell.cell, self._controller.cell.store
+        if cell is None or store is None:
+            self._accepted(CELL_NONE())
+            return
+        choose_file(
+            self.window(),
+            self._controller,
+            title=self.tr("Export the cell"),
+            name_filter=f"{self.tr('Cell')} (*{SUFFIX})",
+            on_chosen=lambda path: store.write(path, cell, self._accepted),
+            new_file=str(Path.home() / f"{cell.name}{SUFFIX}"),
+        )
+
+    def _on_import(self) -> None:
+        store = self._controller.cell.store
+        if store is None:
+            return
+        choose_file(
+            self.window(),
+            self._controller,
+            title=self.tr("Import a cell"),
+            name_filter=f"{self.tr('Cell')} (*{SUFFIX})",
+            on_chosen=lambda path: store.read(path, self._on_read),
+            start=Path.home(),
+        )
+
+    def _on_read(self, cell: Cell | Refusal) -> None:
+        """Show in what an imported cell differs from the one it replaces, or is compared with."""
+        if isinstance(cell, Refusal):
+            self._accepted(cell)
+            return
+        cells = self._controller.cell
+        same = cells.cells.get(cell.name)
+        other = same or cells.cell or Cell("")
+        differing = [
+            f"{each.place}: {_shown(each.before)} → {_shown(each.after)}"
+            for each in differences(other, cell)
+        ]
+        lines = differing[:_MOST_SHOWN] or [self.tr("They are the same.")]
+        if len(differing) > len(lines):
+            more = self.tr("… and {count} more")
+            lines.append(more.format(count=len(differing) - len(lines)))
+        if same is not None:
+            head = self.tr("It takes the place of the cell of this name. What changes:")
+        elif other.name:
+            head = self.tr("In what it differs from “{name}”:").format(name=other.name)
+        else:
+            head = self.tr("What it holds:")
+        confirm(
+            self.window(),
+            self._controller,
+            title=self.tr("Take over the cell “{name}”").format(name=cell.name),
+            text="\n".join((head, *lines)),
+            action_label=self.tr("Take over"),
+            on_confirmed=lambda: self._take_over(cell),
+            still=lambda: cells.cells.get(cell.name) == same,
+        )
+
+    def _take_over(self, cell: Cell) -> None:
+        cells = self._controller.cell
+        if cell.name not in cells.cells:
+            self._accepted(cells.take(cell))
+        elif self._accepted(cells.choose(cell.name)):
+            self._accepted(cells.change(cell))
+
+    # -- appearance ---------------------------------------------------------------------------
+
+    def _on_cell_changed(self, _cell: object) -> None:
+        if self.isVisible():
+            self._show_all()
+
+    def _show_tab(self, place: int) -> None:
+        self._stack_of_tabs.setCurrentIndex(place)
+        self._show_all()
+
+    def _show_state(self, state: ArmState) -> None:
+        self._tabs[self._group.checkedId()].show_state(state)
+
+    def _forget_outdated(self, old: OperatingState) -> None:
+        if old.device != self._operating_state.device:
+            self._refusal = self._event = None
+
+    def _show_all(self) -> None:
+        self._show_cells()
+        self._show_buttons()
+        why_not = words.why_not(self._why_not_change())
+        self._tabs[self._group.checkedId()].show_cell(why_not)
+        self._show_message()
+
+    def _why_not_change(self) -> Refusal | None:
+        cells = self._controller.cell
+        none = CELL_NONE() if cells.cell is None else None
+        return why_not_change(self._operating_state) or cells.unconfirmed or none
+
+    def _show_cells(self) -> None:
+        cells = self._controller.cell
+        names = ["", *sorted({*cells.cells, *cells.broken}, key=str.casefold)]
+        shown = [self._choice.itemData(place) for place in range(self._choice.count())]
+        if names != shown:
+            self._choice.clear()
+            for name in names:
+                self._choice.addItem(name or self.tr("— (no cell)"), name)
+        chosen = "" if cells.cell is None else cells.cell.name
+        self._choice.setCurrentIndex(max(0, self._choice.findData(chosen)))
+
+    def _show_buttons(self) -> None:
+        now, cells = self._operating_state, self._controller.cell
+        why_not = words.why_not(why_not_change(now))
+        self._choice.setEnabled(not why_not)
+        use = self.tr("Puts another cell in force, or none; that confirms it, too.")
+        self._choice.setToolTip(why_not or use)
+        waits = cells.unconfirmed is not None and cells.cell is not None
+        done = self.tr("Nothing is to be confirmed: the cell is in force, or there is none.")
+        use = self.tr("The cell shown is that of the arm in front of you; it takes effect.")
+        enable_or_explain(self._confirm, why_not or ("" if waits else done), use)
+        show_primary(self._confirm, wanted=waits)
+        unnamed = "" if self._name.text().strip() else self.tr("Type a name first.")
+        use = self.tr("Makes an empty cell; a tool typed before becomes its first.")
+        enable_or_explain(self._new, why_not or unnamed, use)
+        show_primary(self._new, wanted=not unnamed)
+        no_store = self._controller.cell.store is None
+        use = self.tr("Reads a cell from a file; says what is different before it is taken over.")
+        enable_or_explain(self._import, why_not or (done if no_store else ""), use)
+        none = words.why_not(CELL_NONE()) if cells.cell is None else ""
+        enable_or_explain(self._export, none, self.tr("Writes the cell to a file of its own."))
+        use = self.tr("Asks first, then deletes the cell and its file.")
+        enable_or_explain(self._delete, why_not or none, use)
+
+    def _show_message(self) -> None:
+        refusal = self._refusal
+        if refusal is None and self._event is None:
+            refusal = self._unless_told(self._operating_state.unconfirmed_cell)
+        self._say(refusal, self._event)
+
+    def retranslate_ui(self) -> None:
+        """Set all texts in the operator's language."""
+        self._title.setText(self.tr("Cell"))
+        for label, field, text in zip(
+            self._labels,
+            (self._choice, self._name),
+            (self.tr("Cell in force"), self.tr("Name of a new one")),
+            strict=True,
+        ):
+            label.setText(text)
+            field.setAccessibleName(text)
+        caption(self._confirm, self.tr("Confirm"), whose=self._title.text())
+        caption(self._new, self.tr("New"), whose=self._title.text())
+        caption(self._import, self.tr("Import…"), whose=self._title.text())
+        caption(self._export, self.tr("Export…"), whose=self._title.text())
+        caption(self._delete, self.tr("Delete"), whose=self._title.text())
+        for place, tab in enumerate(self._tabs):
+            caption(self._group.button(place), tab.title.text())
+        self._choice.clear()
+        self._show_all()
+
+
+def _shown(value: object) -> str:
+    """Return a parameter's value for a list of differences."""
+    if value is None or value == "":
+        return fmt.NOTHING
+    return f"{value:g}" if isinstance(value, float) else str(value)

@@ -1,0 +1,86 @@
+"""The base of a tab of the panel 单元: a part of the chosen cell."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import ClassVar
+
+from PySide6.QtCore import QSize
+from PySide6.QtWidgets import QStackedWidget, QWidget
+
+from armui.arm.refusal import Refusal
+from armui.arm.state import ArmState
+from armui.control.arm_controller import ArmController
+from armui.control.operations.started import Started
+from armui.ui.actions.command import Command, Target
+from armui.ui.widgets.translated import Translated
+from armui.ui.words.text import Text
+
+Answered = Callable[[Started | Refusal | None], bool]
+"""Shows an answer in the panel, and returns whether it was a yes."""
+
+
+class CurrentStack(QStackedWidget):
+    """Shows one of several parts, and is as high as that one alone."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.currentChanged.connect(lambda _place: self.updateGeometry())
+
+    def sizeHint(self) -> QSize:
+        """Return the preferred size of the part that is shown."""
+        part = self.currentWidget()
+        return super().sizeHint() if part is None else part.sizeHint()
+
+    def minimumSizeHint(self) -> QSize:
+        """Return the smallest size of the part that is shown."""
+        part = self.currentWidget()
+        return super().minimumSizeHint() if part is None else part.minimumSizeHint()
+
+    def hasHeightForWidth(self) -> bool:  # noqa: N802 - the name Qt calls
+        """Return whether the height depends on the width: of texts that wrap it does."""
+        part = self.currentWidget()
+        return part is not None and part.hasHeightForWidth()
+
+    def heightForWidth(self, width: int) -> int:  # noqa: N802 - the name Qt calls
+        """Return the height that the part that is shown needs."""
+        part = self.currentWidget()
+        return super().heightForWidth(width) if part is None else part.heightForWidth(width)
+
+
+class CellTab(Translated, QWidget):
+    """A part of the chosen cell.
+
+    Args:
+        controller: The controller of the arm; changes go through its `cell`.
+        answered: Shows an answer in the panel.
+
+    Attributes:
+        key: Its stable name.
+        title: The title of its button.
+        commands: Its commands for the command palette, of the panel's key.
+    """
+
+    key: ClassVar[str] = ""
+    title: ClassVar[Text]
+    commands: ClassVar[Sequence[Command]] = ()
+
+    def __init__(self, controller: ArmController, answered: Answered) -> None:
+        super().__init__()
+        self._controller = controller
+        self._answered = answered
+
+    def show_cell(self, why_not: str) -> None:
+        """Show the chosen cell.
+
+        Args:
+            why_not: Why it cannot be changed now; empty if it can.
+        """
+        raise NotImplementedError
+
+    def show_state(self, state: ArmState) -> None:
+        """Show what the arm says."""
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return the target of each of its commands, by the command's name."""
+        return {}

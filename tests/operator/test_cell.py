@@ -1,0 +1,174 @@
+"""An operator at the panel 单元: cells and tools by clicking, judged by what then holds."""
+
+import json
+
+import pytest
+
+from armui.cell.cell import Cell
+from armui.cell.cell_file import read_cell, to_text
+from armui.cell.tools import Tool
+from armui.protocol.generation import Generation
+from armui.ui.dialogs.confirm_dialog import ConfirmDialog
+from armui.ui.panels.cell.cell_panel import CellPanel
+from tests.app_driver import Slow
+
+PEN = Tool("pen", (0.0, 0.0, 120.0, 0.0, 0.0, 0.0), 15.0)
+
+
+@pytest.fixture
+def panel(app_driver):
+    app_driver.ready()
+    app_driver.click("menu_cell")
+    return app_driver
+
+
+def file_of(driver, name):
+    return driver.library_folder / f"{name}.armui-cell"
+
+
+def add_pen(driver):
+    driver.type_into("cell_tool_name", "pen")
+    driver.type_into("cell_tool_Z", "120")
+    driver.type_into("cell_tool_radius", "15")
+    driver.click("cell_tool_add")
+
+
+def test_a_cell_and_a_tool_are_made_and_hold_at_once(panel):
+    assert "no cell yet" in panel.read("cell_tool_next")
+    panel.type_into("cell_name", "bench")
+    assert "Type a name for the tool" in panel.read("cell_tool_next")
+    add_pen(panel)
+    assert panel.controller.cartesian.tool == PEN.pose
+    assert "This tool is in force" in panel.read("cell_tool_next")
+    assert read_cell(file_of(panel, "bench")) == Cell("bench", (PEN,), "pen")
+    assert panel.store.settings.cells == {panel.device.arm_key(): "bench"}
+    panel.click("menu_cartesian")
+    assert panel.read("point_label") == "Tool centre point: pen"
+
+
+def test_the_figures_are_applied_by_a_press_and_no_sooner(panel):
+    panel.type_into("cell_name", "bench")
+    add_pen(panel)
+    panel.type_into("cell_tool_X", "12.5")
+    assert panel.controller.cartesian.tool == PEN.pose
+    assert "Press Apply" in panel.read("cell_tool_next")
+    panel.click("cell_tool_apply")
+    assert panel.controller.cartesian.tool == (12.5, 0.0, 120.0, 0.0, 0.0, 0.0)
+    panel.type_into("cell_tool_X", "far")
+    panel.click("cell_tool_apply")
+    assert "“pen”, x_mm: far is not possible" in panel.read("cell_message")
+    assert panel.controller.cartesian.tool == (12.5, 0.0, 120.0, 0.0, 0.0, 0.0)
+
+
+def test_the_bare_flange_and_another_tool_are_chosen_in_the_list(panel):
+    panel.type_into("cell_name", "bench")
+    add_pen(panel)
+    choose(panel, "cell_tool_box", 0)
+    assert panel.controller.cartesian.tool == (0.0,) * 6
+    choose(panel, "cell_tool_box", 1)
+    assert panel.controller.cartesian.tool == PEN.pose
+    panel.click("cell_tool_delete")
+    assert panel.controller.cell.cell == Cell("bench")
+
+
+def choose(driver, name, place):
+    """Choose an entry of a list as a click does."""
+    box = driver.find(name)
+    box.setCurrentIndex(place)
+    box.activated.emit(place)
+
+
+def test_the_tool_typed_before_becomes_the_first_of_a_new_cell(panel):
+    panel.store.change(tool=(0.0, 0.0, 90.0, 0.0, 0.0, 0.0))
+    panel.type_into("cell_name", "bench")
+    assert panel.controller.cell.cell.tools == (Tool("Tool", (0.0, 0.0, 90.0, 0.0, 0.0, 0.0)),)
+    choose(panel, "cell_box", 0)
+    assert panel.controller.cartesian.tool == (0.0, 0.0, 90.0, 0.0, 0.0, 0.0)
+
+
+def test_a_kept_cell_is_confirmed_in_the_line_of_the_next_step(make_driver):
+    first = make_driver(Generation.TWO)
+    try:
+        first.ready()
+        first.click("menu_cell")
+        first.type_into("cell_name", "bench")
+        add_pen(first)
+    finally:
+        first.close()
+    later = make_driver(Generation.TWO)
+    try:
+        later.connect()
+        later.run(0.5)
+        assert later.controller.cartesian.tool == (0.0,) * 6
+        assert "“bench”" in later.read("recovery_text")
+        later.click("recovery_button")
+        assert later.controller.cartesian.tool == PEN.pose
+    finally:
+        later.close()
+
+
+def test_a_broken_file_is_told_and_its_cell_is_not_used(make_driver, tmp_path):
+    folder = tmp_path / "trajectories"
+    folder.mkdir()
+    (folder / "torn.armui-cell").write_text("{", encoding="utf-8")
+    driver = make_driver(Generation.TWO)
+    try:
+        assert "cell_problem" in driver.codes()
+        driver.ready()
+        driver.click("menu_cell")
+        choose(driver, "cell_box", 1)
+        assert "broken or cut short" in driver.read("cell_message")
+        assert driver.controller.cell.cell is None
+        assert (folder / "torn.armui-cell").read_text(encoding="utf-8") == "{"
+    finally:
+        driver.close()
+
+
+def test_an_import_says_what_is_different_before_it_takes_over(panel, tmp_path):
+    panel.type_into("cell_name", "bench")
+    add_pen(panel)
+    entries = json.loads(to_text(panel.controller.cell.cell))
+    entries["tools"][0]["z_mm"] = 121.5
+    theirs = tmp_path / "bench.armui-cell"
+    theirs.write_text(json.dumps(entries), encoding="utf-8")
+    imported = panel.window.findChild(CellPanel)._on_read
+    panel.controller.cell.store.read(theirs, imported)
+    question = panel.dialog(ConfirmDialog)
+    assert "tools.pen.z_mm: 120 → 121.5" in question._text.text()
+    assert panel.controller.cartesian.tool == PEN.pose
+    panel.confirm()
+    assert panel.controller.cartesian.tool[2] == 121.5
+
+
+def test_a_broken_import_is_refused_and_what_was_stays(panel, tmp_path):
+    panel.type_into("cell_name", "bench")
+    add_pen(panel)
+    theirs = tmp_path / "bench.armui-cell"
+    theirs.write_text(to_text(Cell("bench", (PEN,), "pen"))[:90], encoding="utf-8")
+    panel.controller.cell.store.read(theirs, panel.window.findChild(CellPanel)._on_read)
+    assert "broken or cut short" in panel.read("cell_message")
+    assert panel.controller.cell.cell == Cell("bench", (PEN,), "pen")
+
+
+def test_a_cell_is_deleted_once_the_question_is_answered(panel):
+    panel.type_into("cell_name", "bench")
+    add_pen(panel)
+    panel.click("cell_delete_button")
+    assert file_of(panel, "bench").exists()
+    panel.confirm()
+    assert not file_of(panel, "bench").exists()
+    assert panel.controller.cell.cell is None
+
+
+def test_a_slow_disk_holds_nobody_and_a_failure_is_told(make_driver):
+    driver = make_driver(Generation.TWO, files=Slow())
+    try:
+        driver.ready()
+        driver.click("menu_cell")
+        driver.type_into("cell_name", "bench")
+        assert driver.controller.cell.cell == Cell("bench")
+        driver.library_folder.write_text("in the way", encoding="utf-8")
+        driver.program._files.work()
+        assert "cell_problem" in driver.codes()
+    finally:
+        driver.close()
