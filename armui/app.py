@@ -264,7 +264,7 @@ class Program:
         places = {"trajectories": trajectories, "sessions": sessions}
         now = datetime.now().astimezone()
         noted = (self._files or self._workers).submit(
-            note_version, __version__, self._store.path, places, now
+            note_version, __version__, self._store.path, places, now, nested={"trajectories"}
         )
         noted.add_done_callback(_log_unnoted)
 

@@ -35,10 +35,10 @@ class GripperState(NamedTuple):
             reported.
         angle_deg: The angle in generation 1, and in generation 2 after an angle was commanded (from
             S-V1.8-8).
-        enabled: Whether its motor is enabled.
+        enabled: True if its motor is enabled.
         torque_nm: The torque in generation 2; ``None`` in generation 1.
         speed_rad_s: The speed in generation 1; ``None`` in generation 2.
-        homed: Whether it knows its zero; ``None`` in generation 1, which does not say.
+        homed: True if it knows its zero; ``None`` in generation 1, which does not say.
         faults: The faults; always empty in generation 1, which has no bits for them.
     """
 

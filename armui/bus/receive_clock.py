@@ -29,7 +29,7 @@ class ReceiveClock:
 
     Args:
         clock: The program's clock in seconds.
-        stamped: Whether the frames bear the system's time of day at reception.
+        stamped: True if the frames bear the system's time of day at reception.
         time_of_day: The time of day in seconds; tests may replace the system's.
     """
 

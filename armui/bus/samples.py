@@ -29,7 +29,7 @@ class SampleRing:
     """Filled by the bus thread while samples are wanted, emptied by the GUI thread.
 
     Attributes:
-        wanted: Whether samples are kept.
+        wanted: True if samples are kept.
         dropped: The number of samples lost because nobody took them.
     """
 

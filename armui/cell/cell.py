@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from armui.arm.refusal import Reason, Refusal
 from armui.cell.checks import check_name, check_names
 from armui.cell.tools import Tool, check_tool
+from armui.cell.work_area import Area, check_area
 
 CELL_CHOICE_BAD = Reason(
     "cell_choice_bad", "The cell has nothing named “{value}”. Choose one of those in its list."
@@ -22,11 +23,13 @@ class Cell:
         name: Its name, which is also that of its file.
         tools: Its tools, in the order of the list.
         tool: The name of the chosen tool; "" for the bare flange.
+        area: Where the arm may go.
     """
 
     name: str
     tools: tuple[Tool, ...] = ()
     tool: str = ""
+    area: Area = field(default_factory=Area)
 
     @property
     def is_empty(self) -> bool:
@@ -70,6 +73,7 @@ def check_cell(cell: Cell) -> Refusal | None:
         check_names(tool.name for tool in cell.tools),
         *(check_tool(tool) for tool in cell.tools),
         _check_choice(cell.tool, cell.chosen_tool),
+        check_area(cell.area),
     )
     return next((each for each in refusals if each is not None), None)
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
+from armui.control.cell.area_guard import AreaGuard
 from armui.control.cell.cell_control import CellControl
 from armui.control.devices.end_reports import EndReports
 from armui.control.devices.gripper import GripperControl
@@ -81,7 +82,7 @@ class ControllerParts(QObject):
     @cached_property
     def motion(self) -> Motion:
         """Moves the joints."""
-        return Motion(self._context, self.jog_floor)
+        return Motion(self._context, self.jog_floor, self.area_guard)
 
     @cached_property
     def jog_floor(self) -> JogFloor:
@@ -91,9 +92,19 @@ class ControllerParts(QObject):
         )
 
     @cached_property
+    def area_guard(self) -> AreaGuard:
+        """Keeps motions out of the forbidden side of the cell's work area."""
+        return AreaGuard(
+            self._context,
+            lambda: self.cell.cell,
+            lambda: self.cartesian.tool,
+            self.halt_and_hold,
+        )
+
+    @cached_property
     def cartesian(self) -> Cartesian:
         """Moves the tool."""
-        return Cartesian(self._context, self.motion, self.jog_floor)
+        return Cartesian(self._context, self.motion, self.jog_floor, self.area_guard)
 
     @cached_property
     def cell(self) -> CellControl:
@@ -103,7 +114,8 @@ class ControllerParts(QObject):
     @cached_property
     def jogging(self) -> Jogging:
         """Moves joints and tool while something is held."""
-        return Jogging(self._context, self.motion, self.cartesian, self.jog_floor)
+        limits = (self.jog_floor, self.area_guard)
+        return Jogging(self._context, self.motion, self.cartesian, limits)
 
     @cached_property
     def gamepad(self) -> GamepadPilot:
@@ -236,7 +248,7 @@ class ControllerParts(QObject):
     @cached_property
     def sessions(self) -> SessionRecorder:
         """Records what is on the bus."""
-        recorder = SessionRecorder(self._context, self.events, self)
+        recorder = SessionRecorder(self._context, self.events, self, self.cell.holding)
         if self.session_choices is not None:
             recorder.choose(self.session_choices())
         return recorder
@@ -276,6 +288,7 @@ class ControllerParts(QObject):
             self.player,
             self.speed_override,
             self.cartesian,
+            self.area_guard,
             self.cell,
             self.gripper,
             self.linkage,

@@ -18,7 +18,7 @@ class PackageFacts:
         name: The name in pip.
         wanted: The suitable versions in pip's notation, "" for any.
         installed: The version found, None if there is none.
-        satisfied: Whether that version is suitable.
+        satisfied: True if that version is suitable.
         extra: Its optional group, "" if the program needs it.
     """
 
@@ -36,12 +36,12 @@ class ProgramFacts:
     Attributes:
         armui: Its version.
         python: Python's version.
-        python_suffices: Whether it is new enough.
+        python_suffices: True if it is new enough.
         executable: Python's path.
         system: Operating system and machine.
         families: The Linux distribution and those it comes from, as in /etc/os-release.
         packages: The packages that the program uses.
-        goes_first: Whether its threads may have priority over other programs; None if not tried.
+        goes_first: True if its threads may have priority over other programs; None if not tried.
         priority_reason: The system's reason for refusing it.
         packaged: It brings Python and all packages itself; pip can add nothing.
     """
@@ -136,7 +136,7 @@ class SerialPortFacts:
 
     Attributes:
         path: The device, as /dev/ttyACM0.
-        may_open: Whether this user may open it.
+        may_open: True if this user may open it.
         group: The group whose members may open it.
     """
 
@@ -255,8 +255,8 @@ class HeardFacts:
         frames: Data frames received.
         error_frames: Error frames received.
         bus_off: True if one of them reported bus-off.
-        asked: Whether questions were sent; they count as no other host's.
-        answered: Whether one of them was answered.
+        asked: True if questions were sent; they count as no other host's.
+        answered: True if one of them was answered.
         problem: Code of a refusal (see `armui.bus.adapters.explain`) if it could not be opened.
         problem_text: The driver's own words.
         package: The package that its back-end needs, if it is missing.

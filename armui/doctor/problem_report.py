@@ -1,4 +1,4 @@
-"""What goes into the report of a problem: one zip file, which the operator sees before it is kept.
+"""Collects the report of a problem, one zip file, which the operator sees before it is saved.
 
 Nothing is sent anywhere. Qt is not needed, and packages that are missing leave their part out.
 """
@@ -34,7 +34,7 @@ BUS_FILE: Final = "bus/last-minutes.log"
 """Frames as `candump -L` writes them; the program replays it."""
 _MOST_LOG_BYTES: Final = 5_000_000
 _LOG_S: Final = 14 * 86_400.0
-"""Older logs do not tell of a problem of today."""
+"""The greatest age of a log: older ones do not tell of a problem of today."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,9 +64,9 @@ def collect(
     """Return what was found, with versions, settings and logs; waits for the disk.
 
     Args:
-        found: By the doctor.
+        found: The findings of the doctor.
         settings: The program's file of settings; its usual place by default.
-        logs: The folder of its logs, likewise.
+        logs: The folder of the program's logs; its usual place by default.
     """
     versions = ReportFile("versions.txt", versions_text().encode())
     return (*found, versions, _settings_file(settings), *_log_files(logs))
@@ -98,7 +98,7 @@ def _distribution() -> Iterator[str]:
 
 
 def without_home(text: str) -> str:
-    """Return a text in which the user's folder is called ~: its name is nobody's business."""
+    """Return a text in which the user's folder, whose name is private, is called ~."""
     home = str(Path.home())
     if len(home) < 2:  # of whoever has none, / would be taken out everywhere
         return text
@@ -106,7 +106,7 @@ def without_home(text: str) -> str:
 
 
 def _settings_file(path: Path | None) -> ReportFile:
-    """The settings that the program knows; what else stands in the file is not passed on."""
+    """Return the settings that the program knows; the rest of the file is not passed on."""
     name = "settings.json"
     try:
         from dataclasses import fields  # noqa: PLC0415 - beside what may be missing
@@ -125,7 +125,7 @@ def _settings_file(path: Path | None) -> ReportFile:
 
 
 def _log_files(folder: Path | None) -> list[ReportFile]:
-    """The logs of the last two weeks, the newest first, while they are not too many."""
+    """Return the logs of the last two weeks, the newest first, up to a limit."""
     left = _MOST_LOG_BYTES
     files = []
     try:

@@ -273,7 +273,7 @@ class _Said:
     """For people.
 
     Attributes:
-        heard: Whether anybody is there still.
+        heard: True if anybody is there still.
     """
 
     def __init__(self, request: ExportRequest) -> None:

@@ -260,7 +260,7 @@ def bar_angles(
         geometry: The arm's geometry; its second bar is the straight line from elbow to wrist.
         out: (…) outwards from the shoulder, in mm.
         height: (…) above it, in mm.
-        elbow_above: Whether the first bar rises more than the straight line to the place.
+        elbow_above: True if the first bar rises more than the straight line to the place.
     """
     upper_mm, fore_mm = geometry.upper_arm_mm, geometry.elbow_to_wrist_mm
     straight = np.hypot(out, height)

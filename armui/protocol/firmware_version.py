@@ -88,7 +88,7 @@ class FirmwareQuirks(NamedTuple):
         mit_signs: The factors, 1 or -1, by which a MIT command (position, speed and torque) of
             joints 1-6 is multiplied so that the joint turns as with MOVE J. Feedback is not
             affected.
-        mit_signs_known: Whether the signs were seen on an arm of this model; else they are the
+        mit_signs_known: True if the signs were seen on an arm of this model; else they are the
             PiPER's, or unflipped.
         mit_torque_factors: The factors by which the firmware multiplies the torque on the wire,
             joints 1-6 (b of the table: 4, 4, 4, 1, 1, 1 up to S-V1.8-2). The host divides by it.

@@ -96,16 +96,16 @@ class Condition:
         move_mode: The kind of motion to targets.
         speed_percent: Share of the joints' highest speeds, 0–100.
         teaching_state: The state of drag teaching.
-        motion_state: Whether the last target is reached; an aborted motion leaves it unreached.
-        stopped: Whether an emergency stop is in force.
-        no_solution: Whether no way to the last target was found.
-        singular: Whether the way to the last target leads through a singular pose.
+        motion_state: The arrival at the last target; an aborted motion leaves it unreached.
+        stopped: True if an emergency stop is in force.
+        no_solution: True if no way to the last target was found.
+        singular: True if the way to the last target leads through a singular pose.
         activity: The activity of drag teaching, for the status.
         beyond_limit: The joints whose last target was refused.
         communication_fault: The joints the controller cannot talk to.
         alarms: The drivers' alarms.
-        direct: Whether 0xAD in the mode word has put the joints under their drivers' own loop.
-        needs_reset: Whether a mode word that its firmware does not support was to end that loop:
+        direct: True if 0xAD in the mode word has put the joints under their drivers' own loop.
+        needs_reset: True if a mode word that its firmware does not support was to end that loop:
             the arm accepts no target until it is reset.
     """
 

@@ -98,8 +98,8 @@ class FeedbackSchedule:
     allows.
 
     Attributes:
-        end_motion: Whether 0x481–0x486 are on; they follow the controller's frames.
-        ik_solution: Whether 0x2AA–0x2AC are sent.
+        end_motion: True if 0x481–0x486 are on; they follow the controller's frames.
+        ik_solution: True if 0x2AA–0x2AC are sent.
     """
 
     def __init__(self, generation: Generation) -> None:

@@ -32,7 +32,7 @@ from queue import Empty, SimpleQueue
 from typing import TYPE_CHECKING, Any, Final
 
 from armui.system.files import open_file
-from armui.system.scratch import make_folder, remove_folder, remove_leftovers
+from armui.system.scratch import ScratchFolder, make_folder, remove_leftovers
 
 if TYPE_CHECKING:
     from multiprocessing.process import BaseProcess
@@ -153,7 +153,7 @@ class HelperProcess(Executor):
         self._sender: ThreadPoolExecutor | None = None
         self._asked: set[Future[Any]] = set()
         self._called_off = threading.Event()
-        self._folder: Path | None = None
+        self._folder: ScratchFolder | None = None
 
     def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
         """Run a function in the process, and return its future.
@@ -177,12 +177,13 @@ class HelperProcess(Executor):
             if self._folder is None:
                 remove_leftovers()
                 self._folder = make_folder("work")
-            packed = pack(call, self._folder)
+            folder = self._folder.path
+            packed = pack(call, folder)
             try:
-                sent = self._submit(packed, self._folder)
+                sent = self._submit(packed, folder)
             except BrokenExecutor:
                 self._end_process(wait=True)
-                sent = self._submit(packed, self._folder)
+                sent = self._submit(packed, folder)
         except Exception as error:  # noqa: BLE001 - whatever it is, it is in the answer
             _settle(answer, error=error)
             return
@@ -218,7 +219,7 @@ class HelperProcess(Executor):
         for answer in tuple(self._asked):
             answer.cancel()
         if self._folder is not None:
-            remove_folder(self._folder)
+            self._folder.remove()
             self._folder = None
 
 
@@ -243,7 +244,7 @@ class _Worker(threading.Thread):
 
     Attributes:
         since_s: When what it is doing was begun; ``None``: it waits for more.
-        calling: Whether it waits for the other process.
+        calling: True if it waits for the other process.
         left: Nobody counts on it any more: it hangs.
     """
 

@@ -22,11 +22,11 @@ _LISTS: Final = frozenset({"names.txt"})
 
 @dataclass(frozen=True, slots=True)
 class Licence:
-    """One text.
+    """The text of a licence.
 
     Attributes:
-        of: What it is the licence of.
-        path: Its file.
+        of: The name of the licensed program or library.
+        path: The file of the text.
     """
 
     of: str
@@ -72,7 +72,7 @@ def _of_installed() -> Iterator[Licence]:
 
 
 def _wanted(name: str, seen: set[str]) -> set[str]:
-    """The distributions that one wants, and those that they want, as far as they are installed."""
+    """Return the installed distributions that one requires, directly or by others."""
     try:
         found = metadata.distribution(name)
     except metadata.PackageNotFoundError:

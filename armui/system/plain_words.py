@@ -1,4 +1,4 @@
-"""The operator's language where Qt may be missing, or takes too long to load."""
+"""Finds and speaks the operator's language where Qt may be missing, or takes too long to load."""
 
 from __future__ import annotations
 
@@ -16,15 +16,15 @@ Language = Literal["zh", "en"]
 LANGUAGES: Final[tuple[Language, ...]] = get_args(Language)
 
 Translate = Callable[[str, str], str]
-"""Puts a text of a context into a language, as Qt's own does."""
+"""A function that translates a text of a context, as Qt's own does."""
 
 
 def translation(language: Language, only: str = "") -> Translate:
-    """Return what puts texts into a language: it reads the file of the texts.
+    """Return a function that translates into a language; reads the file of the translations.
 
     Args:
-        language: Which.
-        only: The one context that is wanted, which is read in a tenth of the time; "": all.
+        language: The language.
+        only: The one context to read, in a tenth of the time; "" for all.
     """
     if language == "en":
         return lambda _context, source: source
@@ -43,14 +43,14 @@ def translation(language: Language, only: str = "") -> Translate:
 
 
 def _resources() -> Path:
-    """As `armui.system.paths` has it, which wants a package that may be missing."""
+    """Return the folder of resources; `armui.system.paths` needs a package that may be missing."""
     package = Path(__file__).resolve().parents[1]
     installed = package / "resources"
     return installed if installed.is_dir() else package.parent / "resources"
 
 
 def settings_file() -> Path | None:
-    """Return where the settings are; ``None`` where a package that knows is missing."""
+    """Return the file of settings; ``None`` where the package that knows its place is missing."""
     try:
         from armui.system.paths import settings_file as known  # noqa: PLC0415 - may be missing
     except ImportError:
@@ -59,7 +59,7 @@ def settings_file() -> Path | None:
 
 
 def language_of_system(settings: Path | None = None) -> Language:
-    """The language chosen in the program, else Chinese if the system speaks it, else English."""
+    """Return the language chosen in the program, else the system's: Chinese or English."""
     if settings is not None:
         try:
             chosen = json.loads(read_file(settings)).get("language")

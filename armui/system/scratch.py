@@ -15,6 +15,7 @@ import shutil
 import sys
 import tempfile
 import time
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
@@ -27,14 +28,47 @@ _FORGOTTEN_S: Final = 7 * 86_400.0
 """A process number may be another's by now: nobody looks at one log for a week."""
 _LOCK: Final = "in-use.lock"
 """In the folder, which is closed to others: beside it, anybody could put a link in its place."""
-_HELD: Final[dict[Path, FileLock]] = {}
-"""The locks of this process by their folders."""
 _SYNCHRONIZE: Final = 0x100000
 _WAIT_TIMEOUT: Final = 0x102
 _ACCESS_DENIED: Final = 5
 
 
-def make_folder(purpose: str) -> Path:
+@dataclass(frozen=True, slots=True)
+class ScratchFolder:
+    """A folder for temporary files, in use as long as this object lives.
+
+    Attributes:
+        path: The folder.
+        lock: Tells other programs that it is in use; not held on a file system without locks.
+    """
+
+    path: Path
+    lock: FileLock
+
+    def remove(self) -> None:
+        """Remove the folder; while a file in it cannot be removed, it stays, and locked.
+
+        Windows removes no file that is open. What is left goes with the next call, or with a later
+        program.
+        """
+        with contextlib.suppress(OSError):
+            for each in self.path.iterdir():
+                if each.name != _LOCK:
+                    _remove(each)
+            if {each.name for each in self.path.iterdir()} <= {_LOCK}:
+                self.lock.release()
+                shutil.rmtree(self.path)
+
+
+def _remove(path: Path) -> None:
+    with contextlib.suppress(OSError):
+        if path.is_dir() and not path.is_symlink():
+            shutil.rmtree(path)
+        else:
+            path.unlink()
+
+
+def make_folder(purpose: str) -> ScratchFolder:
     """Return a new folder whose name holds its purpose and the number of this process.
 
     Args:
@@ -43,22 +77,12 @@ def make_folder(purpose: str) -> Path:
     Raises:
         OSError: It cannot be created.
     """
-    folder = Path(tempfile.mkdtemp(prefix=f"armui-{purpose}-{os.getpid()}-"))
-    lock = FileLock(folder / _LOCK, thread_local=False)
+    path = Path(tempfile.mkdtemp(prefix=f"armui-{purpose}-{os.getpid()}-"))
+    lock = FileLock(path / _LOCK, thread_local=False)
     # a file system without locks: the number of the process has to do
     with contextlib.suppress(OSError, NotImplementedError, Timeout):
         lock.acquire(blocking=False)
-        _HELD[folder] = lock
-    return folder
-
-
-def remove_folder(folder: Path) -> None:
-    """Remove a folder that `make_folder` has made; what cannot be removed is left for later."""
-    lock = _HELD.pop(folder, None)
-    if lock is not None:  # Windows removes no file that is open
-        with contextlib.suppress(OSError):
-            lock.release()
-    shutil.rmtree(folder, ignore_errors=True)
+    return ScratchFolder(path, lock)
 
 
 def remove_leftovers() -> int:

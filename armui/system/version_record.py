@@ -1,4 +1,4 @@
-"""Which version of the program has used the user's files, and what the present one took over.
+"""Notes the version that uses the user's files, and the files that it took over from another.
 
 One small file beside the settings, written at the first start of a version.
 """
@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import asdict, dataclass
 from datetime import datetime
 from pathlib import Path
@@ -22,13 +22,13 @@ _MOST_BYTES: Final = 100_000
 
 @dataclass(frozen=True, slots=True)
 class TakenOver:
-    """What a version found of another one at its first start.
+    """The files of another version that one found at its first start.
 
     Attributes:
-        before: The other version; "": one that did not note it yet (0.2.0 or before).
+        before: The other version; "" for 0.2.0 and before, which noted none.
         version: The one that took the files over.
-        at: When, as ISO 8601 with its time zone.
-        files: How many there were, by kind: ``settings``, ``trajectories``, ``sessions``.
+        at: The time of that start, as ISO 8601 with its time zone.
+        files: The number of files by kind: ``settings``, ``trajectories``, ``sessions``.
     """
 
     before: str
@@ -38,28 +38,34 @@ class TakenOver:
 
 
 def note_version(
-    version: str, settings: Path, places: Mapping[str, Path], now: datetime
+    version: str,
+    settings: Path,
+    places: Mapping[str, Path],
+    now: datetime,
+    *,
+    nested: Collection[str] = (),
 ) -> TakenOver | None:
     """Note that a version runs; waits for the disk.
 
     Args:
-        version: The one that runs.
+        version: The version that runs.
         settings: The file of settings; the note lies beside it.
         places: The folders whose files are counted, by kind.
-        now: With its time zone.
+        now: The time, with its time zone.
+        nested: The kinds whose sub-folders are counted, too.
 
     Returns:
-        What was taken over, by this version or one before; ``None``: nothing ever was.
+        The files taken over last, by this version or one before; ``None`` if none ever were.
 
     Raises:
-        OSError: It could not be noted.
+        OSError: The note could not be written.
     """
     note = settings.with_name(FILE)
     before, taken_over = _read(note)
     if before == version:
         return taken_over
     files = {"settings": int(settings.is_file())}
-    files |= {kind: _count(folder) for kind, folder in places.items()}
+    files |= {kind: _count(folder, nested=kind in nested) for kind, folder in places.items()}
     if any(files.values()):
         taken_over = TakenOver(before, version, now.isoformat(timespec="seconds"), files)
     kept = None if taken_over is None else asdict(taken_over)
@@ -70,7 +76,7 @@ def note_version(
 
 
 def taken_over(settings: Path) -> TakenOver | None:
-    """Return what was taken over last; ``None``: nothing, as far as is known. Waits for a disk."""
+    """Return the files taken over last, or ``None`` if none are known of. Waits for a disk."""
     return _read(settings.with_name(FILE))[1]
 
 
@@ -89,10 +95,13 @@ def _understood(kept: dict[str, Any]) -> TakenOver:
     return TakenOver(str(kept["before"]), str(kept["version"]), kept["at"], files)
 
 
-def _count(folder: Path) -> int:
-    """How many files a folder has; a folder that is not there has none."""
+def _count(folder: Path, *, nested: bool) -> int:
+    """Return how many files a folder has; one that is not there, or cannot be read, has none."""
     try:
-        with os.scandir(folder) as found:
-            return sum(each.is_file() and not each.name.startswith(".") for each in found)
+        with os.scandir(folder) as items:
+            found = [each for each in items if not each.name.startswith(".")]
+            inner = [each for each in found if nested and each.is_dir(follow_symlinks=False)]
+            files = sum(each.is_file() for each in found)
     except OSError:
         return 0
+    return files + sum(_count(Path(each), nested=False) for each in inner)

@@ -65,7 +65,7 @@ def is_stuck(busy: PictureBusy, busy_for_s: float, *, starved: bool = False) -> 
     Args:
         busy: Its last sign of life.
         busy_for_s: The time it has worked on this so far.
-        starved: Whether it was seen queueing for a processor just now.
+        starved: True if it was seen queueing for a processor just now.
     """
     limit_s = LIMITS[busy.phase].stuck_s
     if busy.cpu_s >= _SPINS_FACTOR * limit_s or busy_for_s >= _LONGEST_FACTOR * limit_s:

@@ -523,6 +523,177 @@
     </message>
 </context>
 <context>
+    <name>AreaTab</name>
+    <message>
+        <source>Apply the figures of the area</source>
+        <translation>应用工作区的数值</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>平面</translation>
+    </message>
+    <message>
+        <source>Puts these figures in force, and the margin with them.</source>
+        <translation>使这些数值连同余量生效。</translation>
+    </message>
+    <message>
+        <source>Take the present tool pose</source>
+        <translation>取当前工具位姿</translation>
+    </message>
+    <message>
+        <source>It is in force. Switch it off, or change its figures and press Apply.</source>
+        <translation>它已生效。可以关闭，或更改数值后按“应用”。</translation>
+    </message>
+    <message>
+        <source>Type a name and a pose, or take the present tool pose. A plane keeps the arm on the side of its Z axis (all 0: above the table); a box keeps it out.</source>
+        <translation>请输入名称和位姿，或取当前工具位姿。平面使机械臂留在其 Z 轴一侧（全 0：桌面以上）；长方体使机械臂不进入其中。</translation>
+    </message>
+    <message>
+        <source>Press Add plane or Add box: it holds for everything from then on.</source>
+        <translation>请按“添加平面”或“添加长方体”：此后对一切运动有效。</translation>
+    </message>
+    <message>
+        <source>Planes and boxes of the work area</source>
+        <translation>工作区的平面和长方体</translation>
+    </message>
+    <message>
+        <source>Add a box to the work area</source>
+        <translation>向工作区添加长方体</translation>
+    </message>
+    <message>
+        <source>Choose a plane or a box above first.</source>
+        <translation>请先在上方选择平面或长方体。</translation>
+    </message>
+    <message>
+        <source> (off)</source>
+        <translation>（关闭）</translation>
+    </message>
+    <message>
+        <source>Switch a plane or box</source>
+        <translation>开关平面或长方体</translation>
+    </message>
+    <message>
+        <source>It is told in any case. A stop holds the arm where it is, powered.</source>
+        <translation>无论如何都会提示。停住时机械臂原地保持，不断电。</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>余量</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>区域</translation>
+    </message>
+    <message>
+        <source>Add plane</source>
+        <translation>添加平面</translation>
+    </message>
+    <message>
+        <source>Box, edges</source>
+        <translation>长方体边长</translation>
+    </message>
+    <message>
+        <source>Fills in the present tool pose; a plane&apos;s Z axis is that of the tool.</source>
+        <translation>填入当前工具位姿；平面的 Z 轴就是工具的 Z 轴。</translation>
+    </message>
+    <message>
+        <source>From tool</source>
+        <translation>取自工具</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>长方体</translation>
+    </message>
+    <message>
+        <source>The arm stays on the side to which the plane&apos;s Z axis points.</source>
+        <translation>机械臂留在平面 Z 轴所指的一侧。</translation>
+    </message>
+    <message>
+        <source>The arm has not told its pose.</source>
+        <translation>机械臂尚未反馈位姿。</translation>
+    </message>
+    <message>
+        <source>Name of the plane or box</source>
+        <translation>平面或长方体的名称</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>应用</translation>
+    </message>
+    <message>
+        <source>Add box</source>
+        <translation>添加长方体</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Add a plane to the work area</source>
+        <translation>向工作区添加平面</translation>
+    </message>
+    <message>
+        <source>There is no cell yet: type its name above and press New.</source>
+        <translation>还没有单元：请在上方输入名称，再按“新建”。</translation>
+    </message>
+    <message>
+        <source>Delete a plane or box</source>
+        <translation>删除平面或长方体</translation>
+    </message>
+    <message>
+        <source>The arm stays out of the box; X to RZ are those of its centre.</source>
+        <translation>机械臂不进入长方体；X 至 RZ 是其中心的位姿。</translation>
+    </message>
+    <message>
+        <source>Plane or box</source>
+        <translation>平面或长方体</translation>
+    </message>
+    <message>
+        <source>Edge of the box along {axis}</source>
+        <translation>长方体沿 {axis} 的边长</translation>
+    </message>
+    <message>
+        <source>Margin of the work area</source>
+        <translation>工作区的余量</translation>
+    </message>
+    <message>
+        <source>— (a new one)</source>
+        <translation>—（新建）</translation>
+    </message>
+    <message>
+        <source>Off: it counts for nothing.</source>
+        <translation>关闭后它不起作用。</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>开启</translation>
+    </message>
+    <message>
+        <source>Stop who else enters the work area</source>
+        <translation>他者进入工作区时停住</translation>
+    </message>
+    <message>
+        <source>Nearest: “{name}”, {value} mm</source>
+        <translation>最近：“{name}”，{value} mm</translation>
+    </message>
+    <message>
+        <source>Area {axis}</source>
+        <translation>工作区 {axis}</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Stop the arm when a hand or another program brings it in</source>
+        <translation>用手或由其他程序带入时停住机械臂</translation>
+    </message>
+    <message>
+        <source>Deletes the chosen plane or box.</source>
+        <translation>删除所选的平面或长方体。</translation>
+    </message>
+</context>
+<context>
     <name>ArmKind</name>
     <message>
         <source>{model} (zeros before S-V1.6-3)</source>
@@ -554,6 +725,18 @@
     <message>
         <source>the tool</source>
         <translation>工具</translation>
+    </message>
+    <message>
+        <source>the fourth link</source>
+        <translation>第四连杆</translation>
+    </message>
+    <message>
+        <source>the held object</source>
+        <translation>所持物体</translation>
+    </message>
+    <message>
+        <source>the shoulder</source>
+        <translation>肩部</translation>
     </message>
 </context>
 <context>
@@ -1302,6 +1485,10 @@
     <message>
         <source>Tool</source>
         <translation>工具</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>区域</translation>
     </message>
 </context>
 <context>
@@ -3813,6 +4000,14 @@
     <message>
         <source>This was taught on another arm: {taught}; connected is {arm}. The same joint angles may hold the tool elsewhere. It was checked for {arm}, and nothing was converted. Watch the preview before you accept this.</source>
         <translation>此轨迹在另一种机械臂上示教：{taught}；当前为 {arm}。同样的关节角可能使末端在别处。已按 {arm} 检查，未做任何换算。请先看预览再接受。</translation>
+    </message>
+    <message>
+        <source>Where the arm stands now, it is too near to “{name}” of the work area: {part} at {value} mm, where {minimum} mm are kept. Move it out, then send again: nothing of the trajectory has to be changed.</source>
+        <translation>机械臂当前离工作区的“{name}”太近：{part}相距 {value} mm，应保持 {minimum} mm。请先移出，再重新发送：轨迹无需更改。</translation>
+    </message>
+    <message>
+        <source>Too near to “{name}” of the work area: {part} would come to {value} mm, where {minimum} mm are kept. Put another point between, or change the point.</source>
+        <translation>离工作区的“{name}”太近：{part}将到 {value} mm，应保持 {minimum} mm。请在中间加一个点，或更改该点。</translation>
     </message>
 </context>
 <context>
@@ -7046,6 +7241,14 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <source>Cell deleted: {name}</source>
         <translation>单元已删除：{name}</translation>
     </message>
+    <message>
+        <source>The arm has come into the work area&apos;s “{name}”: {part}, {value} mm too near.</source>
+        <translation>机械臂进入了工作区的“{name}”：{part}，超出 {value} mm。</translation>
+    </message>
+    <message>
+        <source>The arm is clear of the work area again.</source>
+        <translation>机械臂已离开工作区的禁区。</translation>
+    </message>
 </context>
 <context>
     <name>Observed</name>
@@ -9181,6 +9384,10 @@ The other program must have ended.</source>
         <source>Last used here: the cell “{name}”. Is this its arm? Confirm it, or choose under Cell.</source>
         <translation>此处上次使用的单元：“{name}”。是这台机械臂吗？请确认，或在“单元”中选择。</translation>
     </message>
+    <message>
+        <source>The arm is {value} mm too near to “{name}” of the work area ({part}). It can only be moved out: jog the other way, or lead it by hand.</source>
+        <translation>机械臂离工作区的“{name}”近了 {value} mm（{part}）。只能向外移动：请反向点动，或用手拖动。</translation>
+    </message>
 </context>
 <context>
     <name>Reference</name>
@@ -10415,10 +10622,6 @@ The other program must have ended.</source>
         <translation>所询问的内容已经改变：未发送任何内容。请重新操作。</translation>
     </message>
     <message>
-        <source>Not run: tool, load, settings or choices have changed since the check. Send again.</source>
-        <translation>未运行：工具、负载、设置或所选项与检查时不同。请再次点击发送。</translation>
-    </message>
-    <message>
         <source>Not run: the check has found errors ({count}). Correct what is listed, then send again.</source>
         <translation>未发送：检查发现 {count} 个错误。请处理列出的各项后再发送。</translation>
     </message>
@@ -10689,6 +10892,26 @@ The other program must have ended.</source>
     <message>
         <source>Joint {joint} is in doubt: it may stand 85° from what it reports, so nothing drives it. Bring it to its mark by hand, with the motors off and the arm held.</source>
         <translation>关节 {joint} 存疑：与上报位置最多可能相差 85°，因此不会驱动它。请在电机关闭、扶住机械臂的情况下用手转到刻线。</translation>
+    </message>
+    <message>
+        <source>A work area has at most {planes} planes and {boxes} boxes. Delete one first.</source>
+        <translation>工作区最多有 {planes} 个平面和 {boxes} 个长方体。请先删除一个。</translation>
+    </message>
+    <message>
+        <source>Not run: tool, load, cell, settings or choices have changed since the check. Send again.</source>
+        <translation>未运行：检查之后工具、负载、单元、设置或选项已改变。请重新发送。</translation>
+    </message>
+    <message>
+        <source>The arm stands in “{name}” of the work area, with {part} {value} mm too near; this would lead further in. Move it out.</source>
+        <translation>机械臂位于工作区的“{name}”内，{part}近了 {value} mm；这样会更深入。请向外移动。</translation>
+    </message>
+    <message>
+        <source>The arm would replay a way that only it knows, and the work area could not be kept. Switch the area off under Cell, or record and replay with this program.</source>
+        <translation>机械臂要重放只有它自己知道的路径，无法保证工作区。请在“单元”中关闭区域，或用本程序录制和回放。</translation>
+    </message>
+    <message>
+        <source>Not there: {part} would come to {value} mm from “{name}” of the work area; {minimum} mm are kept. Move another way, or change the area under Cell.</source>
+        <translation>不能去那里：{part}将到离工作区的“{name}”{value} mm 处；应保持 {minimum} mm。请换一种走法，或在“单元”中更改区域。</translation>
     </message>
 </context>
 <context>
@@ -13475,6 +13698,14 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>Trail of the flange</source>
         <translation>法兰走过的轨迹</translation>
+    </message>
+    <message>
+        <source>Work area</source>
+        <translation>工作区</translation>
+    </message>
+    <message>
+        <source>Shows the planes and boxes of the cell&apos;s work area; those near the arm are lit</source>
+        <translation>显示单元工作区的平面和长方体；靠近机械臂的会亮起</translation>
     </message>
 </context>
 <context>

@@ -6,7 +6,7 @@ from armui.control.motion.jog_pace import BRAKING_S
 from armui.control.motion.jog_path import JointJog, ToolJog
 from armui.kinematics.axes import JogFrame
 from tests.accepted import accepted
-from tests.safety.ways import STREAM_S
+from tests.safety.speeds import fastest_deg_s, ready_at
 
 HERE = (0.0, 60.0, -60.0, 0.0, 40.0, 0.0)
 SLACK = 1.1
@@ -16,21 +16,7 @@ REST_S = 0.1
 
 @pytest.fixture
 def ready(any_rig):
-    any_rig.ready()
-    any_rig.controller.motion.set_speed_percent(100)
-    accepted(any_rig.controller.motion.send_joints(HERE))
-    any_rig.run(2.5)
-    any_rig.heard()
-    return any_rig
-
-
-def fastest_deg_s(rig, seconds):
-    """The highest speed of joint 1 in that time, measured at the arm."""
-    most = 0.0
-    for _ in range(round(seconds / STREAM_S)):
-        rig.step()
-        most = max(most, abs(rig.firmware.mechanics.speeds_deg_s[0]))
-    return most
+    return ready_at(any_rig, HERE)
 
 
 def told(rig):

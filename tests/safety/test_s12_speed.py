@@ -19,6 +19,7 @@ from armui.trajectory.planning.findings import Severity
 from armui.trajectory.points.program import Waypoint
 from tests.accepted import accepted
 from tests.family import MODELS
+from tests.safety.speeds import fastest_deg_s, ready_at
 from tests.safety.ways import STREAM_S, Driver, Ways
 from tests.trajectory.arms import ARM, pose_near
 from tests.trajectory.arms import HERE as TOOL_HERE
@@ -29,21 +30,7 @@ FAR = (140.0, 30.0, -30.0, 0.0, 0.0, 0.0)
 
 @pytest.fixture
 def ready(any_rig):
-    any_rig.ready()
-    any_rig.controller.motion.set_speed_percent(100)
-    accepted(any_rig.controller.motion.send_joints(HERE))
-    any_rig.run(2.5)
-    any_rig.heard()
-    return any_rig
-
-
-def fastest_deg_s(rig, seconds):
-    """The highest speed of joint 1 in that time, measured at the arm."""
-    most = 0.0
-    for _ in range(round(seconds / 0.02)):
-        rig.step()
-        most = max(most, abs(rig.firmware.mechanics.speeds_deg_s[0]))
-    return most
+    return ready_at(any_rig, HERE)
 
 
 def test_a_lower_percentage_goes_out_before_the_targets(ready):

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import shutil
 import tempfile
+from functools import partial
 from pathlib import Path
 
 from armui.session.foreign.indexed import MOST_FRAMES, IndexedLog
@@ -11,4 +13,5 @@ from armui.session.foreign.indexing import index_log
 
 def open_indexed(path: Path, most_frames: int = MOST_FRAMES) -> IndexedLog:
     folder = Path(tempfile.mkdtemp(prefix="columns-", dir=path.parent))
-    return IndexedLog(index_log(path, folder, most_frames), folder)
+    index = index_log(path, folder, most_frames)
+    return IndexedLog(index, folder, partial(shutil.rmtree, folder, ignore_errors=True))

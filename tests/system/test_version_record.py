@@ -1,5 +1,6 @@
 """Which version took over files of another one: noted once, told ever after."""
 
+import os
 from datetime import UTC, datetime
 
 import pytest
@@ -42,6 +43,21 @@ def test_files_of_a_version_that_noted_nothing(settings, places):
     assert taken_over(settings) == expected
     # the next one, also an older one again, takes over from this one
     assert note_version("0.2.9", settings, places, LATER).before == "0.3.0"
+
+
+def test_trajectories_in_sub_folders_count_and_what_a_link_leads_to_does_not(
+    settings, places, tmp_path
+):
+    for path in ("trajectories/a.log", "trajectories/cell/b.log", "trajectories/cell/c.npz",
+                 "trajectories/.bin/d.log", "trajectories/cell/deeper/e.log",
+                 "sessions/f.blf", "sessions/other/g.blf", "elsewhere/h.log"):  # fmt: skip
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).touch()
+    if hasattr(os, "symlink"):
+        link = places["trajectories"] / "link"
+        link.symlink_to(tmp_path / "elsewhere", target_is_directory=True)
+    found = note_version("0.3.0", settings, places, NOW, nested={"trajectories"})
+    assert found.files == {"settings": 0, "trajectories": 3, "sessions": 1}
 
 
 @pytest.mark.parametrize("text", ["", "no JSON", "[]", '{"version": 3}', "{" * 90_000])

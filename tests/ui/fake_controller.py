@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING, Any, cast
@@ -40,6 +40,7 @@ class FakeController(QObject):
     noticed = Signal(object)
     devices_found = Signal(object)
     searching_changed = Signal(bool)
+    cell_changed = Signal(object)
 
     def __init__(self) -> None:
         super().__init__()
@@ -52,6 +53,8 @@ class FakeController(QObject):
         self.lights = FakeLights(self)
         self.jogging = FakeJogging(self)
         self.cartesian = FakeCartesian()
+        self.cell = FakeCells()
+        self.area_guard = FakeAreaGuard()
         self.joint_errors = FakeJointErrors(self)
         self.recovery = FakeRecovery(self)
         self.teaching = FakeTeaching(self)
@@ -200,6 +203,27 @@ class FakeMotion:
 
     def jog_lagging(self, joint: int, step_deg: float) -> bool:
         return self.lagging
+
+
+class FakeCells:
+    """No cell is chosen."""
+
+    cell = in_force = store = unconfirmed = None
+    tool_name = ""
+    cells: Mapping[str, object] = {}
+    broken: Mapping[str, object] = {}
+
+    def use_own_tool(self, tool: tuple[float, ...]) -> None:
+        """The tool of the settings holds."""
+
+
+class FakeAreaGuard:
+    """The arm may go anywhere."""
+
+    area = None
+
+    def look(self, _state: ArmState) -> tuple[object, ...]:
+        return ()
 
 
 class FakeCartesian:

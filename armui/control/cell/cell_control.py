@@ -116,6 +116,13 @@ class CellControl(ControllerPart):
             return CELL_NOT_READ(name=self._name)
         return None if self.cell.is_empty else CELL_NOT_CONFIRMED(name=self._name)
 
+    def holding(self) -> tuple[str, Tool]:
+        """Return the name of the cell in force, "" for none, and the tool that holds."""
+        cell = self.in_force
+        if cell is None:
+            return "", Tool("", self._own_tool)
+        return cell.name, cell.chosen_tool or Tool("")
+
     @property
     def tool_name(self) -> str:
         """The name of the tool in force; "" without a cell or a tool."""
@@ -280,12 +287,9 @@ class CellControl(ControllerPart):
 
     def _take_effect(self) -> None:
         """Pass on the tool; a target of ours that was told with another one is none any more."""
-        cell = self.in_force
-        tool, radius_mm = self._own_tool, 0.0
-        if cell is not None:
-            chosen = cell.chosen_tool or Tool("")
-            tool, radius_mm = chosen.pose, chosen.radius_mm
-        self._cartesian.tool_radius_mm = radius_mm
+        _name, held = self.holding()
+        tool = held.pose
+        self._cartesian.tool_radius_mm = held.radius_mm
         if tool != self._cartesian.tool:
             self._cartesian.tool = tool
             self._context.authority.end_command(End.TOOL_CHANGED)

@@ -98,7 +98,7 @@ class ExportRequest:
         begin_s: The beginning, in seconds from the log's first frame.
         end_s: The end, likewise.
         wishes: The given facts on the arm.
-        replace: Whether an existing file may be replaced.
+        replace: True if an existing file may be replaced.
     """
 
     log: Path

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import contextlib
 import mmap
 import os
-import shutil
 import struct
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
@@ -148,13 +147,15 @@ class IndexedLog:
 
     Args:
         index: The index of the log.
-        folder: The folder of its columns; removed at `close`, or at once on systems where open
-            files may lose their names.
+        folder: The folder of its columns.
+        remove: Removes the folder as far as that is possible; called at once, for systems where
+            open files may lose their names, and at `close`.
     """
 
-    def __init__(self, index: LogIndex, folder: Path) -> None:
+    def __init__(self, index: LogIndex, folder: Path, remove: Callable[[], object]) -> None:
         self._index = index
         self._folder = folder
+        self._remove = remove
         self._columns: dict[str, NDArray[Any]] = {
             name: self._map(name, kind) for name, kind in COLUMNS.items()
         }
@@ -163,7 +164,7 @@ class IndexedLog:
         self._groups = np.array(index.groups, np.int64)
         self._long_rows: NDArray[np.uint32] = self._map(LONG_ROWS, np.dtype(np.uint32))
         self._long_data = self._map(LONG_DATA, np.dtype((np.uint8, (LONG_BYTES,))))
-        self._remove_folder()
+        self._remove()
 
     def _map(self, name: str, kind: np.dtype[Any]) -> NDArray[Any]:
         path = column_path(self._folder, name)
@@ -173,11 +174,6 @@ class IndexedLog:
         with open_file(path) as file:
             flat: NDArray[Any] = np.asarray(np.memmap(file, kind.base, "r"))
         return flat.reshape(-1, *kind.shape)
-
-    def _remove_folder(self) -> None:
-        # Windows refuses this while they are mapped; it is tried again at the end
-        with contextlib.suppress(OSError):
-            shutil.rmtree(self._folder)
 
     @property
     def start_s(self) -> float:
@@ -298,4 +294,4 @@ class IndexedLog:
         self._columns = {}
         self._times_s, self._order, self._long_rows = empty, empty, empty  # type: ignore[assignment]
         self._long_data = empty
-        self._remove_folder()
+        self._remove()

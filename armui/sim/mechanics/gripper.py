@@ -28,7 +28,7 @@ class SimulatedGripper:
         travel: Present opening or angle.
         speed: Present speed of the travel, per second.
         torque_nm: Torque it grips with; 0 while nothing is between the jaws. Generation 2.
-        enabled: Whether its motor has power.
+        enabled: True if its motor has power.
         errors: The faults; it has no power until they are cleared.
         measure: Whether generation 2 reports an opening or an angle.
         object_width: The size of the object between the jaws, in the unit of the travel, or None.

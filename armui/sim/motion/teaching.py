@@ -36,7 +36,7 @@ class SimulatedTeaching:
     word ends it.
 
     Attributes:
-        entered: Whether the arm is in drag teaching.
+        entered: True if the arm is in drag teaching.
         recording: The joint angles, every 50 ms.
     """
 

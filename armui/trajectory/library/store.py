@@ -546,15 +546,16 @@ class Library:
             self._file_store.mark(kept, entry)
 
     def estimate(self, names: Iterable[str], arm: ArmModel) -> dict[str, float | None]:
-        """Work out how long trajectories will take, until that has taken a moment itself.
+        """Estimate the times of trajectories in turn, and end after a moment.
 
         Args:
-            names: Which, the first ones first; those that are gone or damaged are left out.
-            arm: By which it is planned.
+            names: The trajectories, in the order of the estimates; those that are gone or damaged
+                are left out.
+            arm: The arm that the estimates are for.
 
         Returns:
-            By name how many seconds, or ``None`` where it is not known; it is kept until the file
-            changes. Those that are missing were not come to.
+            The seconds by name, or ``None`` where the time is not known; they are kept until the
+            file changes. Trajectories that the moment did not suffice for are missing.
 
         Raises:
             LibraryError: The folder cannot be read.
@@ -723,15 +724,15 @@ class Library:
             raise LibraryError(reason, row)
 
     def _write(self, content: Content, replacing: str | None, into: str | None = None) -> bool:
-        """Write a file: in place of the one to replace where there is one, else a new one.
+        """Write a content: in the place of the one to replace, or as a new file.
 
         Args:
-            content: What it holds.
-            replacing: The name of the one to replace, if any.
-            into: The sub-folder for a new one; ``None`` for `new_in`.
+            content: The content of the file.
+            replacing: The name of the trajectory to replace, if any.
+            into: The sub-folder for a new file; ``None`` for `new_in`.
 
         Returns:
-            Whether the one to replace had been changed by another program.
+            True if another program had changed the one to replace.
         """
         found = self._scan()
         if content.name != replacing and content.name in found:

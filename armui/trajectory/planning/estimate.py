@@ -1,4 +1,4 @@
-"""How long something will take, before it is checked: planned from its own first point on."""
+"""Estimates how long a content will take, planned from its own first point on."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.trajectory.samples.recording import Recording
 
 MOST_POINTS: Final = 5_000
-"""More are planned by a check alone: a check that is asked for meanwhile would wait."""
+"""The most points that are planned here: a check asked for meanwhile would wait for more."""
 _ZEROS_DEG: Final = (0.0,) * 6
 _ONCE: Final = RunOptions()
 
@@ -22,17 +22,17 @@ _ONCE: Final = RunOptions()
 def estimate_s(
     content: Trajectory | Recording, arm: ArmModel, options: RunOptions = _ONCE
 ) -> float | None:
-    """Return how many seconds it takes, without the way to its first point.
+    """Return the seconds that a content takes, without the way to its first point.
 
     That way begins wherever the arm stands by then; a check plans it, too.
 
     Args:
-        content: What is run.
+        content: The trajectory or recording.
         arm: The arm.
-        options: How it is run. Without end, the time of one cycle is returned.
+        options: The options of the run. For an endless run the time of one cycle is returned.
 
     Returns:
-        ``None`` where it is not known: no points, more than `MOST_POINTS`, or a point or a way
+        The seconds; ``None`` for no points, for more than `MOST_POINTS`, and for a point or a way
         that the arm cannot reach.
     """
     further, first, speed_factor = max(options.cycles, 1) - 1, options.first, options.speed_factor

@@ -86,7 +86,7 @@ class PaletteItems:
 
         Args:
             item: The item in its present state.
-            was_seen: Whether the operator saw the button when choosing; otherwise a command that
+            was_seen: True if the operator saw the button when choosing; otherwise a command that
                 moves the arm is only shown.
         """
         if not item.seen:

@@ -45,10 +45,10 @@ def read_licence(path: Path) -> str:
 
 
 class AboutDialog(ArmDialog):
-    """Reads the disk in the background at each opening.
+    """Shows version, facts and licences, which are read in the background at each opening.
 
     Args:
-        controller: Whom the emergency stop tells.
+        controller: Receives the emergency stop.
         background: Reads the note of the versions, and the licences.
         settings: The program's file of settings.
         parent: The main window.

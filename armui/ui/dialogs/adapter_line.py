@@ -76,7 +76,7 @@ class AdapterLine(Translated, QWidget):
             has read the disk.
 
     Attributes:
-        listens_elsewhere: Whether whoever follows `changed` listens to an interface by that, and
+        listens_elsewhere: True if whoever follows `changed` listens to an interface by that, and
             tells `tell_heard` what was found: two programs on one adapter take each other's frames.
 
     Signals:

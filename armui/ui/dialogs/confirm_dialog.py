@@ -44,7 +44,7 @@ def confirm(
 
     Args:
         parent: The window that asks.
-        controller: Whom the emergency stop in the question tells.
+        controller: Receives the emergency stop.
         title: The question in a few words.
         text: The physical effect, and what to do before.
         action_label: The button's action in a word.

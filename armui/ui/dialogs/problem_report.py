@@ -1,4 +1,4 @@
-"""The window «Report a problem»: what whoever helps wants to know, seen before it is kept."""
+"""The window «Report a problem»: a report for support, seen before it is saved."""
 
 from __future__ import annotations
 
@@ -44,12 +44,12 @@ from armui.ui.words.text import Text
 _SIZE_PX: Final = (900, 640)
 _LIST_WIDTH_PX: Final = 260
 _SHOWN_BYTES: Final = 100_000
-"""Of either end of a large file: a text of 40 MB would hold up the window, and the stop with it."""
+"""The bytes shown of either end of a large file: a text of 40 MB would hold up window and stop."""
 _HANGS_MS: Final = 10_000
 
 
 class ProblemReportDialog(ArmDialog):
-    """Collects at each opening; nothing is sent, and nothing is written before it is asked for.
+    """Collects the report at each opening; sends nothing, and writes only when asked to.
 
     Args:
         controller: Tells about the arm that is connected, and what was on its bus.
@@ -247,7 +247,7 @@ class ProblemReportDialog(ArmDialog):
         self._refresh()
 
     def _on_late(self) -> None:
-        """The disk may come back: then it is told what became of it, unless it was saved anew."""
+        """Tell what became of a report on a disk that answers late, unless it was saved anew."""
         said = self.tr("The disk does not answer. Save the report in another folder.")
         self._message.show_message(said, Level.FAULT)
         self._refresh(late=True)
@@ -295,12 +295,12 @@ class ProblemReportDialog(ArmDialog):
     # The end ----------------------------------------------------------------------------------
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Nobody waits for what is collected; what is being saved is saved."""
+        """Drop what is being collected; a report that is being saved is saved."""
         self._end()
         super().closeEvent(event)
 
     def reject(self) -> None:
-        """Escape does the same."""
+        """Close the window at Escape, as its button does."""
         self._end()
         super().reject()
 

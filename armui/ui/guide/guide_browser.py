@@ -1,4 +1,4 @@
-"""Shows one section of the guide, its pictures as wide as there is room beside the text."""
+"""Shows one section of the guide, with its pictures as wide as the text leaves room for."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from armui.ui.theme import colors_of
 
 _SIDE_PX: Final = 48
 _LOW_PX: Final = 320
-"""In a page that is lower, as in the drawer, pictures leave half of it to the text."""
+"""The height below which, as in the drawer, pictures leave half of the page to the text."""
 _SETTLED_MS: Final = 150
 _NOTHING: Final = QImage()
 
@@ -96,7 +96,7 @@ class GuideBrowser(QTextBrowser):
         self.verticalScrollBar().setValue(at)
 
     def _fit(self, picture: QImage) -> QImage:
-        """A picture no wider than the page, sharp on its screen; in a low page the text is seen."""
+        """Return a picture no wider than the page, sharp on its screen; lower in a low page."""
         ratio = self.devicePixelRatioF()
         page = self.viewport().size()
         room = QSizeF(page.width() - _SIDE_PX, page.height() / 2)
@@ -131,7 +131,7 @@ class GuideBrowser(QTextBrowser):
         return self._fitted.get(QUrl(name).toString(), _NOTHING)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Pictures follow the size, once it stands."""
+        """Fit the pictures to the new size once it has settled."""
         super().resizeEvent(event)
         if event.size() != event.oldSize():
             self._resized.start()

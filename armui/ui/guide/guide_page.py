@@ -80,11 +80,11 @@ class GuidePage(Page):
         self._choose()
 
     def answer(self, anchor: str, *, reads: bool) -> None:
-        """Open the guide at the section of where the operator is.
+        """Open the guide at the section for the place where the operator is.
 
         Args:
             anchor: The section.
-            reads: True if the operator reads the guide: it stays where it is then, unless another
+            reads: True if the operator reads the guide; the section then changes only if another
                 panel or page is seen by now.
         """
         if not reads or anchor != self._answered:

@@ -42,7 +42,7 @@ class GuideSection:
 
     @property
     def pictures(self) -> tuple[str, ...]:
-        """The files of its pictures, as named in the text."""
+        """The files of the section's pictures, as named in its text."""
         return tuple(_PICTURE.findall(self.text))
 
 

@@ -211,9 +211,9 @@ class Panel(Translated, QWidget):
         Args:
             title: The question in a few words.
             text: What will physically happen, and what to do before.
-            label: What the button does, in a word.
+            label: The word on the button.
             act: The command; its refusal is shown.
-            still: Whether what it says is still so.
+            still: Returns true while the question still holds.
         """
         confirm(
             self.window(),

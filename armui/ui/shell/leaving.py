@@ -62,7 +62,7 @@ def leave_then(
 
     Args:
         parent: The window that asks.
-        controller: Whom the emergency stop in the question tells.
+        controller: Receives the emergency stop.
         panels: The panels that would be left.
         proceed: The function that would lose the changes.
     """
@@ -144,7 +144,7 @@ def end_motion_then(
 
     Args:
         parent: The window that asks.
-        controller: Whom the emergency stop in the question tells, and who ends it.
+        controller: Receives the emergency stop, and ends the motion.
         proceed: The function that would leave the arm. It is called when the arm is at rest, or
             when the time limit of a run's end is over.
     """
@@ -271,7 +271,7 @@ def close_unless_moving(
 
     Args:
         window: The main window, which asks.
-        controller: Whom the emergency stop in the question tells.
+        controller: Receives the emergency stop.
         close_now: Closes the window without asking again.
     """
     operating_state = controller.operating_state

@@ -94,7 +94,7 @@ class FailureLine(Translated, QWidget):
 
         Args:
             failure: The failure.
-            motion_ended: Whether every motion of this program was ended because of it.
+            motion_ended: True if every motion of this program was ended because of it.
         """
         again = self._failure is not None and self._failure.error == failure.error
         self._failure, self._motion_ended = failure, motion_ended

@@ -53,7 +53,7 @@ _HEADER_PAD_PX: Final = 12
 _FRAME_PX: Final = 2
 _BETWEEN_PX: Final = 3
 _MOST: Final = 100
-"""The table's share of the height: all of it until its rows are as high as they get."""
+"""The stretch factor by which the table takes all height until its rows are highest."""
 _OURS: Final = frozenset({CLEAR_ERROR_SENT, CLEAR_ERROR_ANSWERED, CLEAR_ERROR_UNANSWERED})
 _MARK_PX: Final = 6.0
 _LEFT_PX: Final = 6.0
@@ -249,7 +249,7 @@ class JointCellDelegate(QStyledItemDelegate):
     def _draw_text(
         painter: QPainter, colors: Colors, box: QRectF, view: CellView, table: QWidget
     ) -> None:
-        """The figure stands below the word; beside it where the row is too low for both."""
+        """Draw the figure below the word, or beside it where the row is too low for both."""
         is_fault = view.mark is Mark.FAULT
         small_font = scaled_font(table, _SMALL)
         small = QFontMetrics(small_font)
@@ -296,15 +296,15 @@ _CLEAR: Final = Text("JointStatusPage", "Clear error")
 
 
 class JointStatusPage(Page):
-    """Stands below the work, and is updated only while visible.
+    """Shows the joints' reports below the work; updated only while visible.
 
     Args:
         controller: Clears errors.
         monitor: Gives the state of the joints.
 
     Attributes:
-        table: A row an item, a column a joint.
-        clear_buttons: Of each joint, above its column.
+        table: The table with a row for each item and a column for each joint.
+        clear_buttons: The buttons that clear each joint's error, above its column.
     """
 
     commands = tuple(
@@ -367,7 +367,7 @@ class JointStatusPage(Page):
         down.setDefaultAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
 
     def _build_head(self) -> None:
-        """One line above the columns: the joint's number, and the button that clears its error."""
+        """Make the line above the columns: numbers of the joints, buttons that clear errors."""
         self._joint_label = text_label(rank="muted")
         self._joint_label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self.clear_buttons = [
@@ -408,7 +408,7 @@ class JointStatusPage(Page):
         self._show_notice()
 
     def _fit_columns(self) -> None:
-        """Make them wide enough for every word there is, whatever room figures have."""
+        """Make the columns wide enough for every word, whatever room that leaves for figures."""
         metrics = self.table.fontMetrics()
         names = max(metrics.horizontalAdvance(words.joint_item(item)) for item in Item)
         header_px = names + _HEADER_PAD_PX
@@ -437,13 +437,13 @@ class JointStatusPage(Page):
         self._reference.show_message(doubt, Level.WARNING if doubt else Level.INFO)
 
     def _on_chosen(self, *_cells: object) -> None:
-        """The operator reads the table: what was said of an error stands in the way no more."""
+        """Show the cell chosen in the place of what was said of an error."""
         self._event = None
         self._show_notice()
         self._show_detail()
 
     def _show_detail(self, *_cells: object) -> None:
-        """The cell the operator went to, in full: tooltips are out of the keyboard's reach."""
+        """Show the chosen cell in full: the keyboard does not reach tooltips."""
         index = self.table.currentIndex()
         if index.isValid():
             self._detail.setText(self._model.describe(index))

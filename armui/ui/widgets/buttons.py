@@ -46,7 +46,7 @@ def push_button(
         name: Its object name.
         text: Its text, if it needs no translation.
         primary: True for the main button of a window.
-        on_enter: Whether Enter presses it anywhere in its dialog; None lets Qt decide.
+        on_enter: True if Enter presses it anywhere in its dialog; None lets Qt decide.
     """
     button = named(name, QPushButton(text))
     if primary:
@@ -111,7 +111,7 @@ def bar_button(name: str, *, toggles: bool = False) -> QPushButton:
 
     Args:
         name: Its object name.
-        toggles: Whether it stays down until it is pressed again.
+        toggles: True if it stays down until it is pressed again.
     """
     button = push_button(name, on_enter=False)
     button.setCheckable(toggles)

@@ -33,7 +33,7 @@ class Page(Translated, QWidget):
     Args:
         key: Its name in the settings; pages of one kind share it.
         parent: Qt's.
-        footed: Whether its body scrolls by itself where there is little height, so that the footer
+        footed: True if its body scrolls by itself where there is little height, so that the footer
             stays in sight.
 
     Attributes:

@@ -188,6 +188,23 @@ _MODES: Final = Texts("OtherMode") | {
     "high_follow": "high-follow",
 }
 _KINDS: Final = Texts("ArmKind") | {"older": "{model} (zeros before S-V1.6-3)"}
+ARM_PARTS: Final = Texts("ArmPart") | {
+    "base": "the base",
+    "shoulder": "the shoulder",
+    "upper arm": "the upper arm",
+    "forearm": "the forearm",
+    "hand": "the wrist",
+    "gripper": "the gripper",
+    "wrist": "the fourth link",
+    "tool": "the tool",
+    "held object": "the held object",
+}
+"""The parts of the arm and what it carries, as checks name them."""
+
+
+def part_name(part: str) -> str:
+    """Return a part of the arm in the operator's language."""
+    return ARM_PARTS.word(part)
 
 
 def arm_kind(kind: str) -> str:

@@ -16,6 +16,7 @@ from armui.ui.words.arm import (
     end_load,
     gripper_act,
     mounting,
+    part_name,
     teaching_command,
     trajectory_command,
 )
@@ -49,5 +50,7 @@ def notice_text(notice: Notice, figures: Mapping[str, object]) -> str:
         params["load"] = end_load(EndLoad(load))
     if isinstance(how := params.get("mounting"), int):
         params["mounting"] = mounting(Mounting(how))
+    if isinstance(part := params.get("part"), str):
+        params["part"] = part_name(part)
     params["code"] = notice.id
     return sentence(Notice.context, source_of(notice) or _UNKNOWN, params).rstrip()

@@ -7,10 +7,11 @@ import subprocess
 import sys
 import tempfile
 import time
+from pathlib import Path
 
 import pytest
 
-from armui.system.scratch import make_folder, remove_folder, remove_leftovers
+from armui.system.scratch import make_folder, remove_leftovers
 
 HOUR_S, MONTH_S = 3600.0, 30 * 86_400.0
 
@@ -42,7 +43,7 @@ def test_what_a_living_program_uses_stays(tmp_path):
     old = folder(tmp_path, f"armui-replay-{os.getpid()}-abcd", HOUR_S)
 
     assert remove_leftovers() == 0
-    assert ours.is_dir()
+    assert ours.path.is_dir()
     assert old.is_dir()
 
 
@@ -89,10 +90,39 @@ def test_a_held_lock_says_that_a_program_lives_whatever_its_number(tmp_path, end
 
 def test_the_lock_goes_with_its_folder(tmp_path):
     ours = make_folder("work")
-    assert [each.name for each in ours.iterdir()] == ["in-use.lock"]
-    os.utime(ours, (time.time() - MONTH_S,) * 2)
+    assert [each.name for each in ours.path.iterdir()] == ["in-use.lock"]
+    os.utime(ours.path, (time.time() - MONTH_S,) * 2)
     assert remove_leftovers() == 0
-    remove_folder(ours)
+    (ours.path / "times_s.column").touch()
+    (ours.path / "more").mkdir()
+    ours.remove()
+    assert list(tmp_path.iterdir()) == []
+    ours.remove()
+
+
+def test_a_folder_that_nobody_uses_any_more_is_not_locked(tmp_path):
+    ours = make_folder("work")
+    path = ours.path
+    os.utime(path, (time.time() - MONTH_S,) * 2)
+    del ours
+    assert remove_leftovers() == 1
+
+
+def test_what_cannot_be_removed_yet_stays_locked(tmp_path, monkeypatch):
+    """Windows removes no file that is open."""
+    ours = make_folder("replay")
+    (ours.path / "times_s.column").touch()
+    with monkeypatch.context() as patch:
+
+        def refuse(_path):
+            raise PermissionError(13, "it is open")
+
+        patch.setattr(Path, "unlink", refuse)
+        ours.remove()
+    os.utime(ours.path, (time.time() - MONTH_S,) * 2)
+    assert remove_leftovers() == 0
+    assert (ours.path / "times_s.column").exists()
+    ours.remove()
     assert list(tmp_path.iterdir()) == []
 
 

@@ -204,8 +204,9 @@ def test_each_fault_is_marked_while_it_lasts(tmp_path, fault):
     start_s = session.start_s
     begun = [each for each in session.marks if each.kind in {MarkKind.FAULT, MarkKind.STOP}]
 
-    if fault in {"stall", "corrupt-limits", "garbage", "undervoltage"}:
-        # an arm that rests is not stalled; limits and strange frames are no status;
+    if fault in {"stall", "corrupt-limits", "garbage", "undervoltage", "lost-reference"}:
+        # an arm that rests is not stalled; limits and strange frames are no status, and no status
+        # tells of a lost reference;
         # 18 V is what it is, from the beginning of the fault on or not at all
         assert all(each.at_s >= start_s + 1.0 for each in begun)
     elif fault in {"bus-off", "feedback-stopped"}:

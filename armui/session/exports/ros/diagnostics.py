@@ -56,7 +56,7 @@ class _Heard:
     """A message as last heard at some frames.
 
     Attributes:
-        there: Whether it had been heard at all.
+        there: True if it had been heard at all.
         fresh: Whether within the last half second.
         signals: Its values.
     """

@@ -137,7 +137,7 @@ class JointRow(TargetRow):
 
         Args:
             limits: The range.
-            read: Whether it was read from the arm; otherwise it is the factory's.
+            read: True if it was read from the arm; otherwise it is the factory's.
         """
         if (limits, read) == (self._limits, self._limits_read):
             return

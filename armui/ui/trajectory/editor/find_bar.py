@@ -33,7 +33,7 @@ class FindBar(Translated, QWidget):
 
     Signals:
         next_wanted: +1 the next place, −1 the one before.
-        replace_wanted: Whether at all places, or at the current one.
+        replace_wanted: True for all places, false for the current one.
         closed: The bar was closed.
     """
 

@@ -118,7 +118,7 @@ class BinButton(Translated, QPushButton):
     """Opens the window, and keeps its list up to date.
 
     Args:
-        controller: Whom the emergency stop in the window tells.
+        controller: Receives the emergency stop.
         work: Reads from the library what was deleted.
         actions: Restores, and reports the result.
         window: The parent of the window.

@@ -23,7 +23,7 @@ _CHOICE_PX: Final = 110
 
 
 class FolderBar(QObject):
-    """A choice of the folder that is listed, and two menus; they stand beside the search.
+    """Shows the choice of the folder that is listed, and two menus, beside the search.
 
     Args:
         actions: Makes, renames and deletes folders, and moves trajectories.
@@ -105,7 +105,7 @@ class FolderBar(QObject):
             self._say_closed()
 
     def show_chosen(self) -> None:
-        """Let only what can be moved be moved."""
+        """Enable “Move to…” only for entries that can be moved; say why not otherwise."""
         entries = self._chosen()
         reason = ""
         if not entries:
@@ -175,7 +175,7 @@ class FolderBar(QObject):
         )
 
     def _follow(self, name: str) -> None:
-        """What was just made or renamed is listed."""
+        """List the folder that was just made or renamed."""
         self._name_bar.put_away()
         self._folders = tuple(sorted({*self._folders, name}))
         self._show(name)
@@ -208,7 +208,7 @@ class FolderBar(QObject):
         self.show_chosen()
 
     def _target_text(self, folder: str) -> str:
-        """A folder's name may hold the sign that marks a key in a menu."""
+        """Return a folder's name for a menu, in which “&” would mark a key."""
         return shown_folder(folder).replace("&", "&&") or self.tr("Into no folder")
 
     def _on_target(self, folder: str, _checked: bool = False) -> None:

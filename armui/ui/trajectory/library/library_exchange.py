@@ -215,7 +215,7 @@ class ReportButton(Translated, QPushButton):
     """Opens the report of the last import; visible as long as its message.
 
     Args:
-        controller: Whom the emergency stop in the report tells.
+        controller: Receives the emergency stop.
         window: The parent of the report.
     """
 
@@ -290,7 +290,7 @@ class LibraryExchange(QObject):
     """Imports valid files, never overwrites silently, and reports the results.
 
     Args:
-        controller: Whom the emergency stop in the file choosers tells.
+        controller: Receives the emergency stop.
         background: Reads files.
         work: Runs actions on the library.
         window: The parent of the choosers.

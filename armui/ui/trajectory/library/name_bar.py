@@ -1,4 +1,4 @@
-"""Asks in place for the name of something new: nothing is made before the name is given."""
+"""A line that asks for the name of something new, which is made once the name is given."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _NAME_PX: Final = 200
 
 @dataclass(frozen=True, slots=True)
 class NameQuestion:
-    """What a name is asked for.
+    """A question for a name.
 
     Attributes:
         label: Says what is named.
@@ -41,9 +41,9 @@ class NameQuestion:
 
 
 class NameBar(Translated, QWidget):
-    """Hidden until a name is wanted; Enter gives it, Escape leaves nothing behind.
+    """Asks for a name in a line that is hidden otherwise; Enter gives it, Escape cancels.
 
-    It stays until :meth:`put_away`: whoever gets the name may refuse it, and says so here.
+    The line stays until :meth:`put_away`: whoever gets the name may refuse it, and says so here.
 
     Signals:
         closed: It was put away.
@@ -80,7 +80,7 @@ class NameBar(Translated, QWidget):
         self._field.selectAll()
 
     def look(self) -> None:
-        """What is taken may have changed: a suggestion nobody has touched follows."""
+        """Renew a suggestion that nobody has changed: the names taken may be others now."""
         if self._question is None or self._given:
             return
         suggested = self._question.suggest()
@@ -98,7 +98,7 @@ class NameBar(Translated, QWidget):
         self._field.setFocus()
 
     def put_away(self) -> None:
-        """Hide it; nothing comes of what was typed."""
+        """Hide the line; the name typed is dropped."""
         if self._question is None:
             return
         self._question, self._given = None, False
@@ -128,7 +128,7 @@ class NameBar(Translated, QWidget):
             self._give.setEnabled(False)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Escape puts it away and nothing else; Enter has been heard by the field."""
+        """Hide the line at Escape, and do nothing else; the field handles Enter."""
         if event.key() == Qt.Key.Key_Escape:
             self.put_away()
         elif event.key() not in {Qt.Key.Key_Return, Qt.Key.Key_Enter}:
@@ -137,7 +137,7 @@ class NameBar(Translated, QWidget):
         event.accept()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Whoever leaves the page has not given a name."""
+        """Drop the question when the page is left."""
         if not event.spontaneous():
             self.put_away()
         super().hideEvent(event)

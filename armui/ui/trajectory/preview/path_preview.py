@@ -87,7 +87,7 @@ class PathPreview(QObject):
             bad_rows: Rows in which something forbids a run.
             findings: The findings, at their places.
             name: The trajectory's.
-            numbered: Whether its rows are points; those of a recording are samples.
+            numbered: True if its rows are points; those of a recording are samples.
             places_of: Computes the (n, 3) places to draw, in mm, from (n, 6) joint angles; by
                 default those of the plan, the tip of the tool.
         """

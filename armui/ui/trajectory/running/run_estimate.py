@@ -1,4 +1,4 @@
-"""How long a run will take, worked out in the background while it is chosen, before any check."""
+"""Estimates in the background how long the chosen run will take, before any check."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from armui.ui.trajectory.running.run_request import Checks, Preflight
 
 _PAUSE_MS: Final = 300
-"""So long nothing changes before it is worked out: figures are typed, rows gone through."""
+"""The pause after a change before the time is worked out, as figures are typed digit by digit."""
 
 
 def estimate_tip(*, known: bool) -> str:
@@ -34,22 +34,22 @@ def estimate_tip(*, known: bool) -> str:
 
 
 class RunEstimate(QObject):
-    """Knows how long what is chosen takes, as chosen; what was checked replaces the estimate.
+    """Keeps the time that the chosen run takes; the figure of a check replaces the estimate.
 
     Args:
-        checks: Works it out.
-        content: Hands on what would be run now, once it is read; ``None``: nothing. It says
-            nothing to the operator.
-        options: Tells how it would be run now, slowed by the override.
+        checks: Works the time out.
+        content: Hands on the content that would be run now, once it is read, or ``None``. It
+            tells the operator nothing.
+        options: Returns the options of a run that began now, slowed by the override.
         parent: Its owner.
 
     Signals:
         changed: Another time is known, or none.
 
     Attributes:
-        seconds: ``None`` where it is not known.
-        is_checked: Whether it was checked, from where the arm stood then.
-        is_asked: Whether it is being worked out.
+        seconds: The time of the run; ``None`` where it is not known.
+        is_checked: True if a check worked the time out, from where the arm stood then.
+        is_asked: True while the time is being worked out.
     """
 
     changed = Signal()
@@ -78,7 +78,7 @@ class RunEstimate(QObject):
 
         Args:
             what: Stands for all that the time depends on but the arm.
-            wanted: Whether anybody looks, and there is something to be run.
+            wanted: True if the time is seen, and there is something to be run.
         """
         if not wanted:
             if self.is_asked:
@@ -91,14 +91,14 @@ class RunEstimate(QObject):
             self._pause.start()
 
     def renew(self) -> None:
-        """What is run is another, although nothing else tells."""
+        """Work the time out anew: the content has changed, which its name does not tell."""
         self._of = None
         self._forget()
 
     def take(self, checked: Preflight) -> None:
-        """Take over how long it takes by a check of just this, once from where the arm stands.
+        """Take over the time that a check of this run found, once from where the arm stands.
 
-        A check at another speed says nothing of it.
+        The time of a check at another speed is not taken over.
         """
         if self._of is None or checked.order.speed_factor != self._options().speed_factor:
             return  # the override slows the run; a check does not count it

@@ -115,7 +115,7 @@ class ColumnPicker(Translated, QWidget):
 
         Args:
             column: The quantity and unit.
-            guessed: Whether its unit was guessed.
+            guessed: True if its unit was guessed.
         """
         place = 0 if column is None else 1 + list(ColumnQuantity).index(column.quantity)
         self._quantity.setCurrentIndex(place)

@@ -96,7 +96,7 @@ def details(entry: EventEntry, *, dated: bool = True) -> list[str]:
 
     Args:
         entry: The event.
-        dated: Whether the day is known; a log may only hold times since its beginning.
+        dated: True if the day is known; a log may only hold times since its beginning.
     """
     begin, last = clock_text(entry, entry.at_s), entry.newest_s
     begin = f"{entry.wall:%Y-%m-%d} {begin}" if dated else begin

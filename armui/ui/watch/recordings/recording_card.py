@@ -1,4 +1,4 @@
-"""The present recording and the ring: a card each, and a mark in the status bar."""
+"""Cards of the present recording and of the ring, and the mark in the status bar."""
 
 from __future__ import annotations
 
@@ -130,7 +130,7 @@ class RingCard(Translated, QFrame):
 
     Args:
         sessions: Has the ring.
-        store: The setting whether they are saved automatically.
+        store: Holds the setting that has them saved automatically.
     """
 
     def __init__(self, sessions: SessionRecorder, store: SettingsStore) -> None:
@@ -208,7 +208,7 @@ class RecordingCard(Translated, QFrame):
     """The controls and the state of the recording to the disk.
 
     Args:
-        controller: For the file chooser's emergency stop.
+        controller: Receives the emergency stop of the file chooser.
         background: Checks what can be written here.
         store: The settings of format, folder and size.
     """

@@ -248,7 +248,7 @@ class SessionsModel(TableModel):
 
 _ROW_PX: Final = 26
 _LEAST_PX: Final = 58
-"""Of the table: its titles and a row, while a message stands below."""
+"""The least height of the table: its titles and a row, while a message stands below."""
 _GAP_PX: Final = 6
 _LOOK_MS: Final = 500
 _WIDTHS_PX: Final = {
@@ -274,7 +274,7 @@ _SAID_HERE: Final = frozenset(
 
 
 class SessionsPage(Page):
-    """Records, and lists the recordings.
+    """Records sessions, and lists the recordings.
 
     Args:
         controller: Has the recorder.

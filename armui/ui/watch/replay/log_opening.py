@@ -23,7 +23,7 @@ from armui.session.frames import NotALogError
 from armui.session.survey import ChannelSurvey, survey
 from armui.system.files import error_text
 from armui.system.helper_process import HelperProcess
-from armui.system.scratch import make_folder, remove_folder, remove_leftovers
+from armui.system.scratch import ScratchFolder, make_folder, remove_leftovers
 from armui.ui.background import WORK_FAILED, Background, Job
 
 if TYPE_CHECKING:
@@ -79,7 +79,7 @@ class LogOpening(QObject):
         self._background = background
         self._helper = make_helper()
         self._reading = Background(self._helper, None, self)
-        self._folder: Path | None = None
+        self._folder: ScratchFolder | None = None
         self._progress: mmap.mmap | None = None
         self._job: Job[object] | None = None
         self._is_over = False
@@ -130,7 +130,7 @@ class LogOpening(QObject):
             self._progress.close()
             self._progress = None
 
-    def _on_prepared(self, prepared: tuple[Path, mmap.mmap] | Refusal) -> None:
+    def _on_prepared(self, prepared: tuple[ScratchFolder, mmap.mmap] | Refusal) -> None:
         if isinstance(prepared, Refusal):
             self._refuse(prepared)
             return
@@ -143,7 +143,7 @@ class LogOpening(QObject):
             return
         self._timer.start()
         self._job = Job(self._on_indexed)
-        self._reading.begin(self._job, index_or_reason, self._path, self._folder)
+        self._reading.begin(self._job, index_or_reason, self._path, self._folder.path)
 
     def _look(self) -> None:
         if self._progress is not None:
@@ -192,23 +192,23 @@ def _own_session(open_own: OpenOwn, path: Path) -> Opened | None:
     return (session, survey(session)) if session.frames else None
 
 
-def _prepare() -> tuple[Path, mmap.mmap] | Refusal:
+def _prepare() -> tuple[ScratchFolder, mmap.mmap] | Refusal:
     """A folder for the columns, and the memory where the progress is told."""
     try:
         remove_leftovers()
         folder = make_folder("replay")
-        return folder, map_progress(folder)
+        return folder, map_progress(folder.path)
     except OSError as error:
         return REPLAY_NO_DISK(text=error_text(error))
 
 
-def _open(index: LogIndex, folder: Path, helper: Executor) -> Opened:
+def _open(index: LogIndex, folder: ScratchFolder, helper: Executor) -> Opened:
     helper.shutdown()
-    session = IndexedLog(index, folder)
+    session = IndexedLog(index, folder.path, folder.remove)
     return session, survey(session)
 
 
-def _clear_away(helper: Executor, folder: Path | None) -> None:
+def _clear_away(helper: Executor, folder: ScratchFolder | None) -> None:
     helper.shutdown()
     if folder is not None:
-        remove_folder(folder)
+        folder.remove()
