@@ -25,9 +25,8 @@ MODEL_DIFFERS = Reason(
 )
 MODEL_OTHER = Reason(
     "model_other",
-    "This arm was connected as a {chosen}, but the pose it reports is that of a {fits}: the "
-    "program would compute with the wrong lengths. Connect it as a {fits}; until then the "
-    "joints can be moved one by one.",
+    "Connected as a {chosen}, but the pose it reports is that of a {fits}: paths would be wrong. "
+    "Connect it as a {fits}; until then the joints can be moved one by one.",
 )
 
 

@@ -44,11 +44,12 @@ from armui.ui.shell.recovery_line import RecoveryLine
 from armui.ui.shell.robot_in_view import RobotInView, show_in_view
 from armui.ui.shell.side_menu import JointStatusButton, LibraryButton, SideMenu, WatchMenu
 from armui.ui.shell.status_bar import FailureLine, ModelMark, StatusBar
+from armui.ui.shell.step_row import StepRow
 from armui.ui.shell.top_bar import TopBar
 from armui.ui.shell.trajectory_pages import TrajectoryPages
 from armui.ui.shell.view_region import ViewRegion
 from armui.ui.shell.watch_windows import WatchWindows
-from armui.ui.shell.work_area import RunPlace, WindowLayout, WorkArea, WorkColumn
+from armui.ui.shell.work_area import WindowLayout, WorkArea, WorkColumn
 from armui.ui.shell.workspace import Workspace
 from armui.ui.theme import DARK, colors_of
 from armui.ui.trajectory.preview.path_preview import PathPreview
@@ -180,14 +181,17 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         below = (self._library_button, watch_menu, self._joint_status_button)
         self._menu = SideMenu(self._entries, below)
         self._panels = OperationArea(self._entries)
-        self._work_area = WorkArea(StackArea(self._panels), self._pages, self._view_region)
-        run = self._run = RunPlace(self._controller)
-        self._work_column = WorkColumn(self._work_area, run, self._drawer)
+        self._failure_line = FailureLine()
+        picture = QWidget()
+        in_column((self._view_region, 1), self._failure_line, on=picture, spacing=0, margins=0)
+        self._work_area = WorkArea(StackArea(self._panels), self._pages, picture)
+        self._work_column = WorkColumn(self._work_area, self._drawer)
 
         top = TopBar(self._controller, self.open_connect_dialog)
         recovery = RecoveryLine(
             self._controller, self.open_connect_dialog, self._diagnosis.open_reference_check
         )
+        run = self._run = StepRow(self._controller, recovery)
         self._trajectory_pages.run_asks.connect(recovery.show_asking)
         self.window_actions.link(
             *(top.ask_to_resume, recovery, run, self._diagnosis, self._watch),
@@ -200,11 +204,9 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._offer((*parts, self._preview_bar, self._menu))
         FirstSteps(self, self._first_jog, self._controller, self._preferences)
         gamepad = GamepadStrip(self._controller, self._preferences)
-        self._failure_line = FailureLine()
-        work = in_column(recovery, gamepad, (self._work_column, 1), spacing=0)
+        work = in_column(run, gamepad, (self._work_column, 1), spacing=0)
         middle = (in_row(self._menu, (work, 1), spacing=0), 1)
-        rest = (self._failure_line, self._status_bar)
-        in_column(top, middle, *rest, on=self, spacing=0, margins=0)
+        in_column(top, middle, self._status_bar, on=self, spacing=0, margins=0)
         self.setFocus()  # no control has it before the operator takes one
 
     def _offer(self, parts: Iterable[Offering]) -> None:

@@ -9840,10 +9840,6 @@ The other program must have ended.</source>
         <translation>机械臂上报的位姿与关节角度不符，程序无法计算路径。请检查各关节零点；仍可单独移动各关节。</translation>
     </message>
     <message>
-        <source>This arm was connected as a {chosen}, but the pose it reports is that of a {fits}: the program would compute with the wrong lengths. Connect it as a {fits}; until then the joints can be moved one by one.</source>
-        <translation>该机械臂按 {chosen} 连接，但其反馈的位姿属于 {fits}：程序会用错误的连杆长度计算。请按 {fits} 重新连接；在此之前可以逐个移动关节。</translation>
-    </message>
-    <message>
         <source>Tool centre point: {value} is not possible. Enter lengths up to {maximum} mm and angles up to 180°.</source>
         <translation>工具中心点：不能为 {value}。长度不超过 {maximum} mm，角度不超过 180°。</translation>
     </message>
@@ -10500,10 +10496,6 @@ The other program must have ended.</source>
         <translation>此连接为只听：除急停外不发送任何帧。</translation>
     </message>
     <message>
-        <source>Whether the arm takes commands on the identifiers in use is not proven, so it is not moved; stop and halt reach it. To prove it, set the offsets again in Linkage with the arm in standby: they count once the arm has answered.</source>
-        <translation>机械臂是否在当前标识符上接收指令尚未证实，因此不让它运动；急停和停住仍能到达。证实方法：让机械臂处于待机，在联动控制中重新设置偏移，得到应答后即生效。</translation>
-    </message>
-    <message>
         <source>For half a second {device} could send nothing, because nobody on the bus acknowledges. Check the arm&apos;s power, the CAN cable, the terminating resistors and the bit rate (1 Mbit/s).</source>
         <translation>{device} 已有半秒发不出任何帧，因为总线上无人应答。请检查机械臂电源、CAN 线、终端电阻和波特率（1 Mbit/s）。</translation>
     </message>
@@ -11027,6 +11019,14 @@ The other program must have ended.</source>
         <source>Not there: {part} would come to {value} mm from “{name}” of the work area; {minimum} mm are kept. Move another way, or change the area under Cell.</source>
         <translation>不能去那里：{part}将到离工作区的“{name}”{value} mm 处；应保持 {minimum} mm。请换一种走法，或在“单元”中更改区域。</translation>
     </message>
+    <message>
+        <source>Connected as a {chosen}, but the pose it reports is that of a {fits}: paths would be wrong. Connect it as a {fits}; until then the joints can be moved one by one.</source>
+        <translation>该机械臂按 {chosen} 连接，但其反馈的位姿属于 {fits}：路径会算错。请按 {fits} 重新连接；在此之前可以逐个移动关节。</translation>
+    </message>
+    <message>
+        <source>Which identifiers the arm obeys is not proven, so it is not moved; stop and halt reach it. Set the offsets again in Linkage with the arm in standby.</source>
+        <translation>机械臂在哪些标识符上接收指令尚未证实，因此不让它运动；急停和停住仍能到达。请让机械臂处于待机，在联动控制中重新设置偏移。</translation>
+    </message>
 </context>
 <context>
     <name>ReplayEventBar</name>
@@ -11393,14 +11393,6 @@ The other program must have ended.</source>
         <translation>停留中</translation>
     </message>
     <message>
-        <source>waits for the next step</source>
-        <translation>等待下一步</translation>
-    </message>
-    <message>
-        <source>paused</source>
-        <translation>已暂停</translation>
-    </message>
-    <message>
         <source>coming to rest</source>
         <translation>正在停下</translation>
     </message>
@@ -11411,10 +11403,6 @@ The other program must have ended.</source>
     <message>
         <source>ended</source>
         <translation>已结束</translation>
-    </message>
-    <message>
-        <source>ended by a fault</source>
-        <translation>因故障结束</translation>
     </message>
     <message>
         <source>Next step</source>
@@ -11447,6 +11435,22 @@ The other program must have ended.</source>
     <message>
         <source>Progress of the run</source>
         <translation>运行进度</translation>
+    </message>
+    <message>
+        <source>paused: hold “Continue” for 1 s</source>
+        <translation>已暂停：按住“继续”1 秒</translation>
+    </message>
+    <message>
+        <source>waiting: press “Next step”</source>
+        <translation>等待中：请按“下一步”</translation>
+    </message>
+    <message>
+        <source>ended early</source>
+        <translation>提前结束</translation>
+    </message>
+    <message>
+        <source>ended by the emergency stop</source>
+        <translation>因急停结束</translation>
     </message>
 </context>
 <context>

@@ -39,9 +39,8 @@ ARM_FAULT = Reason(
 )
 CONTROL_OFFSET_UNKNOWN = Reason(
     "control_offset_unknown",
-    "Whether the arm takes commands on the identifiers in use is not proven, so it is not "
-    "moved; stop and halt reach it. To prove it, set the offsets again in Linkage with the "
-    "arm in standby: they count once the arm has answered.",
+    "Which identifiers the arm obeys is not proven, so it is not moved; stop and halt reach it. "
+    "Set the offsets again in Linkage with the arm in standby.",
 )
 SPEED_ZERO = Reason(
     "speed_zero",

@@ -30,8 +30,8 @@ if TYPE_CHECKING:
     from armui.ui.main_window import MainWindow
     from armui.ui.shell.diagnosis_dialogs import DiagnosisDialogs
     from armui.ui.shell.recovery_line import RecoveryLine
+    from armui.ui.shell.step_row import StepRow
     from armui.ui.shell.watch_windows import WatchWindows
-    from armui.ui.shell.work_area import RunPlace
 
 
 _ICON_PX: Final = 14
@@ -154,7 +154,7 @@ class WindowActions(QObject):
         self,
         ask_to_resume: Callback,
         recovery: RecoveryLine,
-        run: RunPlace,
+        run: StepRow,
         diagnosis: DiagnosisDialogs,
         watch: WatchWindows,
         *,

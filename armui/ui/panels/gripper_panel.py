@@ -328,8 +328,9 @@ class GripperPanel(Panel):
     def _lay_out(self) -> None:
         state = in_row(self._mark, self._power, STRETCH)
         card = QFrame()
-        notes = (self._calibrated, self._stroke_note, STRETCH)
-        parts = (state, self._faults, self._measure, self._rows, *notes)
+        # errors come and go by themselves: below all that is pressed
+        notes = (self._calibrated, self._stroke_note, self._faults, STRETCH)
+        parts = (state, self._measure, self._rows, *notes)
         in_column(*parts, on=card, spacing=10, margins=(16, 12, 16, 12))
         acts = empty_grid(gaps=(8, 8))
         for place, button in enumerate(self._acts.values()):

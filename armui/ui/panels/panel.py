@@ -33,6 +33,8 @@ _LEVELS: Final = {
     ARM_FAULT: Level.FAULT,
 }
 _GAP_PX: Final = 10
+_BELOW_PX: Final = 7
+"""Below the message, which has some room of its own."""
 _HEAD_PX: Final = 36
 """The height of a head with or without buttons, so that the content keeps its place."""
 _SAID_ONLY_HERE: Final = UNHINDERED | {StepKind.STATUS_UNKNOWN}
@@ -72,7 +74,7 @@ class Panel(Translated, QWidget):
         self._last_area: QScrollArea | None = None
         self._gap_px = _GAP_PX
         self._title = text_label(rank="title")
-        self._message = named(message_name, MessageLine())
+        self._message = named(message_name, MessageLine(steady=True))
 
     # -- what a panel of its own adds ---------------------------------------------------------
 
@@ -154,7 +156,7 @@ class Panel(Translated, QWidget):
             gap_px: Between the parts.
         """
         self._gap_px = gap_px
-        layout = in_column(on=self, spacing=gap_px, margins=(16, 14, 16, 14))
+        layout = in_column(on=self, spacing=gap_px, margins=(16, 14, 16, _BELOW_PX))
         self._title.setMinimumHeight(_HEAD_PX)
         for part in (head or self._title, *parts, self._message):
             if isinstance(part, QLayout):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QRectF, QSize, Qt
+from PySide6.QtCore import QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QMouseEvent, QPaintEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
 
@@ -37,6 +37,16 @@ _CALM: Final = frozenset(
     {StepKind.OPENING, StepKind.HANDSHAKE, StepKind.RUNNING, StepKind.MOVING, StepKind.READY}
 )
 """Steps without a fault, shown in muted text without background and button."""
+_OF_A_RUN: Final = frozenset(
+    {
+        StepKind.RUNNING,
+        StepKind.RUN_WAITS,
+        StepKind.RUN_PAUSED,
+        StepKind.MOVING,
+        StepKind.READY,
+    }
+)
+"""Steps that say no more than the strip of a run does."""
 
 
 class StepButton(QPushButton):
@@ -57,7 +67,12 @@ class RecoveryLine(Translated, QWidget):
         controller: Gives the step.
         open_connection: Opens the window in which a CAN device is chosen.
         open_reference_check: Opens the window of the reference check.
+
+    Signals:
+        step_shown: Another step is shown.
     """
+
+    step_shown = Signal()
 
     def __init__(
         self,
@@ -117,6 +132,11 @@ class RecoveryLine(Translated, QWidget):
         """
         self._asking = name
         self._show_step()
+
+    @property
+    def says_more_than_a_run(self) -> bool:
+        """True if the step has to be seen beside the strip of a run."""
+        return self._asks or self._step.kind not in _OF_A_RUN
 
     @property
     def _is_calm(self) -> bool:
@@ -190,6 +210,7 @@ class RecoveryLine(Translated, QWidget):
         self._show_button()
         self._recolor()
         self.update()
+        self.step_shown.emit()
 
     def _show_button(self) -> None:
         step = self._step

@@ -24,7 +24,7 @@ from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.curve_menu import tell_quantities
-from armui.ui.widgets.layouts import in_row
+from armui.ui.widgets.layouts import STRETCH, in_column, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.painting import set_rank
 from armui.ui.widgets.text_label import ElidedLabel
@@ -65,7 +65,10 @@ _MARK_ICON_PX: Final = 14
 
 
 class FailureLine(Translated, QWidget):
-    """Shows the newest unexpected failure and its count; hidden until there is one."""
+    """Shows the newest unexpected failure and its count; hidden until there is one.
+
+    It takes its room from the picture: buttons that move the arm keep their places.
+    """
 
     def __init__(self) -> None:
         super().__init__()
@@ -77,7 +80,8 @@ class FailureLine(Translated, QWidget):
         self._copy.clicked.connect(self._on_copy)
         self._close = push_button("failure_close_button")
         self._close.clicked.connect(self.hide)
-        in_row((self._message, 1), self._copy, self._close, on=self, margins=(8, 4, 8, 4))
+        buttons = in_row(STRETCH, self._copy, self._close)
+        in_column(self._message, buttons, on=self, spacing=4, margins=(8, 4, 8, 8))
         self.retranslate_ui()
         self.hide()
 

@@ -1,4 +1,4 @@
-"""The area between next step and status bar: panels or pages, the picture, a run, the drawer."""
+"""The area between next step and status bar: panels or pages, the picture, the drawer."""
 
 from __future__ import annotations
 
@@ -12,14 +12,10 @@ from PySide6.QtWidgets import QSplitter, QWidget
 from armui.ui.dialogs.base import on_screen, place_of, screens
 from armui.ui.shell.drawer import DRAWER_PX, Drawer
 from armui.ui.shell.page_area import PageArea
-from armui.ui.widgets.layouts import in_column
 
 if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
-    from armui.control.operating_state import OperatingState
     from armui.ui.shell.layout_keeper import LayoutKeeper
     from armui.ui.shell.workspace_layout import WorkspaceLayout
-    from armui.ui.trajectory.running.run_strip import RunStrip
 
 
 PANEL_PX: Final = 440
@@ -28,40 +24,6 @@ _LEAST_PANEL_PX: Final = 400
 _LEAST_VIEW_PX: Final = 300
 _LEAST_WORK_PX: Final = 260
 _MOVED: Final = frozenset({QEvent.Type.Move, QEvent.Type.Resize, QEvent.Type.WindowStateChange})
-
-
-class RunPlace(QWidget):
-    """The place of a run's strip, empty before the first run.
-
-    Args:
-        controller: Gives the state of runs.
-    """
-
-    def __init__(self, controller: ArmController) -> None:
-        super().__init__()
-        self._controller = controller
-        self._strip: RunStrip | None = None
-        self._column = in_column(on=self, spacing=0, margins=0)
-        controller.operating_state_changed.connect(self._on_operating_state)
-
-    @property
-    def strip(self) -> RunStrip | None:
-        """The strip of a run; ``None`` before the first run."""
-        return self._strip
-
-    @property
-    def go_on_button(self) -> QWidget | None:
-        """The visible button that continues a paused or waiting run, or ``None``."""
-        return None if self._strip is None else self._strip.go_on_button
-
-    def _on_operating_state(self, operating_state: OperatingState) -> None:
-        if not operating_state.running or self._strip is not None:
-            return
-        from armui.ui.trajectory.running.run_strip import RunStrip  # noqa: PLC0415 - numpy
-
-        self._strip = RunStrip(self._controller)
-        self._column.addWidget(self._strip)
-        self._strip.show()
 
 
 class WorkArea(QSplitter):
@@ -180,8 +142,7 @@ class WorkColumn(QSplitter):
 
     Args:
         area: Panels or pages, and the picture.
-        run: Shows the present run, below them.
-        drawer: The drawer below that.
+        drawer: The drawer below them.
 
     Attributes:
         area: As given.
@@ -193,7 +154,7 @@ class WorkColumn(QSplitter):
 
     sized = Signal()
 
-    def __init__(self, area: WorkArea, run: QWidget, drawer: Drawer) -> None:
+    def __init__(self, area: WorkArea, drawer: Drawer) -> None:
         super().__init__(Qt.Orientation.Vertical)
         self.setObjectName("work_column")
         self.setHandleWidth(1)
@@ -201,9 +162,7 @@ class WorkColumn(QSplitter):
         self.area = area
         self.drawer_px = DRAWER_PX
         self._drawer = drawer
-        self._work = work = QWidget()
-        in_column((area, 1), run, on=work, spacing=0, margins=0)
-        self.addWidget(work)
+        self.addWidget(area)
         self.addWidget(drawer)
         self.setStretchFactor(0, 1)
         self.setStretchFactor(1, 0)
@@ -221,7 +180,7 @@ class WorkColumn(QSplitter):
         if self._drawer.isHidden():
             return
         room = self.height() - self.handleWidth()
-        least = max(_LEAST_WORK_PX, self._work.minimumSizeHint().height())
+        least = max(_LEAST_WORK_PX, self.area.minimumSizeHint().height())
         height = max(self._drawer.minimumHeight(), min(self.drawer_px, room - least))
         self.setSizes([max(0, room - height), height])
 

@@ -22,6 +22,8 @@ Words: TypeAlias = str | Callable[[], str]
 _ICON_PX: Final = 20
 _SIDE_PX: Final = 12
 _TOP_PX: Final = 8
+_LEAST_TOP_PX: Final = 2
+"""Above and below a message of one line more than there is room for."""
 _GAP_PX: Final = 10
 _LINE: Final = "急"
 """A line of Chinese text, which may be higher than others."""
@@ -45,13 +47,20 @@ class MessageLine(QWidget):
         keeps_room: True if its room is kept when there is no message. Below a table it is not: the
             table's lower end gives way, and nothing else moves.
         lines: The least number of lines to have room for.
+        steady: True if one line more changes nothing, either: what stands above it must not move.
     """
 
     def __init__(
-        self, parent: QWidget | None = None, *, keeps_room: bool = True, lines: int = 2
+        self,
+        parent: QWidget | None = None,
+        *,
+        keeps_room: bool = True,
+        lines: int = 2,
+        steady: bool = False,
     ) -> None:
         super().__init__(parent)
         self._room = "\n".join([_LINE] * lines)
+        self._more_room = "\n".join([_LINE] * (lines + 1)) if steady else ""
         self._keeps_room = keeps_room
         self._level = Level.INFO
         self._words: Words = ""
@@ -60,7 +69,8 @@ class MessageLine(QWidget):
         self._icon.setFixedWidth(_ICON_PX)
         self._label = text_label(wraps=True, plain=True)
         self._label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
-        layout = in_row(on=self, spacing=_GAP_PX, margins=(_SIDE_PX, _TOP_PX, _SIDE_PX, _TOP_PX))
+        top_px = _LEAST_TOP_PX if steady else _TOP_PX
+        layout = in_row(on=self, spacing=_GAP_PX, margins=(_SIDE_PX, top_px, _SIDE_PX, top_px))
         layout.addWidget(self._icon, 0, Qt.AlignmentFlag.AlignVCenter)
         layout.addWidget(self._label, 1)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
@@ -96,13 +106,19 @@ class MessageLine(QWidget):
 
     def sizeHint(self) -> QSize:
         """Return a size with room for its lines, or more if the message needs them."""
-        metrics = self.fontMetrics()
+        height = max(map(self._text_px, (self.text(), self._room))) + 2 * _TOP_PX
+        if self._more_room:
+            texts = (self.text(), self._more_room)
+            usual = self._text_px(self._room) + 2 * _TOP_PX
+            height = max(usual, max(map(self._text_px, texts)) + 2 * _LEAST_TOP_PX)
+        return QSize(_LEAST_PX if self._keeps_room else self._natural_px(), height)
+
+    def _text_px(self, text: str) -> int:
+        """Return how high a text is in the present width."""
         width = max(1, self.width() - 2 * _SIDE_PX - _GAP_PX - _ICON_PX)
-        wrap = int(Qt.TextFlag.TextWordWrap)
         room = QRect(0, 0, width, _UNBOUNDED_PX)
-        texts = (self.text(), self._room)
-        height = max(metrics.boundingRect(room, wrap, text).height() for text in texts)
-        return QSize(_LEAST_PX if self._keeps_room else self._natural_px(), height + 2 * _TOP_PX)
+        wrap = int(Qt.TextFlag.TextWordWrap)
+        return self.fontMetrics().boundingRect(room, wrap, text).height()
 
     def _natural_px(self) -> int:
         """As wide as its longest line, for a row that goes on below where there is no room."""

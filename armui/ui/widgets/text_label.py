@@ -85,9 +85,16 @@ class ElidedLabel(QLabel):
     def __init__(self) -> None:
         super().__init__()
         self.setTextFormat(Qt.TextFormat.PlainText)
+        self._tip = ""
 
-    def show_text(self, text: str) -> None:
-        """Set the text."""
+    def show_text(self, text: str, tip: str = "") -> None:
+        """Set the text.
+
+        Args:
+            text: The line.
+            tip: What the tooltip says of it, below the whole line where that does not fit.
+        """
+        self._tip = tip
         self.setText(text)
         self._update_tooltip()
 
@@ -113,7 +120,8 @@ class ElidedLabel(QLabel):
 
     def _update_tooltip(self) -> None:
         text = self.text()
-        self.setToolTip(text if self._elided() != text else "")
+        whole = text if self._elided() != text else ""
+        self.setToolTip("\n".join(filter(None, (whole, self._tip))))
 
 
 def text_label(

@@ -3,6 +3,8 @@
 import pytest
 from PySide6.QtWidgets import QWidget
 
+from armui.control.events import Level
+from armui.control.safety.recovery_steps import Step, StepKind
 from armui.ui.trajectory.editor.editor_page import EditorPage
 from tests.operator.workspace.actions import Pages, rect_in_window
 
@@ -62,6 +64,54 @@ def test_it_stays_until_the_operator_has_seen_how_it_ended(running):
     assert not strip(running).isVisible()
     running.driver.page(EditorPage).findChild(QWidget, "run_send").click()
     running.driver.run_until(lambda: strip(running).isVisible())
+
+
+def test_it_stands_in_the_place_of_a_step_that_says_no_more(running):
+    line = running.driver.find("recovery_line")
+    assert not line.isVisible()
+    running.driver.click("run_pause")
+    running.driver.run(0.3)
+    assert running.driver.read("run_text").endswith("paused: hold “Continue” for 1 s")
+    assert not line.isVisible()
+    running.driver.click("run_stop")
+    running.driver.run_until(lambda: not running.driver.controller.player.running)
+    running.driver.click("run_close")
+    assert line.isVisible()
+    assert running.driver.read("recovery_text") == "Ready"
+
+
+@pytest.mark.styled
+@pytest.mark.parametrize("width", [1280, 1024])
+def test_an_obstacle_stands_beside_it_and_its_end_is_told_as_long(running, width):
+    running.driver.window.resize(width, 800)
+    running.driver.click("stop_button")
+    running.driver.run_until(lambda: not running.driver.controller.player.running)
+    running.driver.run(1.0)
+    button = running.driver.find("recovery_button")
+    assert button.isVisible()
+    assert running.driver.read("run_text") == "ended by the emergency stop"
+    parts = [running.driver.find(name) for name in ("recovery_text", "run_name", "run_text")]
+    assert all(each.isVisible() and each.width() > 100 for each in parts)
+    assert not rect_in_window(button).intersects(rect_in_window(strip(running)))
+    # put away, it would slide the button of the obstacle under the pointer
+    assert not running.driver.find("run_close").isVisible()
+    running.driver.click(button)
+    running.driver.confirm()
+    running.driver.run(1.0)
+    running.driver.click("recovery_button")
+    running.driver.run(2.0)
+    assert running.driver.find("run_close").isVisible()
+    assert not running.driver.find("recovery_line").isVisible()
+
+
+def test_the_buttons_of_the_run_keep_their_places_beside_an_obstacle(running):
+    before = rect_in_window(running.driver.find("run_stop"))
+    show = running.driver.controller.step_changed.emit
+    show(Step(StepKind.UNDERVOLTAGE, Level.WARNING, {"joints": "2"}))
+    running.driver.window.layout().activate()
+    assert running.driver.find("recovery_line").isVisible()
+    assert running.driver.find("run_stop").isVisible()
+    assert rect_in_window(running.driver.find("run_stop")) == before
 
 
 def test_nothing_is_sent_from_an_empty_library(app_driver):

@@ -208,6 +208,8 @@ class JogBox(Translated, QFrame):
         self._degrees = named("box_step_deg", StepBox(fmt.short_angle))
         self._lengths = named("box_step_mm", StepBox(lambda step: f"{step:g} mm / {step:g}°"))
         self._speed = text_label("box_speed", rank="muted")
+        full_px = self._speed.fontMetrics().horizontalAdvance("100 %")
+        self._speed.setMinimumWidth(full_px)  # another speed moves no button
         self._cells = [JogCell(place) for place in range(len(AXES))]
         self.gripper = GripperLine(controller)
         self._lay_out(more)

@@ -7,7 +7,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import QKeySequence, QShortcut
+from PySide6.QtGui import QKeySequence, QResizeEvent, QShortcut
 from PySide6.QtWidgets import QHeaderView, QLineEdit, QWidget
 
 from armui.arm.refusal import Refusal
@@ -98,6 +98,8 @@ _OF_POINTS: Final = ("go_to", "find", "check")
 """Actions that are possible with points only."""
 _NOTE_PX: Final = 200
 """Below this width the note's field moves to a line of its own."""
+_LEAST_BODY_PX: Final = 270
+"""The height for the actions and some rows of the table beside a jog box that does not scroll."""
 
 
 class EditorPage(Page):
@@ -212,11 +214,11 @@ class EditorPage(Page):
 
     def _lay_out(self) -> None:
         self._find_bar.hide()
-        # what comes and goes takes room from the table: jog buttons and 发送 stay where they are
+        # what comes and goes takes room from the table, then scrolls: jog buttons and 发送 stay
         fill(self.body, self._actions.bar(self._note), self._find_bar, (self.table, 1))
         fill(self.body, self._findings, self._other_arm, self._message)
-        fill(self.body, self._jog)
-        fill(self.footer, (self._run_bar, 1))
+        self._foot = in_column(self._jog, self._run_bar, margins=0)
+        self.footer.addLayout(self._foot, 1)
 
     def _connect(self) -> None:
         stack = self.document.stack
@@ -252,10 +254,26 @@ class EditorPage(Page):
         """The trajectory's name."""
         return self.document.name
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Place the jog box anew, because there is more or less height."""
+        super().resizeEvent(event)
+        self._place_jog()
+
+    def _place_jog(self) -> None:
+        """Have the jog box stay in its place, or scroll with the table where there is no height."""
+        foot_px = sum(_height_of(each, self.width()) for each in (self._jog, self._run_bar))
+        low = self.height() - foot_px < _LEAST_BODY_PX
+        if low == (self._foot.indexOf(self._jog) >= 0):
+            if low:
+                self.body.addWidget(self._jog)
+            else:
+                self._foot.insertWidget(0, self._jog)
+
     def _show_jog(self) -> None:
         """Beside the jog buttons, making a point is what is done most: not running."""
         jogs = self._actions["jog"].isChecked()
         self._jog.unfold(jogs)
+        self._place_jog()
         self._run_bar.show_secondary(jogs)
 
     # Editing ----------------------------------------------------------------------------------
@@ -292,7 +310,9 @@ class EditorPage(Page):
         self.bring_into_sight(self._message)  # below findings a low window has no room for it
 
     def _on_jogged(self, refusal: Refusal | None) -> None:
-        self._say("" if refusal is None else words.refusal(refusal), Level.WARNING)
+        self._say("" if refusal is None else partial(words.refusal, refusal), Level.WARNING)
+        if refusal is not None:
+            self.bring_into_sight(self._message)
 
     def _to_move(self, row: int, move: MoveMode) -> Waypoint | Refusal:
         return self._edits.to_move(row, move)
@@ -527,6 +547,11 @@ class EditorPage(Page):
         self._note.setPlaceholderText(self.tr("What this trajectory is for"))
         self.table.setAccessibleName(self.tr("Points"))
         self._show_title()
+
+
+def _height_of(part: QWidget, width_px: int) -> int:
+    layout = part.layout()
+    return 0 if layout is None else layout.totalHeightForWidth(width_px)
 
 
 def _has_arcs(points: Iterable[Waypoint]) -> bool:

@@ -37,7 +37,8 @@ from armui.ui.trajectory.running.run_request import Checks, RequestState, RunReq
 from armui.ui.trajectory.running.runner import Runner, ended_early
 from armui.ui.widgets.buttons import enable_or_explain, named, push_button, show_primary
 from armui.ui.widgets.flow import in_flow, pair
-from armui.ui.widgets.text_label import text_label
+from armui.ui.widgets.layouts import fill, in_column, in_row
+from armui.ui.widgets.text_label import ElidedLabel, text_label
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Text
 
@@ -218,19 +219,22 @@ class RunBar(Translated, QWidget):
         self._first = _spin("run_first", 1, 1)
         self._speed_label, self._first_label = QLabel(), QLabel()
         self._steps = named("run_steps", QCheckBox())
-        self._effective = text_label("run_effective", rank="muted")
+        self._effective = named("run_effective", ElidedLabel())
+        self._effective.setProperty("rank", "muted")
+        self._effective.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self._choices = (self._cycles, self._times, self._speed, self._first, self._steps)
 
     def _lay_out(self) -> None:
         self._from_row = pair(self._first_label, self._first)
-        flow = in_flow(
+        options = in_flow(
             *(self._cycles, self._times, pair(self._speed_label, self._speed)),
             *(self._from_row, self._steps),
-            on=self,
             spacing_px=8,
         )
-        for widget in (self._effective, self._state, self._call_off, self._resume, self._send):
-            flow.push(widget)
+        # in one line whatever is told: 发送, and the jog buttons above, stay in their places
+        told = in_row((self._effective, 1), self._state, self._call_off, spacing=8, margins=0)
+        fill(told, self._resume, self._send)
+        in_column(options, told, on=self, spacing=8, margins=0)
 
     def command_targets(self, place: str) -> Mapping[str, Target]:
         """Return what carries out each command, by the command's name in a place."""
@@ -363,15 +367,9 @@ class RunBar(Translated, QWidget):
         if time := self._time_text():
             text = self.tr("{text} · {time}").format(text=text, time=time)
         lines.append(self._time_tip())
-        usual = self.tr("Effective speed {percent}").format(percent="100 %")
-        usual = self.tr("{text} · first run").format(text=usual)
-        usual = self.tr("{text} · {time}").format(text=usual, time=f"≈ {fmt.duration(10.0)}")
         known = bool(self._name) and (self._recording or bool(self._speeds))
-        # it is always there and of a usual width, so that 发送 and the jog buttons above stay in
-        # their places when the first point is made
-        self._effective.setMinimumWidth(self._effective.fontMetrics().horizontalAdvance(usual))
-        self._effective.setText(text if known else "")
-        self._effective.setToolTip("\n".join(filter(None, lines)) if known else "")
+        tip = "\n".join(filter(None, lines))
+        self._effective.show_text(text if known else "", tip if known else "")
 
     def _time_text(self) -> str:
         """Return how long it takes: an estimate, or as it was checked; "" if it is not known."""

@@ -5,9 +5,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QSize, Qt
-from PySide6.QtWidgets import QLabel, QProgressBar, QSizePolicy, QToolButton, QWidget
+from PySide6.QtCore import QRectF, QSize, Qt, Signal
+from PySide6.QtWidgets import (
+    QLabel,
+    QProgressBar,
+    QSizePolicy,
+    QToolButton,
+    QWidget,
+)
 
+from armui.control.motion_end import RUN_STOPPED
 from armui.control.operations.operation import operation_of
 from armui.control.run.player import Player
 from armui.control.run.progress import ENDLESS, OVER, Progress, RunPhase
@@ -18,17 +25,17 @@ from armui.ui.actions.command import Command, Target, also
 from armui.ui.actions.keys import key_text
 from armui.ui.theme import colors_of
 from armui.ui.trajectory.running.runner import Runner, can_pause
-from armui.ui.widgets import icons
+from armui.ui.widgets import icons, painting
 from armui.ui.widgets.buttons import describe, named, push_button
 from armui.ui.widgets.hold_button import HoldButton
-from armui.ui.widgets.layouts import in_row
+from armui.ui.widgets.layouts import fill, in_column, in_row
 from armui.ui.widgets.percent_input import PercentInput
 from armui.ui.widgets.text_label import ElidedLabel
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
-    from PySide6.QtGui import QHideEvent, QShowEvent
+    from PySide6.QtGui import QHideEvent, QPaintEvent, QShowEvent
 
     from armui.arm.refusal import Refusal
     from armui.control.arm_controller import ArmController
@@ -36,9 +43,15 @@ if TYPE_CHECKING:
 
 _STEPS: Final = 1000
 """The steps of the progress bar."""
-_BAR_PX: Final = 160
+_BAR_PX: Final = 100
 _ICON_PX: Final = 16
 _SLIDER_PX: Final = 110
+_MARGIN_PX: Final = 16
+_TOP_PX: Final = 6
+_GAP_PX: Final = 10
+_LEAST_PX: Final = 220
+"""What is left of the run's words beside an obstacle."""
+_UNBOUNDED_PX: Final = 10_000
 
 
 class OverrideControl(Translated, QWidget):
@@ -98,8 +111,12 @@ class RunStrip(Translated, QWidget):
 
     Args:
         controller: Gives the run.
+
+    Signals:
+        turned: It is shown now, or was put away.
     """
 
+    turned = Signal()
     commands = (
         Command("run.pause", Text("RunStrip", "Pause"), operation_of(Player.pause)),
         Command("run.go_on", operation=operation_of(Player.go_on)),
@@ -116,7 +133,6 @@ class RunStrip(Translated, QWidget):
     def __init__(self, controller: ArmController) -> None:
         super().__init__()
         self.setObjectName("run_strip")
-        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self._runner = Runner(controller, self)
         self._refusal: Refusal | None = None
         self._name = named("run_name", ElidedLabel())
@@ -125,7 +141,9 @@ class RunStrip(Translated, QWidget):
         self._bar = named("run_bar", QProgressBar())
         self._bar.setRange(0, _STEPS)
         self._bar.setTextVisible(False)
-        self._bar.setMinimumWidth(_BAR_PX // 2)
+        self._bar.setFixedWidth(_BAR_PX)
+        self._told = QWidget()
+        self._beside = False
         self._override = OverrideControl(controller)
         # no button becomes another one under the finger: a pause pressed late never moves the arm
         self._next = push_button("run_next", on_enter=False)
@@ -135,13 +153,12 @@ class RunStrip(Translated, QWidget):
         self._stop = push_button("run_stop", on_enter=False)
         self._close = named("run_close", QToolButton())
         self._close.setIconSize(QSize(_ICON_PX, _ICON_PX))
-        in_row(
-            *((self._name, 2), (self._text, 4), (self._bar, 1), self._override),
-            *(self._next, self._pause, self._continue, self._stop, self._close),
-            on=self,
-            spacing=12,
-            margins=(16, 6, 16, 6),
-        )
+        first = in_row((self._name, 1), self._bar, spacing=12)
+        lines = in_column(first, self._text, on=self._told, spacing=0, margins=0)
+        lines.setAlignment(Qt.AlignmentFlag.AlignVCenter)
+        row = in_row((self._told, 1), self._override, self._next, on=self, spacing=12)
+        fill(row, self._pause, self._continue, self._stop, self._close)
+        row.setContentsMargins(_MARGIN_PX + _GAP_PX, _TOP_PX, _MARGIN_PX + _GAP_PX, 0)
         self._next.clicked.connect(self._on_go_on)
         self._pause.clicked.connect(self._on_pause)
         self._continue.held.connect(self._on_go_on)
@@ -166,6 +183,17 @@ class RunStrip(Translated, QWidget):
         shown = (each for each in (self._continue, self._next) if each.isVisible())
         return next(shown, None)
 
+    def stand_beside(self, wanted: bool) -> None:
+        """Leave room for an obstacle on the left; its own buttons stay where they are.
+
+        Args:
+            wanted: Whether there is one.
+        """
+        self._beside = wanted
+        policy = QSizePolicy.Policy.Fixed if wanted else QSizePolicy.Policy.Expanding
+        self.setSizePolicy(policy, QSizePolicy.Policy.Preferred)
+        self._show(self._runner.progress)
+
     def _on_pause(self) -> None:
         self._refusal = self._runner.pause()
         self._show(self._runner.progress)
@@ -186,17 +214,32 @@ class RunStrip(Translated, QWidget):
         self._bar.setValue(round(progress.done * _STEPS))
         self._name.show_text(progress.name)
         self._text.show_text(self._describe(progress))
-        paused = progress.phase is RunPhase.PAUSED
+        paused = self._is_paused
         self._next.setVisible(progress.phase is RunPhase.WAITING)
         self._pause.setVisible(running and not paused)
         self._pause.setEnabled(can_pause(progress))
         self._continue.setVisible(running and paused)
         self._stop.setVisible(running)
-        self._close.setVisible(not running)
+        # beside an obstacle its end stays told: put away, it would slide the obstacle's button
+        # under the pointer
+        self._close.setVisible(not running and not self._beside)
+        self._told.setVisible(not (running and self._beside))
+        self._told.setMaximumWidth(_LEAST_PX if self._beside else _UNBOUNDED_PX)
+        self._told.setMinimumWidth(_LEAST_PX if self._beside else 0)
+        self._override.setVisible(running or not self._beside)
+        self._bar.setVisible(not self._beside)
+
+        self.update()
+
+    @property
+    def _is_paused(self) -> bool:
+        return self._runner.progress.phase is RunPhase.PAUSED
 
     def _describe(self, progress: Progress) -> str:
         if progress.phase is RunPhase.IDLE:
             return ""
+        if self._beside:
+            return self._phase_word(progress)
         parts = [
             self.tr("point {row} of {count}").format(row=progress.index + 1, count=progress.count)
         ]
@@ -207,23 +250,25 @@ class RunStrip(Translated, QWidget):
         if progress.remaining_s is not None and self._runner.running:
             left = fmt.duration(progress.remaining_s)
             parts.append(self.tr("{time} left").format(time=left))
-        parts.append(self._phase_word(progress.phase))
+        parts.append(self._phase_word(progress))
         if self._refusal is not None and progress.phase not in OVER:
             parts.append(words.refusal(self._refusal))
         return " · ".join(parts)
 
-    def _phase_word(self, phase: RunPhase) -> str:
+    def _phase_word(self, progress: Progress) -> str:
+        if progress.refusal is not None and progress.refusal.reason == RUN_STOPPED:
+            return self.tr("ended by the emergency stop")
         return {
             RunPhase.IDLE: "",
             RunPhase.MOVING: self.tr("moving"),
             RunPhase.DWELLING: self.tr("dwelling"),
-            RunPhase.WAITING: self.tr("waits for the next step"),
-            RunPhase.PAUSED: self.tr("paused"),
+            RunPhase.WAITING: self.tr("waiting: press “Next step”"),
+            RunPhase.PAUSED: self.tr("paused: hold “Continue” for 1 s"),
             RunPhase.STOPPING: self.tr("coming to rest"),
             RunPhase.DONE: self.tr("done"),
             RunPhase.STOPPED: self.tr("ended"),
-            RunPhase.FAILED: self.tr("ended by a fault"),
-        }[phase]
+            RunPhase.FAILED: self.tr("ended early"),
+        }[progress.phase]
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
@@ -243,7 +288,19 @@ class RunStrip(Translated, QWidget):
         super().showEvent(event)
         self._show(self._runner.progress)
 
+        self.turned.emit()
+
     def hideEvent(self, event: QHideEvent) -> None:
         """Drop a refusal, which does not concern the next run."""
         super().hideEvent(event)
         self._refusal = None
+        self.turned.emit()
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw the background; a run that is held back attracts attention."""
+        colors = colors_of(self)
+        fill = colors.warn_pale if self._is_paused else colors.accent_pale
+        painter = painting.begin(self)
+        ground = QRectF(self.rect()).adjusted(_MARGIN_PX, _TOP_PX, -_MARGIN_PX, 0)
+        painting.panel(painter, ground, fill, fill)
+        painter.end()
