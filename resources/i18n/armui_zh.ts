@@ -6944,6 +6944,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>夹爪：已发送 {value} {unit}</translation>
     </message>
     <message>
+        <source>Cell: {reason}</source>
+        <translation>单元：{reason}</translation>
+    </message>
+    <message>
         <source>The gripper is at {value} {unit}.</source>
         <translation>夹爪已到 {value} {unit}。</translation>
     </message>
@@ -7334,10 +7338,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Motions are agreed to for {seconds} s, with the reference of joint {joints} in doubt</source>
         <translation>已同意在关节 {joints} 零位基准存疑时运动，{seconds} s 内有效</translation>
-    </message>
-    <message>
-        <source>{reason}</source>
-        <translation>{reason}</translation>
     </message>
     <message>
         <source>Joint {joint} left its place of {place}° uncommanded, enabled, and was reported at {value}°: its reference is in doubt. It may stand elsewhere than it reports from now on.</source>

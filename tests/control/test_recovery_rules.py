@@ -16,6 +16,7 @@ from armui.arm.state import ArmState, DriverSlow, Reading, Status
 from armui.control.assessment import ActiveTasks, AssessmentInputs, assess
 from armui.control.authority import Authority
 from armui.control.cell.cell_reasons import CELL_NOT_CONFIRMED, CELL_NOT_READ
+from armui.control.cell.intrusion import AreaIntrusion
 from armui.control.devices.teaching_phase import why_not_teach
 from armui.control.events import Level
 from armui.control.motion.motion_command import Hold, Observation
@@ -193,7 +194,9 @@ def online() -> Iterator[tuple[ArmState, OperatingState]]:
 
 
 def in_a_cell() -> Iterator[tuple[ArmState, OperatingState]]:
-    """A cell that is not confirmed; a reference in doubt, agreed to, being checked or not."""
+    """A cell not confirmed, its area entered; a reference in doubt, agreed to, checked or not."""
+    inside = AreaIntrusion("table", "gripper", 4)
+    yield arm(status()), operating_state(arm(status()), intrusion=inside, keeps_area=True)
     for enabled, allowed, checking in itertools.product(ENABLED, (False, True), (False, True)):
         doubt = ReferenceStatus((2, 5), allowed, checking)
         yield arm(status(), enabled), operating_state(arm(status(), enabled), reference=doubt)

@@ -44,7 +44,7 @@ CELL_LEFT = Notice("cell_left", "No cell is in force", Level.INFO, EventKind.COM
 CELL_CHANGED = Notice("cell_changed", "Cell changed: {name}", Level.INFO, EventKind.COMMAND)
 CELL_DELETED = Notice("cell_deleted", "Cell deleted: {name}", Level.INFO, EventKind.COMMAND)
 CELL_CONFIRMED = Notice("cell_confirmed", "Cell confirmed: {name}", Level.INFO, EventKind.COMMAND)
-CELL_PROBLEM = Notice("cell_problem", "{reason}", Level.WARNING, EventKind.PROGRAM)
+CELL_PROBLEM = Notice("cell_problem", "Cell: {reason}", Level.WARNING, EventKind.PROGRAM)
 
 
 def why_not_change(now: OperatingState) -> Refusal | None:

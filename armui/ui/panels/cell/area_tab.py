@@ -37,12 +37,29 @@ class AreaTab(CellTab):
     title = Text("CellPanel", "Area")
     commands = (
         Command("cell.area_zone", Text("AreaTab", "Planes and boxes of the work area")),
-        Command("cell.area_plane", Text("AreaTab", "Add a plane to the work area"), _CHANGE),
-        Command("cell.area_box", Text("AreaTab", "Add a box to the work area"), _CHANGE),
-        Command("cell.area_apply", Text("AreaTab", "Apply the figures of the area"), _CHANGE),
-        Command("cell.area_switch", Text("AreaTab", "Switch a plane or box"), _CHANGE),
-        Command("cell.area_delete", Text("AreaTab", "Delete a plane or box"), _CHANGE, risky=True),
-        Command("cell.area_stops", Text("AreaTab", "Stop who else enters the work area"), _CHANGE),
+        Command(
+            "cell.area_plane", Text("AreaTab", "Add a plane to the work area"), _CHANGE, leads=True
+        ),
+        Command(
+            "cell.area_box", Text("AreaTab", "Add a box to the work area"), _CHANGE, leads=True
+        ),
+        Command(
+            "cell.area_apply", Text("AreaTab", "Apply the figures of the area"), _CHANGE, leads=True
+        ),
+        Command("cell.area_switch", Text("AreaTab", "Switch a plane or box"), _CHANGE, leads=True),
+        Command(
+            "cell.area_delete",
+            Text("AreaTab", "Delete a plane or box"),
+            _CHANGE,
+            leads=True,
+            risky=True,
+        ),
+        Command(
+            "cell.area_stops",
+            Text("AreaTab", "Stop who else enters the work area"),
+            _CHANGE,
+            leads=True,
+        ),
         Command("cell.area_here", Text("AreaTab", "Take the present tool pose")),
     )
 
