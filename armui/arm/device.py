@@ -24,6 +24,8 @@ class RecordedArm:
         model: The model it was connected as; ``None`` if the log does not say.
         older_zeros: True if its poses show that joints 2 and 3 count from the zeros before
             S-V1.6-3; ``None`` if they do not show it either way.
+        tool: The tool centre point that held while it was recorded, six figures; empty if the log
+            does not say.
     """
 
     generation: int
@@ -31,6 +33,7 @@ class RecordedArm:
     firmware: str = ""
     model: PiperModel | None = None
     older_zeros: bool | None = None
+    tool: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -105,6 +105,13 @@ class Fields:
         self._asked.add(name)
         return self._values.get(name) is not None
 
+    def flag(self, name: str) -> bool:
+        """Return the truth value in a field."""
+        value = self._value(name, None)
+        if not isinstance(value, bool):
+            raise self.bad(name, "true / false")
+        return value
+
     def number(self, name: str, default: float | None = None) -> float:
         """Return the finite number in a field."""
         value = finite(self._value(name, default))

@@ -27,6 +27,7 @@ from armui.system.paths import URDF
 
 if TYPE_CHECKING:
     from armui.arm.state import EndLimits
+    from armui.arm.tool_capsule import ToolCapsule
     from armui.kinematics.arm_kinematics import Kinematics
 
 FORMAT: Final = 1
@@ -304,8 +305,10 @@ class ArmModel:
         kinematics: The kinematics of its geometry.
         tool_mm: The distance from the flange to the gripper's tip.
         stroke_mm: The gripper's largest opening; ``None`` if not known.
+        widest_mm: The same as measured, where the gripper's table is applied to points.
         gripper_turned_deg: The gripper's turn about the flange's Z axis.
         kind: The model and its zeros; if "", trajectories of other arms are not recognised.
+        tool: The tool set on the flange; ``None`` if only the gripper's tip counts.
     """
 
     limits: tuple[JointLimits, ...]
@@ -316,6 +319,13 @@ class ArmModel:
     stroke_mm: float | None = None
     gripper_turned_deg: float = 0.0
     kind: str = ""
+    widest_mm: float | None = None
+    tool: ToolCapsule | None = None
+
+    @property
+    def tip_mm(self) -> tuple[float, float, float]:
+        """The place in the flange of the tip that is watched: the tool's, else the gripper's."""
+        return (0.0, 0.0, self.tool_mm) if self.tool is None else self.tool.tip_mm
 
     @property
     def fingerprint(self) -> str:

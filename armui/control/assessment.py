@@ -12,6 +12,7 @@ from armui.arm.models import model_data
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, Six, is_fresh
 from armui.control.authority import Authority
+from armui.control.cell.intrusion import AreaIntrusion
 from armui.control.link.offsets import OffsetFollower
 from armui.control.operating_state import (
     BUSY,
@@ -68,6 +69,8 @@ class AssessmentInputs:
     stop_lapsed: bool = False
     model_fit: ModelFit = field(default_factory=ModelFit)
     below_base_mm: int | None = None
+    intrusion: AreaIntrusion | None = None
+    keeps_area: bool = False
     offsets: OffsetFollower = field(default_factory=OffsetFollower)
     reference: ReferenceStatus = field(default_factory=ReferenceStatus)
 
@@ -145,6 +148,8 @@ def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> Operating
         control_certain=around.offsets.certain,
         model_fit=around.model_fit,
         below_base_mm=around.below_base_mm,
+        intrusion=around.intrusion,
+        keeps_area=around.keeps_area,
         reference=replace(
             reference, cannot_drive=cannot_drive or (RUN_UNDER_WAY() if tasks.running else held)
         ),

@@ -101,6 +101,8 @@ class Assessor:
             offsets=connection.offsets,
             model_fit=controller.model_watch.fit(),
             below_base_mm=controller.jog_floor.below_base_mm(controller.state),
+            intrusion=controller.area_guard.intrusion(controller.state),
+            keeps_area=controller.area_guard.area is not None,
             reference=controller.reference.status,
             authority=self._watch.authority,
             other_host=self._watch.report(),

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
+from armui.control.cell.area_guard import AreaGuard
 from armui.control.cell.cell_control import CellControl
 from armui.control.devices.end_reports import EndReports
 from armui.control.devices.gripper import GripperControl
@@ -32,6 +33,7 @@ from armui.control.motion.joint_motion import Motion
 from armui.control.motion.motion_command import End
 from armui.control.motion.planned_motion import PlannedMotion
 from armui.control.operations.operation import Operations
+from armui.control.parameters.arm_model import tool_capsule
 from armui.control.parameters.arm_settings import ArmSettings
 from armui.control.requests.transactions import TransactionQueue
 from armui.control.run.player import Player
@@ -80,17 +82,29 @@ class ControllerParts(QObject):
     @cached_property
     def motion(self) -> Motion:
         """Moves the joints."""
-        return Motion(self._context, self.jog_floor)
+        return Motion(self._context, self.jog_floor, self.area_guard)
 
     @cached_property
     def jog_floor(self) -> JogFloor:
         """Knows how low the arm reaches, and how low a jog may take it."""
-        return JogFloor(self._context, lambda: self.cartesian.tool)
+        return JogFloor(
+            self._context, lambda: tool_capsule(self.cartesian.tool, self.cartesian.tool_radius_mm)
+        )
+
+    @cached_property
+    def area_guard(self) -> AreaGuard:
+        """Keeps motions out of the forbidden side of the cell's work area."""
+        return AreaGuard(
+            self._context,
+            lambda: self.cell.cell,
+            lambda: self.cartesian.tool,
+            self.halt_and_hold,
+        )
 
     @cached_property
     def cartesian(self) -> Cartesian:
         """Moves the tool."""
-        return Cartesian(self._context, self.motion, self.jog_floor)
+        return Cartesian(self._context, self.motion, self.jog_floor, self.area_guard)
 
     @cached_property
     def cell(self) -> CellControl:
@@ -100,7 +114,8 @@ class ControllerParts(QObject):
     @cached_property
     def jogging(self) -> Jogging:
         """Moves joints and tool while something is held."""
-        return Jogging(self._context, self.motion, self.cartesian, self.jog_floor)
+        limits = (self.jog_floor, self.area_guard)
+        return Jogging(self._context, self.motion, self.cartesian, limits)
 
     @cached_property
     def gamepad(self) -> GamepadPilot:
@@ -189,7 +204,10 @@ class ControllerParts(QObject):
         )
 
         return ReferenceControl(
-            self._context, self.reference_memory, lambda: self._wall(self._context.clock())
+            self._context,
+            self.reference_memory,
+            lambda: self._wall(self._context.clock()),
+            self.area_guard.why_no_joints,
         )
 
     @cached_property
@@ -215,7 +233,13 @@ class ControllerParts(QObject):
     @cached_property
     def gripper(self) -> GripperControl:
         """Moves the gripper."""
-        gripper = GripperControl(self._context, self.settings, end_run=self._end_run_because)
+        gripper = GripperControl(
+            self._context,
+            self.settings,
+            end_run=self._end_run_because,
+            table=lambda: None if self.cell.in_force is None else self.cell.in_force.gripper,
+        )
+        self.player.as_asked = gripper.as_asked
         for run in (self.player, self.replayer):
             run.gripper_sent.connect(gripper.note_travel)
         return gripper
@@ -233,7 +257,7 @@ class ControllerParts(QObject):
     @cached_property
     def sessions(self) -> SessionRecorder:
         """Records what is on the bus."""
-        recorder = SessionRecorder(self._context, self.events, self)
+        recorder = SessionRecorder(self._context, self.events, self, self.cell.holding)
         if self.session_choices is not None:
             recorder.choose(self.session_choices())
         return recorder
@@ -273,6 +297,7 @@ class ControllerParts(QObject):
             self.player,
             self.speed_override,
             self.cartesian,
+            self.area_guard,
             self.cell,
             self.gripper,
             self.linkage,

@@ -100,6 +100,8 @@ class LogReplay(QObject):
             wall=_wall,
             make_worker=self._make_worker,
         )
+        if arm.tool:
+            self.controller.cell.use_own_tool(arm.tool)
         self._fill_timer = QTimer(self, singleShot=True, interval=_FILL_AFTER_MS)
         self._fill_timer.timeout.connect(self._fill)
 

@@ -12,6 +12,7 @@ from armui.arm.model_check import ModelFit
 from armui.arm.models import model_data
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import Six, Status
+from armui.control.cell.intrusion import AreaIntrusion
 from armui.control.motion.motion_command import Hold, Mover, why_held
 from armui.control.run.progress import RunPhase
 from armui.control.safety.reference_status import ReferenceStatus
@@ -168,6 +169,8 @@ class OperatingState:
         reference: The state of the joints' reference.
         below_base_mm: The depth of flange or fingertip below the plane the arm stands on, or
             ``None``.
+        intrusion: Where the arm is too near to its work area, or ``None``.
+        keeps_area: True if a plane or a box of the work area is switched on.
         unconfirmed_cell: Why the cell kept for the adapter is not in force yet; nothing moves then.
         teaching_input: Commands are heard and no feedback: the arm is a teaching input (0x470).
     """
@@ -211,6 +214,8 @@ class OperatingState:
     control_certain: bool = True
     model_fit: ModelFit = field(default_factory=ModelFit)
     below_base_mm: int | None = None
+    intrusion: AreaIntrusion | None = None
+    keeps_area: bool = False
     reference: ReferenceStatus = field(default_factory=ReferenceStatus)
     unconfirmed_cell: Refusal | None = None
 

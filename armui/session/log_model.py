@@ -1,4 +1,4 @@
-"""Finds the model of the arm in a log, by its sidecar or by the poses in it."""
+"""Finds the model of the arm in a log, by its sidecar or by the poses in it, and its tool."""
 
 from __future__ import annotations
 
@@ -6,7 +6,9 @@ from typing import TYPE_CHECKING, Final, TypeVar
 
 import numpy as np
 
+from armui.arm.json_fields import FieldError, Fields
 from armui.arm.model_check import FittingArm, fitting_arms
+from armui.cell.tools import NO_TOOL, check_tool, from_entry
 from armui.protocol.addressing import Addressing
 from armui.protocol.codec import Codec, Message
 from armui.protocol.detect import GenerationDetector
@@ -84,6 +86,25 @@ def told_model(lines: Iterable[Mapping[str, Any]]) -> PiperModel | None:
     told = [line.get("model") for line in lines if line.get("kind") == "arm"]
     known = [PiperModel(each) for each in told if each in list(PiperModel)]
     return known[-1] if known else None
+
+
+def told_tool(lines: Iterable[Mapping[str, Any]]) -> tuple[float, ...]:
+    """Return the tool centre point that held all through a recording, six figures, or zeros.
+
+    The lines do not tell since when another one held: of a recording in which it was changed the
+    flange is shown, and its events tell the change.
+    """
+    told = {_tool_in(line) for line in lines if line.get("kind") == "cell"}
+    return told.pop() if len(told) == 1 else NO_TOOL
+
+
+def _tool_in(line: Mapping[str, Any]) -> tuple[float, ...]:
+    tool = line.get("tool")
+    try:
+        read = from_entry(Fields(tool))
+    except FieldError:
+        return NO_TOOL
+    return NO_TOOL if check_tool(read) is not None else read.pose
 
 
 def told_firmware(lines: Iterable[Mapping[str, Any]]) -> str:

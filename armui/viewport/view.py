@@ -54,6 +54,7 @@ if TYPE_CHECKING:
         QWheelEvent,
     )
 
+    from armui.viewport.area_picture import AreaPicture
     from armui.viewport.camera import OrbitCamera, ViewDirection
     from armui.viewport.grips import Grip
     from armui.viewport.handles import HandlePlace
@@ -334,6 +335,11 @@ class ArmView(QWidget):
         """Show or hide the reach of the tool."""
         self._viewpoint.set_reach(reach)
         self._show(replace(self._state, reach=reach, camera=self._viewpoint.camera))
+
+    def set_area(self, area: AreaPicture) -> None:
+        """Show the planes and boxes of a work area; an empty tuple removes them."""
+        if area != self._state.area:
+            self._show(replace(self._state, area=area))
 
     def set_tool(self, tool: Sequence[float]) -> None:
         """Set the tool centre point in the flange: X, Y, Z in mm, RX, RY, RZ in degrees."""

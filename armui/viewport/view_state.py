@@ -8,6 +8,7 @@ from typing import Final
 
 from armui.arm.models import robot_description
 from armui.protocol.generation import PiperModel
+from armui.viewport.area_picture import AreaPicture
 from armui.viewport.camera import HOME_CAMERA, OrbitCamera
 from armui.viewport.palette import LIGHT, ScenePalette
 from armui.viewport.path_picture import NOTHING, Preview, Reach, Trail
@@ -52,6 +53,7 @@ class ViewState:
         preview: what is shown beside the arm.
         trail: the way of the tool.
         reach: the reach of the tool.
+        area: the planes and boxes of the work area.
         pick: a request for the link at a place.
         mark_pick: a request for the mark of the preview at a place.
         viewer: the number of the view: one process may draw for several views in turn.
@@ -70,6 +72,7 @@ class ViewState:
     preview: Preview = NOTHING
     trail: Trail | None = None
     reach: Reach | None = None
+    area: AreaPicture = ()
     pick: PickRequest | None = None
     mark_pick: PickRequest | None = None
     viewer: int = 0

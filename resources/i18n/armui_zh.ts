@@ -523,6 +523,177 @@
     </message>
 </context>
 <context>
+    <name>AreaTab</name>
+    <message>
+        <source>Margin of the work area</source>
+        <translation>工作区的余量</translation>
+    </message>
+    <message>
+        <source>There is no cell yet: type its name above and press New.</source>
+        <translation>还没有单元：请在上方输入名称，再按“新建”。</translation>
+    </message>
+    <message>
+        <source>From tool</source>
+        <translation>取自工具</translation>
+    </message>
+    <message>
+        <source>Switch a plane or box</source>
+        <translation>开关平面或长方体</translation>
+    </message>
+    <message>
+        <source>Deletes the chosen plane or box.</source>
+        <translation>删除所选的平面或长方体。</translation>
+    </message>
+    <message>
+        <source>Stop who else enters the work area</source>
+        <translation>他者进入工作区时停住</translation>
+    </message>
+    <message>
+        <source>Area {axis}</source>
+        <translation>工作区 {axis}</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>应用</translation>
+    </message>
+    <message>
+        <source>Add a plane to the work area</source>
+        <translation>向工作区添加平面</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Edge of the box along {axis}</source>
+        <translation>长方体沿 {axis} 的边长</translation>
+    </message>
+    <message>
+        <source>Stop the arm when a hand or another program brings it in</source>
+        <translation>用手或由其他程序带入时停住机械臂</translation>
+    </message>
+    <message>
+        <source>Add a box to the work area</source>
+        <translation>向工作区添加长方体</translation>
+    </message>
+    <message>
+        <source>Add box</source>
+        <translation>添加长方体</translation>
+    </message>
+    <message>
+        <source>Take the present tool pose</source>
+        <translation>取当前工具位姿</translation>
+    </message>
+    <message>
+        <source>Planes and boxes of the work area</source>
+        <translation>工作区的平面和长方体</translation>
+    </message>
+    <message>
+        <source>Name of the plane or box</source>
+        <translation>平面或长方体的名称</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>长方体</translation>
+    </message>
+    <message>
+        <source>Choose a plane or a box above first.</source>
+        <translation>请先在上方选择平面或长方体。</translation>
+    </message>
+    <message>
+        <source>The arm stays out of the box; X to RZ are those of its centre.</source>
+        <translation>机械臂不进入长方体；X 至 RZ 是其中心的位姿。</translation>
+    </message>
+    <message>
+        <source>The arm stays on the side to which the plane&apos;s Z axis points.</source>
+        <translation>机械臂留在平面 Z 轴所指的一侧。</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>平面</translation>
+    </message>
+    <message>
+        <source>The arm has not told its pose.</source>
+        <translation>机械臂尚未反馈位姿。</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>区域</translation>
+    </message>
+    <message>
+        <source>Puts these figures in force, and the margin with them.</source>
+        <translation>使这些数值连同余量生效。</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>开启</translation>
+    </message>
+    <message>
+        <source>Box, edges</source>
+        <translation>长方体边长</translation>
+    </message>
+    <message>
+        <source>Delete a plane or box</source>
+        <translation>删除平面或长方体</translation>
+    </message>
+    <message>
+        <source>— (a new one)</source>
+        <translation>—（新建）</translation>
+    </message>
+    <message>
+        <source>Add plane</source>
+        <translation>添加平面</translation>
+    </message>
+    <message>
+        <source>Type a name and a pose, or take the present tool pose. A plane keeps the arm on the side of its Z axis (all 0: above the table); a box keeps it out.</source>
+        <translation>请输入名称和位姿，或取当前工具位姿。平面使机械臂留在其 Z 轴一侧（全 0：桌面以上）；长方体使机械臂不进入其中。</translation>
+    </message>
+    <message>
+        <source>Press Add plane or Add box: it holds for everything from then on.</source>
+        <translation>请按“添加平面”或“添加长方体”：此后对一切运动有效。</translation>
+    </message>
+    <message>
+        <source> (off)</source>
+        <translation>（关闭）</translation>
+    </message>
+    <message>
+        <source>Apply the figures of the area</source>
+        <translation>应用工作区的数值</translation>
+    </message>
+    <message>
+        <source>Fills in the present tool pose; a plane&apos;s Z axis is that of the tool.</source>
+        <translation>填入当前工具位姿；平面的 Z 轴就是工具的 Z 轴。</translation>
+    </message>
+    <message>
+        <source>Plane or box</source>
+        <translation>平面或长方体</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>余量</translation>
+    </message>
+    <message>
+        <source>Off: it counts for nothing.</source>
+        <translation>关闭后它不起作用。</translation>
+    </message>
+    <message>
+        <source>It is told in any case. A stop holds the arm where it is, powered.</source>
+        <translation>无论如何都会提示。停住时机械臂原地保持，不断电。</translation>
+    </message>
+    <message>
+        <source>Nearest: “{name}”, {value} mm</source>
+        <translation>最近：“{name}”，{value} mm</translation>
+    </message>
+    <message>
+        <source>It is in force. Switch it off, or change its figures and press Apply.</source>
+        <translation>它已生效。可以关闭，或更改数值后按“应用”。</translation>
+    </message>
+</context>
+<context>
     <name>ArmKind</name>
     <message>
         <source>{model} (zeros before S-V1.6-3)</source>
@@ -550,6 +721,22 @@
     <message>
         <source>the gripper</source>
         <translation>夹爪</translation>
+    </message>
+    <message>
+        <source>the shoulder</source>
+        <translation>肩部</translation>
+    </message>
+    <message>
+        <source>the held object</source>
+        <translation>所持物体</translation>
+    </message>
+    <message>
+        <source>the fourth link</source>
+        <translation>第四连杆</translation>
+    </message>
+    <message>
+        <source>the tool</source>
+        <translation>工具</translation>
     </message>
 </context>
 <context>
@@ -1298,6 +1485,14 @@
     <message>
         <source>Nothing is to be confirmed: the cell is in force, or there is none.</source>
         <translation>没有需要确认的：单元已生效，或没有单元。</translation>
+    </message>
+    <message>
+        <source>Gripper</source>
+        <translation>夹爪</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>区域</translation>
     </message>
 </context>
 <context>
@@ -3810,6 +4005,14 @@
         <source>This was taught on another arm: {taught}; connected is {arm}. The same joint angles may hold the tool elsewhere. It was checked for {arm}, and nothing was converted. Watch the preview before you accept this.</source>
         <translation>此轨迹在另一种机械臂上示教：{taught}；当前为 {arm}。同样的关节角可能使末端在别处。已按 {arm} 检查，未做任何换算。请先看预览再接受。</translation>
     </message>
+    <message>
+        <source>Too near to “{name}” of the work area: {part} would come to {value} mm, where {minimum} mm are kept. Put another point between, or change the point.</source>
+        <translation>离工作区的“{name}”太近：{part}将到 {value} mm，应保持 {minimum} mm。请在中间加一个点，或更改该点。</translation>
+    </message>
+    <message>
+        <source>Where the arm stands now, it is too near to “{name}” of the work area: {part} at {value} mm, where {minimum} mm are kept. Move it out, then send again: nothing of the trajectory has to be changed.</source>
+        <translation>机械臂当前离工作区的“{name}”太近：{part}相距 {value} mm，应保持 {minimum} mm。请先移出，再重新发送：轨迹无需更改。</translation>
+    </message>
 </context>
 <context>
     <name>FindingCycle</name>
@@ -4466,6 +4669,13 @@
     </message>
 </context>
 <context>
+    <name>Gripper</name>
+    <message>
+        <source>mm, calibrated</source>
+        <translation>mm（已校准）</translation>
+    </message>
+</context>
+<context>
     <name>GripperAct</name>
     <message>
         <source>Enable</source>
@@ -4657,6 +4867,10 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>将当前开度设为零点。执行前会询问。</translation>
     </message>
     <message>
+        <source>Calibrated: openings are as measured with callipers, by the cell&apos;s table.</source>
+        <translation>已校准：开度按单元中的卡尺测量表。</translation>
+    </message>
+    <message>
         <source>How far this gripper turns is not published: watch where it ends.</source>
         <translation>该夹爪的最大角度未公布，请留意其行程终点。</translation>
     </message>
@@ -4717,6 +4931,93 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>One of {choices}</source>
         <translation>可选 {choices}</translation>
+    </message>
+</context>
+<context>
+    <name>GripperTab</name>
+    <message>
+        <source>Show and command calibrated openings</source>
+        <translation>显示并发送已校准的开度</translation>
+    </message>
+    <message>
+        <source>Propose widths for the gripper table</source>
+        <translation>为夹爪校准表推荐开度</translation>
+    </message>
+    <message>
+        <source>Open the gripper to the next width of its table</source>
+        <translation>将夹爪打开到校准表的下一个开度</translation>
+    </message>
+    <message>
+        <source>Apply the gripper table</source>
+        <translation>应用夹爪校准表</translation>
+    </message>
+    <message>
+        <source>Apply a table of two pairs at least first.</source>
+        <translation>请先应用至少两组数据的校准表。</translation>
+    </message>
+    <message>
+        <source>Off, everything is as the arm tells it; the table is kept.</source>
+        <translation>关闭时一切按机械臂上报；校准表保留。</translation>
+    </message>
+    <message>
+        <source>Open to {width} mm</source>
+        <translation>打开到 {width} mm</translation>
+    </message>
+    <message>
+        <source>Every width is measured. Type another one, or apply the table.</source>
+        <translation>所有开度均已测量。可再输入一个，或应用校准表。</translation>
+    </message>
+    <message>
+        <source>Moves the gripper, uncalibrated.</source>
+        <translation>移动夹爪，不经校准。</translation>
+    </message>
+    <message>
+        <source>Fills in widths over the gripper&apos;s stroke.</source>
+        <translation>按夹爪行程填入开度。</translation>
+    </message>
+    <message>
+        <source>Puts the table in force; one of fewer than two pairs switches it off.</source>
+        <translation>使校准表生效；不足两组时关闭校准。</translation>
+    </message>
+    <message>
+        <source>There is no cell yet: type its name above and press New.</source>
+        <translation>尚无单元：请在上方输入名称并按“新建”。</translation>
+    </message>
+    <message>
+        <source>Row {row}: press Open, wait until the gripper stands, measure between the fingers with callipers and type what they show.</source>
+        <translation>第 {row} 行：按“打开”，等夹爪停稳，用卡尺测量两指之间的距离并输入读数。</translation>
+    </message>
+    <message>
+        <source>Press Apply: openings are calibrated from then on.</source>
+        <translation>按“应用”：此后开度均已校准。</translation>
+    </message>
+    <message>
+        <source>Calibrated: targets, points, the opening shown and the picture go by this table. Recordings keep what the arm told.</source>
+        <translation>已校准：目标、轨迹点、显示的开度和画面都按此表。录制保留机械臂上报的值。</translation>
+    </message>
+    <message>
+        <source>Press Propose widths, or type openings to be measured.</source>
+        <translation>按“推荐开度”，或输入要测量的开度。</translation>
+    </message>
+    <message>
+        <source>Calibrated</source>
+        <translation>已校准</translation>
+    </message>
+    <message>
+        <source>Asked for</source>
+        <translation>指令开度</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>测量值</translation>
+    </message>
+    <message>
+        <source>Propose widths</source>
+        <translation>推荐开度</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>应用</translation>
     </message>
 </context>
 <context>
@@ -7042,6 +7343,14 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <source>Cell changed: {name}</source>
         <translation>单元已更改：{name}</translation>
     </message>
+    <message>
+        <source>The arm has come into the work area&apos;s “{name}”: {part}, {value} mm too near.</source>
+        <translation>机械臂进入了工作区的“{name}”：{part}，超出 {value} mm。</translation>
+    </message>
+    <message>
+        <source>The arm is clear of the work area again.</source>
+        <translation>机械臂已离开工作区的禁区。</translation>
+    </message>
 </context>
 <context>
     <name>Observed</name>
@@ -9177,6 +9486,10 @@ The other program must have ended.</source>
         <source>Last used here: the cell “{name}”. Is this its arm? Confirm it, or choose under Cell.</source>
         <translation>此处上次使用的单元：“{name}”。是这台机械臂吗？请确认，或在“单元”中选择。</translation>
     </message>
+    <message>
+        <source>The arm is {value} mm too near to “{name}” of the work area ({part}). It can only be moved out: jog the other way, or lead it by hand.</source>
+        <translation>机械臂离工作区的“{name}”近了 {value} mm（{part}）。只能向外移动：请反向点动，或用手拖动。</translation>
+    </message>
 </context>
 <context>
     <name>Reference</name>
@@ -9661,6 +9974,18 @@ The other program must have ended.</source>
     <message>
         <source>Jog step: “{value}” is not an angle. Enter a number of degrees, for example 0.5.</source>
         <translation>点动步长：“{value}”不是角度。请输入以度为单位的数字，例如 0.5。</translation>
+    </message>
+    <message>
+        <source>The gripper table has {value} pairs; it holds {maximum} at most. Leave some out.</source>
+        <translation>夹爪校准表有 {value} 组，最多 {maximum} 组。请删去一些。</translation>
+    </message>
+    <message>
+        <source>The gripper table needs two pairs at least, so that openings between them are known.</source>
+        <translation>夹爪校准表至少需要两组，才能得知其间的开度。</translation>
+    </message>
+    <message>
+        <source>The gripper table does not rise: {value} mm measured at {maximum} mm asked for, but {before} mm at {minimum} mm. Measure the two once more.</source>
+        <translation>夹爪校准表不是递增的：指令 {maximum} mm 时测得 {value} mm，而指令 {minimum} mm 时测得 {before} mm。请重新测量这两组。</translation>
     </message>
     <message>
         <source>No joint&apos;s reference is in doubt.</source>
@@ -10443,10 +10768,6 @@ The other program must have ended.</source>
         <translation>所询问的内容已经改变：未发送任何内容。请重新操作。</translation>
     </message>
     <message>
-        <source>Not run: tool, load, settings or choices have changed since the check. Send again.</source>
-        <translation>未运行：工具、负载、设置或所选项与检查时不同。请再次点击发送。</translation>
-    </message>
-    <message>
         <source>Not run: the check has found errors ({count}). Correct what is listed, then send again.</source>
         <translation>未发送：检查发现 {count} 个错误。请处理列出的各项后再发送。</translation>
     </message>
@@ -10661,6 +10982,50 @@ The other program must have ended.</source>
     <message>
         <source>The arm moves: what its motion was checked with stays until it rests. Wait, or halt it.</source>
         <translation>机械臂在运动：在它静止之前，检查所依据的内容不变。请等待，或停住它。</translation>
+    </message>
+    <message>
+        <source>The poses are too much alike: the condition is {value}, at most {maximum} is possible. The flange&apos;s {axis} axis has pointed {turned}° apart at most; turn it further, by {wanted}° or more.</source>
+        <translation>各位姿过于相似：条件数为 {value}，最大允许 {maximum}。法兰 {axis} 轴的指向最多相差 {turned}°；请再转开，{wanted}° 或更多。</translation>
+    </message>
+    <message>
+        <source>The poses do not fit together: pose {pose} is {value} mm off, at most {maximum} mm are allowed. Take that pose again, or leave it out.</source>
+        <translation>各位姿不相符：位姿 {pose} 偏差 {value} mm，最大允许 {maximum} mm。请重新采集该位姿，或不用它。</translation>
+    </message>
+    <message>
+        <source>The pose is not heard any more: nothing was taken. Wait until the arm reports it again.</source>
+        <translation>收不到位姿：未采集。请等机械臂重新上报。</translation>
+    </message>
+    <message>
+        <source>The point is {value} mm beside the line it must be off from; at least {minimum} mm are needed. Choose a point further away.</source>
+        <translation>该点距应离开的直线只有 {value} mm，至少需要 {minimum} mm。请选择更远的点。</translation>
+    </message>
+    <message>
+        <source>Not run: tool, load, cell, settings or choices have changed since the check. Send again.</source>
+        <translation>未运行：检查之后工具、负载、单元、设置或选项已改变。请重新发送。</translation>
+    </message>
+    <message>
+        <source>The arm is not at rest: a pose that is taken now would be wrong. Wait until it stands still.</source>
+        <translation>机械臂未静止：此时采集的位姿不准确。请等它停稳。</translation>
+    </message>
+    <message>
+        <source>The arm stands in “{name}” of the work area, with {part} {value} mm too near; this would lead further in. Move it out.</source>
+        <translation>机械臂位于工作区的“{name}”内，{part}近了 {value} mm；这样会更深入。请向外移动。</translation>
+    </message>
+    <message>
+        <source>Not there: {part} would come to {value} mm from “{name}” of the work area; {minimum} mm are kept. Move another way, or change the area under Cell.</source>
+        <translation>不能去那里：{part}将到离工作区的“{name}”{value} mm 处；应保持 {minimum} mm。请换一种走法，或在“单元”中更改区域。</translation>
+    </message>
+    <message>
+        <source>{count} poses are taken; at least {minimum} are needed. Take another one.</source>
+        <translation>已采集 {count} 个位姿，至少需要 {minimum} 个。请再采集一个。</translation>
+    </message>
+    <message>
+        <source>A work area has at most {planes} planes and {boxes} boxes. Delete one first.</source>
+        <translation>工作区最多有 {planes} 个平面和 {boxes} 个长方体。请先删除一个。</translation>
+    </message>
+    <message>
+        <source>The arm would replay a way that only it knows, and the work area could not be kept. Switch the area off under Cell, or record and replay with this program.</source>
+        <translation>机械臂要重放只有它自己知道的路径，无法保证工作区。请在“单元”中关闭区域，或用本程序录制和回放。</translation>
     </message>
 </context>
 <context>
@@ -12841,6 +13206,143 @@ The other program must have ended.</source>
     </message>
 </context>
 <context>
+    <name>TipByPoints</name>
+    <message>
+        <source>as before</source>
+        <translation>不变</translation>
+    </message>
+    <message>
+        <source>Takes the measured pose; nothing moves.</source>
+        <translation>采集实测位姿；什么都不动。</translation>
+    </message>
+    <message>
+        <source>Largest residual allowed</source>
+        <translation>允许的最大残差</translation>
+    </message>
+    <message>
+        <source>It points so</source>
+        <translation>已指向</translation>
+    </message>
+    <message>
+        <source>No more than {count} poses are taken. Take one of them again.</source>
+        <translation>最多采集 {count} 个位姿。请重新采集其中一个。</translation>
+    </message>
+    <message>
+        <source>it points along {axis} of the base</source>
+        <translation>指向基座 {axis}</translation>
+    </message>
+    <message>
+        <source>Take pose {number} again</source>
+        <translation>重新采集位姿 {number}</translation>
+    </message>
+    <message>
+        <source>Tilt the tool by {wanted}° or more, touch the point, take the pose.</source>
+        <translation>把工具倾斜 {wanted}° 或更多，触碰该点，采集位姿。</translation>
+    </message>
+    <message>
+        <source>{turned}° from the nearest pose taken; {wanted}° or more are wanted.</source>
+        <translation>与最接近的已采集位姿相差 {turned}°；最好 {wanted}° 或更多。</translation>
+    </message>
+    <message>
+        <source>The tip found is in force. Start again for another tool.</source>
+        <translation>求得的尖端已生效。要求另一工具，请重新开始。</translation>
+    </message>
+    <message>
+        <source>The flange&apos;s {axis} axis has pointed {turned}° apart so far: turn about {about} by {wanted}° or more, touch the point, take the pose.</source>
+        <translation>法兰 {axis} 轴的指向至今最多相差 {turned}°：请绕 {about} 再转 {wanted}° 或更多，触碰该点，采集位姿。</translation>
+    </message>
+    <message>
+        <source>The residual says how well the poses fit, not how true the tool is.</source>
+        <translation>残差说明各位姿相符的程度，不说明工具有多准。</translation>
+    </message>
+    <message>
+        <source>by two more points</source>
+        <translation>再用两个点</translation>
+    </message>
+    <message>
+        <source>On the shank</source>
+        <translation>杆部</translation>
+    </message>
+    <message>
+        <source>Apply the tip</source>
+        <translation>应用尖端</translation>
+    </message>
+    <message>
+        <source>Take pose</source>
+        <translation>采集位姿</translation>
+    </message>
+    <message>
+        <source>Puts the tip found in force, in the place of what was.</source>
+        <translation>使求得的尖端生效，取代原有的。</translation>
+    </message>
+    <message>
+        <source>Touch the point with the side of the tool&apos;s X; press On the X side.</source>
+        <translation>用工具 X 方向一侧触碰该点；再按“X 侧”。</translation>
+    </message>
+    <message>
+        <source>Fix a sharp point in front of the arm. Jog the tool&apos;s tip onto it (Motion or Tool control, or lead the arm by hand), come back and press Take pose.</source>
+        <translation>在机械臂前固定一个尖点。把工具尖端点动到它上面（“运动控制”、“末端控制”，或用手拖动），回到此处按“采集位姿”。</translation>
+    </message>
+    <message>
+        <source>Puts the measured pose in the place of this one.</source>
+        <translation>用实测位姿取代此位姿。</translation>
+    </message>
+    <message>
+        <source>Touch the point with the shank behind the tip; press On the shank.</source>
+        <translation>用尖端后方的杆部触碰该点；再按“杆部”。</translation>
+    </message>
+    <message>
+        <source>Start again</source>
+        <translation>重新开始</translation>
+    </message>
+    <message>
+        <source>Pose {count} of at least {least} is taken. {turn}</source>
+        <translation>已采集第 {count} 个位姿，至少 {least} 个。{turn}</translation>
+    </message>
+    <message>
+        <source>The orientation is not taken yet.</source>
+        <translation>姿态尚未采集。</translation>
+    </message>
+    <message>
+        <source>Found: {found}
+Before: {before}</source>
+        <translation>求得：{found}
+原有：{before}</translation>
+    </message>
+    <message>
+        <source>Again</source>
+        <translation>重新采集</translation>
+    </message>
+    <message>
+        <source>Compare what was found with what was, then press Apply the tip.</source>
+        <translation>请比较求得的与原有的，再按“应用尖端”。</translation>
+    </message>
+    <message>
+        <source>RMS {rms} mm, largest {largest} mm, condition {condition}, {turned}° apart</source>
+        <translation>均方根 {rms} mm，最大 {largest} mm，条件数 {condition}，相差 {turned}°</translation>
+    </message>
+    <message>
+        <source>On the X side</source>
+        <translation>X 侧</translation>
+    </message>
+    <message>
+        <source>Left out of the search while it is not ticked</source>
+        <translation>不勾选则不参与求解</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>姿态</translation>
+    </message>
+    <message>
+        <source>Turn the tool until it points along that axis; press It points so.</source>
+        <translation>转动工具，直到它指向该轴；再按“已指向”。</translation>
+    </message>
+    <message>
+        <source>Pose {number}</source>
+        <translation>位姿 {number}</translation>
+    </message>
+</context>
+<context>
     <name>ToolBox</name>
     <message>
         <source>Tool centre point relative to the flange (mm, °), saved on this PC</source>
@@ -12956,6 +13458,18 @@ The other program must have ended.</source>
     <message>
         <source>Press Add for a further tool, or Apply to rename the chosen one.</source>
         <translation>按“添加”另加一个工具，或按“应用”为所选工具改名。</translation>
+    </message>
+    <message>
+        <source>Type it</source>
+        <translation>手动输入</translation>
+    </message>
+    <message>
+        <source>Find the tip by points</source>
+        <translation>用点求尖端</translation>
+    </message>
+    <message>
+        <source>Tool {number}</source>
+        <translation>工具 {number}</translation>
     </message>
 </context>
 <context>
@@ -13294,6 +13808,14 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>Trail of the flange</source>
         <translation>法兰走过的轨迹</translation>
+    </message>
+    <message>
+        <source>Shows the planes and boxes of the cell&apos;s work area; those near the arm are lit</source>
+        <translation>显示单元工作区的平面和长方体；靠近机械臂的会亮起</translation>
+    </message>
+    <message>
+        <source>Work area</source>
+        <translation>工作区</translation>
     </message>
 </context>
 <context>

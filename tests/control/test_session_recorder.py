@@ -14,6 +14,8 @@ import can
 import pytest
 from can.interfaces.virtual import VirtualBus
 
+from armui.cell.cell import Cell
+from armui.cell.tools import Tool
 from armui.control.sessions import mf4_converter
 from armui.control.sessions.choices import SessionChoices
 from armui.control.sessions.mf4_converter import SESSION_MF4_CALLED_OFF, Mf4Converter
@@ -24,6 +26,7 @@ from armui.control.sessions.session_recorder import (
     SESSION_RING_EMPTY,
 )
 from armui.protocol.frame import Frame, FrameFlag
+from armui.session.log_model import told_tool
 from armui.session.recording import mf4, writer
 from armui.session.recording.folder import RecordingEntry, list_recordings, rename
 from armui.session.recording.kinds import (
@@ -39,6 +42,7 @@ from armui.session.recording.recorded_session import RecordedSession
 from armui.session.session import MarkKind
 from armui.sim.faults.schedule import fault
 from armui.telemetry.event_json import from_json
+from tests.accepted import accepted
 from tests.control import slow_mf4
 from tests.session.recording.made import Mf4InMemory
 
@@ -126,6 +130,16 @@ def test_a_recording_tells_arm_program_settings_and_what_happened(rig, sessions,
     stops = [mark for mark in session.marks if mark.kind is MarkKind.STOP]
     assert stops[0].entry["code"] == "stop_sent"
     assert session.start_s <= stops[0].at_s <= session.end_s
+
+
+def test_a_recording_keeps_the_tool_that_held(rig, sessions, wait_for):
+    rig.ready()
+    pen = Tool("pen", (0.0, 0.0, 120.0, 0.0, 0.0, 0.0), 15.0)
+    accepted(rig.controller.cell.take(Cell("bench", (pen,), "pen")))
+    session = record(rig, sessions, wait_for)
+    (line,) = [each for each in session.lines if each["kind"] == "cell"]
+    assert (line["cell"], line["tool"]["name"], line["tool"]["z_mm"]) == ("bench", "pen", 120.0)
+    assert told_tool(session.lines) == pen.pose
 
 
 def test_what_just_happened_is_saved_from_memory(rig, sessions, wait_for):

@@ -9,6 +9,7 @@ from armui.ui.panels.light_panel import ColorDialog
 from armui.ui.widgets.hold_button import HoldButton
 from tests.app_driver import AppDriver
 from tests.gallery_scenes import arm
+from tests.operator import tip_actions as actions
 
 
 def lights(app_driver: AppDriver) -> None:
@@ -127,4 +128,12 @@ def cell(app_driver: AppDriver) -> None:
         app_driver.type_into(f"cell_tool_{name}", text)
     app_driver.click("cell_tool_add")
     app_driver.type_into("cell_tool_X", "12.5")
+    app_driver.step()
+
+
+def cell_tip(app_driver: AppDriver) -> None:
+    """The tip of a tool is found by five poses, one of them left out."""
+    actions.search(app_driver)
+    actions.take(app_driver, 0, 1, 2, 3, 4)
+    app_driver.click("tip_use_5")
     app_driver.step()

@@ -85,7 +85,7 @@ def test_its_tool_counts_once_it_is_confirmed(kept):
     assert (kept.controller.cartesian.tool, cells.in_force) == (NO_TOOL, None)
     accepted(cells.confirm())
     assert (kept.controller.cartesian.tool, cells.in_force) == (PEN.pose, BENCH)
-    assert cells.tool_radius_mm == 10.0
+    assert kept.controller.cartesian.tool_radius_mm == 10.0
 
 
 def test_the_line_of_the_next_step_asks_and_confirms(kept):
@@ -120,6 +120,16 @@ def test_a_lost_adapter_that_comes_back_asks_again(kept):
     kept.controller.cell.forget_arm()  # as it is told by a lost link
     kept.run(0.1)
     assert kept.controller.operating_state.cannot_move.reason == CELL_NOT_CONFIRMED
+    assert kept.controller.cartesian.tool == NO_TOOL
+
+
+def test_an_arm_that_was_silent_may_be_another_one(kept):
+    accepted(kept.controller.cell.confirm())
+    kept.powered = False
+    kept.run(1.0)
+    kept.powered = True
+    kept.run_until(lambda: kept.controller.recovery.step.kind is StepKind.CELL_UNCONFIRMED)
+    assert kept.controller.operating_state.cannot_send_motion.reason == CELL_NOT_CONFIRMED
     assert kept.controller.cartesian.tool == NO_TOOL
 
 

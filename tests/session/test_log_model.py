@@ -7,7 +7,7 @@ import pytest
 from armui.arm.device import RecordedArm
 from armui.control.log_replay import LogReplay
 from armui.protocol.generation import Generation, PiperModel
-from armui.session.log_model import told_model
+from armui.session.log_model import told_model, told_tool
 from armui.session.survey import survey
 from armui.sim.firmware import Firmware
 from tests.family import MODELS
@@ -81,3 +81,34 @@ def test_the_sidecar_of_a_recording_says_what_was_chosen():
     assert told_model(lines) is PiperModel.PIPER_X
     assert told_model([{"kind": "arm", "model": "nero"}, {"kind": "arm", "model": 3}]) is None
     assert told_model([]) is None
+
+
+def cell_line(**changes):
+    figures = dict.fromkeys(("x_mm", "y_mm", "rx_deg", "ry_deg", "rz_deg", "radius_mm"), 0.0)
+    return {
+        "kind": "cell",
+        "cell": "a",
+        "tool": {"name": "pen", **figures, "z_mm": 90.0, **changes},
+    }
+
+
+def test_the_tool_of_a_recording_is_the_one_that_held_all_through():
+    pen, none = (0.0, 0.0, 90.0, 0.0, 0.0, 0.0), (0.0,) * 6
+    assert told_tool([{"kind": "arm"}, cell_line()]) == pen
+    assert told_tool([cell_line(), cell_line(name="pencil")]) == pen
+    assert told_tool([cell_line(), cell_line(z_mm=91.0)]) == none
+    assert told_tool([cell_line(z_mm="far")]) == none
+    assert told_tool([cell_line(z_mm=9000.0)]) == none
+    assert told_tool([{"kind": "cell", "tool": 3}]) == none
+    assert told_tool([]) == none
+
+
+def test_a_replay_shows_the_pose_of_the_tool_that_held(qapp, tmp_path):
+    tool = (0.0, 0.0, 90.0, 0.0, 0.0, 0.0)
+    session = log_of(tmp_path / "arm.blf", PiperModel.PIPER)
+    channel = survey(session)[0].channel
+    replay = LogReplay(session, channel, RecordedArm(2, tool=tool), "arm.blf")
+    replay.open()
+    assert replay.controller.cartesian.tool == tool
+    replay.close()
+    session.close()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING, Any, cast
@@ -11,8 +11,9 @@ from PySide6.QtCore import QObject, Signal
 
 from armui.arm.device import Device
 from armui.arm.parameters import Batch, Parameter
+from armui.arm.reference_record import ReferenceRecord
 from armui.arm.refusal import Refusal
-from armui.arm.state import ArmState
+from armui.arm.state import ArmState, GripperState
 from armui.control.devices.gripper_ranges import Figures, figures_of
 from armui.control.events import Event, Level
 from armui.control.link.arm_mark import ArmMark
@@ -40,6 +41,7 @@ class FakeController(QObject):
     noticed = Signal(object)
     devices_found = Signal(object)
     searching_changed = Signal(bool)
+    cell_changed = Signal(object)
 
     def __init__(self) -> None:
         super().__init__()
@@ -52,6 +54,8 @@ class FakeController(QObject):
         self.lights = FakeLights(self)
         self.jogging = FakeJogging(self)
         self.cartesian = FakeCartesian()
+        self.cell = FakeCells()
+        self.area_guard = FakeAreaGuard()
         self.joint_errors = FakeJointErrors(self)
         self.recovery = FakeRecovery(self)
         self.teaching = FakeTeaching(self)
@@ -61,6 +65,7 @@ class FakeController(QObject):
         self.gripper = FakeGripper(self)
         self.mounting = FakeMounting(self)
         self.linkage = FakeLinkage(self)
+        self.reference = FakeReference()
         self.events = EventLog()
         self.event_collector = FakeHappenings(self.events)
         self.sessions = FakeSessions()
@@ -202,6 +207,27 @@ class FakeMotion:
         return self.lagging
 
 
+class FakeCells:
+    """No cell is chosen."""
+
+    cell = in_force = store = unconfirmed = None
+    tool_name = ""
+    cells: Mapping[str, object] = {}
+    broken: Mapping[str, object] = {}
+
+    def use_own_tool(self, tool: tuple[float, ...]) -> None:
+        """The tool of the settings holds."""
+
+
+class FakeAreaGuard:
+    """The arm may go anywhere."""
+
+    area = None
+
+    def look(self, _state: ArmState) -> tuple[object, ...]:
+        return ()
+
+
 class FakeCartesian:
     """The tool of a fake controller, which is its flange."""
 
@@ -330,6 +356,12 @@ class FakeZeroing:
         return self._controller._asked("set_zero", joint)
 
 
+class FakeReference:
+    """The joints' reference of a fake controller: nothing is known of it."""
+
+    known: ReferenceRecord | None = None
+
+
 class FakeLinkage:
     """The linkage of a fake controller."""
 
@@ -373,6 +405,12 @@ class FakeGripper:
     @property
     def figures(self) -> Figures:
         return figures_of(self._controller.operating_state.generation, self._controller.state)
+
+    own_figures = figures
+    is_calibrated = False
+
+    def shown(self, gripper: GripperState) -> float:
+        return gripper.travel
 
     @property
     def tells_angle(self) -> bool:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QApplication
 
+from armui.cell.enclosure import PARTS as ENCLOSED
 from armui.trajectory.planning.check import LINKS_COLLIDE, TARGET_BEYOND_LIMIT
 from armui.trajectory.planning.collision import PARTS
 from armui.ui.words import findings
 
 
 def test_there_is_a_word_for_every_part_of_the_arm() -> None:
-    assert set(PARTS) == findings.PARTS
+    assert {*PARTS, *ENCLOSED} == findings.PARTS
 
 
 def test_figures_are_as_short_as_they_can_be(qapp: QApplication) -> None:

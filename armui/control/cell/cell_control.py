@@ -10,8 +10,10 @@ from typing import TYPE_CHECKING
 from armui.arm.refusal import Refusal
 from armui.cell.cell import Cell, check_cell
 from armui.cell.checks import CELL_NAME_TAKEN
-from armui.cell.tools import NO_TOOL
+from armui.cell.tools import NO_TOOL, Tool
 from armui.control.cell.cell_reasons import (
+    CAPTURE_MOVING,
+    CAPTURE_STALE,
     CELL_ALREADY_CONFIRMED,
     CELL_GONE,
     CELL_NONE,
@@ -22,6 +24,7 @@ from armui.control.cell.cell_reasons import (
 from armui.control.context import ControllerPart
 from armui.control.events import Notice
 from armui.control.motion.motion_command import End
+from armui.control.operating_state import why_unreachable
 from armui.control.operations.operation import operation, record_start
 from armui.control.operations.started import Ending
 from armui.telemetry.events import EventKind, Level
@@ -113,16 +116,17 @@ class CellControl(ControllerPart):
             return CELL_NOT_READ(name=self._name)
         return None if self.cell.is_empty else CELL_NOT_CONFIRMED(name=self._name)
 
+    def holding(self) -> tuple[str, Tool]:
+        """Return the name of the cell in force, "" for none, and the tool that holds."""
+        cell = self.in_force
+        if cell is None:
+            return "", Tool("", self._own_tool)
+        return cell.name, cell.chosen_tool or Tool("")
+
     @property
     def tool_name(self) -> str:
         """The name of the tool in force; "" without a cell or a tool."""
         return "" if self.in_force is None else self.in_force.tool
-
-    @property
-    def tool_radius_mm(self) -> float:
-        """The radius of the capsule that stands for the tool in force; 0 without one."""
-        tool = None if self.in_force is None else self.in_force.chosen_tool
-        return 0.0 if tool is None else tool.radius_mm
 
     # What the program tells -----------------------------------------------------------------
 
@@ -161,7 +165,7 @@ class CellControl(ControllerPart):
         self._take_effect()
 
     def forget_arm(self) -> None:
-        """Have the cell confirmed again: what comes next may be another arm."""
+        """Have the cell confirmed again: what is heard next may be another arm."""
         self._confirmed = False
         self._take_effect()
 
@@ -239,6 +243,30 @@ class CellControl(ControllerPart):
         self._put_in_force("")
         return self._done(record_start(self.delete), CELL_DELETED, name)
 
+    def why_not_capture(self) -> Refusal | None:
+        """Return why the pose of the flange cannot be taken now, or ``None``.
+
+        Only what is measured counts, of an arm that is heard and measured at rest.
+        """
+        context = self._context
+        now = context.operating_state()
+        unknown = why_unreachable(now.link) or self._cartesian.why_unknown()
+        if unknown is not None:
+            return unknown
+        state, now_s = context.state(), context.clock()
+        if any(each is None or not each.fresh(now_s) for each in (*state.pose, *state.joints_deg)):
+            return CAPTURE_STALE()
+        return None if context.authority.at_rest else CAPTURE_MOVING()
+
+    def capture(self) -> tuple[float, ...] | Refusal:
+        """Return the measured pose of the flange, or why it cannot be taken."""
+        self._context.refresh()
+        refusal = self.why_not_capture()
+        pose = self._context.state().end_pose()
+        if refusal is not None or pose is None:
+            return self._context.refuse(refusal or CAPTURE_STALE())
+        return tuple(pose)
+
     def _save(self, cell: Cell) -> None:
         self._cells[cell.name] = cell
         if self.store is not None:
@@ -259,10 +287,9 @@ class CellControl(ControllerPart):
 
     def _take_effect(self) -> None:
         """Pass on the tool; a target of ours that was told with another one is none any more."""
-        cell = self.in_force
-        tool = self._own_tool
-        if cell is not None:
-            tool = NO_TOOL if cell.chosen_tool is None else cell.chosen_tool.pose
+        _name, held = self.holding()
+        tool = held.pose
+        self._cartesian.tool_radius_mm = held.radius_mm
         if tool != self._cartesian.tool:
             self._cartesian.tool = tool
             self._context.authority.end_command(End.TOOL_CHANGED)

@@ -13,6 +13,14 @@ CELL_NOT_READ = Reason(
     "cell_not_read",
     "The cell “{name}” of this adapter could not be read. Choose another one under Cell, or none.",
 )
+CAPTURE_MOVING = Reason(
+    "capture_moving",
+    "The arm is not at rest: a pose that is taken now would be wrong. Wait until it stands still.",
+)
+CAPTURE_STALE = Reason(
+    "capture_stale",
+    "The pose is not heard any more: nothing was taken. Wait until the arm reports it again.",
+)
 CELL_NONE = Reason("cell_none", "There is no cell yet. Enter a name, then press New.")
 CELL_GONE = Reason("cell_gone", "There is no cell “{name}”. Choose one of those in the list.")
 CELL_WHILE_MOVING = Reason(

@@ -29,6 +29,11 @@ TEACHING_RECORDING = Reason("teaching_recording", "The arm is recording. Stop re
 TEACHING_REPLAYING = Reason(
     "teaching_replaying", "The arm is replaying. Pause or terminate the replay first."
 )
+AREA_WAY_UNKNOWN = Reason(
+    "area_way_unknown",
+    "The arm would replay a way that only it knows, and the work area could not be kept. Switch "
+    "the area off under Cell, or record and replay with this program.",
+)
 TEACHING_PAUSED = Reason("teaching_paused", "The replay is paused. Continue or terminate it first.")
 
 
@@ -155,9 +160,7 @@ def why_not_teach(now: OperatingState, command: TeachingState) -> Refusal | None
         return Refusal(_UNSUITED[phase])
     if command not in _ASKS_MUCH:
         return None
-    refusal = now.occupied or now.cannot_send_motion
-    if refusal is None and (now.reference.checking or command is not TeachingState.START_RECORDING):
-        refusal = now.reference.why_not_run()  # led by hand, nothing drives it
+    refusal = now.occupied or now.cannot_send_motion or _why_not_driven(now, command)
     if refusal is not None:
         return refusal
     if phase is TeachingPhase.OFF and status.control_mode not in interlocks.MOVABLE_MODES:
@@ -165,3 +168,12 @@ def why_not_teach(now: OperatingState, command: TeachingState) -> Refusal | None
     if status.arm_status not in _SOUND:
         return ARM_FAULT(status=status.arm_status)
     return interlocks.why_not_enabled(now.enabled)
+
+
+def _why_not_driven(now: OperatingState, command: TeachingState) -> Refusal | None:
+    """Return why the arm may not drive itself; led by hand, nothing drives it."""
+    if now.keeps_area and command in _REPLAYING:
+        return AREA_WAY_UNKNOWN()
+    if now.reference.checking or command is not TeachingState.START_RECORDING:
+        return now.reference.why_not_run()
+    return None

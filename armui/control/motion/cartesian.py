@@ -28,10 +28,12 @@ from armui.kinematics.poses import Pose, apart, flange_pose, matrix_to_pose, pos
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode
 from armui.telemetry.events import EventKind, Level
+from armui.trajectory.points.program import Waypoint
 
 # The kinematics and what stands on it bring numpy and scipy along. They are loaded when the first
 # pose is asked for: the window starts without them.
 if TYPE_CHECKING:
+    from armui.control.cell.area_guard import AreaGuard
     from armui.control.motion.jog_floor import JogFloor
     from armui.control.motion.joint_motion import Motion
     from armui.control.operations.started import Started
@@ -94,14 +96,20 @@ class Cartesian(ControllerPart):
         context: The context that the controller's parts share.
         motion: Owns the speed.
         floor: Checks how low a step leads.
+        area: Checks where a motion leads in the work area.
+
+    Attributes:
+        tool_radius_mm: The radius of the capsule that stands for the tool in checks; 0 without one.
     """
 
-    def __init__(self, context: Context, motion: Motion, floor: JogFloor) -> None:
+    def __init__(self, context: Context, motion: Motion, floor: JogFloor, area: AreaGuard) -> None:
         self._context = context
+        self._area = area
         self._floor = floor
         self._motion = motion
         self._model: Kinematics | None = None
         self._tool: tuple[float, ...] = _NO_TOOL
+        self.tool_radius_mm = 0.0
 
     @property
     def tool(self) -> tuple[float, ...]:
@@ -190,10 +198,11 @@ class Cartesian(ControllerPart):
         answer = check_pose(model, flange, start_deg, limits)
         if isinstance(answer, Refusal):
             return answer
-        if move_mode is not MoveMode.MOVE_L:
-            return None
-        line = Line(model.matrix(start_deg), poses.pose_to_matrix(flange))
-        return check_path(model, line, start_deg, limits)
+        refusal = None
+        if move_mode is MoveMode.MOVE_L:
+            line = Line(model.matrix(start_deg), poses.pose_to_matrix(flange))
+            refusal = check_path(model, line, start_deg, limits)
+        return refusal or self._area.why_no_point(Waypoint(move_mode, tuple(flange)))
 
     @operation("tool.move", "Move the tool to a pose", why_not_move, moves=True, shown_first=True)
     def move(self, target: Sequence[float], move_mode: MoveMode) -> Started | Refusal:
@@ -270,7 +279,9 @@ class Cartesian(ControllerPart):
             arc = Arc(*map(poses.pose_to_matrix, flanges))
         except ArcError:
             return ARC_IS_NONE()
-        return check_path(model, arc, start_deg, self._context.operating_state().limits)
+        limits = self._context.operating_state().limits
+        point = Waypoint(MoveMode.MOVE_C, tuple(flanges[2]), tuple(flanges[1]))
+        return check_path(model, arc, start_deg, limits) or self._area.why_no_point(point)
 
     def _move(
         self,

@@ -15,6 +15,7 @@ from armui.kinematics.forward import flange_rows
 
 if TYPE_CHECKING:
     from armui.arm.state import ArmState
+    from armui.arm.tool_capsule import ToolCapsule
     from armui.control.context import Context
     from armui.kinematics.poses import Matrix
 
@@ -35,13 +36,14 @@ class JogFloor:
 
     Args:
         context: Knows the arm's geometry.
-        tool: Returns the tool centre point in the flange.
+        tool: Returns the shape of the tool on the flange; ``None`` if only the gripper's tip
+            counts.
 
     Attributes:
         lowest_mm: The least height of the fingertip for jogs, or ``None`` for no limit.
     """
 
-    def __init__(self, context: Context, tool: Callable[[], Sequence[float]]) -> None:
+    def __init__(self, context: Context, tool: Callable[[], ToolCapsule | None]) -> None:
         self._context = context
         self._tool = tool
         self.lowest_mm: int | None = None
@@ -52,11 +54,16 @@ class JogFloor:
         """Return the height of flange or fingertip at six angles, whichever is lower."""
         fit = self._context.operating_state().model_fit
         rows = flange_rows(fit.geometry, joints_deg)
-        return self._lowest(rows[11], rows[10])
+        return self._lowest(rows[11], rows[8:11])
 
-    def _lowest(self, flange_mm: float, hand_up: float) -> float:
-        model = self._context.operating_state().model
-        return flange_mm + min(0.0, model_data(model).tool_mm(self._tool()[2]) * hand_up)
+    def _lowest(self, flange_mm: float, ups: Sequence[float]) -> float:
+        """Return the lowest height, from the heights by which the flange's axes rise."""
+        tool = self._tool()
+        if tool is not None:
+            rises = sum(part * up for part, up in zip(tool.tip_mm, ups, strict=True))
+            return float(tool.lowest(flange_mm, flange_mm + rises))
+        reach_mm = model_data(self._context.operating_state().model).gripper.reach_mm
+        return flange_mm + min(0.0, reach_mm * ups[2])
 
     def below_base_mm(self, state: ArmState) -> int | None:
         """Return by how much the measured arm reaches below its base plane, or ``None``."""
@@ -64,7 +71,7 @@ class JogFloor:
         if joints_deg is None:
             return None
         fit = self._context.operating_state().model_fit
-        measured = (joints_deg, fit, self._tool()[2])
+        measured = (joints_deg, fit, self._tool())
         if measured != self._measured:  # it is asked twice a tick, mostly of an arm that stands
             below = round(-self.height_mm(joints_deg))
             self._measured, self._below_mm = measured, below if below > 0 else None
@@ -91,7 +98,7 @@ class JogFloor:
         """Return why a straight step of the flange is refused, or ``None``."""
         if self.lowest_mm is None:
             return None
-        ahead, here = (self._lowest(each[2][3], each[2][2]) for each in (flange, now))
+        ahead, here = (self._lowest(each[2][3], each[2][:3]) for each in (flange, now))
         return self._why(ahead, lambda: here)
 
     def _why(self, ahead_mm: float, here_mm: Callable[[], float]) -> Refusal | None:

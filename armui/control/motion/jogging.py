@@ -78,6 +78,7 @@ Jog = JointJog | ToolJog | SteeredJog
 
 if TYPE_CHECKING:
     from armui.arm.state import ArmState
+    from armui.control.cell.area_guard import AreaGuard
     from armui.control.motion.cartesian import Cartesian
     from armui.control.motion.jog_floor import JogFloor
     from armui.control.motion.joint_motion import Motion
@@ -124,14 +125,18 @@ class Jogging(ControllerPart):
         context: The context that the controller's parts share.
         motion: Owns the speed.
         cartesian: Knows the tool and the kinematics.
-        floor: Limits how low a jog leads.
+        limits: They limit how low a jog leads, and keep it out of the work area's forbidden side.
     """
 
     def __init__(
-        self, context: Context, motion: Motion, cartesian: Cartesian, floor: JogFloor
+        self,
+        context: Context,
+        motion: Motion,
+        cartesian: Cartesian,
+        limits: tuple[JogFloor, AreaGuard],
     ) -> None:
         self._context = context
-        self._floor = floor
+        self._floor, self._area = limits
         self._motion = motion
         self._cartesian = cartesian
         self._rest = RestWatch(QUIET_DEG, QUIET_S)
@@ -267,9 +272,13 @@ class Jogging(ControllerPart):
                 self._end(STILL_MOVING())
             return
         base_deg = self._context.authority.joint_base_deg() or measured_deg
-        hold.stream = JogStream(
-            self._way(hold.jog, base_deg), base_deg, measured_deg, self._floor.why_lower
-        )
+        sag_deg = [base - measured for base, measured in zip(base_deg, measured_deg, strict=True)]
+
+        def why_barred(ahead_deg: Sequence[float], now_deg: Sequence[float]) -> Refusal | None:
+            low = self._floor.why_lower(ahead_deg, now_deg)
+            return low or self._area.why_no_further(ahead_deg, now_deg, sag_deg)
+
+        hold.stream = JogStream(self._way(hold.jog, base_deg), base_deg, measured_deg, why_barred)
 
     def _way(self, jog: Jog, base_deg: Sequence[float]) -> JogPath:
         limits = self._context.operating_state().limits

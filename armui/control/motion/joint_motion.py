@@ -7,6 +7,7 @@ from typing import Final
 
 from armui.arm.limits import ANGLE_STEP_DEG, JointLimits, check_joint, check_joints
 from armui.arm.refusal import Reason, Refusal
+from armui.control.cell.area_guard import AreaGuard
 from armui.control.context import Context, ControllerPart
 from armui.control.events import Notice
 from armui.control.motion.jog_floor import JogFloor
@@ -81,14 +82,16 @@ class Motion(ControllerPart):
     Args:
         context: The context that the controller's parts share.
         floor: Checks how low a step leads.
+        area: Checks where a motion leads in the work area.
 
     Attributes:
         speed_percent: The speed of motions, in percent of the arm's maximum.
     """
 
-    def __init__(self, context: Context, floor: JogFloor) -> None:
+    def __init__(self, context: Context, floor: JogFloor, area: AreaGuard) -> None:
         self._context = context
         self._floor = floor
+        self._area = area
         self.speed_percent = _FIRST_SPEED_PERCENT
         self._lower_speed = Retransmission(context)
 
@@ -186,7 +189,11 @@ class Motion(ControllerPart):
         """Send six angles if that may be, and tell so with a notice."""
         context = self._context
         operating_state = context.refresh()
-        refusal = operating_state.cannot_move or check_joints(angles_deg, operating_state.limits)
+        refusal = (
+            operating_state.cannot_move
+            or check_joints(angles_deg, operating_state.limits)
+            or self._area.why_no_joints(angles_deg)
+        )
         if refusal is not None:
             return context.refuse(refusal)
         sent = context.send_motion(

@@ -213,6 +213,14 @@ def below_base(view: RecoveryView) -> Params | None:
     return None if below is None else {"value": below}
 
 
+def in_area(view: RecoveryView) -> Params | None:
+    """Return where the arm is too near to its work area, or ``None``."""
+    found = view.operating_state.intrusion
+    if found is None:
+        return None
+    return {"name": found.name, "part": found.part, "value": found.value_mm}
+
+
 def reference_in_doubt(*, agreed: bool) -> Applies:
     """Return a check that applies to a reference in doubt, agreed to or not; with the joints."""
 

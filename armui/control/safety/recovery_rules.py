@@ -29,6 +29,7 @@ from armui.control.safety.recovery_conditions import (
     far_from_rest,
     has_code,
     held_back,
+    in_area,
     in_phase,
     is_teaching_input,
     joints_flagged,
@@ -309,6 +310,7 @@ _RULES: Final = (
     _Rule(StepKind.RUN_PAUSED, Level.WARNING, None, run_is(RunPhase.PAUSED)),
     _Rule(StepKind.RUN_WAITS, Level.INFO, None, run_is(RunPhase.WAITING)),
     _Rule(StepKind.RUNNING, Level.INFO, None, run_is(RunPhase.MOVING, RunPhase.DWELLING)),
+    _Rule(StepKind.IN_AREA, Level.WARNING, None, in_area),
     _Rule(
         StepKind.REFERENCE_AGREED,
         Level.WARNING,

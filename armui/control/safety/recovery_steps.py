@@ -342,6 +342,11 @@ class StepKind(enum.Enum):
     RUN_PAUSED = StepText("run_paused", "Paused: hold “Continue” for 1 s")
     RUN_WAITS = StepText("run_waits", "Waiting: press “Next step”")
     RUNNING = StepText("running", "A trajectory is running")
+    IN_AREA = StepText(
+        "in_area",
+        "The arm is {value} mm too near to “{name}” of the work area ({part}). It can only be "
+        "moved out: jog the other way, or lead it by hand.",
+    )
     BELOW_BASE = StepText(
         "below_base",
         "The fingertip is {value} mm below the plane the arm stands on. Jog upwards unless there "
@@ -356,6 +361,7 @@ UNHINDERED: Final = frozenset(
         StepKind.RUN_PAUSED,
         StepKind.RUN_WAITS,
         StepKind.RUNNING,
+        StepKind.IN_AREA,
         StepKind.REFERENCE_AGREED,
         StepKind.BELOW_BASE,
         StepKind.MOVING,

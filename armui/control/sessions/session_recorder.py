@@ -21,7 +21,7 @@ from armui.control.sessions.choices import SessionChoices
 from armui.control.sessions.mf4_converter import Mf4Converter
 from armui.control.sessions.progress import SESSION_FRAMES_LOST, RecordingProgress, RingContent
 from armui.control.sessions.ring_saving import SaveAtFaults
-from armui.control.sessions.sidecar_lines import EventFeed, SidecarLines
+from armui.control.sessions.sidecar_lines import EventFeed, SidecarLines, no_tool
 from armui.session.recording.collector import Collector, FrameRing
 from armui.session.recording.kinds import MF4_SUFFIX, is_name, name_for, why_not_written
 from armui.session.recording.lane import FrameLane
@@ -32,6 +32,7 @@ from armui.telemetry.events import Asker, EventKind, Level
 
 if TYPE_CHECKING:
     from armui.bus.link import BusReport
+    from armui.cell.tools import Tool
     from armui.control.context import Context
     from armui.control.sessions.sidecar_lines import FedEvent
     from armui.session.recording.session_recording import SessionRecording
@@ -119,11 +120,17 @@ class SessionRecorder(QObject):
 
     changed = Signal()
 
-    def __init__(self, context: Context, events: EventLog, parent: QObject | None = None) -> None:
+    def __init__(
+        self,
+        context: Context,
+        events: EventLog,
+        parent: QObject | None = None,
+        tool: Callable[[], tuple[str, Tool]] = no_tool,
+    ) -> None:
         super().__init__(parent)
         self._context = context
         self._feed = EventFeed(events)
-        self._facts = SidecarLines(context)
+        self._facts = SidecarLines(context, tool)
         self._recent: deque[FedEvent] = deque(maxlen=_MOST_RECENT)
         self._lane = FrameLane()
         self._ring: FrameRing | None = None

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.backup import parameter_row
 from armui.arm.parameters import all_batches, heard
+from armui.cell.tools import Tool, to_entry
 from armui.control.events import Level
 from armui.control.safety.stopping import (
     HALT_SENT,
@@ -85,15 +86,22 @@ def _mark_of(entry: EventEntry) -> MarkKind:
     return MarkKind.COMMAND if entry.kind is EventKind.COMMAND else MarkKind.NOTE
 
 
+def no_tool() -> tuple[str, Tool]:
+    """Return that there is no cell, and no tool."""
+    return "", Tool("")
+
+
 class SidecarLines:
     """Makes lines for the sidecar whenever there is something new.
 
     Args:
         context: The context that the controller's parts share.
+        tool: Returns the cell and the tool that hold, as :meth:`CellControl.holding` does.
     """
 
-    def __init__(self, context: Context) -> None:
+    def __init__(self, context: Context, tool: Callable[[], tuple[str, Tool]] = no_tool) -> None:
         self._context = context
+        self._tool = tool
         self._told: dict[str, Line] = {}
 
     def reset(self) -> None:
@@ -120,6 +128,9 @@ class SidecarLines:
                     "firmware": state.firmware,
                 }
             )
+        name, tool = self._tool()
+        if name or any(tool.pose) or "cell" in self._told:
+            lines.append({"kind": "cell", "cell": name, "tool": dict(to_entry(tool))})
         values = settings_read(state)
         if values:
             lines.append({"kind": "settings", "values": values})

@@ -17,6 +17,7 @@ import numpy.typing as npt
 
 from armui.arm.limits import JOINTS
 from armui.arm.models import ArmModel
+from armui.cell.area_check import AreaCheck
 from armui.kinematics.forward import flange_heights
 from armui.kinematics.singularity import NEAR_SINGULAR as SINGULAR_BELOW
 from armui.kinematics.singularity import margins, smallest_singular_values
@@ -123,6 +124,12 @@ TOOL_TOO_FAST = FindingKind(
     "here by itself. Lower the speed.",
     Severity.WARNING,
 )
+AREA_TOO_NEAR = FindingKind(
+    "area_too_near",
+    "Too near to “{name}” of the work area: {part} would come to {value} mm, where {minimum} mm "
+    "are kept. Put another point between, or change the point.",
+    Severity.ERROR,
+)
 OTHER_ARM = FindingKind(
     "other_arm",
     "This was taught on another arm: {taught}; connected is {arm}. The same joint angles may hold "
@@ -152,6 +159,7 @@ class CheckRequest:
         speed_factor: The factor on each point's speed, or on the recorded speed.
         first: The index of the point to begin with, in the first cycle.
         cycles: The number of cycles; 0 runs until it is ended.
+        area: The work area of this arm with what it carries; ``None`` if it may go anywhere.
     """
 
     content: Content
@@ -160,6 +168,7 @@ class CheckRequest:
     speed_factor: float = 1.0
     first: int = 0
     cycles: int = 1
+    area: AreaCheck | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -193,7 +202,7 @@ def check(request: CheckRequest) -> CheckOutcome:
     content, arm, start_deg = request.content, request.arm, request.start_deg
     plan = partial(plan_path, content, arm, start_deg, first=request.first, cycles=request.cycles)
     path = plan(speed_factor=request.speed_factor)
-    found = _findings(content, arm, path)
+    found = _findings(content, arm, path, request.area)
     expected_s = path.expected_s
     if isinstance(content, Trajectory) and request.speed_factor != 1.0:
         # a run shortens what is planned at the points' own speeds by itself
@@ -208,7 +217,9 @@ def _rank(finding: Finding) -> tuple[bool, int]:
     return finding.severity is not Severity.ERROR, -1 if finding.row is None else finding.row
 
 
-def _findings(content: Content, arm: ArmModel, path: PlannedPath) -> list[Finding]:
+def _findings(
+    content: Content, arm: ArmModel, path: PlannedPath, area: AreaCheck | None
+) -> list[Finding]:
     """Return what speaks against a path, by row; what concerns the whole comes first."""
     findings = list(path.problems)
     if content.taught_on and arm.kind and content.taught_on != arm.kind:
@@ -233,6 +244,7 @@ def _findings(content: Content, arm: ArmModel, path: PlannedPath) -> list[Findin
         findings += _below_floor(path, arm)
         findings += _tool_too_fast(path, ~slow, arm)
         findings += _collisions(path, arm)
+        findings += _too_near(path, area)
         findings = _tell_approach(findings, path)
     if any(each.cycle > 1 and each.severity is Severity.ERROR for each in findings):
         # what ends a later cycle says why they do not repeat
@@ -258,12 +270,13 @@ def _empty(points: Sequence[Waypoint]) -> Iterator[Finding]:
 
 
 def _grippers(points: Sequence[Waypoint], arm: ArmModel) -> Iterator[Finding]:
-    if arm.stroke_mm is None:
+    widest_mm = arm.stroke_mm if arm.widest_mm is None else arm.widest_mm
+    if widest_mm is None:
         return
     for row, point in enumerate(points):
         action = point.gripper
-        if isinstance(action, GripperOpening) and action.opening_mm > arm.stroke_mm:
-            most, wanted = float(arm.stroke_mm), float(action.opening_mm)
+        if isinstance(action, GripperOpening) and action.opening_mm > widest_mm:
+            most, wanted = float(widest_mm), float(action.opening_mm)
             yield replace(GRIPPER_BEYOND_STROKE(value=wanted, maximum=most), row=row)
 
 
@@ -339,7 +352,10 @@ def _far_from_start(path: PlannedPath) -> Iterator[Finding]:
 
 def _below_floor(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
     flanges_mm = flange_heights(arm.kinematics.geometry, path.joints_deg)
-    heights = np.minimum(path.places_mm[:, 2], flanges_mm)
+    tips_mm = path.places_mm[:, 2]
+    heights = np.minimum(tips_mm, flanges_mm)
+    if arm.tool is not None:
+        heights = arm.tool.lowest(flanges_mm, tips_mm)
     below = FLOOR_MM - heights
     only_way = below[_first_point(path)] <= 0.0
     for index in _worst(below > 0.0, below, path):
@@ -368,7 +384,11 @@ def _collisions(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
     strides = np.floor(np.concatenate(([0.0], np.cumsum(turned))) / _COLLISION_STEP_DEG)
     looked_at = np.flatnonzero(np.diff(strides, prepend=-1.0) != 0.0)
     hits = collisions(
-        arm.kinematics.geometry, path.joints_deg[looked_at], arm.tool_mm, arm.gripper_turned_deg
+        arm.kinematics.geometry,
+        path.joints_deg[looked_at],
+        arm.tool_mm,
+        arm.gripper_turned_deg,
+        arm.tool,
     )
     recorded = path.expected_s == ()
     rows = path.rows[looked_at]
@@ -392,6 +412,30 @@ def _collisions(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
             one, other = hits[which].split("/")
             found = _at(path, index, LINKS_COLLIDE(one=one, other=other))
             yield replace(found, approach=approach)
+
+
+def _too_near(path: PlannedPath, area: AreaCheck | None) -> Iterator[Finding]:
+    """The nearest place of each way to a point; of a recording, of each run of such samples."""
+    if area is None:
+        return
+    entries = area.entries(path.joints_deg)
+    gaps_mm = np.full(len(path.rows), np.inf)
+    gaps_mm[list(entries)] = [entry.gap_mm for entry in entries.values()]
+    first = _first_point(path)
+    if 0 in entries:  # from there it is moved out, which is no run
+        gaps_mm[1:first] = np.inf
+    for index in _worst(np.isfinite(gaps_mm), -gaps_mm, path):
+        entry = entries[index]
+        kind = AREA_TOO_NEAR(
+            name=entry.zone.name,
+            part=entry.part,
+            value=round(entry.gap_mm, 1),
+            minimum=area.margin_mm,
+        )
+        found = _at(path, index, kind)
+        if index < first:
+            found = replace(found, approach=Approach.WAY if index else Approach.HERE)
+        yield found
 
 
 def _worst(mask: Flags, badness: Array, path: PlannedPath) -> Iterable[int]:

@@ -15,13 +15,14 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
+from armui.arm.tool_capsule import ToolCapsule
 from armui.kinematics.forward import Links, links
 from armui.kinematics.geometry import Geometry, Wrist
 
 Array = npt.NDArray[np.float64]
 Whole = npt.NDArray[np.int64]
 
-PARTS: Final = ("base", "upper arm", "forearm", "hand", "gripper")
+PARTS: Final = ("base", "upper arm", "forearm", "hand", "gripper", "tool")
 """The names of the arm's parts in findings."""
 
 _COLUMN_RADIUS_MM: Final = 38.0
@@ -57,7 +58,11 @@ class _Capsule:
 
 
 def collisions(
-    geometry: Geometry, joints_deg: Array, tool_mm: float, gripper_turned_deg: float = 0.0
+    geometry: Geometry,
+    joints_deg: Array,
+    tool_mm: float,
+    gripper_turned_deg: float = 0.0,
+    tool: ToolCapsule | None = None,
 ) -> dict[int, str]:
     """Return the samples at which parts of the arm would collide.
 
@@ -66,17 +71,21 @@ def collisions(
         joints_deg: (n, 6).
         tool_mm: The distance from the flange to the gripper's tip; 0 without a gripper.
         gripper_turned_deg: The gripper's turn about the flange's Z axis.
+        tool: The tool on the flange, which counts beside the gripper if it has a radius.
 
     Returns:
         The two parts by the sample's index, as ``upper arm/gripper``.
     """
     arm = links(geometry, joints_deg)
-    close = np.flatnonzero(_close(geometry, arm, tool_mm))
+    tool = None if tool is None or not tool.radius_mm else tool
+    beyond_mm = 0.0 if tool is None else math.hypot(*tool.tip_mm) + tool.radius_mm
+    close = np.flatnonzero(_close(geometry, arm, max(tool_mm, 0.0), beyond_mm))
     found: dict[int, str] = {}
     if not len(close):
         return found
     near = Links(*(each[close] for each in arm))
-    for fixed, moving in _pairs(geometry, near, tool_mm, gripper_turned_deg):
+    pairs = (*_pairs(geometry, near, tool_mm, gripper_turned_deg), *_tool(geometry, near, tool))
+    for fixed, moving in pairs:
         gaps = segment_distances(fixed.start, fixed.end, moving.start, moving.end)
         for index in close[gaps < fixed.radius_mm + moving.radius_mm].tolist():
             found.setdefault(index, f"{fixed.part}/{moving.part}")
@@ -101,11 +110,13 @@ def segment_distances(a: Array, b: Array, c: Array, d: Array) -> Array:
     return gap
 
 
-def _close(geometry: Geometry, arm: Links, tool_mm: float) -> npt.NDArray[np.bool_]:
+def _close(
+    geometry: Geometry, arm: Links, tool_mm: float, beyond_mm: float
+) -> npt.NDArray[np.bool_]:
     """Return whether hand or forearm could touch anything, by the spheres around them."""
     half_mm = (geometry.hand_mm + tool_mm) / 2.0
     middle = arm.centre + half_mm * arm.hand
-    reach_mm = half_mm + _FURTHEST_MM + geometry.wrist_mm
+    reach_mm = half_mm + max(_FURTHEST_MM, beyond_mm) + geometry.wrist_mm
     to_axis = np.hypot(middle[:, 0], middle[:, 1])
     to_column = np.hypot(to_axis, np.maximum(middle[:, 2] - geometry.base_mm, 0.0))
     shoulder = np.array((0.0, 0.0, geometry.base_mm))
@@ -113,13 +124,46 @@ def _close(geometry: Geometry, arm: Links, tool_mm: float) -> npt.NDArray[np.boo
     off_arm = np.linalg.norm(middle - shoulder - along[:, None] * arm.upper_arm, axis=1)
     near_arm = off_arm < reach_mm + _UPPER_ARM_RADIUS_MM + _KNEE_MM[1]
     wrist = arm.wrist[:, 2] < geometry.base_mm + _COLUMN_RADIUS_MM + _FOREARM_RADIUS_MM
-    return np.asarray((to_column < reach_mm + _COLUMN_RADIUS_MM) | near_arm | wrist)
+    near = np.asarray((to_column < reach_mm + _COLUMN_RADIUS_MM) | near_arm | wrist)
+    if not beyond_mm:
+        return near
+    forearm = _forearm(geometry, arm)
+    to_forearm = segment_distances(forearm.start, forearm.end, arm.flange, arm.flange)
+    return np.asarray(near | (to_forearm < beyond_mm + _FOREARM_RADIUS_MM))
 
 
 def _pairs(
     geometry: Geometry, arm: Links, tool_mm: float, gripper_turned_deg: float
 ) -> Iterator[tuple[_Capsule, _Capsule]]:
     """Return the parts that could meet."""
+    fixed_parts = _fixed(geometry, arm)
+    yield fixed_parts[0], _forearm(geometry, arm)
+    for moving in _hand(geometry, arm, tool_mm, gripper_turned_deg):
+        for fixed in fixed_parts:
+            yield fixed, moving
+
+
+def _tool(
+    geometry: Geometry, arm: Links, tool: ToolCapsule | None
+) -> Iterator[tuple[_Capsule, _Capsule]]:
+    """Return the parts that the tool could meet: a bent one also the forearm behind it."""
+    if tool is None:
+        return
+    along, palm, hand = tool.tip_mm
+    way = along * arm.along + palm * arm.palm + hand * arm.hand
+    begin, end = (arm.flange + share * way for share in tool.ends)
+    moving = _Capsule("tool", begin, end, tool.radius_mm)
+    for fixed in (*_fixed(geometry, arm), _forearm(geometry, arm)):
+        yield fixed, moving
+
+
+def _forearm(geometry: Geometry, arm: Links) -> _Capsule:
+    bar = arm.elbow + geometry.elbow_mm * arm.across + _FOREARM_FROM_MM * arm.forearm
+    return _Capsule("forearm", bar, arm.wrist, _FOREARM_RADIUS_MM)
+
+
+def _fixed(geometry: Geometry, arm: Links) -> tuple[_Capsule, ...]:
+    """Return base and upper arm, the column first."""
     foot = np.zeros_like(arm.elbow)
     shoulder = foot + np.array((0.0, 0.0, geometry.base_mm))
     knee = shoulder + _KNEE_MM[0] * arm.upper_arm - _KNEE_MM[1] * np.cross(arm.side, arm.upper_arm)
@@ -130,11 +174,7 @@ def _pairs(
         _Capsule("upper arm", shoulder, knee, _UPPER_ARM_RADIUS_MM),
         _Capsule("upper arm", knee, arm.elbow, _UPPER_ARM_RADIUS_MM),
     )
-    bar = arm.elbow + geometry.elbow_mm * arm.across + _FOREARM_FROM_MM * arm.forearm
-    yield column, _Capsule("forearm", bar, arm.wrist, _FOREARM_RADIUS_MM)
-    for moving in _hand(geometry, arm, tool_mm, gripper_turned_deg):
-        for fixed in (column, socket, *upper):
-            yield fixed, moving
+    return (column, socket, *upper)
 
 
 def _hand(

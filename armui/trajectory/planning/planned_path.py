@@ -107,7 +107,10 @@ def sampled_path(
 ) -> PlannedPath:
     """Return a path with the places and speeds of the tool's tip computed."""
     arm_links = links(arm.kinematics.geometry, joints_deg)
-    places = arm_links.flange + arm.tool_mm * arm_links.hand
+    along, palm, hand = arm.tip_mm
+    places = arm_links.flange + hand * arm_links.hand
+    if along or palm:
+        places += along * arm_links.along + palm * arm_links.palm
     cycles = np.ones_like(rows) if cycles is None else cycles
     speeds = _speeds(times_s, places)
     return PlannedPath(times_s, joints_deg, places, speeds, rows, cycles, expected_s, problems)

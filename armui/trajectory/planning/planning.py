@@ -314,7 +314,7 @@ def _same_place(start: Matrix, goal: Matrix) -> bool:
 
 def _out_of_reach(table: Stops, arm: ArmModel, stop: int) -> Finding:
     missing = missing_mm(arm.kinematics.geometry, table.goals[stop])
-    place = table.goals[stop, :3, 3] + arm.tool_mm * table.goals[stop, :3, 2]
+    place = table.goals[stop, :3, 3] + table.goals[stop, :3, :3] @ np.array(arm.tip_mm)
     found = OUT_OF_REACH(missing=round(missing, 1))
     return replace(found, row=stop - 1, place_mm=tuple(place.tolist()))
 

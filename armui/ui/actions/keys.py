@@ -65,6 +65,7 @@ _ONE_PRESS: Final = (
     ("view.orthographic", "Ctrl+6", Text("ViewBar", "Parallel projection")),
     ("view.tool_frame", "Ctrl+7", Text("ViewBar", "Tool frame")),
     ("view.reach", "Ctrl+8", Text("ViewBar", "Workspace")),
+    ("view.area", "Ctrl+Alt+A", Text("ViewBar", "Work area")),
     ("view.save", "Ctrl+Alt+S", Text("ViewBar", "Save picture…")),
     ("view.copy", "Ctrl+Alt+C", Text("ViewBar", "Copy picture")),
     ("view.handles", "Ctrl+Shift+D", Text("ViewBar", "Drag the target in the picture")),

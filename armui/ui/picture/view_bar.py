@@ -43,11 +43,12 @@ _TIPS: Final = Texts("ViewBar") | {
     "reach": (
         "Shows where the tool centre point can reach; orange outlines what it cannot reach within"
     ),
+    "area": "Shows the planes and boxes of the cell's work area; those near the arm are lit",
     "save": "Writes the picture with its figures to a file",
     "copy": "Puts the picture with its figures into the clipboard",
 }
 """The tooltip of each action; name and key are those of ``view.<action>`` in `SHORTCUTS`."""
-_SWITCHES: Final = ("follow", "orthographic", "tool_frame", "reach")
+_SWITCHES: Final = ("follow", "orthographic", "tool_frame", "reach", "area")
 _HANDLES: Final = Texts("ViewBar") | {
     None: "No handles",
     HandleKind.TOOL: "Tool, along the axes of the base",
@@ -58,7 +59,7 @@ _STRIP: Final = ("front", "side", "top", "iso", "fit", "follow")
 _MENU: Final = (
     ("front", "side", "top", "iso", "below"),
     ("fit", "follow", "orthographic"),
-    ("tool_frame", "reach", "trail"),
+    ("tool_frame", "reach", "area", "trail"),
     ("save", "copy"),
 )
 
@@ -213,6 +214,7 @@ class ViewBar(Translated, QFrame):
         for direction in ViewDirection:
             actions[direction.value].triggered.connect(partial(self._look_from, direction))
         actions["fit"].triggered.connect(self._view.fit)
+        actions["area"].setChecked(True)
         actions["follow"].triggered.connect(lambda on: self._view.follow_tool(wanted=on))
         actions["orthographic"].triggered.connect(
             lambda on: self._preferences.change(picture_orthographic=on)

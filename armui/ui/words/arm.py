@@ -188,6 +188,23 @@ _MODES: Final = Texts("OtherMode") | {
     "high_follow": "high-follow",
 }
 _KINDS: Final = Texts("ArmKind") | {"older": "{model} (zeros before S-V1.6-3)"}
+ARM_PARTS: Final = Texts("ArmPart") | {
+    "base": "the base",
+    "shoulder": "the shoulder",
+    "upper arm": "the upper arm",
+    "forearm": "the forearm",
+    "hand": "the wrist",
+    "gripper": "the gripper",
+    "wrist": "the fourth link",
+    "tool": "the tool",
+    "held object": "the held object",
+}
+"""The parts of the arm and what it carries, as checks name them."""
+
+
+def part_name(part: str) -> str:
+    """Return a part of the arm in the operator's language."""
+    return ARM_PARTS.word(part)
 
 
 def arm_kind(kind: str) -> str:
@@ -259,6 +276,11 @@ def end_load(load: EndLoad) -> str:
 def gripper_figure(name: str) -> str:
     """Return the name of a figure of the gripper's command («开度»)."""
     return _GRIPPER_FIGURES.word(name)
+
+
+def calibrated_mm() -> str:
+    """Return the unit of an opening by the gripper's table («mm，已校准»)."""
+    return QCoreApplication.translate("Gripper", "mm, calibrated")
 
 
 def gripper_act(name: str) -> str:

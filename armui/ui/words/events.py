@@ -9,13 +9,16 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from armui.arm.device import Device
 from armui.arm.refusal import Refusal
+from armui.control.devices.gripper import CALIBRATED_MM
 from armui.control.events import Event, Notice
 from armui.protocol.codes import EndLoad, Mounting, TeachingState, TrajectoryCommand
 from armui.ui.words.arm import (
+    calibrated_mm,
     device_name,
     end_load,
     gripper_act,
     mounting,
+    part_name,
     teaching_command,
     trajectory_command,
 )
@@ -45,9 +48,13 @@ def notice_text(notice: Notice, figures: Mapping[str, object]) -> str:
         params["plan"] = trajectory_command(TrajectoryCommand(plan))
     if isinstance(act := params.get("act"), str):
         params["act"] = gripper_act(act)
+    if params.get("unit") == CALIBRATED_MM:
+        params["unit"] = calibrated_mm()
     if isinstance(load := params.get("load"), int):
         params["load"] = end_load(EndLoad(load))
     if isinstance(how := params.get("mounting"), int):
         params["mounting"] = mounting(Mounting(how))
+    if isinstance(part := params.get("part"), str):
+        params["part"] = part_name(part)
     params["code"] = notice.id
     return sentence(Notice.context, source_of(notice) or _UNKNOWN, params).rstrip()

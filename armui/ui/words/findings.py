@@ -4,22 +4,14 @@ from __future__ import annotations
 
 from typing import Final
 
-from armui.trajectory.planning.check import OTHER_ARM
+from armui.trajectory.planning.check import AREA_TOO_NEAR, OTHER_ARM
 from armui.trajectory.planning.findings import Approach, Finding
-from armui.ui.words.arm import arm_kind
+from armui.ui.words.arm import ARM_PARTS, arm_kind, part_name
 from armui.ui.words.text import Texts, said
-
-_PARTS: Final = Texts("ArmPart") | {
-    "base": "the base",
-    "upper arm": "the upper arm",
-    "forearm": "the forearm",
-    "hand": "the wrist",
-    "gripper": "the gripper",
-}
 
 _CYCLES: Final = Texts("FindingCycle") | {"later": "From cycle {cycle} on: {text}"}
 
-PARTS: Final = frozenset(_PARTS)
+PARTS: Final = frozenset(ARM_PARTS)
 """The parts of the arm that have a name."""
 
 
@@ -27,6 +19,11 @@ _APPROACH: Final = Texts("Finding") | {
     Approach.HERE: (
         "Where the arm stands now, it touches itself: {other} against {one}; after a stop it may "
         "have sunk. Jog it clear, or lift it by hand, then send again: nothing of the trajectory "
+        "has to be changed."
+    ),
+    "area": (
+        "Where the arm stands now, it is too near to “{name}” of the work area: {part} at {value} "
+        "mm, where {minimum} mm are kept. Move it out, then send again: nothing of the trajectory "
         "has to be changed."
     ),
     Approach.WAY: (
@@ -38,11 +35,12 @@ _APPROACH: Final = Texts("Finding") | {
 
 def finding(found: Finding) -> str:
     """Return a finding in the operator's language; the row is shown beside it."""
-    params = {k: _text(v) for k, v in found.params.items()}
+    params = {k: str(v) if k == "name" else _text(v) for k, v in found.params.items()}
     if found.kind == OTHER_ARM:
         params = {k: arm_kind(v) for k, v in params.items()}
     if found.approach is Approach.HERE:
-        return _APPROACH.text(found.approach, params)
+        here = "area" if found.kind == AREA_TOO_NEAR else found.approach
+        return _APPROACH.text(here, params)
     text = said(found.kind, params)
     if found.approach is Approach.WAY:
         return _APPROACH.text(found.approach, {"text": text})
@@ -53,5 +51,5 @@ def finding(found: Finding) -> str:
 
 def _text(value: float | str) -> str:
     if isinstance(value, str):
-        return _PARTS.word(value)
+        return part_name(value)
     return f"{round(value, 3):g}" if isinstance(value, float) else str(value)

@@ -22,6 +22,8 @@ def step(this: Step) -> str:
         params["status"] = f"0x{code:02X}"
     if isinstance(what := params.get("what"), str):
         params["what"] = under_way(what)
+    if isinstance(part := params.get("part"), str):
+        params["part"] = arm.part_name(part)
     told = this.kind.value
     source = told.source if this.joints else told.somewhere or told.source
     text = sentence(told.context, source, params)

@@ -24,6 +24,7 @@ from vtkmodules.vtkRenderingFreeType import vtkVectorText
 from armui.viewport.camera import HOME_CAMERA, VIEW_ANGLE_DEG
 from armui.viewport.palette import LIGHT, ScenePalette, mix, rgb
 from armui.viewport.path_picture import NOTHING, Preview
+from armui.viewport.process.area_actors import AreaActors
 from armui.viewport.process.geometry import (
     actor_of,
     axis_arrow,
@@ -307,6 +308,7 @@ class Scene:
         self._preview_actors = PreviewActors(self._canvas.renderer)
         self._trail = TrailActors(self._canvas.renderer)
         self._reach = ReachActor(self._canvas.renderer)
+        self._area = AreaActors(self._canvas.renderer)
         self._pixel_ratio = pixel_ratio
         self._palette = palette
         self._is_fresh = False
@@ -358,6 +360,7 @@ class Scene:
         self.set_joints(state.angles_deg, state.gripper_mm, stale=state.stale)
         self.set_preview(state.preview)
         self._trail.show(state.trail, self._palette, state.pixel_ratio)
+        self._area.show(state.area, self._palette)
         if self._description is not None:
             self._reach.show(state.reach, self._description, self._palette)
         self.resize(state.width_px, state.height_px, state.pixel_ratio)

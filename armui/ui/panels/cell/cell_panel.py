@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtWidgets import QButtonGroup, QComboBox, QFrame, QLabel, QLineEdit, QStackedWidget
+from PySide6.QtWidgets import QButtonGroup, QComboBox, QFrame, QLabel, QLineEdit
 
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
@@ -23,7 +23,9 @@ from armui.ui import words
 from armui.ui.actions.command import Command, Target
 from armui.ui.dialogs.confirm_dialog import confirm
 from armui.ui.dialogs.files import choose_file
-from armui.ui.panels.cell.cell_tab import CellTab
+from armui.ui.panels.cell.area_tab import AreaTab
+from armui.ui.panels.cell.cell_tab import CellTab, CurrentStack
+from armui.ui.panels.cell.gripper_tab import GripperTab
 from armui.ui.panels.cell.tools_tab import ToolsTab
 from armui.ui.panels.panel import Panel
 from armui.ui.widgets.buttons import (
@@ -41,7 +43,7 @@ if TYPE_CHECKING:
     from armui.control.operating_state import OperatingState
     from armui.settings import SettingsStore
 
-TABS: Final[tuple[type[CellTab], ...]] = (ToolsTab,)
+TABS: Final[tuple[type[CellTab], ...]] = (ToolsTab, AreaTab, GripperTab)
 """The tabs from left to right."""
 _TALLEST_CARD_PX: Final = 560
 _NARROW_PX: Final = 60
@@ -84,7 +86,7 @@ class CellPanel(Panel):
         self._delete = push_button("cell_delete_button")
         self._labels = (QLabel(), QLabel())
         self._group = QButtonGroup(self)
-        self._stack_of_tabs = QStackedWidget()
+        self._stack_of_tabs = CurrentStack()
         self._tabs = [tab(controller, self._accepted) for tab in TABS]
         self._lay_out()
         self._choice.activated.connect(self._on_chosen)

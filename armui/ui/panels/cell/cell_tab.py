@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import ClassVar
 
-from PySide6.QtWidgets import QWidget
+from PySide6.QtCore import QSize
+from PySide6.QtWidgets import QStackedWidget, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
@@ -17,6 +18,34 @@ from armui.ui.words.text import Text
 
 Answered = Callable[[Started | Refusal | None], bool]
 """Shows an answer in the panel, and returns whether it was a yes."""
+
+
+class CurrentStack(QStackedWidget):
+    """Shows one of several parts, and is as high as that one alone."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.currentChanged.connect(lambda _place: self.updateGeometry())
+
+    def sizeHint(self) -> QSize:
+        """Return the preferred size of the part that is shown."""
+        part = self.currentWidget()
+        return super().sizeHint() if part is None else part.sizeHint()
+
+    def minimumSizeHint(self) -> QSize:
+        """Return the smallest size of the part that is shown."""
+        part = self.currentWidget()
+        return super().minimumSizeHint() if part is None else part.minimumSizeHint()
+
+    def hasHeightForWidth(self) -> bool:  # noqa: N802 - the name Qt calls
+        """Return whether the height depends on the width: of texts that wrap it does."""
+        part = self.currentWidget()
+        return part is not None and part.hasHeightForWidth()
+
+    def heightForWidth(self, width: int) -> int:  # noqa: N802 - the name Qt calls
+        """Return the height that the part that is shown needs."""
+        part = self.currentWidget()
+        return super().heightForWidth(width) if part is None else part.heightForWidth(width)
 
 
 class CellTab(Translated, QWidget):

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from itertools import count
 from typing import Final
 
-from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit
+from PySide6.QtWidgets import QButtonGroup, QComboBox, QLabel, QLineEdit, QWidget
 
+from armui.arm.state import ArmState
 from armui.cell.cell import Cell, with_tool, without_tool
 from armui.cell.checks import LONGEST_NAME
 from armui.cell.tools import NO_TOOL, Tool
@@ -17,8 +19,16 @@ from armui.control.operations.operation import operation_of
 from armui.kinematics.axes import AXES, LINEAR_AXES
 from armui.ui import format as fmt
 from armui.ui.actions.command import Command, Target
-from armui.ui.panels.cell.cell_tab import Answered, CellTab
-from armui.ui.widgets.buttons import caption, enable_or_explain, named, push_button, show_primary
+from armui.ui.panels.cell.cell_tab import Answered, CellTab, CurrentStack
+from armui.ui.panels.cell.tip_by_points import TipByPoints
+from armui.ui.widgets.buttons import (
+    caption,
+    choice_button,
+    enable_or_explain,
+    named,
+    push_button,
+    show_primary,
+)
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row
 from armui.ui.widgets.text_label import text_label
@@ -35,6 +45,7 @@ class ToolsTab(CellTab):
     title = Text("CellPanel", "Tools")
     commands = (
         Command("cell.tool", Text("ToolsTab", "Tool on the flange")),
+        Command("cell.tool_by_points", Text("ToolsTab", "Find the tip by points")),
         Command(
             "cell.tool_apply",
             Text("ToolsTab", "Apply the figures of the tool"),
@@ -66,6 +77,14 @@ class ToolsTab(CellTab):
         self._apply = push_button("cell_tool_apply")
         self._add = push_button("cell_tool_add")
         self._delete = push_button("cell_tool_delete")
+        self._by_points = TipByPoints(controller, answered)
+        self._by_points.applied.connect(self._on_tip_applied)
+        self._ways = CurrentStack()
+        self._way = QButtonGroup(self)
+        for place, name in enumerate(("cell_tool_typed", "cell_tool_by_points")):
+            self._way.addButton(choice_button(name), place)
+        self._way.button(0).setChecked(True)
+        self._way.idClicked.connect(self._on_way_chosen)
         self._lay_out()
         self._choice.activated.connect(self._on_chosen)
         for field in (self._name, self._radius, *self._fields):
@@ -95,8 +114,13 @@ class ToolsTab(CellTab):
             button.setMinimumWidth(_NARROW_PX)
         self._choice.setMinimumWidth(_NARROW_PX)
         buttons = in_row((self._apply, 1), (self._add, 1), (self._delete, 1), spacing=6)
+        typed = QWidget()
         parts = (self._next, grid, figures, self._capsule, buttons, STRETCH)
-        in_column(*parts, on=self, spacing=8, margins=0)
+        in_column(*parts, on=typed, spacing=8, margins=0)
+        self._ways.addWidget(typed)
+        self._ways.addWidget(self._by_points)
+        ways = in_row(*((button, 1) for button in self._way.buttons()), spacing=6)
+        in_column(ways, self._ways, on=self, spacing=8, margins=0)
 
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
@@ -105,6 +129,7 @@ class ToolsTab(CellTab):
             "cell.tool_apply": self._apply,
             "cell.tool_add": self._add,
             "cell.tool_delete": self._delete,
+            "cell.tool_by_points": self._way.button(1),
         }
 
     # -- actions ------------------------------------------------------------------------------
@@ -130,6 +155,28 @@ class ToolsTab(CellTab):
     def _on_delete(self) -> None:
         if self._shown is not None:
             self._change(without_tool(self._cell, self._shown.name))
+
+    def _on_way_chosen(self, place: int) -> None:
+        self._ways.setCurrentIndex(place)
+        self._by_points.show_live()
+
+    def _on_tip_applied(self, pose: tuple[float, ...]) -> None:
+        """Put the tip in the chosen tool; without one it becomes a new tool."""
+        rounded = tuple(round(each, fmt.DECIMALS) for each in pose)
+        chosen = self._cell.chosen_tool
+        if chosen is None:
+            names = {tool.name.casefold() for tool in self._cell.tools}
+            numbered = (self.tr("Tool {number}").format(number=number) for number in count(1))
+            name = next(each for each in numbered if each.casefold() not in names)
+            self._change(with_tool(self._cell, Tool(name, rounded)))
+        else:
+            tool = replace(chosen, pose=rounded)
+            self._change(with_tool(self._cell, tool, instead_of=chosen.name))
+
+    def show_state(self, _state: ArmState) -> None:
+        """Show how far the arm has turned since the last pose of the search."""
+        if self._by_points.isVisible():
+            self._by_points.show_live()
 
     def typed(self) -> Tool:
         """Return the tool as typed; an empty field counts as 0, a text as itself."""
@@ -158,6 +205,8 @@ class ToolsTab(CellTab):
         use = self.tr("Deletes the chosen tool; the bare flange is chosen then.")
         enable_or_explain(self._delete, why_not or no_tool, use)
         self._choice.setEnabled(cell is not None and not why_not)
+        chosen = self._cell.chosen_tool
+        self._by_points.show_tool(NO_TOOL if chosen is None else chosen.pose, why_not)
         self._show_news()
 
     def _show_tool(self, *, force: bool) -> None:
@@ -209,6 +258,9 @@ class ToolsTab(CellTab):
             field.setAccessibleName(self.tr("Tool {axis}").format(axis=axis))
         self._radius_label.setText(self.tr("Radius"))
         self._radius.setAccessibleName(self.tr("Radius of the tool's capsule"))
+        ways = (self.tr("Type it"), self.tr("Find the tip by points"))
+        for button, text in zip(self._way.buttons(), ways, strict=True):
+            caption(button, text)
         caption(self._apply, self.tr("Apply"))
         caption(self._add, self.tr("Add"))
         caption(self._delete, self.tr("Delete"), whose=self.tr("Tool"))

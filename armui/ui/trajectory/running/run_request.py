@@ -18,6 +18,7 @@ from armui.ui.background import Job
 
 if TYPE_CHECKING:
     from armui.arm.models import ArmModel
+    from armui.cell.cell import Cell
     from armui.control.arm_controller import ArmController
     from armui.control.link.arm_mark import ArmMark
     from armui.trajectory.files import Content
@@ -37,7 +38,7 @@ MODEL_CHANGED_SINCE_CHECK = Reason(
 )
 CHANGED_SINCE_CHECK = Reason(
     "changed_since_check",
-    "Not run: tool, load, settings or choices have changed since the check. Send again.",
+    "Not run: tool, load, cell, settings or choices have changed since the check. Send again.",
 )
 MOVED_SINCE_CHECK = Reason(
     "moved_since_check", "Not run: the arm has moved by {value}° since it was checked. Send again."
@@ -66,18 +67,20 @@ class CheckBasis:
         arm: The arm's data for planning: limits, geometry and zeros, tool, gripper.
         alterations: The number of settings that this program had made by then, loads included.
         options: The operator's options.
+        cell: The cell: its work area, and what the arm carries.
     """
 
     mark: ArmMark
     arm: ArmModel
     alterations: int
     options: RunOptions
+    cell: Cell | None
 
     @classmethod
     def of(cls, controller: ArmController, options: RunOptions) -> CheckBasis:
         """Return the present conditions."""
         arm, altered = arm_model(controller), controller.transactions.alterations
-        return cls(controller.mark, arm, altered, options)
+        return cls(controller.mark, arm, altered, options, controller.cell.cell)
 
     def why_other(self, now: CheckBasis) -> Refusal | None:
         """Return why a check under these conditions is not valid under ``now``, or ``None``."""
@@ -185,6 +188,7 @@ class Checks:
             options.speed_factor,
             options.first,
             options.cycles,
+            self._controller.area_guard.check(),
         )
 
         def hand_on(outcome: CheckOutcome | Refusal) -> None:

@@ -220,6 +220,7 @@ class ReplayView(Translated, QWidget):
         super().__init__()
         self.replay = replay
         self.view = view
+        view.set_tool(replay.controller.cartesian.tool)
         self.robot = RobotInView(view, replay.controller, urdf_path, self)
         self._controller = controller = replay.controller
         controller.telemetry.wall_time = wall_time
@@ -395,7 +396,8 @@ class ReplayView(Translated, QWidget):
     def _show_arm(self, _news: object = None) -> None:
         if self.isVisible():
             controller = self._controller
-            show_in_view(self.view, controller.state, controller.operating_state)
+            tool = controller.cartesian.tool
+            show_in_view(self.view, controller.state, controller.operating_state, tool)
 
     def _on_fault_wanted(self, way: int) -> None:
         at_s = self.replay.position_s

@@ -13,6 +13,7 @@ from armui.arm.device import RecordedArm
 from armui.arm.refusal import Refusal
 from armui.control.events import Level
 from armui.control.operating_state import LinkState
+from armui.session.log_model import told_tool
 from armui.session.reader import SUFFIXES
 from armui.session.session import KeepsCounts
 from armui.system.helper_process import HelperProcess
@@ -285,7 +286,12 @@ class ReplayWindow(ArmDialog):
             return
         own = next(each for each in self._surveys if each.channel == channel)
         arm = RecordedArm(
-            int(generation), own.feedback_offset, own.firmware, own.model, own.older_zeros
+            int(generation),
+            own.feedback_offset,
+            own.firmware,
+            own.model,
+            own.older_zeros,
+            told_tool(getattr(self._session, "lines", ())),
         )
         replay = LogReplay(self._session, channel, arm, self._path.name, self)
         replay.failed.connect(self._on_failed)

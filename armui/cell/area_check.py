@@ -1,0 +1,288 @@
+"""Tells where the arm comes too near to planes and boxes of its work area.
+
+The arm is the capsules of :mod:`armui.cell.enclosure`, which enclose every part that moves, with
+the tool and what the hand holds. A gap is the distance of a capsule's surface from a plane or a
+box; below 0 it is how far the capsule reaches in.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from armui.arm.models import model_data
+from armui.arm.refusal import Reason, Refusal
+from armui.cell.clearance import box_gaps, plane_gaps
+from armui.cell.enclosure import Body, Capsule, Capsules, body_of, enclose
+from armui.cell.work_area import Area, Zone
+from armui.kinematics.poses import pose_to_matrix
+
+if TYPE_CHECKING:
+    from armui.cell.cell import Cell
+    from armui.kinematics.geometry import Geometry
+    from armui.protocol.generation import PiperModel
+
+Array = npt.NDArray[np.float64]
+
+AREA_IN_THE_WAY = Reason(
+    "area_in_the_way",
+    "Not there: {part} would come to {value} mm from “{name}” of the work area; {minimum} mm are "
+    "kept. Move another way, or change the area under Cell.",
+)
+AREA_ONLY_OUT = Reason(
+    "area_only_out",
+    "The arm stands in “{name}” of the work area, with {part} {value} mm too near; this would "
+    "lead further in. Move it out.",
+)
+
+SLACK_MM: Final = 1.0
+"""Between two poses that are looked at no part comes nearer to anything by more than this."""
+_LOOKED_MM: Final = 2.0 * SLACK_MM
+_SAME_MM: Final = 1e-6
+_FLANGE: Final = 6
+_MOST_AT_ONCE: Final = 4096
+
+
+@dataclass(frozen=True, slots=True)
+class AreaEntry:
+    """A place at which the arm is too near to something.
+
+    Attributes:
+        zone: The plane or box.
+        part: The part of the arm, a name of `PARTS`.
+        gap_mm: Its distance; below 0 it is inside.
+    """
+
+    zone: Zone
+    part: str
+    gap_mm: float
+
+
+class AreaCheck:
+    """The checks of one arm in one work area.
+
+    Args:
+        area: The work area; what is switched off in it does not count.
+        body: The arm with what it carries.
+    """
+
+    def __init__(self, area: Area, body: Body) -> None:
+        self._area = area.in_force
+        self._body = body
+        self._coarse = _coarse(body)
+        self._planes = _frames(self._area.planes)
+        self._boxes = _frames(self._area.boxes)
+        self._sizes_mm = np.array([box.size_mm for box in self._area.boxes]).reshape(-1, 3)
+        self._reaches_mm = _reaches_mm(body)
+
+    @property
+    def is_free(self) -> bool:
+        """True if nothing is switched on: the arm may go anywhere."""
+        return self._area.is_free
+
+    @property
+    def margin_mm(self) -> float:
+        """The distance that is kept."""
+        return self._area.margin_mm
+
+    def is_too_near(self, entry: AreaEntry) -> bool:
+        """Return whether a standing arm is too near; what is measured wavers within the slack."""
+        return entry.gap_mm < self.margin_mm - SLACK_MM
+
+    def look(self, joints_deg: Sequence[float]) -> tuple[AreaEntry, ...]:
+        """Return what of the arm is nearest to each plane and box at six angles, nearest first."""
+        gaps, capsules = self._gaps(np.array([joints_deg], dtype=float))
+        nearest = gaps[0].argmin(axis=0).tolist()
+        entries = [
+            AreaEntry(zone, capsules.parts[capsule], float(gaps[0, capsule, place]))
+            for place, (zone, capsule) in enumerate(zip(self._area.zones, nearest, strict=True))
+        ]
+        return tuple(sorted(entries, key=lambda entry: entry.gap_mm))
+
+    def why_no_turn(self, stops_deg: Sequence[Sequence[float]]) -> Refusal | None:
+        """Return why the joints may not turn evenly from pose to pose; see :meth:`why_no_way`."""
+        return self.why_no_way(np.array(stops_deg, dtype=float))
+
+    def why_no_further(
+        self, ahead_deg: Sequence[Sequence[float]], now_deg: Sequence[Sequence[float]]
+    ) -> Refusal | None:
+        """Return why a jog may not go on; an arm that is inside may go out.
+
+        Args:
+            ahead_deg: The poses to which it would go on, six angles each.
+            now_deg: The poses that it comes from, as many.
+        """
+        if self.is_free:
+            return None
+        poses = np.array([*ahead_deg, *now_deg], dtype=float)
+        gaps, capsules = self._gaps(poses)
+        ahead, now = np.split(gaps, 2)
+        # a jog keeps the slack to the margin, so that a way from where it ends is none too near
+        near = (ahead < self.margin_mm + SLACK_MM) & (ahead < now - _SAME_MM)
+        return self._why(near, ahead, now.min(initial=np.inf) < self.margin_mm, capsules)
+
+    def why_no_way(self, joints_deg: Array) -> Refusal | None:
+        """Return why the arm may not go along a way from where it stands, or ``None``.
+
+        What is too near at its beginning may only be left on it, and nothing may be entered anew.
+
+        Args:
+            joints_deg: (n, 6) the way; between two of them the joints turn evenly.
+        """
+        if self.is_free or not len(joints_deg):
+            return None
+        poses, _ = self._finely(joints_deg)
+        gaps, capsules = self._gaps(poses)
+        allowed = np.minimum(np.maximum.accumulate(gaps, axis=0), self.margin_mm)
+        near = gaps < allowed - SLACK_MM
+        first = np.flatnonzero(near.any(axis=(1, 2)))[:1]
+        inside = bool(gaps[0].min() < self.margin_mm)
+        return self._why(near[first], gaps[first], inside, capsules)
+
+    def entries(self, joints_deg: Array) -> dict[int, AreaEntry]:
+        """Return where a planned way comes too near to something.
+
+        Args:
+            joints_deg: (n, 6) the way; between two of them the joints turn evenly.
+
+        Returns:
+            What is nearest by the index of the pose, or of the one behind the place.
+        """
+        found: dict[int, AreaEntry] = {}
+        if self.is_free or not len(joints_deg):
+            return found
+        poses, indices = self._finely(joints_deg)
+        near = np.flatnonzero(self._nearest_gaps(poses, self.margin_mm) < self.margin_mm)
+        for begin in range(0, len(near), _MOST_AT_ONCE):
+            block = near[begin : begin + _MOST_AT_ONCE]
+            gaps, capsules = self._gaps(poses[block], self.margin_mm)
+            for which, index in enumerate(indices[block].tolist()):
+                entry = self._entry(gaps[which], capsules)
+                if index not in found or entry.gap_mm < found[index].gap_mm:
+                    found[index] = entry
+        return found
+
+    def _finely(self, joints_deg: Array) -> tuple[Array, npt.NDArray[np.int64]]:
+        """Return a way with poses between those that are far apart and near to something.
+
+        Returns:
+            The poses, and the index of each in the given way, or of the next one.
+        """
+        travels_mm = np.radians(np.abs(np.diff(joints_deg, axis=0))) @ self._reaches_mm
+        near_mm = self.margin_mm + float(travels_mm.max(initial=0.0)) / 2.0
+        gaps = self._nearest_gaps(joints_deg, near_mm)
+        # what is that far away at either end does not come within the margin between them
+        clear = np.minimum(gaps[:-1], gaps[1:]) - travels_mm / 2.0 >= self.margin_mm
+        steps = np.where(clear, 1, np.ceil(travels_mm / _LOOKED_MM)).astype(np.int64)
+        steps = np.maximum(steps, 1)
+        ends = np.cumsum(steps)
+        indices = np.repeat(np.arange(1, len(joints_deg)), steps)
+        shares = (
+            np.arange(ends[-1] if len(ends) else 0) - np.repeat(ends - steps, steps) + 1.0
+        ) / (np.repeat(steps, steps))
+        before, after = joints_deg[indices - 1], joints_deg[indices]
+        poses = before + shares[:, None] * (after - before)
+        return np.vstack((joints_deg[:1], poses)), np.concatenate(([0], indices))
+
+    def _nearest_gaps(self, joints_deg: Array, near_mm: float) -> Array:
+        """Return (n,) the least gap of each pose; from `near_mm` on it may be given too small."""
+        gaps = [np.empty(0)]
+        for begin in range(0, len(joints_deg), _MOST_AT_ONCE):
+            poses = joints_deg[begin : begin + _MOST_AT_ONCE]
+            nearest = self._gaps(poses, near_mm, self._coarse)[0].min(axis=(1, 2))
+            near = np.flatnonzero(nearest < near_mm)
+            if len(near):
+                nearest[near] = self._gaps(poses[near], near_mm)[0].min(axis=(1, 2))
+            gaps.append(nearest)
+        return np.concatenate(gaps)
+
+    def _gaps(
+        self, joints_deg: Array, near_mm: float = np.inf, body: Body | None = None
+    ) -> tuple[Array, Capsules]:
+        """Return (n, capsules, zones) the gaps at (n, 6) angles, and the capsules.
+
+        A gap of `near_mm` or more may be given too small, but never below that.
+        """
+        capsules = enclose(body or self._body, joints_deg)
+        planes = plane_gaps(capsules, self._planes)
+        boxes = box_gaps(capsules, self._boxes, self._sizes_mm, near_mm)
+        return np.concatenate((planes, boxes), axis=2), capsules
+
+    def _why(
+        self, near: npt.NDArray[np.bool_], gaps: Array, inside: bool, capsules: Capsules
+    ) -> Refusal | None:
+        if not near.any():
+            return None
+        worst = np.where(near, gaps, np.inf)
+        entry = self._entry(worst.reshape(-1, *worst.shape[-2:]).min(axis=0), capsules)
+        name, part = entry.zone.name, entry.part
+        if inside:
+            value = round(self.margin_mm - entry.gap_mm, 1)
+            return AREA_ONLY_OUT(name=name, part=part, value=value)
+        value = round(entry.gap_mm, 1)
+        return AREA_IN_THE_WAY(name=name, part=part, value=value, minimum=self.margin_mm)
+
+    def _entry(self, gaps: Array, capsules: Capsules) -> AreaEntry:
+        """Return the nearest of (capsules, zones)."""
+        capsule, zone = np.unravel_index(int(gaps.argmin()), gaps.shape)
+        part = capsules.parts[int(capsule)]
+        return AreaEntry(self._area.zones[int(zone)], part, float(gaps[capsule, zone]))
+
+
+def carried_body(
+    model: PiperModel, geometry: Geometry, tool: Sequence[float], cell: Cell | None
+) -> Body:
+    """Return an arm with its gripper, the tool in force and what the hand holds.
+
+    Args:
+        model: The model of the arm.
+        geometry: Its geometry with the zeros in force.
+        tool: The tool centre point in the flange: X, Y, Z in mm, RX, RY, RZ in degrees.
+        cell: The cell: it tells how thick the tool is, and what is held.
+    """
+    opening_mm = max(model_data(model).gripper.strokes_mm)
+    body = body_of(model, geometry, opening_mm)
+    chosen = None if cell is None else cell.chosen_tool
+    if any(tool[:3]):
+        radius_mm = 0.0 if chosen is None else chosen.radius_mm
+        tip = tuple(tool[:3])
+        body = body.with_more(Capsule("tool", _FLANGE, (0.0, 0.0, 0.0), tip, radius_mm))
+    return body
+
+
+def _coarse(body: Body) -> Body:
+    """Return a body with one capsule for each link, which encloses all of the link's."""
+    found = []
+    for link in sorted({each.link for each in body.capsules}):
+        capsules = [each for each in body.capsules if each.link == link]
+        ends = np.array([end for each in capsules for end in (each.start_mm, each.end_mm)])
+        apart = np.linalg.norm(ends[:, None] - ends[None], axis=2)
+        start, end = (ends[which] for which in np.unravel_index(apart.argmax(), apart.shape))
+        along = end - start
+        shares = np.clip((ends - start) @ along / max(float(along @ along), 1e-9), 0.0, 1.0)
+        off = np.linalg.norm(ends - start - shares[:, None] * along, axis=1)
+        radius_mm = float((off + np.repeat([each.radius_mm for each in capsules], 2)).max())
+        found.append(Capsule("base", link, tuple(start), tuple(end), radius_mm))
+    return replace(body, capsules=tuple(found))
+
+
+def _frames(zones: Sequence[Zone]) -> Array:
+    return pose_to_matrix(np.array([zone.pose for zone in zones]).reshape(-1, 6))
+
+
+def _reaches_mm(body: Body) -> Array:
+    """Return (6,) how far from its axis each joint moves anything at most."""
+    to_next_mm = [math.hypot(row.a_mm, row.d_mm) for row in body.geometry.rows]
+    reaches_mm = np.zeros(len(to_next_mm))
+    for capsule in body.capsules:
+        furthest_mm = max(math.hypot(*capsule.start_mm), math.hypot(*capsule.end_mm))
+        for joint in range(capsule.link):
+            between_mm = sum(to_next_mm[joint + 1 : capsule.link])
+            reach_mm = between_mm + furthest_mm + capsule.radius_mm
+            reaches_mm[joint] = max(reaches_mm[joint], reach_mm)
+    return reaches_mm

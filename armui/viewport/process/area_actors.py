@@ -1,0 +1,75 @@
+"""The planes and boxes of the work area: translucent, those near the arm lit."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import pyvista as pv
+
+from armui.viewport.palette import ScenePalette, rgb
+from armui.viewport.process.geometry import actor_of
+
+if TYPE_CHECKING:
+    from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
+
+    from armui.viewport.area_picture import AreaPicture, AreaShape
+
+_MM: Final = 0.001
+_OPACITY: Final = 0.14
+_NEAR_OPACITY: Final = 0.26
+_PLANE_M: Final = 1.2
+_PLANE_CELLS: Final = 8
+_MIDDLE_M: Final = (0.0, 0.0, 0.25, 1.0)
+"""The middle of where the arm works: a plane is drawn around the place on it that is nearest."""
+
+
+class AreaActors:
+    """The work area in a renderer."""
+
+    def __init__(self, renderer: vtkRenderer) -> None:
+        self._renderer = renderer
+        self._actors: list[vtkActor] = []
+        self._shown: tuple[AreaPicture, ScenePalette] | None = None
+
+    def show(self, area: AreaPicture, palette: ScenePalette) -> None:
+        """Show an area; do nothing if it is the same as before."""
+        if (area, palette) == self._shown:
+            return
+        self._shown = (area, palette)
+        for actor in self._actors:
+            self._renderer.RemoveActor(actor)
+        self._actors = [self._add(shape, palette) for shape in area]
+
+    def _add(self, shape: AreaShape, palette: ScenePalette) -> vtkActor:
+        actor = actor_of(_surface(shape))
+        look = actor.GetProperty()
+        color = rgb(palette.warning if shape.near else palette.muted)
+        look.SetColor(*color)
+        look.SetOpacity(_NEAR_OPACITY if shape.near else _OPACITY)
+        look.LightingOff()
+        look.BackfaceCullingOff()
+        look.EdgeVisibilityOn()
+        look.SetEdgeColor(*color)
+        actor.PickableOff()
+        self._renderer.AddActor(actor)
+        return actor
+
+
+def _surface(shape: AreaShape) -> pv.PolyData:
+    """Return a plane or a box in the base frame, in metres."""
+    frame = np.vstack((np.reshape(shape.rows, (3, 4)), (0.0, 0.0, 0.0, 1.0)))
+    frame[:3, 3] *= _MM
+    if shape.size_mm is not None:
+        x, y, z = (_MM * edge for edge in shape.size_mm)
+        surface = pv.Cube(x_length=x, y_length=y, z_length=z)
+    else:
+        across, along, _, _ = np.linalg.inv(frame) @ _MIDDLE_M
+        surface = pv.Plane(
+            center=(across, along, 0.0),
+            i_size=_PLANE_M,
+            j_size=_PLANE_M,
+            i_resolution=_PLANE_CELLS,
+            j_resolution=_PLANE_CELLS,
+        )
+    return surface.transform(frame, inplace=False)
