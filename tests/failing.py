@@ -31,7 +31,7 @@ def failing(*functions: Callable[..., Any]) -> Iterator[None]:
 
     What they are made of is exchanged: the traceback names their own module.
     """
-    own = [each for each in functions if isinstance(each, FunctionType)]
+    own = [each for each in map(inspect.unwrap, functions) if isinstance(each, FunctionType)]
     assert len(own) == len(functions)
     codes = [function.__code__ for function in own]
     for function, code in zip(own, codes, strict=True):
@@ -67,5 +67,5 @@ def functions_of(kind: type) -> list[FunctionType]:
         elif isinstance(each, staticmethod | classmethod):
             function = each.__func__
         if isinstance(function, FunctionType) and not inspect.isgeneratorfunction(function):
-            found.append(function)
+            found.append(inspect.unwrap(function))
     return [each for each in found if each.__name__ != "__init__"]

@@ -1,1 +1,5 @@
 """The windows: they show the state they are given and call the controller, never the bus."""
+
+from armui.ui.override_guard import guard_overrides
+
+guard_overrides()  # before the first class of a widget

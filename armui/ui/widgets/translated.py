@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent
 
+from armui.ui.override_guard import guarded
+
 if TYPE_CHECKING:
     from PySide6.QtWidgets import QWidget as _Base
 else:
@@ -22,6 +24,7 @@ class Translated(_Base):
     def _recolor(self) -> None:
         """Draw anew what the widget has painted in the theme's colours."""
 
+    @guarded
     def changeEvent(self, event: QEvent) -> None:
         """Update texts or colours after a change of language or theme."""
         if event.type() == QEvent.Type.LanguageChange:

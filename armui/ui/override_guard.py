@@ -1,0 +1,76 @@
+"""Keeps exceptions within the functions that Qt calls: its events, and what it asks of a widget.
+
+PySide keeps an exception of such a function until the call from Python ends within which Qt has
+called it. Until then each further function of ours that Qt calls is left out, PySide 6.11.3 gives
+back a reference to it that is in use, so that it is freed sooner or later, and the exception may be
+lost. An exception that is told at once does none of this.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from contextlib import suppress
+from functools import wraps
+from types import FunctionType
+from typing import Any, Final
+
+from PySide6.QtCore import QObject
+
+_FILTERS: Final = frozenset({"event", "eventFilter"})
+_QUESTIONS: Final = frozenset(
+    {
+        *("sizeHint", "minimumSizeHint", "minimumSize", "heightForWidth", "hasHeightForWidth"),
+        *("data", "headerData", "flags", "rowCount", "columnCount"),
+        *("filterAcceptsRow", "lessThan", "paint", "drawRow"),
+    }
+)
+"""The functions that Qt asks while it lays out and draws; it is given its own answer instead."""
+
+
+def is_guarded(kind: type, name: str) -> bool:
+    """Return whether a function of this name, in a class like this, is called by Qt and guarded."""
+    if name not in _FILTERS | _QUESTIONS and not name.endswith("Event"):
+        return False
+    return any(name in vars(base) for base in kind.__mro__ if base.__module__.startswith("PySide6"))
+
+
+def guarded(function: Callable[..., Any], kind: type | None = None) -> Callable[..., Any]:
+    """Return a function of a class that tells of its exceptions itself, as if Qt had called it.
+
+    Args:
+        function: The function; after an exception an event counts as not handled.
+        kind: The class, whose Qt base then answers a question.
+    """
+    name = function.__name__
+
+    @wraps(function)
+    def call(self: Any, *arguments: Any, **named: Any) -> Any:
+        try:
+            return function(self, *arguments, **named)
+        except Exception as error:  # noqa: BLE001 - whatever it is, Qt must not meet it
+            # it is told where it happened, as by PySide: this module is no part of that
+            trace = error.__traceback__ and error.__traceback__.tb_next
+            sys.excepthook(type(error), error.with_traceback(trace), trace)
+        if kind is None or name not in _QUESTIONS:
+            return False
+        with suppress(Exception):  # Qt has no answer of its own to some
+            return getattr(super(kind, self), name)(*arguments, **named)
+        return 0 if name.endswith("Count") else None
+
+    return call
+
+
+def guard_overrides() -> None:
+    """Guard the functions that Qt calls in each class of a `QObject` that is defined from now on.
+
+    A class of another kind that is mixed in has its own guarded by `guarded`.
+    """
+    QObject.__init_subclass__ = classmethod(_guard)  # type: ignore[assignment,method-assign]
+
+
+def _guard(kind: type[QObject], /, **more: Any) -> None:
+    super(QObject, kind).__init_subclass__(**more)
+    for name, function in tuple(vars(kind).items()):
+        if isinstance(function, FunctionType) and is_guarded(kind, name):
+            setattr(kind, name, guarded(function, kind))
