@@ -305,6 +305,7 @@ class ArmModel:
         kinematics: The kinematics of its geometry.
         tool_mm: The distance from the flange to the gripper's tip.
         stroke_mm: The gripper's largest opening; ``None`` if not known.
+        widest_mm: The same as measured, where the gripper's table is applied to points.
         gripper_turned_deg: The gripper's turn about the flange's Z axis.
         kind: The model and its zeros; if "", trajectories of other arms are not recognised.
         tool: The tool set on the flange; ``None`` if only the gripper's tip counts.
@@ -318,6 +319,7 @@ class ArmModel:
     stroke_mm: float | None = None
     gripper_turned_deg: float = 0.0
     kind: str = ""
+    widest_mm: float | None = None
     tool: ToolCapsule | None = None
 
     @property

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -74,6 +74,7 @@ class AreaCheck:
     def __init__(self, area: Area, body: Body) -> None:
         self._area = area.in_force
         self._body = body
+        self._coarse = _coarse(body)
         self._planes = _frames(self._area.planes)
         self._boxes = _frames(self._area.boxes)
         self._sizes_mm = np.array([box.size_mm for box in self._area.boxes]).reshape(-1, 3)
@@ -156,11 +157,12 @@ class AreaCheck:
         if self.is_free or not len(joints_deg):
             return found
         poses, indices = self._finely(joints_deg)
-        for begin in range(0, len(poses), _MOST_AT_ONCE):
-            gaps, capsules = self._gaps(poses[begin : begin + _MOST_AT_ONCE], self.margin_mm)
-            for which in np.flatnonzero((gaps < self.margin_mm).any(axis=(1, 2))).tolist():
+        near = np.flatnonzero(self._nearest_gaps(poses, self.margin_mm) < self.margin_mm)
+        for begin in range(0, len(near), _MOST_AT_ONCE):
+            block = near[begin : begin + _MOST_AT_ONCE]
+            gaps, capsules = self._gaps(poses[block], self.margin_mm)
+            for which, index in enumerate(indices[block].tolist()):
                 entry = self._entry(gaps[which], capsules)
-                index = int(indices[begin + which])
                 if index not in found or entry.gap_mm < found[index].gap_mm:
                     found[index] = entry
         return found
@@ -188,18 +190,25 @@ class AreaCheck:
         return np.vstack((joints_deg[:1], poses)), np.concatenate(([0], indices))
 
     def _nearest_gaps(self, joints_deg: Array, near_mm: float) -> Array:
-        parts = [
-            self._gaps(joints_deg[begin : begin + _MOST_AT_ONCE], near_mm)[0].min(axis=(1, 2))
-            for begin in range(0, len(joints_deg), _MOST_AT_ONCE)
-        ]
-        return np.concatenate(parts)
+        """Return (n,) the least gap of each pose; from `near_mm` on it may be given too small."""
+        gaps = [np.empty(0)]
+        for begin in range(0, len(joints_deg), _MOST_AT_ONCE):
+            poses = joints_deg[begin : begin + _MOST_AT_ONCE]
+            nearest = self._gaps(poses, near_mm, self._coarse)[0].min(axis=(1, 2))
+            near = np.flatnonzero(nearest < near_mm)
+            if len(near):
+                nearest[near] = self._gaps(poses[near], near_mm)[0].min(axis=(1, 2))
+            gaps.append(nearest)
+        return np.concatenate(gaps)
 
-    def _gaps(self, joints_deg: Array, near_mm: float = np.inf) -> tuple[Array, Capsules]:
+    def _gaps(
+        self, joints_deg: Array, near_mm: float = np.inf, body: Body | None = None
+    ) -> tuple[Array, Capsules]:
         """Return (n, capsules, zones) the gaps at (n, 6) angles, and the capsules.
 
         A gap of `near_mm` or more may be given too small, but never below that.
         """
-        capsules = enclose(self._body, joints_deg)
+        capsules = enclose(body or self._body, joints_deg)
         planes = plane_gaps(capsules, self._planes)
         boxes = box_gaps(capsules, self._boxes, self._sizes_mm, near_mm)
         return np.concatenate((planes, boxes), axis=2), capsules
@@ -244,6 +253,22 @@ def carried_body(
         tip = tuple(tool[:3])
         body = body.with_more(Capsule("tool", _FLANGE, (0.0, 0.0, 0.0), tip, radius_mm))
     return body
+
+
+def _coarse(body: Body) -> Body:
+    """Return a body with one capsule for each link, which encloses all of the link's."""
+    found = []
+    for link in sorted({each.link for each in body.capsules}):
+        capsules = [each for each in body.capsules if each.link == link]
+        ends = np.array([end for each in capsules for end in (each.start_mm, each.end_mm)])
+        apart = np.linalg.norm(ends[:, None] - ends[None], axis=2)
+        start, end = (ends[which] for which in np.unravel_index(apart.argmax(), apart.shape))
+        along = end - start
+        shares = np.clip((ends - start) @ along / max(float(along @ along), 1e-9), 0.0, 1.0)
+        off = np.linalg.norm(ends - start - shares[:, None] * along, axis=1)
+        radius_mm = float((off + np.repeat([each.radius_mm for each in capsules], 2)).max())
+        found.append(Capsule("base", link, tuple(start), tuple(end), radius_mm))
+    return replace(body, capsules=tuple(found))
 
 
 def _frames(zones: Sequence[Zone]) -> Array:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 
 from armui.arm.refusal import Reason, Refusal
 from armui.cell.checks import check_name, check_names
+from armui.cell.gripper_table import GripperTable, Pairs, check_gripper_table
 from armui.cell.tools import Tool, check_tool
 from armui.cell.work_area import Area, check_area
 
@@ -23,12 +24,16 @@ class Cell:
         name: Its name, which is also that of its file.
         tools: Its tools, in the order of the list.
         tool: The name of the chosen tool; "" for the bare flange.
+        gripper_table: The gripper's openings, asked for and measured with callipers, mm.
+        gripper_calibrated: True if that table is applied.
         area: Where the arm may go.
     """
 
     name: str
     tools: tuple[Tool, ...] = ()
     tool: str = ""
+    gripper_table: Pairs = ()
+    gripper_calibrated: bool = False
     area: Area = field(default_factory=Area)
 
     @property
@@ -40,6 +45,11 @@ class Cell:
     def chosen_tool(self) -> Tool | None:
         """The chosen tool, or ``None`` for the bare flange."""
         return next((tool for tool in self.tools if tool.name == self.tool), None)
+
+    @property
+    def gripper(self) -> GripperTable | None:
+        """The gripper's table while it is applied, or ``None``."""
+        return GripperTable(self.gripper_table) if self.gripper_calibrated else None
 
     def tool_named(self, name: str) -> Tool | None:
         """Return a tool by its name, or ``None``."""
@@ -73,6 +83,7 @@ def check_cell(cell: Cell) -> Refusal | None:
         check_names(tool.name for tool in cell.tools),
         *(check_tool(tool) for tool in cell.tools),
         _check_choice(cell.tool, cell.chosen_tool),
+        check_gripper_table(cell.gripper_table, used=cell.gripper_calibrated),
         check_area(cell.area),
     )
     return next((each for each in refusals if each is not None), None)

@@ -15,7 +15,7 @@ from typing import Final
 
 from armui.arm.json_fields import FieldError, FieldProblem, Fields
 from armui.arm.refusal import Reason, Refusal
-from armui.cell import tools, work_area
+from armui.cell import gripper_table, tools, work_area
 from armui.cell.cell import Cell, check_cell
 from armui.cell.work_area import Area
 from armui.system.atomic import write_whole
@@ -169,6 +169,8 @@ def _entries(cell: Cell) -> dict[str, object]:
     return {
         "tools": [tools.to_entry(tool) for tool in cell.tools],
         "tool": cell.tool,
+        "gripper_table": gripper_table.to_entries(cell.gripper_table),
+        "gripper_calibrated": int(cell.gripper_calibrated),
         "area": work_area.to_entry(cell.area),
     }
 
@@ -187,6 +189,10 @@ def _cell(fields: Fields, name: str) -> Cell:
         name,
         tools=tuple(map(tools.from_entry, fields.objects("tools"))) if "tools" in fields else (),
         tool=fields.text("tool", ""),
+        gripper_table=gripper_table.from_entries(
+            fields.objects("gripper_table") if "gripper_table" in fields else ()
+        ),
+        gripper_calibrated=bool(fields.whole("gripper_calibrated", 0, (0, 1))),
         area=work_area.from_entry(fields.object("area")) if "area" in fields else Area(),
     )
     fields.nothing_else()

@@ -204,7 +204,10 @@ class ControllerParts(QObject):
         )
 
         return ReferenceControl(
-            self._context, self.reference_memory, lambda: self._wall(self._context.clock())
+            self._context,
+            self.reference_memory,
+            lambda: self._wall(self._context.clock()),
+            self.area_guard.why_no_joints,
         )
 
     @cached_property
@@ -230,7 +233,13 @@ class ControllerParts(QObject):
     @cached_property
     def gripper(self) -> GripperControl:
         """Moves the gripper."""
-        gripper = GripperControl(self._context, self.settings, end_run=self._end_run_because)
+        gripper = GripperControl(
+            self._context,
+            self.settings,
+            end_run=self._end_run_because,
+            table=lambda: None if self.cell.in_force is None else self.cell.in_force.gripper,
+        )
+        self.player.as_asked = gripper.as_asked
         for run in (self.player, self.replayer):
             run.gripper_sent.connect(gripper.note_travel)
         return gripper

@@ -290,8 +290,11 @@ class MainWindow(Translated, KeepsFocus, QWidget):
 
     def _show_in_view(self, state: ArmState) -> None:
         if self.isVisible():
-            tool = self._controller.cartesian.tool
-            show_in_view(self._view, state, self._controller.operating_state, tool)
+            controller = self._controller
+            show_in_view(
+                *(self._view, state, controller.operating_state, controller.cartesian.tool),
+                calibrated=lambda gripper: controller.gripper.shown(gripper),  # noqa: PLW0108
+            )
 
     def _recolor(self) -> None:
         dark = colors_of(self) is DARK

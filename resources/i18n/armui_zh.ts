@@ -1490,6 +1490,10 @@
         <source>Area</source>
         <translation>区域</translation>
     </message>
+    <message>
+        <source>Gripper</source>
+        <translation>夹爪</translation>
+    </message>
 </context>
 <context>
     <name>CloseButton</name>
@@ -4665,6 +4669,13 @@
     </message>
 </context>
 <context>
+    <name>Gripper</name>
+    <message>
+        <source>mm, calibrated</source>
+        <translation>mm（已校准）</translation>
+    </message>
+</context>
+<context>
     <name>GripperAct</name>
     <message>
         <source>Enable</source>
@@ -4879,6 +4890,10 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <source>Send</source>
         <translation>发送</translation>
     </message>
+    <message>
+        <source>Calibrated: openings are as measured with callipers, by the cell&apos;s table.</source>
+        <translation>已校准：开度按单元中的卡尺测量表。</translation>
+    </message>
 </context>
 <context>
     <name>GripperRow</name>
@@ -4916,6 +4931,93 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>One of {choices}</source>
         <translation>可选 {choices}</translation>
+    </message>
+</context>
+<context>
+    <name>GripperTab</name>
+    <message>
+        <source>Off, everything is as the arm tells it; the table is kept.</source>
+        <translation>关闭时一切按机械臂上报；校准表保留。</translation>
+    </message>
+    <message>
+        <source>Fills in widths over the gripper&apos;s stroke.</source>
+        <translation>按夹爪行程填入开度。</translation>
+    </message>
+    <message>
+        <source>Puts the table in force; one of fewer than two pairs switches it off.</source>
+        <translation>使校准表生效；不足两组时关闭校准。</translation>
+    </message>
+    <message>
+        <source>Press Propose widths, or type openings to be measured.</source>
+        <translation>按“推荐开度”，或输入要测量的开度。</translation>
+    </message>
+    <message>
+        <source>Apply a table of two pairs at least first.</source>
+        <translation>请先应用至少两组数据的校准表。</translation>
+    </message>
+    <message>
+        <source>Calibrated</source>
+        <translation>已校准</translation>
+    </message>
+    <message>
+        <source>Every width is measured. Type another one, or apply the table.</source>
+        <translation>所有开度均已测量。可再输入一个，或应用校准表。</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>测量值</translation>
+    </message>
+    <message>
+        <source>Propose widths</source>
+        <translation>推荐开度</translation>
+    </message>
+    <message>
+        <source>Row {row}: press Open, wait until the gripper stands, measure between the fingers with callipers and type what they show.</source>
+        <translation>第 {row} 行：按“打开”，等夹爪停稳，用卡尺测量两指之间的距离并输入读数。</translation>
+    </message>
+    <message>
+        <source>Asked for</source>
+        <translation>指令开度</translation>
+    </message>
+    <message>
+        <source>There is no cell yet: type its name above and press New.</source>
+        <translation>尚无单元：请在上方输入名称并按“新建”。</translation>
+    </message>
+    <message>
+        <source>Press Apply: openings are calibrated from then on.</source>
+        <translation>按“应用”：此后开度均已校准。</translation>
+    </message>
+    <message>
+        <source>Calibrated: targets, points, the opening shown and the picture go by this table. Recordings keep what the arm told.</source>
+        <translation>已校准：目标、轨迹点、显示的开度和画面都按此表。录制保留机械臂上报的值。</translation>
+    </message>
+    <message>
+        <source>Open to {width} mm</source>
+        <translation>打开到 {width} mm</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>应用</translation>
+    </message>
+    <message>
+        <source>Open the gripper to the next width of its table</source>
+        <translation>将夹爪打开到校准表的下一个开度</translation>
+    </message>
+    <message>
+        <source>Moves the gripper, uncalibrated.</source>
+        <translation>移动夹爪，不经校准。</translation>
+    </message>
+    <message>
+        <source>Propose widths for the gripper table</source>
+        <translation>为夹爪校准表推荐开度</translation>
+    </message>
+    <message>
+        <source>Show and command calibrated openings</source>
+        <translation>显示并发送已校准的开度</translation>
+    </message>
+    <message>
+        <source>Apply the gripper table</source>
+        <translation>应用夹爪校准表</translation>
     </message>
 </context>
 <context>
@@ -10912,6 +11014,18 @@ The other program must have ended.</source>
     <message>
         <source>Not there: {part} would come to {value} mm from “{name}” of the work area; {minimum} mm are kept. Move another way, or change the area under Cell.</source>
         <translation>不能去那里：{part}将到离工作区的“{name}”{value} mm 处；应保持 {minimum} mm。请换一种走法，或在“单元”中更改区域。</translation>
+    </message>
+    <message>
+        <source>The gripper table has {value} pairs; it holds {maximum} at most. Leave some out.</source>
+        <translation>夹爪校准表有 {value} 组，最多 {maximum} 组。请删去一些。</translation>
+    </message>
+    <message>
+        <source>The gripper table does not rise: {value} mm measured at {maximum} mm asked for, but {before} mm at {minimum} mm. Measure the two once more.</source>
+        <translation>夹爪校准表不是递增的：指令 {maximum} mm 时测得 {value} mm，而指令 {minimum} mm 时测得 {before} mm。请重新测量这两组。</translation>
+    </message>
+    <message>
+        <source>The gripper table needs two pairs at least, so that openings between them are known.</source>
+        <translation>夹爪校准表至少需要两组，才能得知其间的开度。</translation>
     </message>
 </context>
 <context>

@@ -123,6 +123,16 @@ def test_a_lost_adapter_that_comes_back_asks_again(kept):
     assert kept.controller.cartesian.tool == NO_TOOL
 
 
+def test_an_arm_that_was_silent_may_be_another_one(kept):
+    accepted(kept.controller.cell.confirm())
+    kept.powered = False
+    kept.run(1.0)
+    kept.powered = True
+    kept.run_until(lambda: kept.controller.recovery.step.kind is StepKind.CELL_UNCONFIRMED)
+    assert kept.controller.operating_state.cannot_send_motion.reason == CELL_NOT_CONFIRMED
+    assert kept.controller.cartesian.tool == NO_TOOL
+
+
 def test_a_cell_that_could_not_be_read_is_not_taken_for_none(rig):
     bend(rig)
     again(rig, "bench")

@@ -6,18 +6,21 @@ import pytest
 
 from armui.cell.area_check import AREA_IN_THE_WAY, AREA_ONLY_OUT
 from armui.cell.work_area import AreaBox
+from armui.control.devices.teaching_phase import AREA_WAY_UNKNOWN
 from armui.control.motion.jog_path import JointJog, ToolJog
+from armui.control.motion.motion_command import Mover
 from armui.control.motion.steered_path import SteeredJog
 from armui.control.operating_state import JOG_UNDER_WAY
 from armui.control.safety.recovery_steps import StepKind
 from armui.kinematics.axes import JogFrame
-from armui.protocol.codes import MoveMode
+from armui.protocol.codes import MoveMode, TeachingState
 from armui.trajectory.planning.check import AREA_TOO_NEAR, CheckRequest, check
 from armui.trajectory.planning.findings import Approach
 from armui.ui import words
 from tests.accepted import accepted
 from tests.cell.areas import TABLE, area_of, check_of, gap_mm, put, wall
 from tests.control.jogger import BENT_DEG, bend, hold
+from tests.control.jogger import LOSSES as LOST
 from tests.trajectory.arms import ARM, joint, run
 
 OUTWARDS = {
@@ -174,3 +177,81 @@ def test_an_area_holds_before_its_cell_is_confirmed(rig):
     rig.controller.cell.forget_arm()
     hold(rig, 0.1)
     assert rig.controller.operating_state.intrusion.name == "wall"
+
+
+def slow_driver(rig):
+    rig.hold_driver()
+    hold(rig, 0.2)
+    rig.free_driver()
+
+
+def silent_angles(rig):
+    rig.node.link.mute_on.add(0x2A6)
+    hold(rig, 0.5)
+    rig.node.link.mute_on.clear()
+
+
+def busy_pc(rig):
+    """Nothing calls the controller for a while, and time passes for the arm."""
+    rig.time_s += 0.3
+    rig.node.poll(0.3)
+
+
+LOSSES = (*LOST.values(), slow_driver, silent_angles, busy_pc)
+
+
+@pytest.mark.parametrize("loss", LOSSES, ids=lambda loss: loss.__name__)
+def test_whatever_is_lost_before_a_plane_the_arm_stays_out(rig, loss):
+    bend(rig)
+    rig.zones = (wall_before(BENT_DEG, 25.0),)
+    put(rig.controller, *rig.zones)
+    jog = OUTWARDS["tool"]
+    accepted(rig.controller.jogging.start(jog))
+    while gap_mm(rig.firmware.joints_deg, *rig.zones) > 13.0:
+        hold(rig, 0.01)
+    loss(rig)
+    nearest = 1e9
+    for _ in range(50):
+        rig.time_s += 0.02
+        rig.node.poll(0.02)
+        nearest = min(nearest, gap_mm(rig.firmware.joints_deg, *rig.zones))
+    assert nearest >= 9.0
+
+
+@pytest.mark.parametrize("stops", [False, True], ids=["told", "stopped"])
+def test_another_host_that_enters_is_told_at_once_and_stopped_if_wanted(rig, other_host, stops):
+    bend(rig)
+    beyond = (*BENT_DEG[:1], BENT_DEG[1] + 30.0, *BENT_DEG[2:])
+    put(rig.controller, wall_before(BENT_DEG, 20.0))
+    cell = rig.controller.cell.cell
+    stopping = replace(cell, area=replace(cell.area, stops_others=stops))
+    accepted(rig.controller.cell.change(stopping))
+    other_host.move_to(beyond, 30)
+    rig.run_until(lambda: "area_entered" in rig.codes())
+    (entered,) = [each for each in rig.events if each.code == "area_entered"]
+    assert entered.params["name"] == "wall"
+    assert 1 <= entered.params["value"] < 12
+    rig.run(4.0)
+    assert (abs(rig.firmware.joints_deg[1] - beyond[1]) < 0.1) is not stops
+
+
+def test_a_hand_that_enters_is_told_at_once(rig):
+    bend(rig)
+    put(rig.controller, wall_before(BENT_DEG, 20.0))
+    accepted(rig.controller.teaching.command(TeachingState.START_RECORDING))
+    rig.run(0.5)
+    rig.firmware.hand_guiding.lead_to((*BENT_DEG[:1], BENT_DEG[1] + 30.0, *BENT_DEG[2:]))
+    rig.run_until(lambda: "area_entered" in rig.codes())
+    assert rig.controller.operating_state.intrusion.value_mm < 12
+
+
+def test_a_way_that_only_the_arm_knows_is_refused(rig):
+    bend(rig)
+    put(rig.controller, wall_before(BENT_DEG, 20.0))
+    accepted(rig.controller.teaching.command(TeachingState.START_RECORDING))
+    rig.run(0.5)
+    assert rig.controller.operating_state.mover is Mover.HAND
+    accepted(rig.controller.teaching.command(TeachingState.STOP_RECORDING))
+    rig.run(0.5)
+    refusal = rig.controller.teaching.command(TeachingState.RUN_RECORDING)
+    assert refusal.reason == AREA_WAY_UNKNOWN

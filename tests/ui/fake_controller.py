@@ -11,8 +11,9 @@ from PySide6.QtCore import QObject, Signal
 
 from armui.arm.device import Device
 from armui.arm.parameters import Batch, Parameter
+from armui.arm.reference_record import ReferenceRecord
 from armui.arm.refusal import Refusal
-from armui.arm.state import ArmState
+from armui.arm.state import ArmState, GripperState
 from armui.control.devices.gripper_ranges import Figures, figures_of
 from armui.control.events import Event, Level
 from armui.control.link.arm_mark import ArmMark
@@ -64,6 +65,7 @@ class FakeController(QObject):
         self.gripper = FakeGripper(self)
         self.mounting = FakeMounting(self)
         self.linkage = FakeLinkage(self)
+        self.reference = FakeReference()
         self.events = EventLog()
         self.event_collector = FakeHappenings(self.events)
         self.sessions = FakeSessions()
@@ -354,6 +356,12 @@ class FakeZeroing:
         return self._controller._asked("set_zero", joint)
 
 
+class FakeReference:
+    """The joints' reference of a fake controller: nothing is known of it."""
+
+    known: ReferenceRecord | None = None
+
+
 class FakeLinkage:
     """The linkage of a fake controller."""
 
@@ -397,6 +405,12 @@ class FakeGripper:
     @property
     def figures(self) -> Figures:
         return figures_of(self._controller.operating_state.generation, self._controller.state)
+
+    own_figures = figures
+    is_calibrated = False
+
+    def shown(self, gripper: GripperState) -> float:
+        return gripper.travel
 
     @property
     def tells_angle(self) -> bool:

@@ -165,7 +165,7 @@ class CellControl(ControllerPart):
         self._take_effect()
 
     def forget_arm(self) -> None:
-        """Have the cell confirmed again: what comes next may be another arm."""
+        """Have the cell confirmed again: what is heard next may be another arm."""
         self._confirmed = False
         self._take_effect()
 

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from typing import Final
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Final
 
 from armui.arm.parameters import Parameter
 from armui.arm.quirks import why_not_by_firmware
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState, GripperState
 from armui.control.context import GENERATION_UNKNOWN, Context, ControllerPart
-from armui.control.devices.gripper_ranges import Figures, check, figures_of
+from armui.control.devices.gripper_ranges import Figures, calibrated, check, figures_of
 from armui.control.events import Notice
 from armui.control.operating_state import LINK_LOST, RUN_UNDER_WAY, OperatingState
 from armui.control.operations.operation import Consent, operation, record_start
@@ -25,6 +25,11 @@ from armui.protocol.codes import ControlMode
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.telemetry.events import EventKind, Level
+from armui.trajectory.points.program import GripperOpening
+
+if TYPE_CHECKING:
+    from armui.cell.gripper_table import GripperTable
+    from armui.trajectory.points.program import GripperAction
 
 GRIPPER_SILENT = Reason(
     "gripper_silent", "No gripper is heard. If one is mounted, check its cable and its power."
@@ -73,6 +78,9 @@ GRIPPER_ACT_FAILED = Notice(
 )
 
 
+CALIBRATED_MM: Final = "mm_calibrated"
+"""The unit of an opening by the gripper's table, for a sentence."""
+_MM: Final = "mm"
 _THERE: Final = 0.5
 """A gripper this close to its target, in mm or degrees, has arrived."""
 _STILL: Final = 0.05
@@ -164,6 +172,8 @@ class GripperControl(ControllerPart):
         context: The context that the controller's parts share.
         settings: Reads the stroke that the arm allows.
         end_run: Called with the reason when the gripper is about to be disabled under a run.
+        table: Returns the table that leads from the arm's openings to measured ones, if one is
+            applied.
 
     Attributes:
         by_angle: True if the operator wants to command angles instead of openings; it takes effect
@@ -171,11 +181,16 @@ class GripperControl(ControllerPart):
     """
 
     def __init__(
-        self, context: Context, settings: ArmSettings, end_run: Callable[[Refusal], None]
+        self,
+        context: Context,
+        settings: ArmSettings,
+        end_run: Callable[[Refusal], None],
+        table: Callable[[], GripperTable | None] = lambda: None,
     ) -> None:
         self._context = context
         self._end_run = end_run
         self._settings = settings
+        self._table = table
         self._action: str | None = None
         self._request: Request | None = None
         self._started: Started | None = None
@@ -199,8 +214,53 @@ class GripperControl(ControllerPart):
     @property
     def figures(self) -> Figures:
         """The ranges of what the gripper can be asked for now."""
+        figures = self.own_figures
+        table = self._table_of(figures.travel.unit)
+        return figures if table is None else calibrated(figures, table.measured_mm)
+
+    @property
+    def own_figures(self) -> Figures:
+        """The same without the gripper's table: as the arm itself counts."""
         generation, state = self._context.connection.generation, self._context.state()
         return figures_of(generation, state, by_angle=self.tells_angle)
+
+    @property
+    def is_calibrated(self) -> bool:
+        """True if openings are those measured with callipers, by the cell's table."""
+        return self._table() is not None
+
+    def _table_of(self, unit: str) -> GripperTable | None:
+        return self._table() if unit == _MM else None
+
+    def shown(self, gripper: GripperState) -> float:
+        """Return where the gripper stands, calibrated if its table is applied."""
+        return self._shown(gripper.travel, gripper.unit)
+
+    def calibrated_mm(self, opening_mm: float) -> float:
+        """Return an opening of the arm's as callipers measure it, if its table is applied."""
+        return self._shown(opening_mm, _MM)
+
+    def _shown(self, travel: float, unit: str) -> float:
+        table = self._table_of(unit)
+        return travel if table is None else round(max(0.0, table.measured_mm(travel)), 3)
+
+    def _unit_shown(self, unit: str) -> str:
+        return unit if self._table_of(unit) is None else CALIBRATED_MM
+
+    def as_asked(self, action: GripperAction | None) -> GripperAction | None:
+        """Return a point's action with the opening that the arm is to be asked for."""
+        table = self._table()
+        if table is None or not isinstance(action, GripperOpening):
+            return action
+        return replace(action, opening_mm=self._asked(action.opening_mm, _MM))
+
+    def _asked(self, travel: float, unit: str) -> float:
+        """Return what to ask the arm for, within its own stroke."""
+        table = self._table_of(unit)
+        if table is None:
+            return travel
+        own = figures_of(self._context.connection.generation, self._context.state()).travel
+        return round(min(max(table.asked_mm(travel), own.minimum), own.maximum), 3)
 
     def learn_stroke(self) -> None:
         """Ask once for the stroke limit of the arm (0x47E), if it can be asked."""
@@ -214,18 +274,21 @@ class GripperControl(ControllerPart):
     @operation(
         "gripper.move", "Move the gripper", why_not_move_gripper, moves=True, shown_first=True
     )
-    def move(self, travel: float, effort: float) -> Started | Refusal:
+    def move(
+        self, travel: float, effort: float, *, uncalibrated: bool = False
+    ) -> Started | Refusal:
         """Open or close the gripper; the same frame enables it (0x159).
 
         Args:
             travel: Opening in mm (generation 2) or angle in degrees (generation 1, or while
                 `tells_angle`).
             effort: Torque in N·m (generation 2) or speed in rad/s (generation 1).
+            uncalibrated: True if the opening is the arm's own, without the gripper's table.
 
         Returns:
             The record of the command, or why nothing was sent.
         """
-        figures = self.figures
+        figures = self.own_figures if uncalibrated else self.figures
         refusal = (
             why_not_move_gripper(self._context.refresh())
             or check(figures.travel, travel)
@@ -235,12 +298,14 @@ class GripperControl(ControllerPart):
         if refusal is not None or heard is None:
             return self._context.refuse(refusal or GRIPPER_SILENT())
         by_angle = self.tells_angle
-        if not self._context.connection.send(self._hold(travel, effort, by_angle=by_angle)):
+        asked = travel if uncalibrated else self._asked(travel, figures.travel.unit)
+        if not self._context.connection.send(self._hold(asked, effort, by_angle=by_angle)):
             return self._context.refuse(LINK_LOST())
         self._drop_request()
         unit, started = figures.travel.unit, record_start(self.move)
-        self._travel = _Travel(travel, heard.travel, self._context.clock(), unit, effort, started)
-        self._context.tell(GRIPPER_SENT, started, value=travel, unit=unit)
+        self._travel = _Travel(asked, heard.travel, self._context.clock(), unit, effort, started)
+        told = unit if uncalibrated else self._unit_shown(unit)
+        self._context.tell(GRIPPER_SENT, started, value=travel, unit=told)
         return started
 
     def why_no_end(self, *, opened: bool) -> Refusal | None:
@@ -265,7 +330,7 @@ class GripperControl(ControllerPart):
         if refusal is not None:
             return self._context.refuse(refusal)
         figures = self.figures
-        target = figures.travel.maximum if opened else 0.0
+        target = figures.travel.maximum if opened else max(0.0, figures.travel.minimum)
         return self.move(target, figures.effort.first if effort is None else effort)
 
     @operation("gripper.enable", "Enable the gripper", why_not_move_gripper)
@@ -402,14 +467,15 @@ class GripperControl(ControllerPart):
         self._travel = None
         if travel.started is None:
             return
-        figures: dict[str, object] = {"value": heard.travel, "unit": travel.unit}
+        value, unit = self._shown(heard.travel, travel.unit), self._unit_shown(travel.unit)
+        figures: dict[str, object] = {"value": value, "unit": unit}
         ending, notice = Ending.DONE, GRIPPER_THERE
         if not there and heard.enabled and abs(heard.torque_nm or 0.0) > _GRIPS_NM:
             notice = GRIPPER_GRIPS
             figures["torque"] = heard.torque_nm
         elif not there:
             ending, notice = Ending.FAILED, GRIPPER_NOT_THERE
-            figures["target"] = travel.target
+            figures["target"] = self._shown(travel.target, travel.unit)
         self._context.close(travel.started, ending, notice, **figures)
 
     def _lose(self, travel: _Travel) -> None:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from typing import Final
 
 from armui.arm.refusal import Reason, Refusal
@@ -103,6 +104,17 @@ def figures_of(
         Figure("opening", "mm", 0.0, widest, widest, 1.0, 0.0, 0.1),
         torque,
         stroke_read=read,
+    )
+
+
+def calibrated(figures: Figures, measured_mm: Callable[[float], float]) -> Figures:
+    """Return the ranges with an opening as it is measured with callipers."""
+    own = figures.travel
+    least, most, usual = (
+        round(max(0.0, measured_mm(end)), 3) for end in (own.minimum, own.maximum, own.usual)
+    )
+    return replace(
+        figures, travel=replace(own, minimum=least, maximum=most, usual=usual, first=least)
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.models import ArmModel, model_data
@@ -21,7 +22,10 @@ HOME_DEG: Final = (0.0,) * 6
 def arm_model(controller: ArmController) -> ArmModel:
     """Return the model of the connected arm, or of an arm as it leaves the factory."""
     now, cartesian = controller.operating_state, controller.cartesian
-    return planning_model(controller.state, now, cartesian.tool, cartesian.tool_radius_mm)
+    arm = planning_model(controller.state, now, cartesian.tool, cartesian.tool_radius_mm)
+    if arm.stroke_mm is None or not controller.gripper.is_calibrated:
+        return arm
+    return replace(arm, widest_mm=controller.gripper.calibrated_mm(arm.stroke_mm))
 
 
 def planning_model(

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import astuple
+from collections.abc import Callable
+from dataclasses import astuple, replace
 from typing import Final
 
 from PySide6.QtCore import QObject
@@ -34,6 +35,7 @@ from armui.control.run.replay import RUN_EMPTY
 from armui.control.safety.feedback_freshness import FEEDBACK_SILENT
 from armui.control.safety.interlocks import ENABLED_UNKNOWN, JOINTS_UNKNOWN
 from armui.telemetry.events import Asker, EventKind, Level
+from armui.trajectory.points.program import GripperAction
 
 OVERRIDE_ZERO = Reason(
     "override_zero", "The speed override is 0 %: raise it, then hold “Continue” for 1 s."
@@ -99,10 +101,14 @@ class Player(Execution):
 
     Args:
         context: The context that the controller's parts share.
+
+    Attributes:
+        as_asked: Returns a point's action with what the gripper is to be asked for.
     """
 
     def __init__(self, context: Context, parent: QObject | None = None) -> None:
         super().__init__(context, parent)
+        self.as_asked: Callable[[GripperAction | None], GripperAction | None] = lambda same: same
         self._run: Run | None = None
         self._schedule: RunSchedule | None = None
         self._has_lights = False
@@ -274,6 +280,7 @@ class Player(Execution):
 
     def _arrive(self, run: Run, now_s: float) -> None:
         point = run.points[self._index]
+        point = replace(point, gripper=self.as_asked(point.gripper))
         self._send(action_frames(self._codec, point))
         if point.gripper is not None:
             self.gripper_sent.emit(*astuple(point.gripper))

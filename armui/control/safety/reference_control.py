@@ -162,6 +162,7 @@ class ReferenceControl(ControllerPart):
         context: The context that the controller's parts share.
         memory: Keeps the records of arms.
         wall: Returns the local time now.
+        why_no_way: Returns why the work area forbids the way to six angles, or ``None``.
 
     Attributes:
         check: The check that is open, or ``None``.
@@ -173,10 +174,12 @@ class ReferenceControl(ControllerPart):
         context: Context,
         memory: ReferenceMemory | None,
         wall: Callable[[], datetime],
+        why_no_way: Callable[[Sequence[float]], Refusal | None],
     ) -> None:
         self._context = context
         self._memory = memory
         self._wall = wall
+        self._why_no_way = why_no_way
         self._listener = AngleListener()
         self._watch = ReferenceWatch()
         self._key: str | None = None
@@ -260,7 +263,7 @@ class ReferenceControl(ControllerPart):
             return context.refuse(refusal or CHECK_NOT_OPEN())
         target_deg = list(measured_deg)
         target_deg[joint - 1] = step.mark_deg
-        refusal = check_joints(target_deg, now.limits)
+        refusal = check_joints(target_deg, now.limits) or self._why_no_way(target_deg)
         if refusal is not None:
             return context.refuse(refusal)
         started = record_start(self.drive)

@@ -270,12 +270,13 @@ def _empty(points: Sequence[Waypoint]) -> Iterator[Finding]:
 
 
 def _grippers(points: Sequence[Waypoint], arm: ArmModel) -> Iterator[Finding]:
-    if arm.stroke_mm is None:
+    widest_mm = arm.stroke_mm if arm.widest_mm is None else arm.widest_mm
+    if widest_mm is None:
         return
     for row, point in enumerate(points):
         action = point.gripper
-        if isinstance(action, GripperOpening) and action.opening_mm > arm.stroke_mm:
-            most, wanted = float(arm.stroke_mm), float(action.opening_mm)
+        if isinstance(action, GripperOpening) and action.opening_mm > widest_mm:
+            most, wanted = float(widest_mm), float(action.opening_mm)
             yield replace(GRIPPER_BEYOND_STROKE(value=wanted, maximum=most), row=row)
 
 

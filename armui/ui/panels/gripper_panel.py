@@ -269,6 +269,8 @@ class GripperPanel(Panel):
         self._power = text_label("gripper_power")
         self._faults = text_label("gripper_faults", rank="fault", wraps=True)
         self._rows = in_column(spacing=10)
+        self._calibrated = text_label("gripper_calibrated", wraps=True)
+        self._calibrated.setVisible(False)
         self._stroke_note = text_label("gripper_stroke_note", rank="muted", wraps=True)
         self._send = push_button("gripper_send_button", primary=True)
         self._send.setMinimumHeight(38)
@@ -327,7 +329,8 @@ class GripperPanel(Panel):
         state = in_row(self._mark, self._power, STRETCH)
         card = QFrame()
         # errors come and go by themselves: below all that is pressed
-        parts = (state, self._measure, self._rows, self._stroke_note, self._faults, STRETCH)
+        notes = (self._calibrated, self._stroke_note, self._faults, STRETCH)
+        parts = (state, self._measure, self._rows, *notes)
         in_column(*parts, on=card, spacing=10, margins=(16, 12, 16, 12))
         acts = empty_grid(gaps=(8, 8))
         for place, button in enumerate(self._acts.values()):
@@ -382,7 +385,7 @@ class GripperPanel(Panel):
         start = self._travel.field.value
         if start is None or self._travel.refusal() is not None:
             told = heard is not None and heard.value.unit == figure.unit
-            start = heard.value.travel if heard is not None and told else None
+            start = self._controller.gripper.shown(heard.value) if heard and told else None
         effort = self._effort.field.value
         if start is None or effort is None:
             self._accepted(self._effort.refusal() or GRIPPER_SILENT())
@@ -442,7 +445,9 @@ class GripperPanel(Panel):
         gripper = None if heard is None else heard.value
         # a gripper that was told an angle tells angles, and no opening
         same = gripper is not None and gripper.unit == self._travel.figure.unit
-        self._travel.show_measured(gripper.travel if gripper and same else None, stale=stale)
+        shown = self._controller.gripper.shown(gripper) if gripper and same else None
+        self._travel.show_measured(shown, stale=stale)
+        self._calibrated.setVisible(self._controller.gripper.is_calibrated)
         effort = None
         if gripper is not None:
             first = self._generation is Generation.ONE
@@ -537,6 +542,9 @@ class GripperPanel(Panel):
         for rows in self._rows_of.values():
             for row in rows:
                 row.retranslate_ui()
+        self._calibrated.setText(
+            self.tr("Calibrated: openings are as measured with callipers, by the cell's table.")
+        )
         self._stroke_note.setText(
             self.tr("How far this gripper turns is not published: watch where it ends.")
             if self._generation is Generation.ONE or self._kind[1]

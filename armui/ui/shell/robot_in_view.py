@@ -17,16 +17,21 @@ from armui.control.operating_state import LinkState
 from armui.ui.freshness import is_stale
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
-    from armui.arm.state import ArmState
+    from armui.arm.state import ArmState, GripperState
     from armui.control.arm_controller import ArmController
     from armui.control.operating_state import OperatingState
     from armui.viewport.view import ArmView
 
 
 def show_in_view(
-    view: ArmView, state: ArmState, operating_state: OperatingState, tool: Sequence[float] = ()
+    view: ArmView,
+    state: ArmState,
+    operating_state: OperatingState,
+    tool: Sequence[float] = (),
+    *,
+    calibrated: Callable[[GripperState], float] | None = None,
 ) -> None:
     """Show angles and pose; stale values look so.
 
@@ -36,6 +41,7 @@ def show_in_view(
         operating_state: The operating state.
         tool: The tool centre point in the flange, mm and degrees, whose pose is shown; zeros or
             nothing for the flange.
+        calibrated: Returns the gripper's opening by its table; by default as it is told.
     """
     joints_stale, pose_stale = (
         any(is_stale(heard, state, operating_state) for heard in six)
@@ -45,7 +51,10 @@ def show_in_view(
     if angles_deg is None and operating_state.link is LinkState.LOST:
         view.set_joints_unknown()  # the cable is out, and the arm has not gone to its zeros
     else:
-        gripper_mm = None if state.gripper is None else state.gripper.value.opening_mm
+        gripper = None if state.gripper is None else state.gripper.value
+        gripper_mm = None if gripper is None else gripper.opening_mm
+        if gripper is not None and gripper_mm is not None and calibrated is not None:
+            gripper_mm = calibrated(gripper)
         view.set_joints(angles_deg, gripper_mm, stale=joints_stale)
     too_low = operating_state.below_base_mm is not None
     pose: Sequence[float] | None = state.end_pose()

@@ -278,6 +278,11 @@ def gripper_figure(name: str) -> str:
     return _GRIPPER_FIGURES.word(name)
 
 
+def calibrated_mm() -> str:
+    """Return the unit of an opening by the gripper's table («mm，已校准»)."""
+    return QCoreApplication.translate("Gripper", "mm, calibrated")
+
+
 def gripper_act(name: str) -> str:
     """Return the name of an action on the gripper («清除错误»)."""
     return _ACTS.word(name)

@@ -9,9 +9,11 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from armui.arm.device import Device
 from armui.arm.refusal import Refusal
+from armui.control.devices.gripper import CALIBRATED_MM
 from armui.control.events import Event, Notice
 from armui.protocol.codes import EndLoad, Mounting, TeachingState, TrajectoryCommand
 from armui.ui.words.arm import (
+    calibrated_mm,
     device_name,
     end_load,
     gripper_act,
@@ -46,6 +48,8 @@ def notice_text(notice: Notice, figures: Mapping[str, object]) -> str:
         params["plan"] = trajectory_command(TrajectoryCommand(plan))
     if isinstance(act := params.get("act"), str):
         params["act"] = gripper_act(act)
+    if params.get("unit") == CALIBRATED_MM:
+        params["unit"] = calibrated_mm()
     if isinstance(load := params.get("load"), int):
         params["load"] = end_load(EndLoad(load))
     if isinstance(how := params.get("mounting"), int):

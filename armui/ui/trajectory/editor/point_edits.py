@@ -158,7 +158,7 @@ class PointEdits(QObject):
             return GripperAngle(round(gripper.travel, 3))
         if gripper.opening_mm is None:
             return GRIPPER_TELLS_ANGLE()
-        return GripperOpening(round(max(0.0, gripper.opening_mm), 3))
+        return GripperOpening(round(max(0.0, self._controller.gripper.shown(gripper)), 3))
 
     # Chosen rows ------------------------------------------------------------------------------
 

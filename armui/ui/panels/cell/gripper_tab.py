@@ -1,0 +1,228 @@
+"""The tab of the gripper table: what the arm is asked for, and what callipers measure."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Final
+
+from PySide6.QtWidgets import QCheckBox, QLabel
+
+from armui.arm.state import ArmState
+from armui.cell.cell import Cell
+from armui.cell.gripper_table import MOST_PAIRS, Pairs
+from armui.control.arm_controller import ArmController
+from armui.control.cell.cell_control import CellControl
+from armui.control.devices.gripper import GripperControl, why_not_move_gripper
+from armui.control.operations.operation import operation_of
+from armui.ui import format as fmt
+from armui.ui import words
+from armui.ui.actions.command import Command, Target
+from armui.ui.panels.cell.cell_tab import Answered, CellTab
+from armui.ui.widgets.buttons import caption, enable_or_explain, named, push_button, show_primary
+from armui.ui.widgets.figure_field import FigureField
+from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row
+from armui.ui.widgets.text_label import text_label
+from armui.ui.words.text import Text
+
+_CHANGE: Final = operation_of(CellControl.change)
+_SHARES: Final = (0.1, 0.3, 0.5, 0.7, 0.9)
+"""The widths that are proposed, as parts of the stroke: away from its ends, where fingers press."""
+_GENTLE_NM: Final = 1.0
+
+
+class GripperTab(CellTab):
+    """The gripper table of the chosen cell; see :class:`CellTab`."""
+
+    key = "gripper"
+    title = Text("CellPanel", "Gripper")
+    commands = (
+        Command(
+            "cell.gripper_on",
+            Text("GripperTab", "Show and command calibrated openings"),
+            _CHANGE,
+            leads=True,
+        ),
+        Command("cell.gripper_widths", Text("GripperTab", "Propose widths for the gripper table")),
+        Command(
+            "cell.gripper_open",
+            Text("GripperTab", "Open the gripper to the next width of its table"),
+            operation_of(GripperControl.move),
+            leads=True,
+        ),
+        Command(
+            "cell.gripper_apply", Text("GripperTab", "Apply the gripper table"), _CHANGE, leads=True
+        ),
+    )
+
+    def __init__(self, controller: ArmController, answered: Answered) -> None:
+        super().__init__(controller, answered)
+        self._why_not = ""
+        self._shown: tuple[str, Pairs] | None = None
+        self._next = text_label("cell_gripper_next", wraps=True)
+        self._on = named("cell_gripper_on", QCheckBox())
+        self._heads = (QLabel(), QLabel())
+        self._asked = [named(f"cell_gripper_asked_{n}", self._field()) for n in range(MOST_PAIRS)]
+        self._measured = [
+            named(f"cell_gripper_measured_{n}", self._field()) for n in range(MOST_PAIRS)
+        ]
+        self._widths = push_button("cell_gripper_widths")
+        self._open = push_button("cell_gripper_open")
+        self._apply = push_button("cell_gripper_apply")
+        grid = empty_grid(gaps=(8, 4), margins=0)
+        for column, (head, fields) in enumerate(
+            zip(self._heads, (self._asked, self._measured), strict=True)
+        ):
+            grid.addWidget(head, 0, column)
+            for row, field in enumerate(fields, start=1):
+                grid.addWidget(field, row, column)
+        buttons = in_row((self._widths, 1), (self._open, 1), (self._apply, 1), spacing=6)
+        parts = (self._next, buttons, in_row(self._on, STRETCH), grid, STRETCH)
+        in_column(*parts, on=self, spacing=8, margins=0)
+        self._on.clicked.connect(self._on_switched)
+        self._widths.clicked.connect(self._on_widths)
+        self._open.clicked.connect(self._on_open)
+        self._apply.clicked.connect(self._on_apply)
+        self.retranslate_ui()
+
+    def _field(self) -> FigureField:
+        field = FigureField(1, "mm")
+        field.textEdited.connect(lambda _text: self._show_news())
+        return field
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return the target of each command, by the command's name."""
+        return {
+            "cell.gripper_on": self._on,
+            "cell.gripper_widths": self._widths,
+            "cell.gripper_open": self._open,
+            "cell.gripper_apply": self._apply,
+        }
+
+    # -- actions ------------------------------------------------------------------------------
+
+    @property
+    def _cell(self) -> Cell:
+        return self._controller.cell.cell or Cell("")
+
+    def typed(self) -> Pairs:
+        """Return the pairs that have both figures, by what is asked for."""
+        pairs = [(a.value, b.value) for a, b in zip(self._asked, self._measured, strict=True)]
+        return tuple(sorted((a, b) for a, b in pairs if a is not None and b is not None))
+
+    @property
+    def _row(self) -> int | None:
+        """The first row with a width that is not measured yet."""
+        rows = enumerate(zip(self._asked, self._measured, strict=True))
+        return next((n for n, (a, b) in rows if a.value is not None and b.value is None), None)
+
+    def _on_switched(self, on: bool) -> None:
+        self._answered(self._controller.cell.change(replace(self._cell, gripper_calibrated=on)))
+        self._show_switch()
+
+    def _on_widths(self) -> None:
+        """Propose widths over the stroke; what was measured is kept only by applying it."""
+        widest = self._controller.gripper.own_figures.travel.maximum
+        widths = [round(share * widest) for share in _SHARES]
+        for place, (asked, measured) in enumerate(zip(self._asked, self._measured, strict=True)):
+            asked.show_value(widths[place] if place < len(widths) else None)
+            measured.show_value(None)
+        self._show_news()
+
+    def _on_open(self) -> None:
+        row = self._row
+        width = None if row is None else self._asked[row].value
+        if row is not None and width is not None:
+            gripper = self._controller.gripper
+            if self._answered(gripper.move(width, _GENTLE_NM, uncalibrated=True)):
+                self._measured[row].setFocus()
+
+    def _on_apply(self) -> None:
+        pairs = self.typed()
+        on = len(pairs) > 1
+        self._answered(
+            self._controller.cell.change(
+                replace(self._cell, gripper_table=pairs, gripper_calibrated=on)
+            )
+        )
+
+    # -- appearance ---------------------------------------------------------------------------
+
+    def show_cell(self, why_not: str) -> None:
+        """Show the table of the chosen cell; what is typed stays while that is the same."""
+        self._why_not = why_not
+        self._controller.gripper.learn_stroke()
+        shown = self._cell.name, self._cell.gripper_table
+        if shown != self._shown:
+            self._shown = shown
+            for place in range(MOST_PAIRS):
+                known = place < len(shown[1])
+                self._asked[place].show_value(shown[1][place][0] if known else None)
+                self._measured[place].show_value(shown[1][place][1] if known else None)
+        self._show_switch()
+        self._show_news()
+
+    def show_state(self, _state: ArmState) -> None:
+        """Allow opening as soon as the gripper is heard."""
+        self._show_open()
+
+    def _show_switch(self) -> None:
+        self._on.setChecked(self._cell.gripper_calibrated)
+        short = self.tr("Apply a table of two pairs at least first.")
+        none = short if len(self._cell.gripper_table) < 2 else ""
+        self._on.setEnabled(not (self._why_not or none))
+        use = self.tr("Off, everything is as the arm tells it; the table is kept.")
+        self._on.setToolTip(self._why_not or none or use)
+
+    def _show_open(self) -> None:
+        row, now = self._row, self._controller.operating_state
+        width = fmt.NOTHING if row is None else fmt.number(self._asked[row].value or 0.0, 1)
+        caption(self._open, self.tr("Open to {width} mm").format(width=width))
+        done = self.tr("Every width is measured. Type another one, or apply the table.")
+        why_not = words.why_not(why_not_move_gripper(now)) or (done if row is None else "")
+        enable_or_explain(self._open, why_not, self.tr("Moves the gripper, uncalibrated."))
+        show_primary(self._open, wanted=row is not None and not why_not)
+
+    def _show_news(self) -> None:
+        """Say what is to be done next, and light its button."""
+        for field in (*self._asked, *self._measured):
+            field.show_attention(wanted=field.is_nonsense())
+        self._show_open()
+        use = self.tr("Fills in widths over the gripper's stroke.")
+        enable_or_explain(self._widths, self._why_not, use)
+        use = self.tr("Puts the table in force; one of fewer than two pairs switches it off.")
+        enable_or_explain(self._apply, self._why_not, use)
+        changed = self.typed() != self._cell.gripper_table
+        show_primary(self._apply, wanted=changed and self._row is None and not self._why_not)
+        self._next.setText(self._next_step(changed=changed))
+
+    def _next_step(self, *, changed: bool) -> str:
+        if self._controller.cell.cell is None:
+            return self.tr("There is no cell yet: type its name above and press New.")
+        if self._row is not None:
+            return self.tr(
+                "Row {row}: press Open, wait until the gripper stands, measure between the fingers "
+                "with callipers and type what they show."
+            ).format(row=self._row + 1)
+        if changed:
+            return self.tr("Press Apply: openings are calibrated from then on.")
+        if self._cell.gripper_calibrated:
+            return self.tr(
+                "Calibrated: targets, points, the opening shown and the picture go by this table. "
+                "Recordings keep what the arm told."
+            )
+        return self.tr("Press Propose widths, or type openings to be measured.")
+
+    def retranslate_ui(self) -> None:
+        """Set all texts in the operator's language."""
+        self._on.setText(self.tr("Calibrated"))
+        texts = (self.tr("Asked for"), self.tr("Measured"))
+        for head, text, fields in zip(
+            self._heads, texts, (self._asked, self._measured), strict=True
+        ):
+            head.setText(text)
+            for number, field in enumerate(fields, start=1):
+                field.setAccessibleName(f"{text} {number}")
+        caption(self._widths, self.tr("Propose widths"), whose=self.title.text())
+        caption(self._apply, self.tr("Apply"), whose=self.title.text())
+        self.show_cell(self._why_not)
