@@ -8992,10 +8992,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>录制期间可拖动机械臂，或以任意方式使其运动。</translation>
     </message>
     <message>
-        <source>A new recording replaces the unsaved one</source>
-        <translation>重新录制将覆盖未保存的内容</translation>
-    </message>
-    <message>
         <source>Trim samples</source>
         <translation>裁剪采样</translation>
     </message>
@@ -9050,6 +9046,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>It is in memory alone until it is saved. {reason}</source>
         <translation>保存前数据只在内存中。{reason}</translation>
+    </message>
+    <message>
+        <source>“{name}” has not been saved. A new recording replaces it.</source>
+        <translation>“{name}”尚未保存。开始新的录制会替换它。</translation>
     </message>
 </context>
 <context>
@@ -13489,12 +13489,6 @@ Before: {before}</source>
     <message>
         <source>Resume after the emergency stop</source>
         <translation>急停恢复</translation>
-    </message>
-    <message>
-        <source>Resuming cuts the power of the motors: the arm will drop. Hold the arm.
-Afterwards the motors must be enabled again.</source>
-        <translation>恢复会切断电机电源，机械臂会下落，请扶住机械臂。
-恢复后需重新使能电机。</translation>
     </message>
     <message>
         <source>Resume</source>
