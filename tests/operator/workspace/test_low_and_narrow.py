@@ -69,3 +69,12 @@ def test_no_card_scrolls_beside_free_room(app_driver, language):
                 scrolling.append(key)
                 assert free_below(panel) <= 20, key
     assert len(scrolling) < len(PANELS) / 2
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_the_menu_is_whole_at_1280_800(app_driver, language):
+    app_driver.store.change(language=language)
+    app_driver.window.resize(1280, 800)
+    app_driver.run(0.1)
+    entries = app_driver.window.findChild(QScrollArea, "side_menu_entries")
+    assert entries.verticalScrollBar().maximum() == 0

@@ -227,7 +227,7 @@ class JogBox(Translated, QFrame):
         cells = Flow(spacing_px=_GAP_PX, most=_ACROSS)
         for cell in self._cells:
             cells.addWidget(cell)
-        in_column(head, cells, self.gripper, on=self, spacing=6, margins=(10, 8, 10, 8))
+        in_column(head, cells, self.gripper, on=self, spacing=6, margins=8)
 
     def _connect(self) -> None:
         self._kinds.idClicked.connect(self._on_kind)
