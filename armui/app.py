@@ -40,6 +40,7 @@ from armui.system.exact_timers import keep_timers
 from armui.system.failures import Failure, FailureHandler
 from armui.system.helper_process import FileThread, HelperProcess
 from armui.system.log_file import log_to
+from armui.system.plain_words import language_of_system
 from armui.system.thread_priority import raise_in_background
 from armui.system.version_record import TakenOver, note_version
 from armui.telemetry.events import EventKind, Level
@@ -377,7 +378,7 @@ def _run(options: StartOptions) -> int:
     app = make_application(sys.argv[:1])
     GarbageSearch(app)  # before any other thread begins
     chosen: Choices = {} if options.language is None else {"language": options.language}
-    store = SettingsStore(default_path(), for_this_run=chosen)
+    store = SettingsStore(default_path(), for_this_run=chosen, language=language_of_system())
     hand = SimulatedHand()
     opener = partial(open_device, sim_firmware=options.sim_firmware, hand=hand)
     controller = ArmController(opener, SIMULATED)

@@ -178,19 +178,22 @@ class SettingsStore:
     Args:
         path: The file; it need not exist.
         for_this_run: Settings that override those of the file, and are not saved.
+        language: The language until one is chosen, as that of the system.
 
     Attributes:
         problems: The faults of the file when it was read.
     """
 
-    def __init__(self, path: Path, for_this_run: Choices | None = None) -> None:
+    def __init__(
+        self, path: Path, for_this_run: Choices | None = None, *, language: Language = "zh"
+    ) -> None:
         self._path = path
         self._subscribers: list[Subscriber] = []
         self._files: Executor | None = None
         self._on_problem: Callable[[Refusal], object] = lambda _problem: None
         self._unsaved: dict[str, Any] = {}
         self._turn, self._writing = threading.Lock(), threading.Lock()
-        self._kept, self.problems = _read(path)
+        self._kept, self.problems = _read(path, Settings(language=language))
         self._settings = replace(self._kept, **(for_this_run or {}))
 
     @property
@@ -364,22 +367,24 @@ def _parsed(path: Path) -> object:
     return json.loads(data.decode("utf-8"))
 
 
-def _read(path: Path) -> tuple[Settings, tuple[Refusal, ...]]:
+def _read(path: Path, first: Settings) -> tuple[Settings, tuple[Refusal, ...]]:
     try:
         entries = _parsed(path)
     except FileNotFoundError:
-        return Settings(), ()
+        return first, ()
     except OSError as error:
         params = {"path": str(path), "text": error_text(error)}
-        return Settings(), (SETTINGS_UNREADABLE(**params),)
+        return first, (SETTINGS_UNREADABLE(**params),)
     except (ValueError, RecursionError):
-        return Settings(), (_put_aside(path),)
+        return first, (_put_aside(path),)
     if not isinstance(entries, dict):
-        return Settings(), (_put_aside(path),)
-    return _from_entries(entries)
+        return first, (_put_aside(path),)
+    return _from_entries(entries, first)
 
 
-def _from_entries(entries: Mapping[str, Any]) -> tuple[Settings, tuple[Refusal, ...]]:
+def _from_entries(
+    entries: Mapping[str, Any], first: Settings
+) -> tuple[Settings, tuple[Refusal, ...]]:
     """The settings of a file; what it says that is not possible is left at its first value."""
     good: dict[str, Any] = {}
     problems = []
@@ -392,7 +397,7 @@ def _from_entries(entries: Mapping[str, Any]) -> tuple[Settings, tuple[Refusal, 
         else:
             params = {"field": each.name, "value": shown(value)}
             problems.append(SETTING_BAD(**params))
-    return Settings(**good), tuple(problems)
+    return replace(first, **good), tuple(problems)
 
 
 def _put_aside(path: Path) -> Refusal:

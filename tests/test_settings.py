@@ -36,6 +36,14 @@ def test_first_run_has_the_first_settings_and_no_file(path: Path) -> None:
     assert not path.exists()
 
 
+def test_until_a_language_is_chosen_it_is_the_systems(path: Path) -> None:
+    assert SettingsStore(path, language="en").settings.language == "en"
+    SettingsStore(path, language="en").change(theme="dark")
+    assert SettingsStore(path, language="zh").settings.language == "en"  # as it was then
+    SettingsStore(path, language="en").change(language="zh")
+    assert SettingsStore(path, language="en").settings.language == "zh"
+
+
 def test_a_change_is_there_in_the_next_run(path: Path) -> None:
     assert SettingsStore(path).change(language="en", jog_step_deg=0.25) is None
 

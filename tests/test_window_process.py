@@ -46,6 +46,7 @@ def main():
                     "heavy": sorted(heavy),
                     "picture": self.view._client.pid,
                     "online_before_the_picture": self.online_before,
+                    "language": self._translator.language,
                 }
                 print(json.dumps(told), flush=True)
 
@@ -106,6 +107,7 @@ def test_it_never_loads_vtk_and_a_killed_one_leaves_nothing(tmp_path):
     root = str(Path(__file__).resolve().parent.parent)
     own = {name: str(tmp_path) for name in ("HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME")}
     own |= {"XDG_STATE_HOME": str(tmp_path), "XDG_RUNTIME_DIR": str(tmp_path)}
+    own |= {"LC_ALL": "de_DE.UTF-8"}
     environment = {**os.environ, **own, "QT_QPA_PLATFORM": "offscreen", "PYTHONPATH": root}
     with subprocess.Popen(
         [sys.executable, str(script)],
@@ -118,6 +120,7 @@ def test_it_never_loads_vtk_and_a_killed_one_leaves_nothing(tmp_path):
             told = json.loads(process.stdout.readline())
             assert told["heavy"] == []
             assert told["online_before_the_picture"]
+            assert told["language"] == "en"  # of a system that speaks no Chinese
             assert is_running(told["picture"])
             wait_until_it_goes_first(process.pid)
             assert min(nice_of(told["picture"], "").values()) >= 0

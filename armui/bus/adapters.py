@@ -66,8 +66,12 @@ BUS_PERMISSION = Reason(
 
 _SEARCH_S: Final = 5.0
 
-_NOT_DEVICES: Final = frozenset({"virtual", "udp_multicast", "socketcand", "remote"})
-"""Back-ends without hardware on this computer; they answer a search with made-up devices."""
+_NOT_DEVICES: Final = frozenset({"virtual", "udp_multicast", "socketcand", "remote", "serial"})
+"""Back-ends without hardware on this computer; they answer a search with made-up devices.
+
+``serial`` is a format of python-can's own, which no adapter speaks. It answers with every serial
+port, also those that a PC has built in.
+"""
 
 _PACKAGES: Final = {
     "gs_usb": "gs_usb",
@@ -90,7 +94,8 @@ def interfaces() -> list[str]:
 def find_devices() -> list[Device]:
     """Ask every back-end what is plugged in; takes up to some seconds.
 
-    A back-end that is not installed, or fails while it looks, has no devices.
+    A back-end that is not installed, or fails while it looks, has no devices. What may be an
+    adapter, and may be something else, comes last.
     """
     found: list[Device] = []
     _offer_libusb()
@@ -101,7 +106,19 @@ def find_devices() -> list[Device]:
             except Exception:  # noqa: BLE001, S112 - drivers of others: any of them may fail in any way
                 continue
             found += [_device(interface, config) for config in configs]
+        found += _serial_adapters()
     return found
+
+
+def _serial_adapters() -> list[Device]:
+    """Return the serial ports on the USB: slcan adapters are among them and say no more."""
+    try:
+        from serial.tools.list_ports import comports  # noqa: PLC0415 - of the extra `adapters`
+
+        ports = [port for port in comports() if port.vid is not None]
+    except Exception:  # noqa: BLE001 - the system's list of ports may fail in any way
+        return []
+    return [Device("slcan", port.device, serial=port.serial_number or None) for port in ports]
 
 
 def open_bus(device: Device) -> can.BusABC:

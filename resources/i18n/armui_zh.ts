@@ -60,10 +60,6 @@
         <translation>末端</translation>
     </message>
     <message>
-        <source>Reference of the joints</source>
-        <translation>关节零位基准</translation>
-    </message>
-    <message>
         <source>Program</source>
         <translation>程序</translation>
     </message>
@@ -170,6 +166,10 @@
     <message>
         <source>; joints 2 and 3 use the zeros from before S-V1.6-3</source>
         <translation>；关节 2、3 采用 S-V1.6-3 之前的零点</translation>
+    </message>
+    <message>
+        <source>Reference of the joints</source>
+        <translation>关节零位基准</translation>
     </message>
 </context>
 <context>
@@ -525,172 +525,172 @@
 <context>
     <name>AreaTab</name>
     <message>
-        <source>Margin of the work area</source>
-        <translation>工作区的余量</translation>
-    </message>
-    <message>
-        <source>There is no cell yet: type its name above and press New.</source>
-        <translation>还没有单元：请在上方输入名称，再按“新建”。</translation>
-    </message>
-    <message>
-        <source>From tool</source>
-        <translation>取自工具</translation>
-    </message>
-    <message>
-        <source>Switch a plane or box</source>
-        <translation>开关平面或长方体</translation>
-    </message>
-    <message>
-        <source>Deletes the chosen plane or box.</source>
-        <translation>删除所选的平面或长方体。</translation>
-    </message>
-    <message>
-        <source>Stop who else enters the work area</source>
-        <translation>他者进入工作区时停住</translation>
-    </message>
-    <message>
-        <source>Area {axis}</source>
-        <translation>工作区 {axis}</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>名称</translation>
-    </message>
-    <message>
-        <source>Apply</source>
-        <translation>应用</translation>
-    </message>
-    <message>
-        <source>Add a plane to the work area</source>
-        <translation>向工作区添加平面</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>删除</translation>
-    </message>
-    <message>
-        <source>Edge of the box along {axis}</source>
-        <translation>长方体沿 {axis} 的边长</translation>
-    </message>
-    <message>
-        <source>Stop the arm when a hand or another program brings it in</source>
-        <translation>用手或由其他程序带入时停住机械臂</translation>
-    </message>
-    <message>
-        <source>Add a box to the work area</source>
-        <translation>向工作区添加长方体</translation>
-    </message>
-    <message>
-        <source>Add box</source>
-        <translation>添加长方体</translation>
-    </message>
-    <message>
-        <source>Take the present tool pose</source>
-        <translation>取当前工具位姿</translation>
-    </message>
-    <message>
-        <source>Planes and boxes of the work area</source>
-        <translation>工作区的平面和长方体</translation>
-    </message>
-    <message>
-        <source>Name of the plane or box</source>
-        <translation>平面或长方体的名称</translation>
-    </message>
-    <message>
-        <source>Box</source>
-        <translation>长方体</translation>
-    </message>
-    <message>
-        <source>Choose a plane or a box above first.</source>
-        <translation>请先在上方选择平面或长方体。</translation>
-    </message>
-    <message>
-        <source>The arm stays out of the box; X to RZ are those of its centre.</source>
-        <translation>机械臂不进入长方体；X 至 RZ 是其中心的位姿。</translation>
-    </message>
-    <message>
-        <source>The arm stays on the side to which the plane&apos;s Z axis points.</source>
-        <translation>机械臂留在平面 Z 轴所指的一侧。</translation>
-    </message>
-    <message>
         <source>Plane</source>
         <translation>平面</translation>
-    </message>
-    <message>
-        <source>The arm has not told its pose.</source>
-        <translation>机械臂尚未反馈位姿。</translation>
-    </message>
-    <message>
-        <source>Area</source>
-        <translation>区域</translation>
-    </message>
-    <message>
-        <source>Puts these figures in force, and the margin with them.</source>
-        <translation>使这些数值连同余量生效。</translation>
-    </message>
-    <message>
-        <source>On</source>
-        <translation>开启</translation>
-    </message>
-    <message>
-        <source>Box, edges</source>
-        <translation>长方体边长</translation>
-    </message>
-    <message>
-        <source>Delete a plane or box</source>
-        <translation>删除平面或长方体</translation>
-    </message>
-    <message>
-        <source>— (a new one)</source>
-        <translation>—（新建）</translation>
-    </message>
-    <message>
-        <source>Add plane</source>
-        <translation>添加平面</translation>
-    </message>
-    <message>
-        <source>Type a name and a pose, or take the present tool pose. A plane keeps the arm on the side of its Z axis (all 0: above the table); a box keeps it out.</source>
-        <translation>请输入名称和位姿，或取当前工具位姿。平面使机械臂留在其 Z 轴一侧（全 0：桌面以上）；长方体使机械臂不进入其中。</translation>
-    </message>
-    <message>
-        <source>Press Add plane or Add box: it holds for everything from then on.</source>
-        <translation>请按“添加平面”或“添加长方体”：此后对一切运动有效。</translation>
-    </message>
-    <message>
-        <source> (off)</source>
-        <translation>（关闭）</translation>
-    </message>
-    <message>
-        <source>Apply the figures of the area</source>
-        <translation>应用工作区的数值</translation>
     </message>
     <message>
         <source>Fills in the present tool pose; a plane&apos;s Z axis is that of the tool.</source>
         <translation>填入当前工具位姿；平面的 Z 轴就是工具的 Z 轴。</translation>
     </message>
     <message>
+        <source>Stop who else enters the work area</source>
+        <translation>他者进入工作区时停住</translation>
+    </message>
+    <message>
+        <source>Stop the arm when a hand or another program brings it in</source>
+        <translation>用手或由其他程序带入时停住机械臂</translation>
+    </message>
+    <message>
+        <source>Add plane</source>
+        <translation>添加平面</translation>
+    </message>
+    <message>
+        <source>Planes and boxes of the work area</source>
+        <translation>工作区的平面和长方体</translation>
+    </message>
+    <message>
+        <source>Type a name and a pose, or take the present tool pose. A plane keeps the arm on the side of its Z axis (all 0: above the table); a box keeps it out.</source>
+        <translation>请输入名称和位姿，或取当前工具位姿。平面使机械臂留在其 Z 轴一侧（全 0：桌面以上）；长方体使机械臂不进入其中。</translation>
+    </message>
+    <message>
         <source>Plane or box</source>
         <translation>平面或长方体</translation>
+    </message>
+    <message>
+        <source>From tool</source>
+        <translation>取自工具</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Name of the plane or box</source>
+        <translation>平面或长方体的名称</translation>
+    </message>
+    <message>
+        <source>Deletes the chosen plane or box.</source>
+        <translation>删除所选的平面或长方体。</translation>
+    </message>
+    <message>
+        <source>Box, edges</source>
+        <translation>长方体边长</translation>
+    </message>
+    <message>
+        <source>The arm stays out of the box; X to RZ are those of its centre.</source>
+        <translation>机械臂不进入长方体；X 至 RZ 是其中心的位姿。</translation>
     </message>
     <message>
         <source>Margin</source>
         <translation>余量</translation>
     </message>
     <message>
-        <source>Off: it counts for nothing.</source>
-        <translation>关闭后它不起作用。</translation>
+        <source>Switch a plane or box</source>
+        <translation>开关平面或长方体</translation>
+    </message>
+    <message>
+        <source>The arm stays on the side to which the plane&apos;s Z axis points.</source>
+        <translation>机械臂留在平面 Z 轴所指的一侧。</translation>
     </message>
     <message>
         <source>It is told in any case. A stop holds the arm where it is, powered.</source>
         <translation>无论如何都会提示。停住时机械臂原地保持，不断电。</translation>
     </message>
     <message>
+        <source>Delete a plane or box</source>
+        <translation>删除平面或长方体</translation>
+    </message>
+    <message>
+        <source>The arm has not told its pose.</source>
+        <translation>机械臂尚未反馈位姿。</translation>
+    </message>
+    <message>
+        <source>Choose a plane or a box above first.</source>
+        <translation>请先在上方选择平面或长方体。</translation>
+    </message>
+    <message>
+        <source>Add box</source>
+        <translation>添加长方体</translation>
+    </message>
+    <message>
+        <source>Off: it counts for nothing.</source>
+        <translation>关闭后它不起作用。</translation>
+    </message>
+    <message>
+        <source> (off)</source>
+        <translation>（关闭）</translation>
+    </message>
+    <message>
+        <source>Add a box to the work area</source>
+        <translation>向工作区添加长方体</translation>
+    </message>
+    <message>
+        <source>Apply the figures of the area</source>
+        <translation>应用工作区的数值</translation>
+    </message>
+    <message>
+        <source>Take the present tool pose</source>
+        <translation>取当前工具位姿</translation>
+    </message>
+    <message>
+        <source>Puts these figures in force, and the margin with them.</source>
+        <translation>使这些数值连同余量生效。</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>应用</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>长方体</translation>
+    </message>
+    <message>
+        <source>Margin of the work area</source>
+        <translation>工作区的余量</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>区域</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>开启</translation>
+    </message>
+    <message>
         <source>Nearest: “{name}”, {value} mm</source>
         <translation>最近：“{name}”，{value} mm</translation>
     </message>
     <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
         <source>It is in force. Switch it off, or change its figures and press Apply.</source>
         <translation>它已生效。可以关闭，或更改数值后按“应用”。</translation>
+    </message>
+    <message>
+        <source>There is no cell yet: type its name above and press New.</source>
+        <translation>还没有单元：请在上方输入名称，再按“新建”。</translation>
+    </message>
+    <message>
+        <source>Press Add plane or Add box: it holds for everything from then on.</source>
+        <translation>请按“添加平面”或“添加长方体”：此后对一切运动有效。</translation>
+    </message>
+    <message>
+        <source>Add a plane to the work area</source>
+        <translation>向工作区添加平面</translation>
+    </message>
+    <message>
+        <source>— (a new one)</source>
+        <translation>—（新建）</translation>
+    </message>
+    <message>
+        <source>Edge of the box along {axis}</source>
+        <translation>长方体沿 {axis} 的边长</translation>
+    </message>
+    <message>
+        <source>Area {axis}</source>
+        <translation>工作区 {axis}</translation>
     </message>
 </context>
 <context>
@@ -723,20 +723,20 @@
         <translation>夹爪</translation>
     </message>
     <message>
-        <source>the shoulder</source>
-        <translation>肩部</translation>
+        <source>the fourth link</source>
+        <translation>第四连杆</translation>
     </message>
     <message>
         <source>the held object</source>
         <translation>所持物体</translation>
     </message>
     <message>
-        <source>the fourth link</source>
-        <translation>第四连杆</translation>
-    </message>
-    <message>
         <source>the tool</source>
         <translation>工具</translation>
+    </message>
+    <message>
+        <source>the shoulder</source>
+        <translation>肩部</translation>
     </message>
 </context>
 <context>
@@ -1363,132 +1363,132 @@
 <context>
     <name>CellPanel</name>
     <message>
-        <source>It takes the place of the cell of this name. What changes:</source>
-        <translation>它将取代同名的单元。改变的内容：</translation>
-    </message>
-    <message>
         <source>Asks first, then deletes the cell and its file.</source>
         <translation>先询问，再删除单元及其文件。</translation>
-    </message>
-    <message>
-        <source>Cell in force</source>
-        <translation>生效的单元</translation>
-    </message>
-    <message>
-        <source>Export the cell</source>
-        <translation>导出单元</translation>
-    </message>
-    <message>
-        <source>In what it differs from “{name}”:</source>
-        <translation>与“{name}”的不同：</translation>
-    </message>
-    <message>
-        <source>Puts another cell in force, or none; that confirms it, too.</source>
-        <translation>换用另一个单元或不用单元；同时也就确认了它。</translation>
-    </message>
-    <message>
-        <source>Reads a cell from a file; says what is different before it is taken over.</source>
-        <translation>从文件读取单元；接管之前说明有何不同。</translation>
-    </message>
-    <message>
-        <source>Import a cell</source>
-        <translation>导入单元</translation>
-    </message>
-    <message>
-        <source>The cell shown is that of the arm in front of you; it takes effect.</source>
-        <translation>所示单元就是面前这台机械臂的；确认后生效。</translation>
-    </message>
-    <message>
-        <source>Delete the cell</source>
-        <translation>删除单元</translation>
-    </message>
-    <message>
-        <source>What it holds:</source>
-        <translation>它的内容：</translation>
-    </message>
-    <message>
-        <source>Take over the cell “{name}”</source>
-        <translation>接管单元“{name}”</translation>
-    </message>
-    <message>
-        <source>Tools</source>
-        <translation>工具</translation>
-    </message>
-    <message>
-        <source>— (no cell)</source>
-        <translation>—（无单元）</translation>
-    </message>
-    <message>
-        <source>Makes an empty cell; a tool typed before becomes its first.</source>
-        <translation>新建一个空单元；先前输入的工具成为它的第一个工具。</translation>
-    </message>
-    <message>
-        <source>“{name}” with everything in it is deleted, and no cell is in force then. Export it first if it may be wanted again.</source>
-        <translation>“{name}”及其全部内容将被删除，之后没有生效的单元。以后可能还要用的，请先导出。</translation>
-    </message>
-    <message>
-        <source>They are the same.</source>
-        <translation>两者相同。</translation>
-    </message>
-    <message>
-        <source>Import…</source>
-        <translation>导入…</translation>
-    </message>
-    <message>
-        <source>Type a name first.</source>
-        <translation>请先输入名称。</translation>
-    </message>
-    <message>
-        <source>Take over</source>
-        <translation>接管</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>删除</translation>
-    </message>
-    <message>
-        <source>New</source>
-        <translation>新建</translation>
-    </message>
-    <message>
-        <source>Writes the cell to a file of its own.</source>
-        <translation>把单元写到单独的文件。</translation>
-    </message>
-    <message>
-        <source>New cell</source>
-        <translation>新建单元</translation>
-    </message>
-    <message>
-        <source>… and {count} more</source>
-        <translation>……另有 {count} 处</translation>
-    </message>
-    <message>
-        <source>Tool</source>
-        <translation>工具</translation>
-    </message>
-    <message>
-        <source>Confirm</source>
-        <translation>确认</translation>
     </message>
     <message>
         <source>Cell</source>
         <translation>单元</translation>
     </message>
     <message>
-        <source>Name of a new one</source>
-        <translation>新单元名称</translation>
+        <source>In what it differs from “{name}”:</source>
+        <translation>与“{name}”的不同：</translation>
     </message>
     <message>
-        <source>Export…</source>
-        <translation>导出…</translation>
+        <source>Tools</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>… and {count} more</source>
+        <translation>……另有 {count} 处</translation>
+    </message>
+    <message>
+        <source>Writes the cell to a file of its own.</source>
+        <translation>把单元写到单独的文件。</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>导入…</translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation>接管</translation>
+    </message>
+    <message>
+        <source>Puts another cell in force, or none; that confirms it, too.</source>
+        <translation>换用另一个单元或不用单元；同时也就确认了它。</translation>
+    </message>
+    <message>
+        <source>“{name}” with everything in it is deleted, and no cell is in force then. Export it first if it may be wanted again.</source>
+        <translation>“{name}”及其全部内容将被删除，之后没有生效的单元。以后可能还要用的，请先导出。</translation>
+    </message>
+    <message>
+        <source>— (no cell)</source>
+        <translation>—（无单元）</translation>
+    </message>
+    <message>
+        <source>They are the same.</source>
+        <translation>两者相同。</translation>
+    </message>
+    <message>
+        <source>Type a name first.</source>
+        <translation>请先输入名称。</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>新建</translation>
+    </message>
+    <message>
+        <source>Export the cell</source>
+        <translation>导出单元</translation>
+    </message>
+    <message>
+        <source>Cell in force</source>
+        <translation>生效的单元</translation>
+    </message>
+    <message>
+        <source>Import a cell</source>
+        <translation>导入单元</translation>
     </message>
     <message>
         <source>Nothing is to be confirmed: the cell is in force, or there is none.</source>
         <translation>没有需要确认的：单元已生效，或没有单元。</translation>
     </message>
     <message>
+        <source>Confirm</source>
+        <translation>确认</translation>
+    </message>
+    <message>
+        <source>Reads a cell from a file; says what is different before it is taken over.</source>
+        <translation>从文件读取单元；接管之前说明有何不同。</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>导出…</translation>
+    </message>
+    <message>
+        <source>It takes the place of the cell of this name. What changes:</source>
+        <translation>它将取代同名的单元。改变的内容：</translation>
+    </message>
+    <message>
         <source>Gripper</source>
         <translation>夹爪</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>Take over the cell “{name}”</source>
+        <translation>接管单元“{name}”</translation>
+    </message>
+    <message>
+        <source>What it holds:</source>
+        <translation>它的内容：</translation>
+    </message>
+    <message>
+        <source>Name of a new one</source>
+        <translation>新单元名称</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Makes an empty cell; a tool typed before becomes its first.</source>
+        <translation>新建一个空单元；先前输入的工具成为它的第一个工具。</translation>
+    </message>
+    <message>
+        <source>Delete the cell</source>
+        <translation>删除单元</translation>
+    </message>
+    <message>
+        <source>The cell shown is that of the arm in front of you; it takes effect.</source>
+        <translation>所示单元就是面前这台机械臂的；确认后生效。</translation>
+    </message>
+    <message>
+        <source>New cell</source>
+        <translation>新建单元</translation>
     </message>
     <message>
         <source>Area</source>
@@ -2079,10 +2079,6 @@
         <translation>不显示进度行</translation>
     </message>
     <message>
-        <source>a joint reports an excursion of 60° and its return, and stands as far off from then on; 0x150 resume mends it (VALUE: joint)</source>
-        <translation>一个关节上报 60° 的偏移后又返回，此后实际位置便相差这么多；用 0x150 恢复可修复 (VALUE: 关节)</translation>
-    </message>
-    <message>
         <source>the bus</source>
         <translation>总线</translation>
     </message>
@@ -2149,6 +2145,10 @@
     <message>
         <source>--firmware belongs to --sim in generation 2: a real arm tells its own</source>
         <translation>--firmware 只用于第 2 代的 --sim：真实机械臂会自行说明</translation>
+    </message>
+    <message>
+        <source>a joint reports an excursion of 60° and its return, and stands as far off from then on; 0x150 resume mends it (VALUE: joint)</source>
+        <translation>一个关节上报 60° 的偏移后又返回，此后实际位置便相差这么多；用 0x150 恢复可修复 (VALUE: 关节)</translation>
     </message>
 </context>
 <context>
@@ -4006,12 +4006,12 @@
         <translation>此轨迹在另一种机械臂上示教：{taught}；当前为 {arm}。同样的关节角可能使末端在别处。已按 {arm} 检查，未做任何换算。请先看预览再接受。</translation>
     </message>
     <message>
-        <source>Too near to “{name}” of the work area: {part} would come to {value} mm, where {minimum} mm are kept. Put another point between, or change the point.</source>
-        <translation>离工作区的“{name}”太近：{part}将到 {value} mm，应保持 {minimum} mm。请在中间加一个点，或更改该点。</translation>
-    </message>
-    <message>
         <source>Where the arm stands now, it is too near to “{name}” of the work area: {part} at {value} mm, where {minimum} mm are kept. Move it out, then send again: nothing of the trajectory has to be changed.</source>
         <translation>机械臂当前离工作区的“{name}”太近：{part}相距 {value} mm，应保持 {minimum} mm。请先移出，再重新发送：轨迹无需更改。</translation>
+    </message>
+    <message>
+        <source>Too near to “{name}” of the work area: {part} would come to {value} mm, where {minimum} mm are kept. Put another point between, or change the point.</source>
+        <translation>离工作区的“{name}”太近：{part}将到 {value} mm，应保持 {minimum} mm。请在中间加一个点，或更改该点。</translation>
     </message>
 </context>
 <context>
@@ -4867,10 +4867,6 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>将当前开度设为零点。执行前会询问。</translation>
     </message>
     <message>
-        <source>Calibrated: openings are as measured with callipers, by the cell&apos;s table.</source>
-        <translation>已校准：开度按单元中的卡尺测量表。</translation>
-    </message>
-    <message>
         <source>How far this gripper turns is not published: watch where it ends.</source>
         <translation>该夹爪的最大角度未公布，请留意其行程终点。</translation>
     </message>
@@ -4893,6 +4889,10 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>Send</source>
         <translation>发送</translation>
+    </message>
+    <message>
+        <source>Calibrated: openings are as measured with callipers, by the cell&apos;s table.</source>
+        <translation>已校准：开度按单元中的卡尺测量表。</translation>
     </message>
 </context>
 <context>
@@ -4936,64 +4936,8 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
 <context>
     <name>GripperTab</name>
     <message>
-        <source>Show and command calibrated openings</source>
-        <translation>显示并发送已校准的开度</translation>
-    </message>
-    <message>
-        <source>Propose widths for the gripper table</source>
-        <translation>为夹爪校准表推荐开度</translation>
-    </message>
-    <message>
-        <source>Open the gripper to the next width of its table</source>
-        <translation>将夹爪打开到校准表的下一个开度</translation>
-    </message>
-    <message>
-        <source>Apply the gripper table</source>
-        <translation>应用夹爪校准表</translation>
-    </message>
-    <message>
-        <source>Apply a table of two pairs at least first.</source>
-        <translation>请先应用至少两组数据的校准表。</translation>
-    </message>
-    <message>
-        <source>Off, everything is as the arm tells it; the table is kept.</source>
-        <translation>关闭时一切按机械臂上报；校准表保留。</translation>
-    </message>
-    <message>
-        <source>Open to {width} mm</source>
-        <translation>打开到 {width} mm</translation>
-    </message>
-    <message>
         <source>Every width is measured. Type another one, or apply the table.</source>
         <translation>所有开度均已测量。可再输入一个，或应用校准表。</translation>
-    </message>
-    <message>
-        <source>Moves the gripper, uncalibrated.</source>
-        <translation>移动夹爪，不经校准。</translation>
-    </message>
-    <message>
-        <source>Fills in widths over the gripper&apos;s stroke.</source>
-        <translation>按夹爪行程填入开度。</translation>
-    </message>
-    <message>
-        <source>Puts the table in force; one of fewer than two pairs switches it off.</source>
-        <translation>使校准表生效；不足两组时关闭校准。</translation>
-    </message>
-    <message>
-        <source>There is no cell yet: type its name above and press New.</source>
-        <translation>尚无单元：请在上方输入名称并按“新建”。</translation>
-    </message>
-    <message>
-        <source>Row {row}: press Open, wait until the gripper stands, measure between the fingers with callipers and type what they show.</source>
-        <translation>第 {row} 行：按“打开”，等夹爪停稳，用卡尺测量两指之间的距离并输入读数。</translation>
-    </message>
-    <message>
-        <source>Press Apply: openings are calibrated from then on.</source>
-        <translation>按“应用”：此后开度均已校准。</translation>
-    </message>
-    <message>
-        <source>Calibrated: targets, points, the opening shown and the picture go by this table. Recordings keep what the arm told.</source>
-        <translation>已校准：目标、轨迹点、显示的开度和画面都按此表。录制保留机械臂上报的值。</translation>
     </message>
     <message>
         <source>Press Propose widths, or type openings to be measured.</source>
@@ -5004,20 +4948,76 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>已校准</translation>
     </message>
     <message>
+        <source>Show and command calibrated openings</source>
+        <translation>显示并发送已校准的开度</translation>
+    </message>
+    <message>
+        <source>Apply the gripper table</source>
+        <translation>应用夹爪校准表</translation>
+    </message>
+    <message>
+        <source>Open to {width} mm</source>
+        <translation>打开到 {width} mm</translation>
+    </message>
+    <message>
+        <source>Calibrated: targets, points, the opening shown and the picture go by this table. Recordings keep what the arm told.</source>
+        <translation>已校准：目标、轨迹点、显示的开度和画面都按此表。录制保留机械臂上报的值。</translation>
+    </message>
+    <message>
+        <source>Row {row}: press Open, wait until the gripper stands, measure between the fingers with callipers and type what they show.</source>
+        <translation>第 {row} 行：按“打开”，等夹爪停稳，用卡尺测量两指之间的距离并输入读数。</translation>
+    </message>
+    <message>
+        <source>Propose widths for the gripper table</source>
+        <translation>为夹爪校准表推荐开度</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>应用</translation>
+    </message>
+    <message>
+        <source>Fills in widths over the gripper&apos;s stroke.</source>
+        <translation>按夹爪行程填入开度。</translation>
+    </message>
+    <message>
         <source>Asked for</source>
         <translation>指令开度</translation>
+    </message>
+    <message>
+        <source>Moves the gripper, uncalibrated.</source>
+        <translation>移动夹爪，不经校准。</translation>
+    </message>
+    <message>
+        <source>Off, everything is as the arm tells it; the table is kept.</source>
+        <translation>关闭时一切按机械臂上报；校准表保留。</translation>
+    </message>
+    <message>
+        <source>Puts the table in force; one of fewer than two pairs switches it off.</source>
+        <translation>使校准表生效；不足两组时关闭校准。</translation>
+    </message>
+    <message>
+        <source>Press Apply: openings are calibrated from then on.</source>
+        <translation>按“应用”：此后开度均已校准。</translation>
     </message>
     <message>
         <source>Measured</source>
         <translation>测量值</translation>
     </message>
     <message>
-        <source>Propose widths</source>
-        <translation>推荐开度</translation>
+        <source>Apply a table of two pairs at least first.</source>
+        <translation>请先应用至少两组数据的校准表。</translation>
     </message>
     <message>
-        <source>Apply</source>
-        <translation>应用</translation>
+        <source>Open the gripper to the next width of its table</source>
+        <translation>将夹爪打开到校准表的下一个开度</translation>
+    </message>
+    <message>
+        <source>There is no cell yet: type its name above and press New.</source>
+        <translation>尚无单元：请在上方输入名称并按“新建”。</translation>
+    </message>
+    <message>
+        <source>Propose widths</source>
+        <translation>推荐开度</translation>
     </message>
 </context>
 <context>
@@ -6736,42 +6736,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>已发送速度 {percent} %</translation>
     </message>
     <message>
-        <source>Joint {joint} left its place of {place}° uncommanded, enabled, and was reported at {value}°: its reference is in doubt. It may stand elsewhere than it reports from now on.</source>
-        <translation>关节 {joint} 在使能且无指令的情况下离开了 {place}°，上报为 {value}°：其零位基准存疑。此后它的实际位置可能与上报不符。</translation>
-    </message>
-    <message>
-        <source>Of an earlier day: the reference of joint {joints} is in doubt, and was not checked since.</source>
-        <translation>之前的记录：关节 {joints} 的零位基准存疑，至今尚未检查。</translation>
-    </message>
-    <message>
-        <source>Motions are agreed to for {seconds} s, with the reference of joint {joints} in doubt</source>
-        <translation>已同意在关节 {joints} 零位基准存疑时运动，{seconds} s 内有效</translation>
-    </message>
-    <message>
-        <source>Reference check begun</source>
-        <translation>零位基准检查已开始</translation>
-    </message>
-    <message>
-        <source>Reference check left without a result: what was in doubt stays so.</source>
-        <translation>零位基准检查未完成便已退出：存疑的关节仍然存疑。</translation>
-    </message>
-    <message>
-        <source>Sent J{joint} to its mark at {target}°</source>
-        <translation>已发送：J{joint} 到刻线 {target}°</translation>
-    </message>
-    <message>
-        <source>Reference pose kept for this arm</source>
-        <translation>已为这台机械臂保存基准位姿</translation>
-    </message>
-    <message>
-        <source>Reference check finished: all joints stand where they report.</source>
-        <translation>零位基准检查完成：所有关节都在上报的位置。</translation>
-    </message>
-    <message>
-        <source>Reference check finished: joint {joints} does not stand where it reports.</source>
-        <translation>零位基准检查完成：关节 {joints} 不在上报的位置。</translation>
-    </message>
-    <message>
         <source>Emergency stop sent. The motors go limp and the arm sinks: hold the arm.</source>
         <translation>急停已发送。电机失去力矩，机械臂会缓慢下沉，请扶住机械臂。</translation>
     </message>
@@ -7320,36 +7284,72 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>程序的一部分出错（{part}）。急停仍有效；本程序的所有运动均已结束。请重新启动程序。</translation>
     </message>
     <message>
-        <source>{reason}</source>
-        <translation>{reason}</translation>
+        <source>Sent J{joint} to its mark at {target}°</source>
+        <translation>已发送：J{joint} 到刻线 {target}°</translation>
     </message>
     <message>
-        <source>Cell deleted: {name}</source>
-        <translation>单元已删除：{name}</translation>
+        <source>Reference check finished: all joints stand where they report.</source>
+        <translation>零位基准检查完成：所有关节都在上报的位置。</translation>
     </message>
     <message>
-        <source>No cell is in force</source>
-        <translation>没有生效的单元</translation>
+        <source>Reference pose kept for this arm</source>
+        <translation>已为这台机械臂保存基准位姿</translation>
     </message>
     <message>
-        <source>Cell confirmed: {name}</source>
-        <translation>单元已确认：{name}</translation>
+        <source>Of an earlier day: the reference of joint {joints} is in doubt, and was not checked since.</source>
+        <translation>之前的记录：关节 {joints} 的零位基准存疑，至今尚未检查。</translation>
     </message>
     <message>
         <source>Cell in force: {name}</source>
         <translation>生效的单元：{name}</translation>
     </message>
     <message>
+        <source>Reference check begun</source>
+        <translation>零位基准检查已开始</translation>
+    </message>
+    <message>
+        <source>The arm is clear of the work area again.</source>
+        <translation>机械臂已离开工作区的禁区。</translation>
+    </message>
+    <message>
+        <source>Cell confirmed: {name}</source>
+        <translation>单元已确认：{name}</translation>
+    </message>
+    <message>
+        <source>Reference check left without a result: what was in doubt stays so.</source>
+        <translation>零位基准检查未完成便已退出：存疑的关节仍然存疑。</translation>
+    </message>
+    <message>
+        <source>Reference check finished: joint {joints} does not stand where it reports.</source>
+        <translation>零位基准检查完成：关节 {joints} 不在上报的位置。</translation>
+    </message>
+    <message>
         <source>Cell changed: {name}</source>
         <translation>单元已更改：{name}</translation>
+    </message>
+    <message>
+        <source>Cell deleted: {name}</source>
+        <translation>单元已删除：{name}</translation>
+    </message>
+    <message>
+        <source>Motions are agreed to for {seconds} s, with the reference of joint {joints} in doubt</source>
+        <translation>已同意在关节 {joints} 零位基准存疑时运动，{seconds} s 内有效</translation>
+    </message>
+    <message>
+        <source>{reason}</source>
+        <translation>{reason}</translation>
+    </message>
+    <message>
+        <source>Joint {joint} left its place of {place}° uncommanded, enabled, and was reported at {value}°: its reference is in doubt. It may stand elsewhere than it reports from now on.</source>
+        <translation>关节 {joint} 在使能且无指令的情况下离开了 {place}°，上报为 {value}°：其零位基准存疑。此后它的实际位置可能与上报不符。</translation>
     </message>
     <message>
         <source>The arm has come into the work area&apos;s “{name}”: {part}, {value} mm too near.</source>
         <translation>机械臂进入了工作区的“{name}”：{part}，超出 {value} mm。</translation>
     </message>
     <message>
-        <source>The arm is clear of the work area again.</source>
-        <translation>机械臂已离开工作区的禁区。</translation>
+        <source>No cell is in force</source>
+        <translation>没有生效的单元</translation>
     </message>
 </context>
 <context>
@@ -7614,12 +7614,24 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>设置运行倍率</translation>
     </message>
     <message>
-        <source>Move with the reference in doubt</source>
-        <translation>零位基准存疑时运动</translation>
+        <source>Make or import a cell</source>
+        <translation>新建或导入单元</translation>
     </message>
     <message>
         <source>Check the reference</source>
         <translation>检查零位基准</translation>
+    </message>
+    <message>
+        <source>Confirm the cell</source>
+        <translation>确认单元</translation>
+    </message>
+    <message>
+        <source>Choose the cell</source>
+        <translation>选择单元</translation>
+    </message>
+    <message>
+        <source>Teach the reference pose</source>
+        <translation>示教基准位姿</translation>
     </message>
     <message>
         <source>Drive a joint to its mark</source>
@@ -7630,28 +7642,16 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>完成零位基准检查</translation>
     </message>
     <message>
-        <source>Teach the reference pose</source>
-        <translation>示教基准位姿</translation>
-    </message>
-    <message>
-        <source>Make or import a cell</source>
-        <translation>新建或导入单元</translation>
-    </message>
-    <message>
         <source>Delete the cell</source>
         <translation>删除单元</translation>
-    </message>
-    <message>
-        <source>Choose the cell</source>
-        <translation>选择单元</translation>
     </message>
     <message>
         <source>Change the cell</source>
         <translation>更改单元</translation>
     </message>
     <message>
-        <source>Confirm the cell</source>
-        <translation>确认单元</translation>
+        <source>Move with the reference in doubt</source>
+        <translation>零位基准存疑时运动</translation>
     </message>
 </context>
 <context>
@@ -8980,6 +8980,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>录制</translation>
     </message>
     <message>
+        <source>“{name}” has not been saved. A new recording replaces it.</source>
+        <translation>“{name}”尚未保存。开始新的录制会替换它。</translation>
+    </message>
+    <message>
         <source>Recording: {time}, {count} samples</source>
         <translation>正在录制：{time}，{count} 个采样</translation>
     </message>
@@ -8990,10 +8994,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Lead the arm by hand, or move it by anything, while it records.</source>
         <translation>录制期间可拖动机械臂，或以任意方式使其运动。</translation>
-    </message>
-    <message>
-        <source>A new recording replaces the unsaved one</source>
-        <translation>重新录制将覆盖未保存的内容</translation>
     </message>
     <message>
         <source>Trim samples</source>
@@ -9157,22 +9157,6 @@ The other program must have ended.</source>
 另一程序必须已经结束。</translation>
     </message>
     <message>
-        <source>Reference check…</source>
-        <translation>零位基准检查…</translation>
-    </message>
-    <message>
-        <source>Move anyway…</source>
-        <translation>仍要运动…</translation>
-    </message>
-    <message>
-        <source>Move with the reference in doubt</source>
-        <translation>零位基准存疑时运动</translation>
-    </message>
-    <message>
-        <source>A joint in doubt may stand up to 85° from what it reports: the arm then goes another way than the picture and the check show, and may strike itself or the table. Runs and faster motions may begin for one minute. Keep a hand on the stop.</source>
-        <translation>存疑的关节与上报位置最多可能相差 85°：机械臂的实际路径会与画面和检查结果不同，可能撞到自身或桌面。一分钟内可以开始轨迹运行和较快的运动。请把手放在急停上。</translation>
-    </message>
-    <message>
         <source>Withdraw the stop</source>
         <translation>撤回急停</translation>
     </message>
@@ -9189,20 +9173,36 @@ The other program must have ended.</source>
         <translation>机械臂将不再由其他方式控制，正在进行的运动会停止。请确认无人正在使用。</translation>
     </message>
     <message>
-        <source>Without it…</source>
-        <translation>不用它…</translation>
+        <source>Go on without the cell</source>
+        <translation>不用单元继续</translation>
+    </message>
+    <message>
+        <source>Move anyway…</source>
+        <translation>仍要运动…</translation>
     </message>
     <message>
         <source>Nothing of the cell holds then, neither its tools nor anything it forbids. Its file is left as it is.</source>
         <translation>之后单元的任何内容都不生效，包括它的工具和它所禁止的。其文件保持不变。</translation>
     </message>
     <message>
-        <source>Go on without the cell</source>
-        <translation>不用单元继续</translation>
+        <source>Without it…</source>
+        <translation>不用它…</translation>
     </message>
     <message>
         <source>Confirm cell</source>
         <translation>确认单元</translation>
+    </message>
+    <message>
+        <source>A joint in doubt may stand up to 85° from what it reports: the arm then goes another way than the picture and the check show, and may strike itself or the table. Runs and faster motions may begin for one minute. Keep a hand on the stop.</source>
+        <translation>存疑的关节与上报位置最多可能相差 85°：机械臂的实际路径会与画面和检查结果不同，可能撞到自身或桌面。一分钟内可以开始轨迹运行和较快的运动。请把手放在急停上。</translation>
+    </message>
+    <message>
+        <source>Reference check…</source>
+        <translation>零位基准检查…</translation>
+    </message>
+    <message>
+        <source>Move with the reference in doubt</source>
+        <translation>零位基准存疑时运动</translation>
     </message>
 </context>
 <context>
@@ -9387,18 +9387,6 @@ The other program must have ended.</source>
         <translation>电机未使能。使能后可运动。</translation>
     </message>
     <message>
-        <source>The reference is being checked: nothing moves but what the check drives.</source>
-        <translation>正在检查零位基准：除检查本身驱动的关节外，一律不动。</translation>
-    </message>
-    <message>
-        <source>Joint {joints} left its place uncommanded while it was enabled: it may stand elsewhere than it reports. Check its reference.</source>
-        <translation>关节 {joints} 在使能且无指令时离开了原位：实际位置可能与上报不符。请检查其零位基准。</translation>
-    </message>
-    <message>
-        <source>Motions are agreed to, though joint {joints} may stand elsewhere than it reports.</source>
-        <translation>已同意运动，但关节 {joints} 的实际位置可能与上报不符。</translation>
-    </message>
-    <message>
         <source>Joint {joints} beyond its limit. The arm stands still; send a target within the limits.</source>
         <translation>关节 {joints} 超过限位。机械臂未运动，请发送限位以内的目标。</translation>
     </message>
@@ -9479,198 +9467,210 @@ The other program must have ended.</source>
         <translation>末端在底座平面以下 {value} mm。除非那里没有物体，请向上点动。“设置”中可选点动的最低高度。</translation>
     </message>
     <message>
-        <source>The cell “{name}” kept for this arm could not be read. Choose another one under Cell.</source>
-        <translation>为此机械臂保存的单元“{name}”无法读取。请在“单元”中另选一个。</translation>
+        <source>Joint {joints} left its place uncommanded while it was enabled: it may stand elsewhere than it reports. Check its reference.</source>
+        <translation>关节 {joints} 在使能且无指令时离开了原位：实际位置可能与上报不符。请检查其零位基准。</translation>
     </message>
     <message>
         <source>Last used here: the cell “{name}”. Is this its arm? Confirm it, or choose under Cell.</source>
         <translation>此处上次使用的单元：“{name}”。是这台机械臂吗？请确认，或在“单元”中选择。</translation>
     </message>
     <message>
+        <source>The reference is being checked: nothing moves but what the check drives.</source>
+        <translation>正在检查零位基准：除检查本身驱动的关节外，一律不动。</translation>
+    </message>
+    <message>
+        <source>The cell “{name}” kept for this arm could not be read. Choose another one under Cell.</source>
+        <translation>为此机械臂保存的单元“{name}”无法读取。请在“单元”中另选一个。</translation>
+    </message>
+    <message>
         <source>The arm is {value} mm too near to “{name}” of the work area ({part}). It can only be moved out: jog the other way, or lead it by hand.</source>
         <translation>机械臂离工作区的“{name}”近了 {value} mm（{part}）。只能向外移动：请反向点动，或用手拖动。</translation>
+    </message>
+    <message>
+        <source>Motions are agreed to, though joint {joints} may stand elsewhere than it reports.</source>
+        <translation>已同意运动，但关节 {joints} 的实际位置可能与上报不符。</translation>
     </message>
 </context>
 <context>
     <name>Reference</name>
     <message>
-        <source>joint {joints} in doubt since {time}</source>
-        <translation>关节 {joints} 自 {time} 起存疑</translation>
+        <source>never checked</source>
+        <translation>从未检查</translation>
     </message>
     <message>
-        <source>last checked {time}: {off} off</source>
-        <translation>上次检查 {time}：{off} 偏差</translation>
+        <source>joint {joints} in doubt since {time}</source>
+        <translation>关节 {joints} 自 {time} 起存疑</translation>
     </message>
     <message>
         <source>last checked {time}: all joints fit</source>
         <translation>上次检查 {time}：所有关节相符</translation>
     </message>
     <message>
-        <source>never checked</source>
-        <translation>从未检查</translation>
+        <source>last checked {time}: {off} off</source>
+        <translation>上次检查 {time}：{off} 偏差</translation>
     </message>
 </context>
 <context>
     <name>ReferenceDialog</name>
     <message>
-        <source>Reference check</source>
-        <translation>零位基准检查</translation>
-    </message>
-    <message>
-        <source>Teach reference pose…</source>
-        <translation>示教基准位姿…</translation>
-    </message>
-    <message>
-        <source>Switch off the motor of joint {joint}</source>
-        <translation>关闭关节 {joint} 的电机</translation>
-    </message>
-    <message>
-        <source>Joint {joint} goes limp, and what hangs on it drops: hold the arm with both hands. The other joints keep their power.</source>
-        <translation>关节 {joint} 将失去动力，其后的部分会下落：请用双手扶住机械臂。其他关节保持使能。</translation>
-    </message>
-    <message>
-        <source>Motor off</source>
-        <translation>电机关闭</translation>
-    </message>
-    <message>
-        <source>Teach the reference pose</source>
-        <translation>示教基准位姿</translation>
-    </message>
-    <message>
-        <source>Where the arm stands now is kept as its reference pose: joints 2 and 3, which have no mark, are compared with it. Put the arm where you will recognise it to the degree, for example with the fingertip on a cross on the table. You may then choose a photo of it. Only teach it while the reference is right.</source>
-        <translation>机械臂当前的位置将保存为基准位姿：没有刻线的关节 2 和 3 与它比较。请把机械臂放到能精确到度辨认的位置，例如指尖对准桌面上的十字。随后可以选择一张照片。只有在零位基准正确时才可示教。</translation>
-    </message>
-    <message>
-        <source>Keep this pose</source>
-        <translation>保存此位姿</translation>
-    </message>
-    <message>
-        <source>Photo of the arm in its reference pose</source>
-        <translation>机械臂基准位姿的照片</translation>
-    </message>
-    <message>
-        <source>Pictures ({kinds})</source>
-        <translation>图片 ({kinds})</translation>
-    </message>
-    <message>
-        <source>Switch its motor off and turn it by hand first.</source>
-        <translation>请先关闭该关节的电机并用手转动。</translation>
-    </message>
-    <message>
-        <source>in doubt</source>
-        <translation>存疑</translation>
+        <source>Off by</source>
+        <translation>偏差</translation>
     </message>
     <message>
         <source>fits</source>
         <translation>相符</translation>
     </message>
     <message>
-        <source>off by {off}</source>
-        <translation>偏差 {off}</translation>
-    </message>
-    <message>
-        <source>Look at the whole arm beside the picture, which shows what it reports. Tick each joint that stands elsewhere than the picture shows. Nothing drives those joints; the ones in doubt are ticked.</source>
-        <translation>对照画面查看整台机械臂，画面显示的是它上报的位置。勾选实际位置与画面不同的关节。这些关节不会被驱动；存疑的关节已勾选。</translation>
-    </message>
-    <message>
-        <source>All joints are answered for, and some are off. Finish the check: they stay in doubt, and what can be done is shown then.</source>
-        <translation>所有关节均已回答，其中有偏差。请完成检查：有偏差的关节仍然存疑，随后显示可采取的措施。</translation>
-    </message>
-    <message>
-        <source>All joints stand where they report. Finish the check to keep that.</source>
-        <translation>所有关节都在上报的位置。完成检查即可保存结果。</translation>
-    </message>
-    <message>
-        <source>its mark</source>
-        <translation>刻线</translation>
-    </message>
-    <message>
-        <source>its place in the reference pose</source>
-        <translation>基准位姿中的位置</translation>
-    </message>
-    <message>
-        <source>Joint {joint} has no mark, and no reference pose is taught. Compare it with the picture: does it stand as shown? If not, type by how much it is off.</source>
-        <translation>关节 {joint} 没有刻线，也没有示教基准位姿。请与画面比较：是否如画面所示？若不是，请输入偏差。</translation>
-    </message>
-    <message>
-        <source>Joint {joint} may stand 85° from what it reports: nothing drives it. Hold the arm, switch its motor off and turn it to {place} by hand; then press “Stands at its mark”. What it reports there shows how far it is off.</source>
-        <translation>关节 {joint} 与上报位置最多可能相差 85°：不会驱动它。扶住机械臂，关闭该关节的电机，用手转到{place}，再按“已对准刻线”。此时的上报角度即显示偏差。</translation>
-    </message>
-    <message>
-        <source>Hold “Drive to the mark”: joint {joint} goes to {place} at 5 %, the others stay. Look whether it then stands there. If not, type by how much it is off.</source>
-        <translation>按住“驱动到刻线”：关节 {joint} 以 5 % 速度转到{place}，其他关节不动。查看它是否到位。若未到位，请输入偏差。</translation>
-    </message>
-    <message>
-        <source>The check takes some two minutes. A joint in doubt is brought to its mark by hand; the others are driven slowly, each by a held button.</source>
-        <translation>检查约需两分钟。存疑的关节用手转到刻线；其他关节缓慢驱动，每个都要按住按钮确认。</translation>
-    </message>
-    <message>
-        <source>What can be done: (1) Reset with the arm held. Emergency stop, hold the arm, Resume: its motors lose their power and the arm drops; the arm then finds its reference again. Enable, and check once more. (2) Set the joint&apos;s zero, only if a reset does not help and the joint stands at its mark: nothing moves, but every angle, limit and saved point counts from there. Neither ends the doubt: only this check does.</source>
-        <translation>可采取的措施：(1) 扶住机械臂后复位。急停，扶住机械臂，恢复：电机断电，机械臂下落，随后重新找到零位基准。使能后再检查一次。(2) 设置该关节的零点，仅当复位无效且关节对准刻线时：机械臂不动，但此后所有角度、限位和已保存的点都从这里计算。两者都不会消除存疑：只有本检查可以。</translation>
-    </message>
-    <message>
-        <source>The photo cannot be read.</source>
-        <translation>照片无法读取。</translation>
-    </message>
-    <message>
-        <source>Does each joint stand where it reports? The feedback alone cannot tell.</source>
-        <translation>每个关节是否在上报的位置？仅凭反馈无法判断。</translation>
-    </message>
-    <message>
         <source>Joint</source>
         <translation>关节</translation>
     </message>
     <message>
-        <source>Reported</source>
-        <translation>上报</translation>
-    </message>
-    <message>
-        <source>At the mark</source>
-        <translation>刻线处</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>结果</translation>
-    </message>
-    <message>
-        <source>Begin the check</source>
-        <translation>开始检查</translation>
-    </message>
-    <message>
-        <source>Move anyway</source>
-        <translation>仍要运动</translation>
-    </message>
-    <message>
-        <source>The others stand as shown</source>
-        <translation>其余与画面相符</translation>
-    </message>
-    <message>
-        <source>Motor off…</source>
-        <translation>电机关闭…</translation>
-    </message>
-    <message>
-        <source>Drive to the mark</source>
-        <translation>驱动到刻线</translation>
-    </message>
-    <message>
-        <source>Stands at its mark</source>
-        <translation>已对准刻线</translation>
-    </message>
-    <message>
-        <source>Off by this</source>
-        <translation>偏差如此</translation>
-    </message>
-    <message>
-        <source>Off by</source>
-        <translation>偏差</translation>
+        <source>off by {off}</source>
+        <translation>偏差 {off}</translation>
     </message>
     <message>
         <source>Finish the check</source>
         <translation>完成检查</translation>
     </message>
     <message>
+        <source>Off by this</source>
+        <translation>偏差如此</translation>
+    </message>
+    <message>
+        <source>The others stand as shown</source>
+        <translation>其余与画面相符</translation>
+    </message>
+    <message>
+        <source>Joint {joint} has no mark, and no reference pose is taught. Compare it with the picture: does it stand as shown? If not, type by how much it is off.</source>
+        <translation>关节 {joint} 没有刻线，也没有示教基准位姿。请与画面比较：是否如画面所示？若不是，请输入偏差。</translation>
+    </message>
+    <message>
+        <source>At the mark</source>
+        <translation>刻线处</translation>
+    </message>
+    <message>
+        <source>Keep this pose</source>
+        <translation>保存此位姿</translation>
+    </message>
+    <message>
+        <source>Joint {joint} goes limp, and what hangs on it drops: hold the arm with both hands. The other joints keep their power.</source>
+        <translation>关节 {joint} 将失去动力，其后的部分会下落：请用双手扶住机械臂。其他关节保持使能。</translation>
+    </message>
+    <message>
+        <source>Teach reference pose…</source>
+        <translation>示教基准位姿…</translation>
+    </message>
+    <message>
+        <source>Reference check</source>
+        <translation>零位基准检查</translation>
+    </message>
+    <message>
+        <source>The check takes some two minutes. A joint in doubt is brought to its mark by hand; the others are driven slowly, each by a held button.</source>
+        <translation>检查约需两分钟。存疑的关节用手转到刻线；其他关节缓慢驱动，每个都要按住按钮确认。</translation>
+    </message>
+    <message>
+        <source>Motor off…</source>
+        <translation>电机关闭…</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Drive to the mark</source>
+        <translation>驱动到刻线</translation>
+    </message>
+    <message>
+        <source>All joints are answered for, and some are off. Finish the check: they stay in doubt, and what can be done is shown then.</source>
+        <translation>所有关节均已回答，其中有偏差。请完成检查：有偏差的关节仍然存疑，随后显示可采取的措施。</translation>
+    </message>
+    <message>
+        <source>Begin the check</source>
+        <translation>开始检查</translation>
+    </message>
+    <message>
+        <source>Joint {joint} may stand 85° from what it reports: nothing drives it. Hold the arm, switch its motor off and turn it to {place} by hand; then press “Stands at its mark”. What it reports there shows how far it is off.</source>
+        <translation>关节 {joint} 与上报位置最多可能相差 85°：不会驱动它。扶住机械臂，关闭该关节的电机，用手转到{place}，再按“已对准刻线”。此时的上报角度即显示偏差。</translation>
+    </message>
+    <message>
+        <source>Does each joint stand where it reports? The feedback alone cannot tell.</source>
+        <translation>每个关节是否在上报的位置？仅凭反馈无法判断。</translation>
+    </message>
+    <message>
+        <source>Teach the reference pose</source>
+        <translation>示教基准位姿</translation>
+    </message>
+    <message>
+        <source>its place in the reference pose</source>
+        <translation>基准位姿中的位置</translation>
+    </message>
+    <message>
+        <source>Stands at its mark</source>
+        <translation>已对准刻线</translation>
+    </message>
+    <message>
+        <source>Look at the whole arm beside the picture, which shows what it reports. Tick each joint that stands elsewhere than the picture shows. Nothing drives those joints; the ones in doubt are ticked.</source>
+        <translation>对照画面查看整台机械臂，画面显示的是它上报的位置。勾选实际位置与画面不同的关节。这些关节不会被驱动；存疑的关节已勾选。</translation>
+    </message>
+    <message>
+        <source>in doubt</source>
+        <translation>存疑</translation>
+    </message>
+    <message>
+        <source>its mark</source>
+        <translation>刻线</translation>
+    </message>
+    <message>
+        <source>The photo cannot be read.</source>
+        <translation>照片无法读取。</translation>
+    </message>
+    <message>
+        <source>Motor off</source>
+        <translation>电机关闭</translation>
+    </message>
+    <message>
+        <source>Switch off the motor of joint {joint}</source>
+        <translation>关闭关节 {joint} 的电机</translation>
+    </message>
+    <message>
+        <source>What can be done: (1) Reset with the arm held. Emergency stop, hold the arm, Resume: its motors lose their power and the arm drops; the arm then finds its reference again. Enable, and check once more. (2) Set the joint&apos;s zero, only if a reset does not help and the joint stands at its mark: nothing moves, but every angle, limit and saved point counts from there. Neither ends the doubt: only this check does.</source>
+        <translation>可采取的措施：(1) 扶住机械臂后复位。急停，扶住机械臂，恢复：电机断电，机械臂下落，随后重新找到零位基准。使能后再检查一次。(2) 设置该关节的零点，仅当复位无效且关节对准刻线时：机械臂不动，但此后所有角度、限位和已保存的点都从这里计算。两者都不会消除存疑：只有本检查可以。</translation>
+    </message>
+    <message>
+        <source>Photo of the arm in its reference pose</source>
+        <translation>机械臂基准位姿的照片</translation>
+    </message>
+    <message>
+        <source>Switch its motor off and turn it by hand first.</source>
+        <translation>请先关闭该关节的电机并用手转动。</translation>
+    </message>
+    <message>
         <source>Answer again</source>
         <translation>重新回答</translation>
+    </message>
+    <message>
+        <source>Where the arm stands now is kept as its reference pose: joints 2 and 3, which have no mark, are compared with it. Put the arm where you will recognise it to the degree, for example with the fingertip on a cross on the table. You may then choose a photo of it. Only teach it while the reference is right.</source>
+        <translation>机械臂当前的位置将保存为基准位姿：没有刻线的关节 2 和 3 与它比较。请把机械臂放到能精确到度辨认的位置，例如指尖对准桌面上的十字。随后可以选择一张照片。只有在零位基准正确时才可示教。</translation>
+    </message>
+    <message>
+        <source>Reported</source>
+        <translation>上报</translation>
+    </message>
+    <message>
+        <source>Pictures ({kinds})</source>
+        <translation>图片 ({kinds})</translation>
+    </message>
+    <message>
+        <source>Hold “Drive to the mark”: joint {joint} goes to {place} at 5 %, the others stay. Look whether it then stands there. If not, type by how much it is off.</source>
+        <translation>按住“驱动到刻线”：关节 {joint} 以 5 % 速度转到{place}，其他关节不动。查看它是否到位。若未到位，请输入偏差。</translation>
+    </message>
+    <message>
+        <source>All joints stand where they report. Finish the check to keep that.</source>
+        <translation>所有关节都在上报的位置。完成检查即可保存结果。</translation>
+    </message>
+    <message>
+        <source>Move anyway</source>
+        <translation>仍要运动</translation>
     </message>
 </context>
 <context>
@@ -9974,50 +9974,6 @@ The other program must have ended.</source>
     <message>
         <source>Jog step: “{value}” is not an angle. Enter a number of degrees, for example 0.5.</source>
         <translation>点动步长：“{value}”不是角度。请输入以度为单位的数字，例如 0.5。</translation>
-    </message>
-    <message>
-        <source>The gripper table has {value} pairs; it holds {maximum} at most. Leave some out.</source>
-        <translation>夹爪校准表有 {value} 组，最多 {maximum} 组。请删去一些。</translation>
-    </message>
-    <message>
-        <source>The gripper table needs two pairs at least, so that openings between them are known.</source>
-        <translation>夹爪校准表至少需要两组，才能得知其间的开度。</translation>
-    </message>
-    <message>
-        <source>The gripper table does not rise: {value} mm measured at {maximum} mm asked for, but {before} mm at {minimum} mm. Measure the two once more.</source>
-        <translation>夹爪校准表不是递增的：指令 {maximum} mm 时测得 {value} mm，而指令 {minimum} mm 时测得 {before} mm。请重新测量这两组。</translation>
-    </message>
-    <message>
-        <source>No joint&apos;s reference is in doubt.</source>
-        <translation>没有关节的零位基准存疑。</translation>
-    </message>
-    <message>
-        <source>The reference check is not open.</source>
-        <translation>零位基准检查未打开。</translation>
-    </message>
-    <message>
-        <source>Look at the whole arm first and say which joints stand elsewhere than the picture shows.</source>
-        <translation>请先查看整台机械臂，并指出哪些关节与画面不同。</translation>
-    </message>
-    <message>
-        <source>Joint {joint} is in doubt: it may stand 85° from what it reports, so nothing drives it. Bring it to its mark by hand, with the motors off and the arm held.</source>
-        <translation>关节 {joint} 存疑：与上报位置最多可能相差 85°，因此不会驱动它。请在电机关闭、扶住机械臂的情况下用手转到刻线。</translation>
-    </message>
-    <message>
-        <source>Joint {joint} has no mark, and no reference pose is taught: compare it with the picture.</source>
-        <translation>关节 {joint} 没有刻线，也没有示教基准位姿：请与画面比较。</translation>
-    </message>
-    <message>
-        <source>These joints are still to be answered for: {joints}.</source>
-        <translation>以下关节尚未回答：{joints}。</translation>
-    </message>
-    <message>
-        <source>Joint {joints} may stand elsewhere than it reports: its reference is in doubt. Check it, or agree to motions in the line above the panels. Single motions up to {maximum} % need no agreement.</source>
-        <translation>关节 {joints} 的实际位置可能与上报不符：其零位基准存疑。请检查，或在面板上方的提示行中同意运动。不超过 {maximum} % 的单次运动无需同意。</translation>
-    </message>
-    <message>
-        <source>The reference is being checked: nothing moves but what the check drives. Finish the check, or close its window.</source>
-        <translation>正在检查零位基准：除检查本身驱动的关节外，一律不动。请完成检查或关闭其窗口。</translation>
     </message>
     <message>
         <source>A folder needs a name. Enter one.</source>
@@ -10920,84 +10876,40 @@ The other program must have ended.</source>
         <translation>报告无法保存为 {path}：{text}。请腾出空间或选择其他文件夹。</translation>
     </message>
     <message>
-        <source>There is no cell yet. Enter a name, then press New.</source>
-        <translation>还没有单元。请输入名称，再按“新建”。</translation>
+        <source>The gripper table has {value} pairs; it holds {maximum} at most. Leave some out.</source>
+        <translation>夹爪校准表有 {value} 组，最多 {maximum} 组。请删去一些。</translation>
     </message>
     <message>
-        <source>Another program has changed the file {path} meanwhile; it was not overwritten. Export your cell under another name, then start the program again.</source>
-        <translation>另一个程序此间更改了文件 {path}；未覆盖它。请把您的单元以另一名称导出，再重新启动程序。</translation>
+        <source>Joint {joint} is in doubt: it may stand 85° from what it reports, so nothing drives it. Bring it to its mark by hand, with the motors off and the arm held.</source>
+        <translation>关节 {joint} 存疑：与上报位置最多可能相差 85°，因此不会驱动它。请在电机关闭、扶住机械臂的情况下用手转到刻线。</translation>
     </message>
     <message>
-        <source>There is no cell “{name}”. Choose one of those in the list.</source>
-        <translation>没有单元“{name}”。请从列表中选择。</translation>
-    </message>
-    <message>
-        <source>This adapter was last used with the cell “{name}”. See that it is the arm in front of you, then confirm the cell, or choose another one under Cell.</source>
-        <translation>此适配器上次使用的单元是“{name}”。请看清面前就是那台机械臂，再确认单元，或在“单元”中另选一个。</translation>
-    </message>
-    <message>
-        <source>The cell could not be written to {path}: {text}. It holds until the program ends; export it to another folder.</source>
-        <translation>单元无法写入 {path}：{text}。程序结束前仍有效；请导出到另一个文件夹。</translation>
-    </message>
-    <message>
-        <source>“{value}” exists already in this list. Enter another name.</source>
-        <translation>列表中已有“{value}”。请输入另一个名称。</translation>
-    </message>
-    <message>
-        <source>“{name}”, {field}: {value} is not possible. Enter a figure from {minimum} to {maximum}.</source>
-        <translation>“{name}”，{field}：{value} 无效。请输入 {minimum} 到 {maximum} 的数值。</translation>
-    </message>
-    <message>
-        <source>This is no cell of this program. Nothing was taken over; choose another file.</source>
-        <translation>这不是本程序的单元文件。未作任何接管；请选择另一个文件。</translation>
-    </message>
-    <message>
-        <source>The cell has nothing named “{value}”. Choose one of those in its list.</source>
-        <translation>单元中没有“{value}”。请从列表中选择。</translation>
-    </message>
-    <message>
-        <source>The cell&apos;s file is broken or cut short: line {line}, column {column} is not JSON. Nothing was taken over; choose another file, or correct that line.</source>
-        <translation>单元文件损坏或不完整：第 {line} 行第 {column} 列不是 JSON。未作任何接管；请选择另一个文件，或改正该行。</translation>
-    </message>
-    <message>
-        <source>Nothing is to be confirmed: the cell is in force, or there is none.</source>
-        <translation>没有需要确认的：单元已生效，或没有单元。</translation>
-    </message>
-    <message>
-        <source>The cell&apos;s file has format version {version}; this program reads version {known}. Update this program, or use the one that wrote it.</source>
-        <translation>单元文件的格式版本为 {version}；本程序读取版本 {known}。请更新本程序，或使用写出它的程序。</translation>
-    </message>
-    <message>
-        <source>The cell “{name}” of this adapter could not be read. Choose another one under Cell, or none.</source>
-        <translation>此适配器的单元“{name}”无法读取。请在“单元”中另选一个，或不用单元。</translation>
+        <source>Joint {joints} may stand elsewhere than it reports: its reference is in doubt. Check it, or agree to motions in the line above the panels. Single motions up to {maximum} % need no agreement.</source>
+        <translation>关节 {joints} 的实际位置可能与上报不符：其零位基准存疑。请检查，或在面板上方的提示行中同意运动。不超过 {maximum} % 的单次运动无需同意。</translation>
     </message>
     <message>
         <source>The cell&apos;s file is not valid at “{field}” ({problem}). Nothing was taken over; choose another file, or correct the field.</source>
         <translation>单元文件在“{field}”处无效（{problem}）。未作任何接管；请选择另一个文件，或改正该字段。</translation>
     </message>
     <message>
-        <source>“{value}” cannot be a name. Enter 1 to {maximum} characters without &lt; &gt; : &quot; / \ | ? *, and none of . ~ at its beginning, nor a dot or a space at its end.</source>
-        <translation>“{value}”不能作名称。请输入 1 到 {maximum} 个字符，不含 &lt; &gt; : &quot; / \ | ? *，开头不为 . 或 ~，结尾不为点或空格。</translation>
+        <source>The gripper table needs two pairs at least, so that openings between them are known.</source>
+        <translation>夹爪校准表至少需要两组，才能得知其间的开度。</translation>
     </message>
     <message>
-        <source>The arm moves: what its motion was checked with stays until it rests. Wait, or halt it.</source>
-        <translation>机械臂在运动：在它静止之前，检查所依据的内容不变。请等待，或停住它。</translation>
-    </message>
-    <message>
-        <source>The poses are too much alike: the condition is {value}, at most {maximum} is possible. The flange&apos;s {axis} axis has pointed {turned}° apart at most; turn it further, by {wanted}° or more.</source>
-        <translation>各位姿过于相似：条件数为 {value}，最大允许 {maximum}。法兰 {axis} 轴的指向最多相差 {turned}°；请再转开，{wanted}° 或更多。</translation>
+        <source>A work area has at most {planes} planes and {boxes} boxes. Delete one first.</source>
+        <translation>工作区最多有 {planes} 个平面和 {boxes} 个长方体。请先删除一个。</translation>
     </message>
     <message>
         <source>The poses do not fit together: pose {pose} is {value} mm off, at most {maximum} mm are allowed. Take that pose again, or leave it out.</source>
         <translation>各位姿不相符：位姿 {pose} 偏差 {value} mm，最大允许 {maximum} mm。请重新采集该位姿，或不用它。</translation>
     </message>
     <message>
-        <source>The pose is not heard any more: nothing was taken. Wait until the arm reports it again.</source>
-        <translation>收不到位姿：未采集。请等机械臂重新上报。</translation>
+        <source>Another program has changed the file {path} meanwhile; it was not overwritten. Export your cell under another name, then start the program again.</source>
+        <translation>另一个程序此间更改了文件 {path}；未覆盖它。请把您的单元以另一名称导出，再重新启动程序。</translation>
     </message>
     <message>
-        <source>The point is {value} mm beside the line it must be off from; at least {minimum} mm are needed. Choose a point further away.</source>
-        <translation>该点距应离开的直线只有 {value} mm，至少需要 {minimum} mm。请选择更远的点。</translation>
+        <source>{count} poses are taken; at least {minimum} are needed. Take another one.</source>
+        <translation>已采集 {count} 个位姿，至少需要 {minimum} 个。请再采集一个。</translation>
     </message>
     <message>
         <source>Not run: tool, load, cell, settings or choices have changed since the check. Send again.</source>
@@ -11008,24 +10920,112 @@ The other program must have ended.</source>
         <translation>机械臂未静止：此时采集的位姿不准确。请等它停稳。</translation>
     </message>
     <message>
-        <source>The arm stands in “{name}” of the work area, with {part} {value} mm too near; this would lead further in. Move it out.</source>
-        <translation>机械臂位于工作区的“{name}”内，{part}近了 {value} mm；这样会更深入。请向外移动。</translation>
+        <source>Look at the whole arm first and say which joints stand elsewhere than the picture shows.</source>
+        <translation>请先查看整台机械臂，并指出哪些关节与画面不同。</translation>
     </message>
     <message>
-        <source>Not there: {part} would come to {value} mm from “{name}” of the work area; {minimum} mm are kept. Move another way, or change the area under Cell.</source>
-        <translation>不能去那里：{part}将到离工作区的“{name}”{value} mm 处；应保持 {minimum} mm。请换一种走法，或在“单元”中更改区域。</translation>
+        <source>Joint {joint} has no mark, and no reference pose is taught: compare it with the picture.</source>
+        <translation>关节 {joint} 没有刻线，也没有示教基准位姿：请与画面比较。</translation>
     </message>
     <message>
-        <source>{count} poses are taken; at least {minimum} are needed. Take another one.</source>
-        <translation>已采集 {count} 个位姿，至少需要 {minimum} 个。请再采集一个。</translation>
+        <source>The cell&apos;s file is broken or cut short: line {line}, column {column} is not JSON. Nothing was taken over; choose another file, or correct that line.</source>
+        <translation>单元文件损坏或不完整：第 {line} 行第 {column} 列不是 JSON。未作任何接管；请选择另一个文件，或改正该行。</translation>
     </message>
     <message>
-        <source>A work area has at most {planes} planes and {boxes} boxes. Delete one first.</source>
-        <translation>工作区最多有 {planes} 个平面和 {boxes} 个长方体。请先删除一个。</translation>
+        <source>The pose is not heard any more: nothing was taken. Wait until the arm reports it again.</source>
+        <translation>收不到位姿：未采集。请等机械臂重新上报。</translation>
+    </message>
+    <message>
+        <source>The poses are too much alike: the condition is {value}, at most {maximum} is possible. The flange&apos;s {axis} axis has pointed {turned}° apart at most; turn it further, by {wanted}° or more.</source>
+        <translation>各位姿过于相似：条件数为 {value}，最大允许 {maximum}。法兰 {axis} 轴的指向最多相差 {turned}°；请再转开，{wanted}° 或更多。</translation>
+    </message>
+    <message>
+        <source>“{name}”, {field}: {value} is not possible. Enter a figure from {minimum} to {maximum}.</source>
+        <translation>“{name}”，{field}：{value} 无效。请输入 {minimum} 到 {maximum} 的数值。</translation>
+    </message>
+    <message>
+        <source>This is no cell of this program. Nothing was taken over; choose another file.</source>
+        <translation>这不是本程序的单元文件。未作任何接管；请选择另一个文件。</translation>
+    </message>
+    <message>
+        <source>The point is {value} mm beside the line it must be off from; at least {minimum} mm are needed. Choose a point further away.</source>
+        <translation>该点距应离开的直线只有 {value} mm，至少需要 {minimum} mm。请选择更远的点。</translation>
+    </message>
+    <message>
+        <source>Nothing is to be confirmed: the cell is in force, or there is none.</source>
+        <translation>没有需要确认的：单元已生效，或没有单元。</translation>
+    </message>
+    <message>
+        <source>The cell has nothing named “{value}”. Choose one of those in its list.</source>
+        <translation>单元中没有“{value}”。请从列表中选择。</translation>
+    </message>
+    <message>
+        <source>There is no cell yet. Enter a name, then press New.</source>
+        <translation>还没有单元。请输入名称，再按“新建”。</translation>
+    </message>
+    <message>
+        <source>The cell&apos;s file has format version {version}; this program reads version {known}. Update this program, or use the one that wrote it.</source>
+        <translation>单元文件的格式版本为 {version}；本程序读取版本 {known}。请更新本程序，或使用写出它的程序。</translation>
+    </message>
+    <message>
+        <source>“{value}” cannot be a name. Enter 1 to {maximum} characters without &lt; &gt; : &quot; / \ | ? *, and none of . ~ at its beginning, nor a dot or a space at its end.</source>
+        <translation>“{value}”不能作名称。请输入 1 到 {maximum} 个字符，不含 &lt; &gt; : &quot; / \ | ? *，开头不为 . 或 ~，结尾不为点或空格。</translation>
+    </message>
+    <message>
+        <source>No joint&apos;s reference is in doubt.</source>
+        <translation>没有关节的零位基准存疑。</translation>
+    </message>
+    <message>
+        <source>There is no cell “{name}”. Choose one of those in the list.</source>
+        <translation>没有单元“{name}”。请从列表中选择。</translation>
+    </message>
+    <message>
+        <source>The cell “{name}” of this adapter could not be read. Choose another one under Cell, or none.</source>
+        <translation>此适配器的单元“{name}”无法读取。请在“单元”中另选一个，或不用单元。</translation>
+    </message>
+    <message>
+        <source>The reference check is not open.</source>
+        <translation>零位基准检查未打开。</translation>
+    </message>
+    <message>
+        <source>These joints are still to be answered for: {joints}.</source>
+        <translation>以下关节尚未回答：{joints}。</translation>
+    </message>
+    <message>
+        <source>The arm moves: what its motion was checked with stays until it rests. Wait, or halt it.</source>
+        <translation>机械臂在运动：在它静止之前，检查所依据的内容不变。请等待，或停住它。</translation>
+    </message>
+    <message>
+        <source>The gripper table does not rise: {value} mm measured at {maximum} mm asked for, but {before} mm at {minimum} mm. Measure the two once more.</source>
+        <translation>夹爪校准表不是递增的：指令 {maximum} mm 时测得 {value} mm，而指令 {minimum} mm 时测得 {before} mm。请重新测量这两组。</translation>
+    </message>
+    <message>
+        <source>The cell could not be written to {path}: {text}. It holds until the program ends; export it to another folder.</source>
+        <translation>单元无法写入 {path}：{text}。程序结束前仍有效；请导出到另一个文件夹。</translation>
     </message>
     <message>
         <source>The arm would replay a way that only it knows, and the work area could not be kept. Switch the area off under Cell, or record and replay with this program.</source>
         <translation>机械臂要重放只有它自己知道的路径，无法保证工作区。请在“单元”中关闭区域，或用本程序录制和回放。</translation>
+    </message>
+    <message>
+        <source>The arm stands in “{name}” of the work area, with {part} {value} mm too near; this would lead further in. Move it out.</source>
+        <translation>机械臂位于工作区的“{name}”内，{part}近了 {value} mm；这样会更深入。请向外移动。</translation>
+    </message>
+    <message>
+        <source>This adapter was last used with the cell “{name}”. See that it is the arm in front of you, then confirm the cell, or choose another one under Cell.</source>
+        <translation>此适配器上次使用的单元是“{name}”。请看清面前就是那台机械臂，再确认单元，或在“单元”中另选一个。</translation>
+    </message>
+    <message>
+        <source>“{value}” exists already in this list. Enter another name.</source>
+        <translation>列表中已有“{value}”。请输入另一个名称。</translation>
+    </message>
+    <message>
+        <source>The reference is being checked: nothing moves but what the check drives. Finish the check, or close its window.</source>
+        <translation>正在检查零位基准：除检查本身驱动的关节外，一律不动。请完成检查或关闭其窗口。</translation>
+    </message>
+    <message>
+        <source>Not there: {part} would come to {value} mm from “{name}” of the work area; {minimum} mm are kept. Move another way, or change the area under Cell.</source>
+        <translation>不能去那里：{part}将到离工作区的“{name}”{value} mm 处；应保持 {minimum} mm。请换一种走法，或在“单元”中更改区域。</translation>
     </message>
 </context>
 <context>
@@ -13208,56 +13208,52 @@ The other program must have ended.</source>
 <context>
     <name>TipByPoints</name>
     <message>
-        <source>as before</source>
-        <translation>不变</translation>
+        <source>Puts the tip found in force, in the place of what was.</source>
+        <translation>使求得的尖端生效，取代原有的。</translation>
     </message>
     <message>
-        <source>Takes the measured pose; nothing moves.</source>
-        <translation>采集实测位姿；什么都不动。</translation>
-    </message>
-    <message>
-        <source>Largest residual allowed</source>
-        <translation>允许的最大残差</translation>
-    </message>
-    <message>
-        <source>It points so</source>
-        <translation>已指向</translation>
-    </message>
-    <message>
-        <source>No more than {count} poses are taken. Take one of them again.</source>
-        <translation>最多采集 {count} 个位姿。请重新采集其中一个。</translation>
-    </message>
-    <message>
-        <source>it points along {axis} of the base</source>
-        <translation>指向基座 {axis}</translation>
+        <source>On the X side</source>
+        <translation>X 侧</translation>
     </message>
     <message>
         <source>Take pose {number} again</source>
         <translation>重新采集位姿 {number}</translation>
     </message>
     <message>
-        <source>Tilt the tool by {wanted}° or more, touch the point, take the pose.</source>
-        <translation>把工具倾斜 {wanted}° 或更多，触碰该点，采集位姿。</translation>
+        <source>Again</source>
+        <translation>重新采集</translation>
     </message>
     <message>
-        <source>{turned}° from the nearest pose taken; {wanted}° or more are wanted.</source>
-        <translation>与最接近的已采集位姿相差 {turned}°；最好 {wanted}° 或更多。</translation>
+        <source>Pose {number}</source>
+        <translation>位姿 {number}</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>姿态</translation>
+    </message>
+    <message>
+        <source>No more than {count} poses are taken. Take one of them again.</source>
+        <translation>最多采集 {count} 个位姿。请重新采集其中一个。</translation>
+    </message>
+    <message>
+        <source>The orientation is not taken yet.</source>
+        <translation>姿态尚未采集。</translation>
+    </message>
+    <message>
+        <source>Compare what was found with what was, then press Apply the tip.</source>
+        <translation>请比较求得的与原有的，再按“应用尖端”。</translation>
+    </message>
+    <message>
+        <source>Touch the point with the side of the tool&apos;s X; press On the X side.</source>
+        <translation>用工具 X 方向一侧触碰该点；再按“X 侧”。</translation>
+    </message>
+    <message>
+        <source>it points along {axis} of the base</source>
+        <translation>指向基座 {axis}</translation>
     </message>
     <message>
         <source>The tip found is in force. Start again for another tool.</source>
         <translation>求得的尖端已生效。要求另一工具，请重新开始。</translation>
-    </message>
-    <message>
-        <source>The flange&apos;s {axis} axis has pointed {turned}° apart so far: turn about {about} by {wanted}° or more, touch the point, take the pose.</source>
-        <translation>法兰 {axis} 轴的指向至今最多相差 {turned}°：请绕 {about} 再转 {wanted}° 或更多，触碰该点，采集位姿。</translation>
-    </message>
-    <message>
-        <source>The residual says how well the poses fit, not how true the tool is.</source>
-        <translation>残差说明各位姿相符的程度，不说明工具有多准。</translation>
-    </message>
-    <message>
-        <source>by two more points</source>
-        <translation>再用两个点</translation>
     </message>
     <message>
         <source>On the shank</source>
@@ -13268,40 +13264,72 @@ The other program must have ended.</source>
         <translation>应用尖端</translation>
     </message>
     <message>
-        <source>Take pose</source>
-        <translation>采集位姿</translation>
-    </message>
-    <message>
-        <source>Puts the tip found in force, in the place of what was.</source>
-        <translation>使求得的尖端生效，取代原有的。</translation>
-    </message>
-    <message>
-        <source>Touch the point with the side of the tool&apos;s X; press On the X side.</source>
-        <translation>用工具 X 方向一侧触碰该点；再按“X 侧”。</translation>
-    </message>
-    <message>
-        <source>Fix a sharp point in front of the arm. Jog the tool&apos;s tip onto it (Motion or Tool control, or lead the arm by hand), come back and press Take pose.</source>
-        <translation>在机械臂前固定一个尖点。把工具尖端点动到它上面（“运动控制”、“末端控制”，或用手拖动），回到此处按“采集位姿”。</translation>
+        <source>Largest residual allowed</source>
+        <translation>允许的最大残差</translation>
     </message>
     <message>
         <source>Puts the measured pose in the place of this one.</source>
         <translation>用实测位姿取代此位姿。</translation>
     </message>
     <message>
+        <source>The residual says how well the poses fit, not how true the tool is.</source>
+        <translation>残差说明各位姿相符的程度，不说明工具有多准。</translation>
+    </message>
+    <message>
+        <source>It points so</source>
+        <translation>已指向</translation>
+    </message>
+    <message>
         <source>Touch the point with the shank behind the tip; press On the shank.</source>
         <translation>用尖端后方的杆部触碰该点；再按“杆部”。</translation>
+    </message>
+    <message>
+        <source>Fix a sharp point in front of the arm. Jog the tool&apos;s tip onto it (Motion or Tool control, or lead the arm by hand), come back and press Take pose.</source>
+        <translation>在机械臂前固定一个尖点。把工具尖端点动到它上面（“运动控制”、“末端控制”，或用手拖动），回到此处按“采集位姿”。</translation>
+    </message>
+    <message>
+        <source>by two more points</source>
+        <translation>再用两个点</translation>
     </message>
     <message>
         <source>Start again</source>
         <translation>重新开始</translation>
     </message>
     <message>
+        <source>Tilt the tool by {wanted}° or more, touch the point, take the pose.</source>
+        <translation>把工具倾斜 {wanted}° 或更多，触碰该点，采集位姿。</translation>
+    </message>
+    <message>
+        <source>Takes the measured pose; nothing moves.</source>
+        <translation>采集实测位姿；什么都不动。</translation>
+    </message>
+    <message>
+        <source>RMS {rms} mm, largest {largest} mm, condition {condition}, {turned}° apart</source>
+        <translation>均方根 {rms} mm，最大 {largest} mm，条件数 {condition}，相差 {turned}°</translation>
+    </message>
+    <message>
         <source>Pose {count} of at least {least} is taken. {turn}</source>
         <translation>已采集第 {count} 个位姿，至少 {least} 个。{turn}</translation>
     </message>
     <message>
-        <source>The orientation is not taken yet.</source>
-        <translation>姿态尚未采集。</translation>
+        <source>The flange&apos;s {axis} axis has pointed {turned}° apart so far: turn about {about} by {wanted}° or more, touch the point, take the pose.</source>
+        <translation>法兰 {axis} 轴的指向至今最多相差 {turned}°：请绕 {about} 再转 {wanted}° 或更多，触碰该点，采集位姿。</translation>
+    </message>
+    <message>
+        <source>Turn the tool until it points along that axis; press It points so.</source>
+        <translation>转动工具，直到它指向该轴；再按“已指向”。</translation>
+    </message>
+    <message>
+        <source>Left out of the search while it is not ticked</source>
+        <translation>不勾选则不参与求解</translation>
+    </message>
+    <message>
+        <source>{turned}° from the nearest pose taken; {wanted}° or more are wanted.</source>
+        <translation>与最接近的已采集位姿相差 {turned}°；最好 {wanted}° 或更多。</translation>
+    </message>
+    <message>
+        <source>as before</source>
+        <translation>不变</translation>
     </message>
     <message>
         <source>Found: {found}
@@ -13310,36 +13338,8 @@ Before: {before}</source>
 原有：{before}</translation>
     </message>
     <message>
-        <source>Again</source>
-        <translation>重新采集</translation>
-    </message>
-    <message>
-        <source>Compare what was found with what was, then press Apply the tip.</source>
-        <translation>请比较求得的与原有的，再按“应用尖端”。</translation>
-    </message>
-    <message>
-        <source>RMS {rms} mm, largest {largest} mm, condition {condition}, {turned}° apart</source>
-        <translation>均方根 {rms} mm，最大 {largest} mm，条件数 {condition}，相差 {turned}°</translation>
-    </message>
-    <message>
-        <source>On the X side</source>
-        <translation>X 侧</translation>
-    </message>
-    <message>
-        <source>Left out of the search while it is not ticked</source>
-        <translation>不勾选则不参与求解</translation>
-    </message>
-    <message>
-        <source>Orientation</source>
-        <translation>姿态</translation>
-    </message>
-    <message>
-        <source>Turn the tool until it points along that axis; press It points so.</source>
-        <translation>转动工具，直到它指向该轴；再按“已指向”。</translation>
-    </message>
-    <message>
-        <source>Pose {number}</source>
-        <translation>位姿 {number}</translation>
+        <source>Take pose</source>
+        <translation>采集位姿</translation>
     </message>
 </context>
 <context>
@@ -13353,19 +13353,23 @@ Before: {before}</source>
         <translation>工具 {axis}</translation>
     </message>
     <message>
-        <source>Tool “{name}” of the cell (mm, °); it is changed under Cell</source>
-        <translation>单元的工具“{name}”（mm，°）；在“单元”中更改</translation>
-    </message>
-    <message>
         <source>The cell has no tool chosen; one is chosen under Cell</source>
         <translation>单元未选择工具；在“单元”中选择</translation>
+    </message>
+    <message>
+        <source>Tool “{name}” of the cell (mm, °); it is changed under Cell</source>
+        <translation>单元的工具“{name}”（mm，°）；在“单元”中更改</translation>
     </message>
 </context>
 <context>
     <name>ToolsTab</name>
     <message>
-        <source>Apply</source>
-        <translation>应用</translation>
+        <source>— (bare flange)</source>
+        <translation>—（仅法兰）</translation>
+    </message>
+    <message>
+        <source>Press Apply to put the new figures in force.</source>
+        <translation>请按“应用”使新数值生效。</translation>
     </message>
     <message>
         <source>Delete the tool</source>
@@ -13376,40 +13380,64 @@ Before: {before}</source>
         <translation>工具胶囊体的半径</translation>
     </message>
     <message>
-        <source>— (bare flange)</source>
-        <translation>—（仅法兰）</translation>
-    </message>
-    <message>
-        <source>Deletes the chosen tool; the bare flange is chosen then.</source>
-        <translation>删除所选工具；之后仅有法兰。</translation>
-    </message>
-    <message>
-        <source>Tool&apos;s name</source>
-        <translation>工具名称</translation>
-    </message>
-    <message>
-        <source>No tool is chosen. Add one, or choose one above.</source>
-        <translation>未选择工具。请添加一个，或在上方选择。</translation>
+        <source>Add</source>
+        <translation>添加</translation>
     </message>
     <message>
         <source>Adds a tool of this name and chooses it.</source>
         <translation>添加以此命名的工具并选择它。</translation>
     </message>
     <message>
-        <source>This tool is in force. Choose another one, or change its figures.</source>
-        <translation>此工具已生效。可另选一个，或更改其数值。</translation>
+        <source>Radius</source>
+        <translation>半径</translation>
     </message>
     <message>
-        <source>Type a name for the tool and what is known of it, then press Add.</source>
-        <translation>请输入工具的名称和已知的数值，再按“添加”。</translation>
+        <source>Add as a new tool</source>
+        <translation>添加为新工具</translation>
     </message>
     <message>
-        <source>Press Apply to put the new figures in force.</source>
-        <translation>请按“应用”使新数值生效。</translation>
+        <source>Tool&apos;s name</source>
+        <translation>工具名称</translation>
     </message>
     <message>
-        <source>Tool {axis}</source>
-        <translation>工具 {axis}</translation>
+        <source>Apply</source>
+        <translation>应用</translation>
+    </message>
+    <message>
+        <source>Puts these figures in the place of those of the chosen tool.</source>
+        <translation>用这些数值取代所选工具的数值。</translation>
+    </message>
+    <message>
+        <source>Type it</source>
+        <translation>手动输入</translation>
+    </message>
+    <message>
+        <source>Tool {number}</source>
+        <translation>工具 {number}</translation>
+    </message>
+    <message>
+        <source>Tool on the flange</source>
+        <translation>法兰上的工具</translation>
+    </message>
+    <message>
+        <source>No tool is chosen. Add one, or choose one above.</source>
+        <translation>未选择工具。请添加一个，或在上方选择。</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>Deletes the chosen tool; the bare flange is chosen then.</source>
+        <translation>删除所选工具；之后仅有法兰。</translation>
+    </message>
+    <message>
+        <source>Apply the figures of the tool</source>
+        <translation>应用工具的数值</translation>
+    </message>
+    <message>
+        <source>Press Add for a further tool, or Apply to rename the chosen one.</source>
+        <translation>按“添加”另加一个工具，或按“应用”为所选工具改名。</translation>
     </message>
     <message>
         <source>Checks see a capsule from the flange to the tip, {length} mm long.</source>
@@ -13420,56 +13448,28 @@ Before: {before}</source>
         <translation>删除</translation>
     </message>
     <message>
-        <source>Add</source>
-        <translation>添加</translation>
+        <source>This tool is in force. Choose another one, or change its figures.</source>
+        <translation>此工具已生效。可另选一个，或更改其数值。</translation>
     </message>
     <message>
-        <source>Apply the figures of the tool</source>
-        <translation>应用工具的数值</translation>
-    </message>
-    <message>
-        <source>There is no cell yet: type its name above and press New.</source>
-        <translation>还没有单元：请在上方输入名称，再按“新建”。</translation>
-    </message>
-    <message>
-        <source>Tool on the flange</source>
-        <translation>法兰上的工具</translation>
-    </message>
-    <message>
-        <source>Tool</source>
-        <translation>工具</translation>
-    </message>
-    <message>
-        <source>Add as a new tool</source>
-        <translation>添加为新工具</translation>
-    </message>
-    <message>
-        <source>Puts these figures in the place of those of the chosen tool.</source>
-        <translation>用这些数值取代所选工具的数值。</translation>
+        <source>Type a name for the tool and what is known of it, then press Add.</source>
+        <translation>请输入工具的名称和已知的数值，再按“添加”。</translation>
     </message>
     <message>
         <source>Press Add: the tool is chosen, and its tip is what moves from then on.</source>
         <translation>请按“添加”：工具即被选用，从此运动的是它的尖端。</translation>
     </message>
     <message>
-        <source>Radius</source>
-        <translation>半径</translation>
+        <source>Tool {axis}</source>
+        <translation>工具 {axis}</translation>
     </message>
     <message>
-        <source>Press Add for a further tool, or Apply to rename the chosen one.</source>
-        <translation>按“添加”另加一个工具，或按“应用”为所选工具改名。</translation>
-    </message>
-    <message>
-        <source>Type it</source>
-        <translation>手动输入</translation>
+        <source>There is no cell yet: type its name above and press New.</source>
+        <translation>还没有单元：请在上方输入名称，再按“新建”。</translation>
     </message>
     <message>
         <source>Find the tip by points</source>
         <translation>用点求尖端</translation>
-    </message>
-    <message>
-        <source>Tool {number}</source>
-        <translation>工具 {number}</translation>
     </message>
 </context>
 <context>
@@ -13485,12 +13485,6 @@ Before: {before}</source>
     <message>
         <source>Resume after the emergency stop</source>
         <translation>急停恢复</translation>
-    </message>
-    <message>
-        <source>Resuming cuts the power of the motors: the arm will drop. Hold the arm.
-Afterwards the motors must be enabled again.</source>
-        <translation>恢复会切断电机电源，机械臂会下落，请扶住机械臂。
-恢复后需重新使能电机。</translation>
     </message>
     <message>
         <source>Resume</source>
@@ -13810,12 +13804,12 @@ Afterwards the motors must be enabled again.</source>
         <translation>法兰走过的轨迹</translation>
     </message>
     <message>
-        <source>Shows the planes and boxes of the cell&apos;s work area; those near the arm are lit</source>
-        <translation>显示单元工作区的平面和长方体；靠近机械臂的会亮起</translation>
-    </message>
-    <message>
         <source>Work area</source>
         <translation>工作区</translation>
+    </message>
+    <message>
+        <source>Shows the planes and boxes of the cell&apos;s work area; those near the arm are lit</source>
+        <translation>显示单元工作区的平面和长方体；靠近机械臂的会亮起</translation>
     </message>
 </context>
 <context>

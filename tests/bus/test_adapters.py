@@ -106,6 +106,7 @@ def test_the_search_is_quiet_and_survives_a_backend_that_fails(monkeypatch, capf
         return []
 
     monkeypatch.setattr("can.detect_available_configs", detect)
+    monkeypatch.setattr("armui.bus.adapters._serial_adapters", list)  # of this computer
     found = find_devices()
     assert [(device.interface, device.channel, device.bitrate) for device in found] == [
         ("gs_usb", "candle", 1_000_000),
@@ -114,6 +115,44 @@ def test_the_search_is_quiet_and_survives_a_backend_that_fails(monkeypatch, capf
     assert found[0].options == (("address", 4), ("bus", 1))
     assert not {"virtual", "udp_multicast"} & set(asked)
     assert capfd.readouterr() == ("", "")
+
+
+class Port:
+    """A serial port as pyserial lists it."""
+
+    def __init__(self, device, vid=None, serial_number=None):
+        self.device = device
+        self.vid = vid
+        self.serial_number = serial_number
+
+
+def test_a_serial_port_is_an_slcan_adapter_only_on_the_usb(monkeypatch):
+    list_ports = pytest.importorskip("serial.tools.list_ports")
+    ports = [Port("/dev/ttyS0"), Port("/dev/ttyACM0", 0x16D0, "208F3"), Port("COM5", 0x1A86, "")]
+    monkeypatch.setattr(list_ports, "comports", lambda: ports)
+
+    def detect(interfaces, timeout):
+        assert interfaces != ["serial"], "it would list every port"
+        found = [{"interface": "socketcan", "channel": "can0"}]
+        return found if interfaces == ["socketcan"] else []
+
+    monkeypatch.setattr("can.detect_available_configs", detect)
+    assert find_devices() == [
+        CAN0,
+        Device("slcan", "/dev/ttyACM0", 1_000_000, serial="208F3"),
+        Device("slcan", "COM5", 1_000_000),
+    ]
+
+
+def test_ports_that_cannot_be_listed_are_none(monkeypatch):
+    list_ports = pytest.importorskip("serial.tools.list_ports")
+
+    def in_pieces():
+        raise OSError("registry in pieces")
+
+    monkeypatch.setattr(list_ports, "comports", in_pieces)
+    monkeypatch.setattr("can.detect_available_configs", lambda _interfaces, timeout: [])
+    assert find_devices() == []
 
 
 def test_the_real_search_prints_nothing(capfd):

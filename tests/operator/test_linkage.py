@@ -7,6 +7,7 @@ from armui.protocol.generation import Generation
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from tests.faulty_arm import HardOfHearing
 from tests.generations import ONE_IS_ENOUGH
+from tests.operator.test_lit_buttons import lit
 
 
 @pytest.fixture
@@ -56,8 +57,13 @@ def test_a_teaching_input_is_explained_and_led_back(link):
     link.run_until(lambda: link.find("linkage_back_button").isVisible())
     assert "is a teaching input" in link.read("linkage_teaching_input")
     assert link.read("linkage_in_use") == "In use: —"
+    assert "becomes a teaching input" in link.read("linkage_message")
+    assert not lit(link, "linkage_confirm_button")
     link.click("linkage_back_button")
     link.run_until(lambda: not link.find("linkage_back_button").isVisible())
+    assert "becomes a teaching input" not in link.read("linkage_message")
+    assert link.find("linkage_output").isChecked()
+    assert not lit(link, "linkage_confirm_button")
     assert sent(link)[-1].data[:4] == bytes.fromhex("FC 00 00 00")
     assert not link.firmware.leads
 

@@ -1,5 +1,9 @@
 """An operator looks for what to press: a button is lit while something is to be sent."""
 
+import pytest
+
+from tests.control.jogger import bend
+
 
 def lit(app_driver, name):
     return bool(app_driver.find(name).property("primary"))
@@ -54,3 +58,19 @@ def test_a_mounting_that_was_told_is_not_asked_for_again(app_driver):
     app_driver.click("mounting_confirm_button")
     app_driver.hold()
     assert not lit(app_driver, "mounting_confirm_button")
+
+
+@pytest.mark.parametrize("button", ["move_p_button", "move_l_button"])
+def test_a_pose_on_its_way_is_not_asked_for_again(app_driver, button):
+    bend(app_driver)
+    app_driver.click("menu_cartesian")
+    app_driver.run(0.1)
+    app_driver.type_into("pose_field_X", "300")
+    assert lit(app_driver, "move_p_button")
+    app_driver.click(button)
+    assert not lit(app_driver, "move_p_button")
+    app_driver.run(0.2)
+    assert app_driver.controller.operating_state.moving
+    assert not lit(app_driver, "move_p_button")
+    app_driver.type_into("pose_field_X", "310")
+    assert lit(app_driver, "move_p_button")

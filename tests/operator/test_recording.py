@@ -12,7 +12,7 @@ from armui.protocol.codes import MoveMode
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory
 from armui.trajectory.samples.recording import Recording
-from armui.ui.dialogs.confirm_dialog import LeaveQuestion
+from armui.ui.dialogs.confirm_dialog import LeaveQuestion, SaveQuestion
 from armui.ui.trajectory.library.library_page import LibraryPage
 from armui.ui.trajectory.recording.recorded_curves import drawn_curves
 from armui.ui.trajectory.recording.recording_page import RecordingPage
@@ -76,6 +76,7 @@ def test_what_the_arm_did_is_kept_as_a_recording(operator):
     assert operator.text("record_state").startswith("Recording: ")
     assert operator.text("record") == "Stop recording"
     operator.click("record")
+    operator.click("save_recording")
     operator.record()
     assert operator.text("record_state").startswith("Recorded: ")
     operator.type_into("record_name", "By hand")
@@ -158,6 +159,27 @@ def test_no_peak_of_a_long_recording_is_lost_in_its_curves():
     assert [curve[:, 1].max() for curve in curves] == [0.0, 0.0, 80.0, 0.0, 0.0, 0.0]
 
 
+def test_an_unsaved_recording_is_asked_about_before_another_takes_its_place(operator):
+    operator.record()
+    told = operator.text("record_state")
+    operator.click("record")
+    question = operator.app_driver.dialog(SaveQuestion)
+    assert "“Recording” has not been saved" in question.text()
+    operator.app_driver.click(question.cancel_button)
+    assert operator.text("record_state") == told
+    operator.click("record")
+    operator.app_driver.click(operator.app_driver.dialog(SaveQuestion).save_button)
+    assert operator.text("record") == "Stop recording"
+    assert operator.library.load("Recording").joints_deg[-1] == pytest.approx(OUT, abs=0.01)
+    operator.app_driver.run(0.5)
+    operator.click("record")
+    operator.click("record")
+    operator.app_driver.confirm()
+    assert operator.text("record") == "Stop recording"
+    operator.click("record")
+    assert [entry.name for entry in operator.library.entries()] == ["Recording"]
+
+
 def test_what_comes_from_a_file_is_no_recording_made_here(operator):
     samples = np.zeros((200, 8))
     samples[:, 0] = np.arange(200) / 100
@@ -198,6 +220,7 @@ def test_thinning_takes_its_time_and_the_last_wish_counts(slow):
 def test_recording_anew_forgets_what_is_being_thinned(slow):
     slow.record()
     slow.click("record")
+    slow.app_driver.confirm()
     slow.app_driver.workers.work()
     assert slow.window._result is None
     assert not slow.child("save_recording").isEnabled()

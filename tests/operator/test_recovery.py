@@ -98,6 +98,37 @@ def test_a_question_answered_too_late_does_nothing(ready):
     assert "was withdrawn. What the question was about has changed" in ready.read("notice_label")
 
 
+@ONE_IS_ENOUGH
+def test_the_question_about_the_stop_is_one_however_it_was_asked(ready):
+    ready.store.change(language="zh")
+    ready.click("stop_button")
+    ready.run_until(lambda: ready.controller.operating_state.stop is StopState.STOPPED)
+    ready.click("stop_button")
+    asked = ready.dialog(ConfirmDialog)
+    ready.click("recovery_button")
+    assert ready.dialog(ConfirmDialog) is not asked
+    ready.click("stop_button")
+    ready.dialog(ConfirmDialog)
+
+
+@ONE_IS_ENOUGH
+@pytest.mark.parametrize("word", ["Resume", "Disable"])
+def test_a_question_of_the_top_bar_goes_when_it_no_longer_holds(ready, word):
+    if word == "Resume":
+        ready.click("stop_button")
+        reads(ready, "resuming cuts the power")
+        ready.click("stop_button")
+        beforehand = RESUME
+    else:
+        ready.click("enable_button")
+        beforehand = STOP
+    assert ready.dialog(ConfirmDialog).action_button.text() == word
+    ready.firmware.on_frame(beforehand)  # another host was quicker
+    ready.run(0.5)
+    with pytest.raises(AssertionError):
+        ready.dialog(ConfirmDialog)
+
+
 def test_a_collision_is_cleared_once_the_obstacle_is_gone(ready):
     push = fault("collision", 2)
     ready.node.faults.start(push)

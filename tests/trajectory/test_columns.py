@@ -102,6 +102,8 @@ def test_what_holds_no_table_says_so(text):
             ["time s", *joints("rad")],
         ),
         ("joint0,joint1,joint2,joint3,joint4,joint5", "10,20,30,40,50,60", joints("°")),
+        ("name,A1,A2,A3,A4,A5,A6,v", "p,0,50,-40,0,10,0,40", ["-", *joints("°"), "-"]),
+        ("J1,J2,J3,J4,J5,J6,A1", "10,20,30,40,50,60,7", [*joints("°"), "-"]),
         (
             "label,x_m,y_m,z_m,roll,pitch,yaw,speed,dwell_s",
             "a,0.3,0,0.2,0,1.5,0,30,2",

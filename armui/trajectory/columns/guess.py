@@ -34,8 +34,10 @@ _TITLES: Final[Mapping[ColumnQuantity, tuple[str, ...]]] = {
 }
 _BY_TITLE: Final = {title: quantity for quantity, titles in _TITLES.items() for title in titles}
 _JOINT: Final = re.compile(
-    r"(?:joint|j|q|theta|axis|axe|achse|gelenk|关节|轴)([0-6])(?:pos|position|angle|角度?)?"
+    r"(?:joint|j|q|theta|axis|axe|achse|gelenk|rax|关节|轴)([0-6])(?:pos|position|angle|角度?)?"
 )
+_ROBOT_AXIS: Final = re.compile(r"a([1-6])")
+"""The joints of other makers' robots; where joints are named otherwise, it may be accelerations."""
 _PREFIX: Final = re.compile(
     r"(?:tool|tcp|eef|ee|endeffector|end|flange|tip|robot|arm|pose|position|pos|cartesian|cart"
     r"|target|actual|measured|工具|末端|法兰|位姿|位置|目标|实际)+(?=.)"
@@ -121,7 +123,10 @@ def exceeds_radians(figures: Figures) -> bool:
 def _by_titles(header: Sequence[str]) -> list[tuple[ColumnQuantity | None, str]]:
     """Quantity and unit of each title, as far as it names them; a quantity only once."""
     parts = [_parts(title) for title in header]
-    joints = [_JOINT.fullmatch(_PREFIX.sub("", title, count=1)) for title, _ in parts]
+    bare = [_PREFIX.sub("", title, count=1) for title, _ in parts]
+    joints = [_JOINT.fullmatch(title) for title in bare]
+    if not any(joints):
+        joints = [_ROBOT_AXIS.fullmatch(title) for title in bare]
     numbers = {int(match.group(1)) for match in joints if match is not None}
     first = 0 if 0 in numbers and 6 not in numbers else 1  # some count joints from 0
     named: list[tuple[ColumnQuantity | None, str]] = []

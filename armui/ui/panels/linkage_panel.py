@@ -150,7 +150,10 @@ class LinkagePanel(Panel):
     # -- appearance ---------------------------------------------------------------------------
 
     def _forget_outdated(self, old: OperatingState) -> None:
-        if old.device != self._operating_state.device:
+        led_back = old.teaching_input and not self._operating_state.teaching_input
+        if led_back:
+            self._role_buttons[LinkageRole.MOTION_OUTPUT].setChecked(True)
+        if led_back or old.device != self._operating_state.device:
             self._refusal = self._event = None
 
     def _show_all(self) -> None:
@@ -165,11 +168,18 @@ class LinkagePanel(Panel):
         self._show_message()
 
     def _show_news(self) -> None:
-        """Light the button while what is chosen is not what is in use."""
-        addressing = self._operating_state.addressing
+        """Light the button while what is chosen is not what is in use.
+
+        What a teaching input uses is not heard; the way back from it stands above.
+        """
+        teaching, addressing = (
+            self._operating_state.teaching_input,
+            self._operating_state.addressing,
+        )
         in_use = (LinkageRole.MOTION_OUTPUT, addressing.feedback_offset, addressing.control_offset)
         offsets = (self._boxes[name].currentData() for name in ("feedback", "control"))
-        show_primary(self._confirm, wanted=(self._roles.checkedId(), *offsets) != in_use)
+        chosen = (self._roles.checkedId(), *offsets)
+        show_primary(self._confirm, wanted=not teaching and chosen != in_use)
 
     def _show_in_use(self) -> None:
         operating_state = self._operating_state

@@ -14,8 +14,15 @@ from armui.arm.limits import JOINTS
 from armui.arm.state import ArmState
 from armui.control.devices.motors import why_not_disable, why_not_enable
 from armui.control.motion.joint_motion import Motion
-from armui.control.operating_state import RUN_UNDER_WAY, Busy, LinkState, OperatingState
+from armui.control.operating_state import (
+    RUN_UNDER_WAY,
+    Busy,
+    LinkState,
+    OperatingState,
+    StopState,
+)
 from armui.control.operations.operation import operation_of
+from armui.control.safety.recovery_steps import Action
 from armui.protocol.addressing import Addressing
 from armui.protocol.generation import Generation
 from armui.ui import format as fmt
@@ -456,14 +463,12 @@ class TopBar(Translated, QWidget):
         confirm(
             self.window(),
             self._controller,
-            title=self.tr("Resume after the emergency stop"),
-            text=self.tr(
-                "Resuming cuts the power of the motors: the arm will drop. Hold the arm.\n"
-                "Afterwards the motors must be enabled again."
-            ),
+            title=words.step_question(Action.RESUME),
+            text=words.step_danger(Action.RESUME),
             action_label=self.tr("Resume"),
             on_confirmed=self._controller.motors.resume,
             hold=True,
+            still=lambda: self._controller.operating_state.stop is StopState.STOPPED,
         )
 
     def _on_enable(self) -> None:
@@ -478,6 +483,7 @@ class TopBar(Translated, QWidget):
             action_label=self.tr("Disable"),
             on_confirmed=self._controller.motors.disable,
             hold=True,
+            still=lambda: self._enable.turns_off,
         )
 
     def retranslate_ui(self) -> None:

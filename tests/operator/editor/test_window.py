@@ -1,7 +1,7 @@
 """The window: finding and replacing, saving and leaving, its language."""
 
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QCoreApplication, QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QWidget
 
@@ -56,6 +56,31 @@ def test_saved_points_are_in_the_library(editor):
     assert editor.message() == "Saved."
     editor.window.close()
     assert not editor.window.isVisible()
+
+
+def test_saved_is_said_until_something_is_changed(editor):
+    editor.type_into(0, PointColumn.DWELL, "1.5 s")
+    QTest.keyClick(editor.window, Qt.Key.Key_S, CTRL)
+    assert editor.message() == "Saved."
+    editor.click("editor_undo")
+    assert editor.message() == ""
+    assert editor.window.title.endswith("*")
+
+
+def test_the_range_of_a_joint_is_not_shown_once_the_editor_is_left(editor, monkeypatch):
+    shown = []
+    monkeypatch.setattr(
+        editor.app_driver.program.view,
+        "show_joint_range",
+        lambda number, *limits: shown.append(number),
+    )
+    editor.type_into(0, PointColumn.VALUE_2, "42")
+    assert shown[-1] == 2
+    editor.window.close()
+    editor.app_driver.click(editor.app_driver.dialog(LeaveQuestion).save_button)
+    assert not editor.window.isVisible()
+    QCoreApplication.processEvents()
+    assert shown[-1] is None
 
 
 def test_the_keys_count_wherever_the_keyboard_is_while_the_editor_is_seen(editor):

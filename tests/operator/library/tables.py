@@ -10,11 +10,11 @@ from armui.ui.trajectory.library.library_page import LibraryPage
 from armui.ui.trajectory.table_import.columns_page import ColumnsPage
 
 DEGREES = (
-    "time_ms,a1_deg,a2_deg,a3_deg,a4_deg,a5_deg,a6_deg,temperature\n"
+    "time_ms,k1_deg,k2_deg,k3_deg,k4_deg,k5_deg,k6_deg,temperature\n"
     "1000,10,20,-30,40,50,60,31\n"
     "1020,11,21,-31,41,51,61,31\n"
 )
-TITLED = DEGREES.replace(",a", ",joint")
+TITLED = DEGREES.replace(",k", ",joint")
 RADIANS = "0.02;0.1;0.5;-0.5;0.1;0.2;0.3;0.05\n0.01;0.1;0.6;-0.5;0.1;0.2;0.3;0.05\n"
 """As the maker records, but with another delimiter."""
 ANGLES = "10 40 -40 10 20 15\n20 40 -40 10 20 15\n"

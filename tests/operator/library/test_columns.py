@@ -35,6 +35,20 @@ def test_a_table_with_titles_needs_one_click(operator):
     assert not operator.enable_or_explain.isVisible()
 
 
+def test_a_table_goes_to_the_folder_that_is_listed(operator):
+    operator.list.findChild(QWidget, "library_folder_menu").menu().actions()[0].trigger()
+    name = operator.list.findChild(QWidget, "library_name")
+    QTest.keyClicks(name, "cell")
+    QTest.keyClick(name, Qt.Key.Key_Return)
+    assert operator.list.findChild(QWidget, "library_folder").currentText() == "cell"
+    operator.open(line=TITLED)
+    operator.take()
+    assert [(entry.name, entry.folder) for entry in operator.library.entries()] == [
+        ("line", "cell")
+    ]
+    assert operator.list.findChild(QWidget, "library_folder").currentText() == "cell"
+
+
 def test_what_is_missing_is_said_until_nothing_is(operator):
     operator.open(line=DEGREES)
     assert operator.columns() == ["Time ms", *["-"] * 7]

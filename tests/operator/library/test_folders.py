@@ -37,6 +37,10 @@ def show(driver, name):
     box.activated.emit(place)
 
 
+def search_for(text):
+    return lambda driver: QTest.keyClicks(driver.child("search"), text)
+
+
 @pytest.fixture
 def cell(driver):
     """“one” and “two” lie in a folder, which is listed."""
@@ -63,6 +67,16 @@ def test_what_is_moved_is_listed_there_and_told_in_the_whole_list(cell):
     assert cell.names() == ["one · cell", "three", "two · cell"]
     cell.undo()
     assert cell.names() == ["one", "three", "two"]
+
+
+@pytest.mark.parametrize("look", [lambda cell: show(cell, "cell"), search_for("two")])
+def test_what_is_no_longer_listed_is_not_chosen(cell, look):
+    show(cell, "All folders")
+    cell.choose("three")
+    assert cell.child("delete").isEnabled()
+    look(cell)
+    assert not cell.child("delete").isEnabled()
+    assert not cell.child("duplicate").isEnabled()
 
 
 def test_a_search_goes_over_all_folders(cell):

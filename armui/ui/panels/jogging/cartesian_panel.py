@@ -340,6 +340,7 @@ class CartesianPanel(JogPanel):
             self._accepted(self._nonsense() or POSE_UNKNOWN())
             return
         self._sent = self._accepted(self._controller.cartesian.move(target, move_mode))
+        self._light_move()
 
     def _forget_outdated(self, old: OperatingState) -> None:
         """Once a pose was driven to, the fields follow the arm again."""
@@ -398,8 +399,8 @@ class CartesianPanel(JogPanel):
         self._light_move()
 
     def _light_move(self) -> None:
-        """Light MOVE P while a target was given that the arm is not at."""
-        pose = self._pose()
+        """Light MOVE P while a target was given that was not sent, and that the arm is not at."""
+        pose = None if self._sent else self._pose()
         show_primary(self._move_p, wanted=pose is not None and self._differ_from(pose))
 
     def _show_measured(self) -> None:

@@ -145,6 +145,7 @@ class EditorPage(Page):
         work.setParent(self)
         self._library = work.library
         self._saving = False
+        self._tells_saved = False
         self._folder = ""
         self.document = Document(trajectory, self)
         self.model = PointsModel(self.document, self._to_move, self)
@@ -225,7 +226,7 @@ class EditorPage(Page):
         stack.redoTextChanged.connect(partial(self._actions.show_step, "redo"))
         self._actions["undo"].setEnabled(False)
         self._actions["redo"].setEnabled(False)
-        self.document.saved_changed.connect(self._show_title)
+        self.document.saved_changed.connect(self._on_saved_changed)
         self.document.note_changed.connect(lambda: self._note.setText(self.document.note))
         self._note.editingFinished.connect(self._on_note)
         self.document.taught_on_changed.connect(self._show_arms)
@@ -434,6 +435,7 @@ class EditorPage(Page):
             self._say(text.format(name=trajectory.name), Level.WARNING)
         else:
             self._say(self.tr("Saved."), Level.DONE)
+            self._tells_saved = True
         self.saved.emit()
         then()
 
@@ -496,7 +498,13 @@ class EditorPage(Page):
         self._say(text, Level.FAULT)
 
     def _say(self, text: Words, level: Level = Level.INFO) -> None:
+        self._tells_saved = False
         self._message.show_message(text, level)
+
+    def _on_saved_changed(self, saved: bool) -> None:
+        self._show_title()
+        if self._tells_saved and not saved:
+            self._say("")
 
     def show_folder(self, folder: str) -> None:
         """Show the library's sub-folder before the name; "" for none."""

@@ -273,10 +273,14 @@ class LibraryPage(Page):
         self._estimates.start()
         if changed or choose is not None:
             self._table.choose(names, show=choose is not None)
+        self._drop_unchosen()
+        self._show_hint()
+
+    def _drop_unchosen(self) -> None:
+        """Forget what was checked of a trajectory, if none is chosen any more."""
         if not self.chosen():
             self._run_bar.drop_check()
             self._drop_findings()
-        self._show_hint()
 
     def _on_operating_state(self, _operating_state: OperatingState) -> None:
         if self.isVisible():
@@ -309,6 +313,8 @@ class LibraryPage(Page):
         self._library.new_in = folder
         self._shown.show_folder(folder)
         self._model.tell_folders(tells=not folder or bool(self._bar.search.text()))
+        self._show_usable()  # Qt does not tell that the list lost what was chosen
+        self._drop_unchosen()
         self._show_hint()
 
     def _show_hint(self) -> None:

@@ -308,6 +308,8 @@ class PreviewLink(QObject):
 
     def _turn_to(self, page: Page) -> None:
         """Show what belongs to a page, and nothing of the others."""
+        if page is not self._page:
+            self._preview.show_joint_range(None)
         self._page = page
         checked = self._checked.get(page)
         if checked is not None:

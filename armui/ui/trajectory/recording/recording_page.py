@@ -25,7 +25,7 @@ from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.command import Command, Target
 from armui.ui.background import Job
-from armui.ui.dialogs.confirm_dialog import LeaveQuestion
+from armui.ui.dialogs.confirm_dialog import LeaveQuestion, SaveQuestion
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.recording.recorded_curves import RecordedCurves
 from armui.ui.trajectory.running.run_request import Checks, Preflight
@@ -251,17 +251,38 @@ class RecordingPage(Page):
     # Recording --------------------------------------------------------------------------------
 
     def _on_record(self) -> None:
-        recorder = self._controller.recorder
-        if recorder.recording:
+        if self._controller.recorder.recording:
             self._take()
-            return
-        answer = recorder.start()
+        elif self._unsaved:
+            self._ask_to_replace()
+        else:
+            self._begin()
+
+    def _ask_to_replace(self) -> None:
+        """Ask before a new recording takes the place of an unsaved one."""
+        text = self.tr("“{name}” has not been saved. A new recording replaces it.")
+        text = text.format(name=self._wanted_name())
+        question = SaveQuestion(self._controller, self, text, concerns_arm=False)
+        question.accepted.connect(self._begin)
+        question.save_wanted.connect(lambda: self._work_out(partial(self._save, then=self._begin)))
+        self._open(question)
+
+    def _open(self, question: SaveQuestion) -> None:
+        """Open a question in the place of one that is open."""
+        for older in self.findChildren(SaveQuestion):
+            if older is not question:
+                older.reject()
+        question.finished.connect(question.deleteLater)
+        question.open()
+
+    def _begin(self) -> None:
+        answer = self._controller.recorder.start()
         if isinstance(answer, Refusal):
             self._say(words.refusal(answer), Level.WARNING)
         else:
             self._drop_work()
             self._recording = self._result = None
-            self._is_kept = False
+            self._is_kept = self._unsaved = False
             self.set_title(self.tr("Record"))
             self._curves.show_recording(None)
             self.cut_changed.emit()
@@ -438,10 +459,15 @@ class RecordingPage(Page):
         limits = self._controller.operating_state.limits
         self._keep(recording, lambda: thin.to_points(recording, limits))
 
-    def _save(self, recording: Recording) -> None:
-        self._keep(recording, lambda: recording)
+    def _save(self, recording: Recording, then: Callable[[], object] = lambda: None) -> None:
+        self._keep(recording, lambda: recording, then)
 
-    def _keep(self, recording: Recording, make: Callable[[], Content]) -> None:
+    def _keep(
+        self,
+        recording: Recording,
+        make: Callable[[], Content],
+        then: Callable[[], object] = lambda: None,
+    ) -> None:
         wanted = self._name.text().strip() or recording.name
         whole = self._recording
 
@@ -451,15 +477,16 @@ class RecordingPage(Page):
             return name
 
         self._work.do(
-            save, partial(self._on_saved, whole), lambda text: self._say(text, Level.FAULT)
+            save, partial(self._on_saved, whole, then), lambda text: self._say(text, Level.FAULT)
         )
 
-    def _on_saved(self, whole: Recording | None, name: str) -> None:
+    def _on_saved(self, whole: Recording | None, then: Callable[[], object], name: str) -> None:
         if self._recording is whole:
             self._unsaved = False
             self._keeper.drop()
         self._say(self.tr("Saved as “{name}”.").format(name=name), Level.DONE)
         self.saved.emit(name)
+        then()
 
     def leave(self) -> None:
         """Close the page, after ending a running recording; an unsaved one asks first."""
@@ -474,8 +501,7 @@ class RecordingPage(Page):
         question = LeaveQuestion(self._controller, self, self._name.text())
         question.accepted.connect(self._discard)
         question.save_wanted.connect(self.save_samples)
-        question.finished.connect(question.deleteLater)
-        question.open()
+        self._open(question)
 
     def _discard(self) -> None:
         self._unsaved = False
@@ -536,10 +562,7 @@ class RecordingPage(Page):
         reason = None if self._controller.recorder.recording else operating_state.unreachable
         if self._joining:
             reason = BUSY(what="recording")
-        if reason is None and self._unsaved:
-            self._record.setToolTip(self.tr("A new recording replaces the unsaved one"))
-        else:
-            self._record.setToolTip("" if reason is None else words.refusal(reason))
+        self._record.setToolTip("" if reason is None else words.refusal(reason))
         self._record.setEnabled(reason is None)
 
     def _say(self, text: str, level: Level = Level.INFO) -> None:

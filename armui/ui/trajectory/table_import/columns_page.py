@@ -43,7 +43,7 @@ class TableImport(QThread):
         table: The file.
         mapping: The meaning of the columns.
         name: The name of the result.
-        folder: The library's folder.
+        library: The library: its folder, and the sub-folder that new ones go to, are taken over.
         parent: The parent object.
 
     Attributes:
@@ -53,13 +53,13 @@ class TableImport(QThread):
     """
 
     def __init__(
-        self, table: TableFile, mapping: ColumnMapping, name: str, folder: Path, parent: QObject
+        self, table: TableFile, mapping: ColumnMapping, name: str, library: Library, parent: QObject
     ) -> None:
         super().__init__(parent)
         self._table = table
         self._mapping = mapping
         self.name = name
-        self._folder = folder
+        self._folder, self._new_in = library.folder, library.new_in
         self.error: TrajectoryFileError | LibraryError | None = None
         self.done = False
         if (app := QCoreApplication.instance()) is not None:
@@ -72,7 +72,9 @@ class TableImport(QThread):
             content = columns.apply(table.text, table.sheet, self._mapping, name)
             if self.isInterruptionRequested():
                 return
-            Library(self._folder).save(content)
+            library = Library(self._folder)
+            library.new_in = self._new_in
+            library.save(content)
             self.done = True
         except (TrajectoryFileError, LibraryError) as error:
             self.error = error
@@ -277,7 +279,7 @@ class ColumnsPage(Page):
 
     def _import(self) -> None:
         name = self._name.text().strip()
-        self._work = TableImport(self._file, self.mapping, name, self._library.folder, self)
+        self._work = TableImport(self._file, self.mapping, name, self._library, self)
         self._work.finished.connect(self._on_finished)
         self._let_choose(False)
         text = self.tr("Importing {count} rows…").format(count=fmt.count(self._file.sheet.count))
