@@ -218,6 +218,10 @@ class FakeCells:
     def use_own_tool(self, tool: tuple[float, ...]) -> None:
         """The tool of the settings holds."""
 
+    def why_not_capture(self) -> Refusal | None:
+        """Return no reason: a point may be taken."""
+        return None
+
 
 class FakeAreaGuard:
     """The arm may go anywhere."""

@@ -27,9 +27,10 @@ from armui.ui.watch.joint_status_page import (
     word_width,
 )
 from armui.ui.widgets import state_mark
+from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.state_mark import Mark
 from tests.ui.arm_states import NOW_S, arm_state, heard_six, operating_state
-from tests.ui.dialog_reading import message, shown
+from tests.ui.dialog_reading import shown
 from tests.ui.fake_controller import FakeController
 
 VOLTAGE, MOTOR_TEMPERATURE, CURRENT, ENABLED, HOMED = 1, 2, 3, 7, 8
@@ -210,10 +211,11 @@ def test_a_refusal_to_clear_is_said_in_the_page(
     controller.answer = LINK_LOST()
     qtbot.mouseClick(page.clear_buttons[3], Qt.MouseButton.LeftButton)
     assert controller.calls[-1] == ("clear_joint_error", 4)
-    assert message(page) == words.refusal(LINK_LOST())
+    said = page.findChild(MessageLine, "joint_status_message")
+    assert said.text() == words.refusal(LINK_LOST())
     assert not page.findChild(QLabel, "joint_status_detail").isVisible()
     page.table.setCurrentIndex(page.table.model().index(1, 1))
-    assert message(page) == ""
+    assert said.text() == ""
     assert page.findChild(QLabel, "joint_status_detail").text().startswith("J2")
 
 
