@@ -76,6 +76,18 @@ def test_what_the_arm_shows_counts_without_a_word(company, shown, mode):
     assert company.look(NOW_S, move_mode=shown) is mode
 
 
+def test_what_it_sent_is_told_while_it_pauses_and_the_arm_has_not_come_to_rest(company):
+    company.say(0x471, "07 01 00 00 00 00 00 00")
+    company.look(NOW_S + 0.1, at_rest=False)
+    assert company.other.frames == "0x471"
+    company.look(NOW_S + 5.0, at_rest=False)
+    assert company.other.commands
+    assert (company.other.frames, company.other.rate_hz) == ("0x471", 0)
+    company.say(0x151, "01 01 32 00 00 00 00 00", NOW_S + 6.0)
+    company.look(NOW_S + 6.1, at_rest=False)
+    assert company.other.frames == "0x151"
+
+
 def test_an_old_status_shows_nothing(company):
     assert company.look(NOW_S, NOW_S - 0.6, move_mode=4) is None
     assert company.look(NOW_S, NOW_S - 0.4, move_mode=4) is OtherMode.MIT

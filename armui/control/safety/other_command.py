@@ -78,7 +78,7 @@ class OtherCommand:
         is_leader: True if it is a leader arm, or streams like one.
         last_s: The time of its last motion frame.
         since_s: The time at which it began.
-        series: Its recent motion frames.
+        series: Its recent motion frames; none while it pauses.
         mode: The mode it has left the arm in, if a mode word of ours would make the arm fall.
     """
 
@@ -88,6 +88,7 @@ class OtherCommand:
         self.last_s: float | None = None
         self.since_s: float | None = None
         self.series: tuple[FrameSeries, ...] = ()
+        self._last_series: tuple[FrameSeries, ...] = ()
         self.mode: OtherMode | None = None
         self._now_s = 0.0
         self._sorted: tuple[OtherTraffic | None, tuple[int, ...]] = (None, ())
@@ -127,6 +128,7 @@ class OtherCommand:
         elif self.last_s is not None and now_s - self.last_s >= _GONE_AFTER_S and at_rest:
             self.commands = False
         self.series = tuple(each for each in motion if now_s - each.last_s < _GONE_AFTER_S)
+        self._last_series = self.series or self._last_series
         self.mode = self._mode_of(traffic, offsets, state)
         return new
 
@@ -199,8 +201,8 @@ class OtherCommand:
 
     @property
     def frames(self) -> str:
-        """The identifiers of its motion frames, for a sentence."""
-        return ", ".join(f"0x{each.arbitration_id:03X}" for each in self.series)
+        """The identifiers of its last motion frames, for a sentence."""
+        return ", ".join(f"0x{each.arbitration_id:03X}" for each in self._last_series)
 
     @property
     def rate_hz(self) -> int:
