@@ -3,6 +3,7 @@
 import math
 from dataclasses import replace
 
+import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QListWidget, QSpinBox, QToolTip, QWidget
@@ -271,3 +272,16 @@ def test_the_library_sends_the_chosen_one(app_driver):
     operator.until_over()
     assert (operator.visits(OUT), operator.visits(UP)) == (1, 1)
     assert "done" in operator.text("run_text")
+
+
+@pytest.mark.parametrize("percent", [20, 100])
+def test_the_time_left_is_that_which_short_ways_take(app_driver, percent):
+    near = tuple(angle + 5.0 for angle in OUT)
+    operator = Operator(app_driver, to(OUT), to(near), to(OUT), to(near))
+    operator.child("run_speed", QSpinBox).setValue(percent)
+    operator.send()
+    operator.until(lambda: operator.progress.index == 1)
+    told_s, begun_s = operator.progress.remaining_s, app_driver.time_s
+    operator.until_over()
+    took_s = app_driver.time_s - begun_s
+    assert told_s == pytest.approx(took_s, rel=0.15)

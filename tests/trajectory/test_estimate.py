@@ -72,3 +72,12 @@ def test_a_recording_takes_its_own_time():
     assert estimate_s(recording, ARM, RunOptions(speed_factor=0.5, cycles=2)) == pytest.approx(
         4 * recording.duration_s
     )
+
+
+def test_the_way_from_where_the_arm_stands_counts_where_that_is_known():
+    there = BOTH.points[0].target
+    from_here: Any = estimate_s(BOTH, ARM, start_deg=there)
+    assert from_here == pytest.approx(estimate_s(BOTH, ARM), abs=0.05)
+    away = tuple(each + 30.0 if place == 0 else each for place, each in enumerate(there))
+    from_away: Any = estimate_s(BOTH, ARM, start_deg=away)
+    assert from_away > from_here + 0.3

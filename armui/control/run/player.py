@@ -389,8 +389,8 @@ class Player(Execution):
         if phase is not RunPhase.DWELLING:
             return elapsed_s
         # on arrival all but the dwell is behind, however long it took
-        factor, point = run.speed_factor, run.points[self._index]
-        return max(0.0, run.expected_s[self._index] - point.dwell_s) / factor + elapsed_s
+        point = run.points[self._index]
+        return max(0.0, run.expected_s[self._index] - point.dwell_s) + elapsed_s
 
 
 def _why_empty(run: Run) -> Refusal | None:

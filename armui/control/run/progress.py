@@ -49,7 +49,7 @@ class Run:
     Attributes:
         name: The name of the trajectory.
         points: All points.
-        expected_s: The time of each from the one before, dwell included.
+        expected_s: The time of each from the one before at the factor below, dwell included.
         cycles: The number of cycles, or :data:`ENDLESS`.
         first: The index of the point to begin with, in the first cycle.
         speed_factor: The factor on each point's own speed.
@@ -97,10 +97,8 @@ class RunSchedule:
 
     def __init__(self, run: Run) -> None:
         self._run = run
-        factor = run.speed_factor
-        # dwells do not shorten when the arm moves faster
         lengths_s = [
-            point.dwell_s + max(0.0, expected_s - point.dwell_s) / factor
+            max(point.dwell_s, expected_s)
             for point, expected_s in zip(run.points, run.expected_s, strict=True)
         ]
         self._ends_s = list(accumulate(lengths_s))

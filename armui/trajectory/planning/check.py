@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 from typing import Final
 
 import numpy as np
@@ -177,7 +176,7 @@ class CheckOutcome:
 
     Attributes:
         path: The path of the arm.
-        expected_s: The duration of each point at its own speed; empty for a recording.
+        expected_s: The duration of each point at the speed of the run; empty for a recording.
         findings: The findings, errors first, then by row.
         profile: The replay profile of a recording; ``None`` for points.
     """
@@ -200,16 +199,16 @@ def warm_up() -> None:
 def check(request: CheckRequest) -> CheckOutcome:
     """Plan a trajectory or recording, and report what this arm cannot do or should not do."""
     content, arm, start_deg = request.content, request.arm, request.start_deg
-    plan = partial(plan_path, content, arm, start_deg, first=request.first, cycles=request.cycles)
-    path = plan(speed_factor=request.speed_factor)
+    path = plan_path(
+        *(content, arm, start_deg),
+        first=request.first,
+        cycles=request.cycles,
+        speed_factor=request.speed_factor,
+    )
     found = _findings(content, arm, path, request.area)
-    expected_s = path.expected_s
-    if isinstance(content, Trajectory) and request.speed_factor != 1.0:
-        # a run shortens what is planned at the points' own speeds by itself
-        expected_s = plan().expected_s
     profile = replay_profile(content) if isinstance(content, Recording) else None
     by_place = {(one.kind, one.row, one.approach): one for one in reversed(found)}
-    return CheckOutcome(path, expected_s, tuple(sorted(by_place.values(), key=_rank)), profile)
+    return CheckOutcome(path, path.expected_s, tuple(sorted(by_place.values(), key=_rank)), profile)
 
 
 def _rank(finding: Finding) -> tuple[bool, int]:

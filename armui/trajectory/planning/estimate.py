@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Final
 
@@ -20,16 +21,19 @@ _ONCE: Final = RunOptions()
 
 
 def estimate_s(
-    content: Trajectory | Recording, arm: ArmModel, options: RunOptions = _ONCE
+    content: Trajectory | Recording,
+    arm: ArmModel,
+    options: RunOptions = _ONCE,
+    start_deg: Sequence[float] | None = None,
 ) -> float | None:
-    """Return the seconds that a content takes, without the way to its first point.
-
-    That way begins wherever the arm stands by then; a check plans it, too.
+    """Return the seconds that a content takes.
 
     Args:
         content: The trajectory or recording.
         arm: The arm.
         options: The options of the run. For an endless run the time of one cycle is returned.
+        start_deg: The six joint angles from which the arm goes to the first point; ``None`` to
+            leave that way out. The way to a recording is always left out.
 
     Returns:
         The seconds; ``None`` for no points, for more than `MOST_POINTS`, and for a point or a way
@@ -47,6 +51,12 @@ def estimate_s(
         if again_s is None:
             return None
         whole_s = further * again_s
+    if start_deg is not None:
+        path = plan_path(
+            Trajectory("", points=points[first:]), arm, start_deg, speed_factor=speed_factor
+        )
+        failed = any(found.severity is Severity.ERROR for found in path.problems)
+        return None if failed else sum(path.expected_s) + whole_s
     lasting_s = _lasting_s(points[first:], arm, speed_factor)
     return None if lasting_s is None else lasting_s + points[first].dwell_s + whole_s
 

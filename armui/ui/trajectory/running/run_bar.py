@@ -393,7 +393,7 @@ class RunBar(Translated, QWidget):
             return ""
         if self._nothing is not None or not self.isVisible():
             return ""
-        return estimate_tip(known=estimate.seconds is not None)
+        return estimate_tip(known=estimate.seconds is not None, from_here=estimate.from_here)
 
     def _range_from(self, row: int) -> tuple[int, int]:
         """Return the lowest and highest speed percentage of the points from a row on, from 1."""

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
 
 from armui.arm.refusal import Refusal
+from armui.trajectory.samples.recording import Recording
 
 if TYPE_CHECKING:
     from armui.trajectory.files import Content
@@ -19,8 +20,17 @@ _PAUSE_MS: Final = 300
 """The pause after a change before the time is worked out, as figures are typed digit by digit."""
 
 
-def estimate_tip(*, known: bool) -> str:
-    """Return what an estimate says, or why there is none."""
+def estimate_tip(*, known: bool, from_here: bool = False) -> str:
+    """Return what an estimate says, or why there is none.
+
+    Args:
+        known: True if there is one.
+        from_here: True if it counts the way from where the arm stands.
+    """
+    if known and from_here:
+        return QCoreApplication.translate(
+            "RunEstimate", "An estimate, from where the arm stands. A check tells it exactly."
+        )
     if known:
         return QCoreApplication.translate(
             "RunEstimate",
@@ -49,6 +59,7 @@ class RunEstimate(QObject):
     Attributes:
         seconds: The time of the run; ``None`` where it is not known.
         is_checked: True if a check worked the time out, from where the arm stood then.
+        from_here: True if it counts the way from where the arm stands to the first point.
         is_asked: True while the time is being worked out.
     """
 
@@ -65,11 +76,12 @@ class RunEstimate(QObject):
         self._checks = checks
         self._content = content
         self._options = options
-        self._of: object = None
+        self._of: tuple[object, object] | None = None
         self._job: Job[float | None] | None = None
         self.seconds: float | None = None
         self.is_checked = False
         self.is_asked = False
+        self.from_here = False
         self._pause = QTimer(self, singleShot=True, interval=_PAUSE_MS)
         self._pause.timeout.connect(self._begin)
 
@@ -84,7 +96,11 @@ class RunEstimate(QObject):
             if self.is_asked:
                 self.renew()
             return  # what is known holds while a list is made anew, and nothing is chosen
-        of = (what, self._options(), self._checks.arm.fingerprint)
+        here = self._checks.stands_at_deg
+        chosen = (what, self._options(), self._checks.arm.fingerprint)
+        if here is None and self._of is not None and self._of[0] == chosen:
+            return  # the arm is on its way or silent: what was known holds until it rests
+        of = (chosen, here)
         if of != self._of:
             self._forget()
             self._of, self.is_asked = of, True
@@ -119,6 +135,8 @@ class RunEstimate(QObject):
 
         def read(content: Content | None) -> None:
             if self._of is asked and asked is not None and content is not None:
+                here = self._checks.stands_at_deg is not None
+                self.from_here = here and not isinstance(content, Recording)
                 self._job = self._checks.estimate(content, self._options(), self._on_known)
 
         self._content(read)

@@ -204,6 +204,13 @@ class Checks:
         """The arm as a plan sees it now."""
         return arm_model(self._controller)
 
+    @property
+    def stands_at_deg(self) -> tuple[float, ...] | None:
+        """The joint angles of an arm at rest, to a degree; ``None`` if they are not known."""
+        now, state = self._controller.operating_state, self._controller.state
+        angles_deg = None if now.moving or now.unreachable else state.angles_deg()
+        return None if angles_deg is None else tuple(float(round(each)) for each in angles_deg)
+
     def estimate(
         self,
         content: Content,
@@ -216,7 +223,7 @@ class Checks:
             What is waited for; it may not be wanted any more.
         """
         job: Job[float | None] = Job(then)
-        self._background.begin(job, estimate_s, content, self.arm, options)
+        self._background.begin(job, estimate_s, content, self.arm, options, self.stands_at_deg)
         return job
 
 
