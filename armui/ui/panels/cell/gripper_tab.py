@@ -215,7 +215,7 @@ class GripperTab(CellTab):
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
-        self._on.setText(self.tr("Calibrated"))
+        caption(self._on, self.tr("Calibrated"), whose=self.title.text())
         texts = (self.tr("Asked for"), self.tr("Measured"))
         for head, text, fields in zip(
             self._heads, texts, (self._asked, self._measured), strict=True

@@ -349,9 +349,10 @@ class TipByPoints(Translated, QWidget):
         """Set all texts in the operator's language."""
         caption(self.take, self.tr("Take pose"))
         for number, (used, _residual, again) in enumerate(self._rows, start=1):
-            used.setText(self.tr("Pose {number}").format(number=number))
+            pose = self.tr("Pose {number}").format(number=number)
+            caption(used, pose)
             used.setToolTip(self.tr("Left out of the search while it is not ticked"))
-            again.setText(self.tr("Again"))
+            caption(again, self.tr("Again"), whose=pose)
         self._limit_label.setText(self.tr("Largest residual allowed"))
         self._limit.setAccessibleName(self.tr("Largest residual allowed"))
         self._turn_label.setText(self.tr("Orientation"))
