@@ -12,6 +12,7 @@ import pytest
 from armui.arm.refusal import Refusal
 from armui.control.operating_state import LinkState, OperatingState
 from armui.control.operations.operation import Consent, Operations, operation, operation_of
+from armui.control.safety.reference_status import ReferenceStatus
 from armui.protocol.codes import EndLoad, TeachingState, TrajectoryCommand
 from armui.protocol.generation import Generation
 from armui.ui import words
@@ -29,6 +30,7 @@ ARGUMENTS: dict[str, tuple[dict[str, Any], ...]] = {
         for name in ("PAUSE", "CONTINUE", "CLEAR_CURRENT", "CLEAR_ALL", "ABORT")
     ),
     "run.override": ({"percent": 0}, {"percent": 50}),
+    "reference.drive": ({"joint": 1},),
 }
 """What a reason may depend on beside the state."""
 
@@ -50,6 +52,8 @@ def operating_states() -> Iterator[OperatingState]:
             yield OperatingState(
                 link=LinkState.ONLINE, generation=generation, running=True, run_sets_lamps=True
             )
+    for reference in (ReferenceStatus((5,)), ReferenceStatus((5,), checking=True, looked=True)):
+        yield OperatingState(link=LinkState.ONLINE, reference=reference)
     for generation in Generation:  # everything is as it should be, with a gripper; then a run
         for running in (False, True):
             yield OperatingState(

@@ -11,6 +11,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QTableView
 
 import armui.ui
+from armui.cell.cell import Cell
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
@@ -18,6 +19,7 @@ from armui.ui.dialogs.backup import BackupDialog
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
 from armui.ui.dialogs.files import FileDialog
+from armui.ui.dialogs.reference_check import ReferenceDialog
 from armui.ui.widgets.hold_button import HoldButton
 from tests.accepted import accepted
 
@@ -27,7 +29,9 @@ ASKING = {
     "ui/dialogs/connect.py": {"confirm": 1},
     "ui/dialogs/files.py": {"FileDialog": 2, "choose_file": 1},
     "ui/dialogs/problem_report.py": {"choose_file": 1},
+    "ui/dialogs/reference_check.py": {"HoldButton": 2, "choose_file": 1, "confirm": 2},
     "ui/dialogs/settings.py": {"choose_file": 1},
+    "ui/panels/cell/cell_panel.py": {"choose_file": 2, "confirm": 3},
     "ui/panels/gripper_panel.py": {"_ask_to_hold": 2},
     "ui/panels/linkage_panel.py": {"confirm": 1},
     "ui/panels/motor_panel.py": {"_ask_to_hold": 2},
@@ -44,7 +48,7 @@ ASKING = {
         "choose_file": 1,
         "choose_folder": 1,
     },
-    "ui/trajectory/recording/recording_page.py": {"LeaveQuestion": 1},
+    "ui/trajectory/recording/recording_page.py": {"LeaveQuestion": 1, "SaveQuestion": 1},
     "ui/trajectory/running/run_strip.py": {"HoldButton": 1},
     "ui/watch/bus/send_box.py": {"HoldButton": 2},
     "ui/watch/export_dialog.py": {"choose_file": 2, "choose_folder": 1, "confirm": 1},
@@ -56,6 +60,7 @@ an arm; a chosen file is only read, written or compared, and nothing is sent for
 
 ABOUT_FILES = {
     "ui/dialogs/confirm_dialog.py": 1,  # LeaveQuestion
+    "ui/trajectory/recording/recording_page.py": 1,
     "ui/watch/export_dialog.py": 1,
 }
 """How many of their questions stay when the arm is exchanged."""
@@ -175,6 +180,27 @@ def dangerous_step(driver):
     driver.click("recovery_button")
 
 
+def delete_the_cell(driver):
+    accepted(driver.controller.cell.take(Cell("bench")))
+    panel("cell", "cell_delete_button")(driver)
+
+
+def motor_off_in_the_reference_check(driver):
+    driver.run(1.5)
+    driver.firmware.lost_reference.begin(4)
+    driver.run(2.0)
+    driver.click("recovery_button")
+    dialog = driver.dialog(ReferenceDialog)
+    driver.click(dialog.begin_button)
+    driver.click(dialog.look_button)
+    driver.click(dialog.off_button)
+
+
+def teach_the_reference(driver):
+    driver.window._diagnosis.open_reference_check()
+    driver.click(driver.dialog(ReferenceDialog).teach_button)
+
+
 QUESTIONS = {
     "zero of a joint": panel("motor", "zero_motor_2"),
     "zero of all": panel("motor", "zero_motor_7"),
@@ -196,6 +222,9 @@ QUESTIONS = {
     "close": close,
     "unsaved": unsaved,
     "restore": restore,
+    "delete the cell": delete_the_cell,
+    "motor off in the reference check": motor_off_in_the_reference_check,
+    "teach the reference": teach_the_reference,
 }
 
 

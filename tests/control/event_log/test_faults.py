@@ -62,8 +62,8 @@ SEEN = {
 }
 """What each fault is called in the events of each generation."""
 
-MEASURED = {"latency"}
-"""What no frame tells: it is seen in how long an answer takes."""
+MEASURED = {"latency", "lost-reference"}
+"""What no frame tells: how long an answer takes; what the reference watch concludes from angles."""
 LATE_S = {"offline": 0.6, "fewer_frames": 8.1}
 """What is only known after a while: half a second of silence, three spans of two seconds after the
 one in which it begins."""

@@ -169,7 +169,6 @@ class CellPanel(Panel):
             ).format(name=cell.name),
             action_label=self.tr("Delete"),
             on_confirmed=lambda: self._accepted(self._controller.cell.delete()),
-            concerns_arm=False,
             still=lambda: self._controller.cell.cell == cell,
         )
 
