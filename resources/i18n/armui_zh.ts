@@ -537,7 +537,7 @@
         <translation>他者进入工作区时停住</translation>
     </message>
     <message>
-        <source>Stop the arm when a hand or another program brings it in</source>
+        <source>Stop when a hand or another program enters</source>
         <translation>用手或由其他程序带入时停住机械臂</translation>
     </message>
     <message>

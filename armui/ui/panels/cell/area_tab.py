@@ -28,6 +28,7 @@ from armui.ui.words.text import Text
 _CHANGE = operation_of(CellControl.change)
 _EDGES: Final = "XYZ"
 _NOWHERE: Final = (0.0,) * 6
+_NARROW_PX: Final = 56
 
 
 class AreaTab(CellTab):
@@ -107,25 +108,26 @@ class AreaTab(CellTab):
     def _lay_out(self) -> None:
         grid = empty_grid(gaps=(8, 6), margins=0)
         grid.addWidget(self._choice_label, 0, 0)
-        grid.addWidget(self._choice, 0, 1, 1, 4)
-        grid.addWidget(self._on, 0, 5)
+        grid.addLayout(in_row((self._choice, 1), self._on, spacing=6), 0, 1)
         grid.addWidget(self._name_label, 1, 0)
-        grid.addWidget(self._name, 1, 1, 1, 3)
-        grid.addWidget(self._here, 1, 4, 1, 2)
+        grid.addLayout(in_row((self._name, 1), self._here, spacing=6), 1, 1)
+        grid.addWidget(self._margin_label, 2, 0)
+        grid.addLayout(in_row(self._margin, (self._nearness, 1), spacing=6), 2, 1)
+        grid.setColumnStretch(1, 1)
+        figures = empty_grid(gaps=(6, 4), margins=0)
         for place, (axis, field) in enumerate(zip(AXES, self._fields, strict=True)):
-            row, column = 2 + place // LINEAR_AXES, 2 * (place % LINEAR_AXES)
-            grid.addWidget(QLabel(axis), row, column)
-            grid.addWidget(field, row, column + 1)
-            grid.setColumnStretch(column + 1, 1)
-        grid.addWidget(self._size_label, 4, 0)
-        for place, field in enumerate(self._sizes):
-            grid.addWidget(field, 4, 2 * place + 1)
-        grid.addWidget(self._margin_label, 5, 0)
-        grid.addWidget(self._margin, 5, 1)
-        grid.addWidget(self._nearness, 5, 2, 1, 4)
+            row, column = place // LINEAR_AXES, 2 * (place % LINEAR_AXES)
+            figures.addWidget(QLabel(axis), row, column)
+            figures.addWidget(field, row, column + 1)
+            figures.setColumnStretch(column + 1, 1)
+        sizes = in_row(*((field, 1) for field in self._sizes), spacing=6)
         adds = in_row((self._add_plane, 1), (self._add_box, 1), spacing=6)
         changes = in_row((self._apply, 1), (self._delete, 1), spacing=6)
-        in_column(self._next, grid, adds, changes, self._stops, on=self, spacing=8, margins=0)
+        buttons = (self._add_plane, self._add_box, self._apply, self._delete, self._here)
+        for each in (self._choice, self._name, *self._fields, *self._sizes, *buttons):
+            each.setMinimumWidth(_NARROW_PX)
+        parts = (self._next, grid, figures, self._size_label, sizes, adds, changes, self._stops)
+        in_column(*parts, on=self, spacing=8, margins=0)
 
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
@@ -294,7 +296,7 @@ class AreaTab(CellTab):
         caption(self._on, self.tr("On"), whose=self.tr("Plane or box"))
         for axis, field in zip(AXES, self._fields, strict=True):
             field.setAccessibleName(self.tr("Area {axis}").format(axis=axis))
-        text = self.tr("Stop the arm when a hand or another program brings it in")
+        text = self.tr("Stop when a hand or another program enters")
         caption(self._stops, text)
         self._size_label.setText(self.tr("Box, edges"))
         for edge, field in zip(_EDGES, self._sizes, strict=True):
