@@ -155,6 +155,8 @@ one is assumed.
 """
 _NO_ALARM: Final[Mapping[str, float]] = dict.fromkeys(Alarm, False)
 _NO_GRIPPER_FAULT: Final[Mapping[str, float]] = dict.fromkeys(GripperFault, False)
+_MOST_STEPS: Final = 32767
+"""The most that the 16 bits of a driver's speed hold (0x251–0x256); a faster joint reports this."""
 
 
 class Feedback:
@@ -167,6 +169,7 @@ class Feedback:
         self._posed_at: SixValues = ()
         self._pose = Pose(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
         self._speed_unit_deg = _DEGREES_PER[codec.unit("DriverFast1", "Speed")]
+        self._most_speed = _MOST_STEPS * codec.step("DriverFast1", "Speed")
         self._position_unit_deg = _DEGREES_PER[codec.unit("DriverFast1", "Position")]
         self._first_generation = codec.generation is Generation.ONE
         self._makers: dict[str, Callable[[], Frame]] = {
@@ -248,10 +251,11 @@ class Feedback:
     def _driver_fast(self, joint: int) -> Frame:
         index, lost = joint - 1, self._arm.lost_reference
         speed_deg_s = self._arm.mechanics.speeds_deg_s[index] + lost.speed_deg_s(index)
+        speed = speed_deg_s / self._speed_unit_deg
         current_a = lost.current_a(index, self._arm.drivers.currents_a[index])
         return self._cache.frame(
             f"DriverFast{joint}",
-            Speed=speed_deg_s / self._speed_unit_deg,
+            Speed=max(-self._most_speed, min(self._most_speed, speed)),
             Current=abs(current_a) if self._first_generation else current_a,
             Position=self._arm.reported_deg[index] / self._position_unit_deg,
         )

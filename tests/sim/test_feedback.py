@@ -11,6 +11,7 @@ from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codec import Codec, Message
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from armui.sim.feedback import Feedback
 from armui.sim.firmware import Firmware
 from tests.family import PIPER
 from tests.protocol.rows import ROWS
@@ -191,6 +192,15 @@ def test_driver_positions_and_speeds_in_pulses_and_rpm() -> None:
     arm.step(2.0)
     # 120° of 65536 pulses a turn
     assert signals(codec, arm.step(0.02), 0x251)["Position"] == 21845
+
+
+@pytest.mark.parametrize(("generation", "speed"), [(ONE, 32767), (TWO, 32.767)])
+def test_a_driver_reports_no_more_speed_than_its_field_holds(generation, speed) -> None:
+    arm, codec = ready(generation), Codec(generation)
+    arm.mechanics.speeds_deg_s = (1e7, -1e7, 0.0, 0.0, 0.0, 0.0)
+    frames = [Feedback(codec, arm)._driver_fast(joint) for joint in (1, 2)]
+    assert signals(codec, frames, 0x251)["Speed"] == pytest.approx(speed)
+    assert signals(codec, frames, 0x252)["Speed"] == pytest.approx(-speed)
 
 
 def test_currents_carry_the_weight_and_vanish_without_power() -> None:
