@@ -95,7 +95,7 @@ class Oracle:
 
     def bases(self) -> list[SixValues]:
         """Where a step pressed now may start from: our own target, or what was measured of late."""
-        bases = [*self._places_deg, self._world.firmware.joints_deg]
+        bases = [*self._places_deg, self._world.firmware.reported_deg]
         if self._ours_deg is not None:
             bases.append(self._ours_deg)
         asked = self._asked
@@ -190,7 +190,7 @@ class Oracle:
 
     def _follow(self) -> None:
         """Note what later judgements depend on."""
-        self._places_deg.append(self._world.firmware.joints_deg)
+        self._places_deg.append(self._world.firmware.reported_deg)
         world, line = self._world, self._world.node.link
         # of a target of which a frame got lost, or nobody's frame became part, no goal is known
         self._mixed = self._mixed or bool(line.loss or line.garbage_per_s or line.off)

@@ -50,7 +50,7 @@ class Started:
         was_moving: Whether the arm moved before.
         before_deg: Where the arm was on its way to.
         goal_deg: Where it is on its way to now.
-        here_deg: Where it was.
+        here_deg: Where it reported to be: in an excursion of its reference no program knows better.
     """
 
     said: Said
@@ -125,7 +125,7 @@ class Traffic:
         said = self._sender_of(frame)
         executor = arm._moves._executor
         before, order = _pursued(arm), executor._order
-        moving, here = arm.mechanics.moving and before is not None, arm.joints_deg
+        moving, here = arm.mechanics.moving and before is not None, arm.reported_deg
         answers = on_frame(frame)
         goal = _pursued(arm)
         if goal is not None and arm.mechanics.moving and (not moving or executor._order != order):
