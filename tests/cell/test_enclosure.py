@@ -1,5 +1,6 @@
 """The capsules hold every part of every arm."""
 
+import os
 from functools import cache
 from pathlib import Path
 
@@ -13,7 +14,8 @@ from armui.cell.enclosure import PARTS, Capsule, body_of, enclose
 from armui.kinematics.forward import flange_transforms, link_frames
 from armui.protocol.generation import PiperModel
 
-MAKERS = Path(__file__).resolve().parents[3] / "shared/reference/piper_description"
+MAKERS = os.environ.get("PIPER_DESCRIPTION", "")
+"""The folder of the maker's own description of the PiPER, which is not part of this project."""
 OPENING_MM = 70.0
 
 
@@ -90,10 +92,10 @@ def test_every_corner_of_the_meshes_is_inside(model):
         assert beyond_mm(corners, body, pose).max() < -3.0
 
 
-@pytest.mark.skipif(not MAKERS.exists(), reason="the maker's meshes are not on this computer")
+@pytest.mark.skipif(not MAKERS, reason="PIPER_DESCRIPTION names no folder of the maker's meshes")
 def test_the_makers_own_meshes_are_inside():
     """Its description counts from the zeros before S-V1.6-3, joints 4 to 6 in its own way."""
-    urdf = robot(MAKERS / "urdf/piper_description.urdf", MAKERS / "meshes")
+    urdf = robot(Path(MAKERS, "urdf/piper_description.urdf"), Path(MAKERS, "meshes"))
     body = body_of(
         PiperModel.PIPER, model_data(PiperModel.PIPER).older_geometry, OPENING_MM, base=True
     )
