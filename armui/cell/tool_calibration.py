@@ -56,7 +56,7 @@ _AXES: Final = ("X", "Y", "Z")
 
 @dataclass(frozen=True, slots=True)
 class Spread:
-    """How different the orientations of poses are, in the direction in which they differ least.
+    """The difference of the orientations of poses, in the direction in which they differ least.
 
     Attributes:
         axis: The flange's axis nearest to that direction: X, Y or Z.

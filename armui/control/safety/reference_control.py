@@ -206,7 +206,7 @@ class ReferenceControl(ControllerPart):
 
     @property
     def known(self) -> ReferenceRecord | None:
-        """What is kept of the connected arm; ``None`` while it has not named itself."""
+        """The record of the connected arm; ``None`` while it has not named itself."""
         return None if self._key is None else self.record
 
     # What the operator does -------------------------------------------------------------------

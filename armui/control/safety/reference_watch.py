@@ -71,7 +71,7 @@ class AngleListener(Listener):
 
 @dataclass(frozen=True, slots=True)
 class WatchedArm:
-    """What the watch must know beside the angles.
+    """The state that the watch judges the angles by.
 
     Attributes:
         now_s: Monotonic time.
@@ -115,7 +115,7 @@ class _Suspicion:
 
 
 class _Joint:
-    """Where one joint may be: between its place and every target it was given since it stood."""
+    """The range one joint may be in: from its place to every target given since it stood."""
 
     def __init__(self) -> None:
         self.between: tuple[float, float] | None = None

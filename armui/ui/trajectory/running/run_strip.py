@@ -50,7 +50,7 @@ _MARGIN_PX: Final = 16
 _TOP_PX: Final = 6
 _GAP_PX: Final = 10
 _LEAST_PX: Final = 220
-"""What is left of the run's words beside an obstacle."""
+"""The width that the run's words have at least beside an obstacle."""
 _UNBOUNDED_PX: Final = 10_000
 
 
