@@ -3135,6 +3135,10 @@
         <source>Disabled</source>
         <translation>失能</translation>
     </message>
+    <message>
+        <source>Stopped</source>
+        <translation>已急停</translation>
+    </message>
 </context>
 <context>
     <name>EndLimitsPanel</name>
