@@ -8,7 +8,7 @@ from typing import Final
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QFocusEvent, QHideEvent, QKeyEvent
-from PySide6.QtWidgets import QComboBox, QFrame, QLabel, QLayout, QPushButton, QWidget
+from PySide6.QtWidgets import QComboBox, QFrame, QLabel, QLayout, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
@@ -178,6 +178,7 @@ class StepBox(QComboBox):
 
     def __init__(self, write: Callable[[float], str]) -> None:
         super().__init__()
+        self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self._write = write
         self._step = 1.0
         self._fill(STEPS)

@@ -92,7 +92,9 @@ class OwnHome(Translated, QWidget):
         give_menu(self._set, self._menu)
         self._set.setFixedWidth(_ARROW_PX)
         for button in (self.go, self._set):
-            button.setSizePolicy(button.sizePolicy().horizontalPolicy(), QSizePolicy.Policy.Expanding)
+            button.setSizePolicy(
+                button.sizePolicy().horizontalPolicy(), QSizePolicy.Policy.Expanding
+            )
         in_row((self.go, 1), self._set, on=self, spacing=2, margins=0)
         self.go.clicked.connect(self._on_go)
         self.set_measured.triggered.connect(lambda _checked=False: self._keep_measured())
