@@ -105,7 +105,7 @@ class RunSchedule:
             max(0.0, expected_s - dwell_s)
             for expected_s, dwell_s in zip(run.expected_s, self._dwells_s, strict=True)
         ]
-        self._lengths_s = list(map(add, self._moves_s, self._dwells_s))
+        self._lengths_s: list[float] = list(map(add, self._moves_s, self._dwells_s))
         self._ends_s = list(accumulate(self._lengths_s))
         self._slowed = (1.0, self._ends_s)
 
@@ -131,7 +131,7 @@ class RunSchedule:
         """
         move_s = self._moves_s[index]
         even_s = min(move_s, self._run.even_s[index]) if self._run.even_s else move_s
-        ramps_s = move_s - even_s if move_s <= 2.0 * even_s else move_s**2 / (4.0 * even_s or 1.0)
+        ramps_s = move_s - even_s if move_s <= 2.0 * even_s else move_s * move_s / (4.0 * even_s or 1.0)
         return max(move_s, even_s / share + min(ramps_s * share, even_s / share))
 
     def pace(self, index: int, share: float) -> float:
