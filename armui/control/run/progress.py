@@ -131,9 +131,9 @@ class RunSchedule:
         """
         move_s = self._moves_s[index]
         even_s = min(move_s, self._run.even_s[index]) if self._run.even_s else move_s
-        ramps_s = (
-            move_s - even_s if move_s <= 2.0 * even_s else move_s * move_s / (4.0 * even_s or 1.0)
-        )
+        ramps_s = move_s - even_s
+        if ramps_s > even_s:  # it never goes evenly
+            ramps_s = move_s * move_s / (4.0 * even_s or 1.0)
         return max(move_s, even_s / share + min(ramps_s * share, even_s / share))
 
     def pace(self, index: int, share: float) -> float:

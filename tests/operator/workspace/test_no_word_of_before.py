@@ -30,10 +30,9 @@ _LEAST_WORDS = 9
 
 def english():
     """The texts that Chinese has other words for: those as they are, and those with figures."""
-    pairs = (
-        (m.findtext("source"), m.findtext("translation")) for m in ET.parse(TS).iter("message")
-    )
-    texts = {text for text, chinese in pairs if text != chinese and len(text) > 3}
+    messages = ET.parse(TS).iter("message")
+    pairs = [(each.findtext("source"), each.findtext("translation")) for each in messages]
+    texts = {text for text, chinese in pairs if text and text != chinese and len(text) > 3}
     figures = {each for each in texts if "{" in each}
     long = (each for each in figures if len(_PLACE.sub("", each)) > _LEAST_WORDS)
     patterns = [".+?".join(map(re.escape, _PLACE.split(each))) for each in long]
