@@ -1494,6 +1494,10 @@
         <source>Area</source>
         <translation>区域</translation>
     </message>
+    <message>
+        <source>Held</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>CloseButton</name>
@@ -5055,6 +5059,177 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
+    <name>HeldTab</name>
+    <message>
+        <source>Held object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add an object to hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Apply the figures of the object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete the object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the held object may touch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tell the arm the object&apos;s load</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>— (a new one)</source>
+        <translation type="unfinished">—（新建）</translation>
+    </message>
+    <message>
+        <source> (held)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Adds an object of this name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose an object above first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Puts these figures in the place of those of the chosen object.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deletes the chosen object.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“{name}” counts no more in any check. The gripper does not move.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It counts in every check from now on. The gripper does not move.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>May touch: {count}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>May touch…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The work area has no plane or box yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What it may touch: the table, a tray.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diameter (X, Y), length (Z)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the hand: {mass} kg. The arm carries {most} kg at most.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tell: {load}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tells the arm its end load. It is never told by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no cell yet: type its name above and press New.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press Apply to put the new figures in force.</source>
+        <translation type="unfinished">请按“应用”使新数值生效。</translation>
+    </message>
+    <message>
+        <source>The hand holds “{name}”: it counts in every check until Let go.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press Add. It counts as soon as it is marked as held.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press It is held once the gripper has closed on it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type a name, the middle of the object in the flange, and its edges.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished">名称</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the held object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation type="unfinished">长方体</translation>
+    </message>
+    <message>
+        <source>Rod</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shape of the held object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Held object {axis}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edge of the held object along {axis}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation type="unfinished">添加</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation type="unfinished">应用</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation type="unfinished">删除</translation>
+    </message>
+</context>
+<context>
     <name>HeldTarget</name>
     <message>
         <source>a target this program does not know</source>
@@ -6944,6 +7119,18 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>夹爪：已发送 {value} {unit}</translation>
     </message>
     <message>
+        <source>From here on the hand holds “{name}”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From here on the hand holds nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gripper has opened to {value} mm. “{name}” counts as held until it is let go under Cell, Held.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Cell: {reason}</source>
         <translation>单元：{reason}</translation>
     </message>
@@ -7628,6 +7815,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Choose the cell</source>
         <translation>选择单元</translation>
+    </message>
+    <message>
+        <source>Say what the hand holds</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Teach the reference pose</source>
@@ -9347,6 +9538,10 @@ The other program must have ended.</source>
         <translation>已命令机械臂终止运动，但它仍在动。请急停，或切断其电源。</translation>
     </message>
     <message>
+        <source>Last used here: the cell “{name}”, the hand holding “{held}”. Confirm both if they are there; if the hand is empty, let go under Cell first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Another program controls the arm since {since} ({frames}, {rate} frames/s).</source>
         <translation>另一个程序正在控制机械臂：自 {since} 起（{frames}，{rate} 帧/秒）。</translation>
     </message>
@@ -9970,6 +10165,14 @@ The other program must have ended.</source>
     <message>
         <source>Jog step: “{value}” is not an angle. Enter a number of degrees, for example 0.5.</source>
         <translation>点动步长：“{value}”不是角度。请输入以度为单位的数字，例如 0.5。</translation>
+    </message>
+    <message>
+        <source>This adapter was last used with the cell “{name}”, and the hand held “{held}”. Confirm both if they are there; if the hand is empty, let go under Cell, Held first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“{name}” is marked as held, and would not be any more. Let go of it under Held first.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A folder needs a name. Enter one.</source>
