@@ -5,7 +5,6 @@ Without a cell everything is as it was: the tool is the one in the settings.
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
@@ -103,6 +102,7 @@ class CellControl(ControllerPart):
         self._device: Device | None = None
         self._own_tool: tuple[float, ...] = NO_TOOL
         self._least_mm: float | None = None
+        self._opened = False
         self.store: CellStore | None = None
 
     # What is known --------------------------------------------------------------------------
@@ -309,7 +309,7 @@ class CellControl(ControllerPart):
     def _hold(self, name: str) -> None:
         if self.cell is not None:
             self._save(replace(self.cell, held=name))
-            self._least_mm = None
+            self._least_mm, self._opened = None, False
             self._take_effect()
 
     def follow_arm(self) -> None:
@@ -320,8 +320,8 @@ class CellControl(ControllerPart):
             return
         if self._least_mm is None or opening_mm < self._least_mm:
             self._least_mm = opening_mm
-        elif opening_mm > self._least_mm + _OPENED_MM:
-            self._least_mm = math.inf  # it is said once
+        elif not self._opened and opening_mm > self._least_mm + _OPENED_MM:
+            self._opened = True
             self._context.tell(HELD_OPENED, name=cell.held, value=round(opening_mm))
 
     def why_not_capture(self) -> Refusal | None:

@@ -99,7 +99,7 @@ class CellPanel(Panel):
         self._export.clicked.connect(self._on_export)
         self._delete.clicked.connect(self._on_delete)
         controller.cell_changed.connect(self._on_cell_changed)
-        self._listen("cell_")
+        self._listen("cell_", "held_", "load_")
         self.retranslate_ui()
 
     def _lay_out(self) -> None:
