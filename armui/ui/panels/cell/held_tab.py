@@ -124,7 +124,7 @@ class HeldTab(CellTab):
         changes = in_row((self._add, 1), (self._apply, 1), (self._delete, 1), spacing=6)
         load = in_row((self._payload, 1), self._load, spacing=6)
         buttons = (self._hold, self._touch, self._add, self._apply, self._delete, self._load)
-        for each in (self._choice, self._kind, self._name, self._mass, *self._sizes, *buttons):
+        for each in (self._choice, self._name, self._mass, *self._sizes, *buttons):
             each.setMinimumWidth(_NARROW_PX)
         parts = (self._next, grid, pose_grid(self._fields), self._size_label, sizes, changes, load)
         in_column(*parts, on=self, spacing=8, margins=0)
