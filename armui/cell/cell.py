@@ -10,6 +10,7 @@ from armui.cell.checks import check_name, check_names
 from armui.cell.gripper_table import GripperTable, Pairs, check_gripper_table
 from armui.cell.held_objects import HeldObject, check_held_object
 from armui.cell.tools import Tool, check_tool
+from armui.cell.user_frames import UserFrame, check_user_frame
 from armui.cell.work_area import Area, check_area
 
 CELL_CHOICE_BAD = Reason(
@@ -30,6 +31,8 @@ class Cell:
         area: Where the arm may go.
         held_objects: What the hand may hold, in the order of the list.
         held: The name of what it holds now; "" for nothing.
+        frames: Its user frames, in the order of the list.
+        frame: The name of the one that poses are shown and typed in; "" for the base.
     """
 
     name: str
@@ -40,6 +43,8 @@ class Cell:
     area: Area = field(default_factory=Area)
     held_objects: tuple[HeldObject, ...] = ()
     held: str = ""
+    frames: tuple[UserFrame, ...] = ()
+    frame: str = ""
 
     @property
     def is_empty(self) -> bool:
@@ -49,7 +54,12 @@ class Cell:
     @property
     def chosen_tool(self) -> Tool | None:
         """The chosen tool, or ``None`` for the bare flange."""
-        return next((tool for tool in self.tools if tool.name == self.tool), None)
+        return self.tool_named(self.tool)
+
+    @property
+    def chosen_frame(self) -> UserFrame | None:
+        """The chosen user frame, or ``None`` for the base."""
+        return self.frame_named(self.frame)
 
     @property
     def held_object(self) -> HeldObject | None:
@@ -68,6 +78,10 @@ class Cell:
     def object_named(self, name: str) -> HeldObject | None:
         """Return something that the hand may hold by its name, or ``None``."""
         return next((each for each in self.held_objects if each.name == name), None)
+
+    def frame_named(self, name: str) -> UserFrame | None:
+        """Return a user frame by its name, or ``None``."""
+        return next((frame for frame in self.frames if frame.name == name), None)
 
 
 def with_tool(cell: Cell, tool: Tool, *, instead_of: str = "") -> Cell:
@@ -99,6 +113,27 @@ def with_held_object(cell: Cell, held: HeldObject, *, instead_of: str = "") -> C
     return replace(cell, held_objects=objects, held=now)
 
 
+def with_frame(cell: Cell, frame: UserFrame, *, instead_of: str = "") -> Cell:
+    """Return a cell with a further user frame, or with one in the place of another.
+
+    Args:
+        cell: The cell.
+        frame: The frame; it is chosen if it is new, or if the one it replaces was.
+        instead_of: The name of the frame that it replaces; "" adds it.
+    """
+    if not instead_of:
+        return replace(cell, frames=(*cell.frames, frame), frame=frame.name)
+    frames = tuple(frame if each.name == instead_of else each for each in cell.frames)
+    chosen = frame.name if cell.frame == instead_of else cell.frame
+    return replace(cell, frames=frames, frame=chosen)
+
+
+def without_frame(cell: Cell, name: str) -> Cell:
+    """Return a cell without a user frame; if it was the chosen one, the base is chosen."""
+    frames = tuple(each for each in cell.frames if each.name != name)
+    return replace(cell, frames=frames, frame="" if cell.frame == name else cell.frame)
+
+
 def check_cell(cell: Cell) -> Refusal | None:
     """Return why a cell is not possible as a whole, or ``None``."""
     refusals: Sequence[Refusal | None] = (
@@ -111,6 +146,9 @@ def check_cell(cell: Cell) -> Refusal | None:
         check_names(held.name for held in cell.held_objects),
         *(check_held_object(held) for held in cell.held_objects),
         _check_choice(cell.held, cell.held_object),
+        check_names(frame.name for frame in cell.frames),
+        *(check_user_frame(frame) for frame in cell.frames),
+        _check_choice(cell.frame, cell.chosen_frame),
     )
     return next((each for each in refusals if each is not None), None)
 

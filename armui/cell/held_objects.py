@@ -8,15 +8,14 @@ from typing import Final
 
 from armui.arm.json_fields import Fields
 from armui.arm.refusal import Refusal
-from armui.cell.checks import check_figure, check_names
-from armui.cell.tools import FIGURES, NO_TOOL
+from armui.cell.checks import FIGURES, check_figure, check_names, check_pose
+from armui.cell.tools import NO_TOOL
 from armui.protocol.codes import EndLoad
 from armui.setting_checks import TOOL_LONGEST_MM
 
 PAYLOAD_KG: Final = 1.5
 """What the arm carries at most, by its maker."""
 HEAVIEST_KG: Final = 5.0
-_TURN_DEG: Final = 180.0
 _SMALLEST_MM: Final = 1.0
 _LARGEST_MM: Final = 1000.0
 SIZES: Final = ("size_x_mm", "size_y_mm", "size_z_mm")
@@ -53,11 +52,7 @@ class HeldObject:
 
 def check_held_object(held: HeldObject) -> Refusal | None:
     """Return why the figures of an object are not possible, or ``None``."""
-    furthest = (*[TOOL_LONGEST_MM] * 3, *[_TURN_DEG] * 3)
-    figures = zip(FIGURES, held.pose, furthest, strict=True)
-    refusals = [
-        check_figure(held.name, field, value, -most, most) for field, value, most in figures
-    ]
+    refusals = [check_pose(held.name, held.pose, TOOL_LONGEST_MM)]
     refusals += [
         check_figure(held.name, field, value, _SMALLEST_MM, _LARGEST_MM)
         for field, value in zip(SIZES, held.size_mm, strict=True)

@@ -11,7 +11,7 @@ from armui.cell.cell_file import from_text, to_text
 from armui.cell.checks import CELL_FIGURE_BAD, CELL_NAME_TAKEN
 from armui.cell.held_objects import HeldObject
 from armui.cell.held_shape import held_shape
-from armui.cell.work_area import AreaBox, AreaPlane
+from armui.cell.work_area import AreaBox, AreaPlane, Zone
 from armui.kinematics.forward import flange_transforms
 from armui.kinematics.poses import matrix_to_pose, pose_to_matrix
 from armui.protocol.codes import EndLoad
@@ -80,7 +80,7 @@ def test_no_touch_of_a_held_object_is_unsaid():
         aside = points.mean(axis=0) + rng.normal(size=3) * 120.0
         turn = tuple(rng.uniform(-180.0, 180.0, 3))
         if number % 2:
-            zone = AreaPlane("zone", (*aside, *turn))
+            zone: Zone = AreaPlane("zone", (*aside, *turn))
             normal = pose_to_matrix(zone.pose)[:3, 2]
             gap = float(((points - aside) @ normal).min())
         else:
