@@ -157,11 +157,11 @@ def test_it_is_asked_for_with_the_cell_and_counts_before(rig):
     now = rig.controller.operating_state
     assert now.cannot_move.reason == CELL_HOLDING_NOT_CONFIRMED
     assert now.cannot_move.params == {"name": "bench", "held": "bar"}
-    assert rig.controller.recovery.step.kind.id == "cell_holding"
+    assert rig.controller.recovery.step.kind.name == "CELL_HOLDING"
     assert now.intrusion.part == "held object"
     accepted(rig.controller.cell.hold(""))
     rig.run(0.1)
-    assert rig.controller.recovery.step.kind.id == "cell_unconfirmed"
+    assert rig.controller.recovery.step.kind.name == "CELL_UNCONFIRMED"
     assert rig.controller.operating_state.intrusion is None
 
 
