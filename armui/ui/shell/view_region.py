@@ -93,6 +93,11 @@ class ViewRegion(Translated, QWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Report the areas covered by buttons, beside which the arm is shown."""
         super().resizeEvent(event)
+        strip = self._strip.sizeHint()
+        self._row.setContentsMargins(_RIM_PX, _RIM_PX, _RIM_PX, _RIM_PX)
+        if strip.height() + _RIM_PX + self._row.sizeHint().height() > self._view.height():
+            beside_px = strip.width() + 2 * _RIM_PX  # a low picture: they would lie over its end
+            self._row.setContentsMargins(_RIM_PX, _RIM_PX, beside_px, _RIM_PX)
         self._tell_covered()
 
     def _tell_covered(self) -> None:
