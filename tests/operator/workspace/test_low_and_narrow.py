@@ -103,7 +103,8 @@ def test_no_button_over_a_low_picture_lies_over_another(pages, size, language):
     pages.driver.program.view.setVisible(True)
     pages.driver.window.resize(*size)
     pages.driver.click("events_button")
-    pages.driver.run(0.1)
+    for _ in range(5):
+        QCoreApplication.processEvents()
     over = ("help_button", "reset_view_button", "settings_button")
     strip = rect_in_window(pages.driver.find("view_bar"))
     assert not any(strip.intersects(rect_in_window(pages.driver.find(each))) for each in over)
