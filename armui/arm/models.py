@@ -309,6 +309,7 @@ class ArmModel:
         gripper_turned_deg: The gripper's turn about the flange's Z axis.
         kind: The model and its zeros; if "", trajectories of other arms are not recognised.
         tool: The tool set on the flange; ``None`` if only the gripper's tip counts.
+        frames: The names of the cell's user frames, and their poses in the base.
     """
 
     limits: tuple[JointLimits, ...]
@@ -321,6 +322,7 @@ class ArmModel:
     kind: str = ""
     widest_mm: float | None = None
     tool: ToolCapsule | None = None
+    frames: tuple[tuple[str, tuple[float, ...]], ...] = ()
 
     @property
     def tip_mm(self) -> tuple[float, float, float]:

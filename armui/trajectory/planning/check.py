@@ -34,6 +34,7 @@ from armui.trajectory.planning.planned_path import PlannedPath
 from armui.trajectory.planning.planning import NEVER_REPEATS, PATH_OUT_OF_REACH, PATH_SINGULAR
 from armui.trajectory.planning.stops import TOOL_MOVES, bounds
 from armui.trajectory.planning.timing import plan_path
+from armui.trajectory.planning.user_frames import in_base
 from armui.trajectory.points.program import GripperOpening, Trajectory, Waypoint
 from armui.trajectory.samples.recording import (
     Recording,
@@ -63,6 +64,13 @@ _STROKE_SLACK_MM: Final = 1.0
 """A gripper at its stop may measure this much more than its stroke."""
 _COLLISION_STEP_DEG: Final = 2.0
 
+FRAME_UNKNOWN = FindingKind(
+    "frame_unknown",
+    "The point is in the user frame “{name}”, which the cell has not: where it is cannot be told. "
+    "Choose the cell that has it, make a frame of this name under Cell, or give the point another "
+    "frame.",
+    Severity.ERROR,
+)
 EMPTY = FindingKind("empty", "There is nothing to run. Add points, or record.", Severity.ERROR)
 TARGET_BEYOND_LIMIT = FindingKind(
     "target_beyond_limit",
@@ -179,12 +187,15 @@ class CheckOutcome:
         expected_s: The duration of each point at the speed of the run; empty for a recording.
         findings: The findings, errors first, then by row.
         profile: The replay profile of a recording; ``None`` for points.
+        in_base: The trajectory with all its points in the base, as it was checked; ``None`` if it
+            is that of the request.
     """
 
     path: PlannedPath
     expected_s: tuple[float, ...]
     findings: tuple[Finding, ...]
     profile: ReplayProfile | None = None
+    in_base: Trajectory | None = None
 
     @property
     def errors(self) -> tuple[Finding, ...]:
@@ -199,6 +210,13 @@ def warm_up() -> None:
 def check(request: CheckRequest) -> CheckOutcome:
     """Plan a trajectory or recording, and report what this arm cannot do or should not do."""
     content, arm, start_deg = request.content, request.arm, request.start_deg
+    based = None
+    if isinstance(content, Trajectory) and any(point.frame for point in content.points):
+        unknown = tuple(_unknown_frames(content, arm))
+        if unknown:
+            nothing = plan_path(replace(content, points=()), arm, start_deg)
+            return CheckOutcome(nothing, (), unknown)
+        content = based = replace(content, points=in_base(content.points, dict(arm.frames)))
     path = plan_path(
         *(content, arm, start_deg),
         first=request.first,
@@ -208,7 +226,15 @@ def check(request: CheckRequest) -> CheckOutcome:
     found = _findings(content, arm, path, request.area)
     profile = replay_profile(content) if isinstance(content, Recording) else None
     by_place = {(one.kind, one.row, one.approach): one for one in reversed(found)}
-    return CheckOutcome(path, path.expected_s, tuple(sorted(by_place.values(), key=_rank)), profile)
+    findings = tuple(sorted(by_place.values(), key=_rank))
+    return CheckOutcome(path, path.expected_s, findings, profile, based)
+
+
+def _unknown_frames(content: Trajectory, arm: ArmModel) -> Iterator[Finding]:
+    known = dict(arm.frames)
+    for row, point in enumerate(content.points):
+        if point.frame and point.frame not in known:
+            yield replace(FRAME_UNKNOWN(name=point.frame), row=row)
 
 
 def _rank(finding: Finding) -> tuple[bool, int]:

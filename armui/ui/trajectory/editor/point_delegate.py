@@ -27,7 +27,7 @@ from PySide6.QtWidgets import (
 )
 
 from armui.trajectory.files.log_points import LETTERS
-from armui.trajectory.points.cells import VALUES, PointColumn
+from armui.trajectory.points.cells import IN_FRAME, VALUES, PointColumn
 from armui.ui.trajectory.editor.points_model import PointsModel
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import in_row
@@ -88,7 +88,7 @@ class MoveEditor(QComboBox):
 
     def set_text(self, text: str) -> None:
         """Choose what stood in the cell."""
-        self.setCurrentText(text)
+        self.setCurrentText(text.partition(IN_FRAME)[0])
 
 
 class _Row(Translated, QWidget):

@@ -29,6 +29,8 @@ _WIDTHS_PX: Final = {
     PointColumn.GRIPPER: 128,
     PointColumn.LIGHT: 96,
 }
+_FRAME_PX: Final = 170
+"""The most that the name of a frame takes of the table by itself."""
 
 
 class PointsTable(QTableView):
@@ -90,6 +92,12 @@ class PointsTable(QTableView):
     def show_middle(self, *, wanted: bool) -> None:
         """Show or hide the column of the arcs' middle poses."""
         self.setColumnHidden(PointColumn.MIDDLE, not wanted)
+
+    def show_frames(self) -> None:
+        """Make room for the names of user frames beside the kinds of motion."""
+        wanted = min(self.sizeHintForColumn(PointColumn.MOVE), _FRAME_PX)
+        if wanted > self.columnWidth(PointColumn.MOVE):
+            self.setColumnWidth(PointColumn.MOVE, wanted)
 
     # Rows -------------------------------------------------------------------------------------
 

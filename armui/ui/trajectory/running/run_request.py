@@ -111,8 +111,8 @@ class Preflight:
 
     @property
     def content(self) -> Content:
-        """The trajectory or recording that was checked."""
-        return self.order.content
+        """The recording or trajectory as it was checked: with all its points in the base."""
+        return self.outcome.in_base or self.order.content
 
     @property
     def path(self) -> PlannedPath:
