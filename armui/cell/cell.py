@@ -9,6 +9,7 @@ from armui.arm.refusal import Reason, Refusal
 from armui.cell.checks import check_name, check_names
 from armui.cell.gripper_table import GripperTable, Pairs, check_gripper_table
 from armui.cell.tools import Tool, check_tool
+from armui.cell.user_frames import UserFrame, check_user_frame
 from armui.cell.work_area import Area, check_area
 
 CELL_CHOICE_BAD = Reason(
@@ -27,6 +28,8 @@ class Cell:
         gripper_table: The gripper's openings, asked for and measured with callipers, mm.
         gripper_calibrated: True if that table is applied.
         area: Where the arm may go.
+        frames: Its user frames, in the order of the list.
+        frame: The name of the one that poses are shown and typed in; "" for the base.
     """
 
     name: str
@@ -35,6 +38,8 @@ class Cell:
     gripper_table: Pairs = ()
     gripper_calibrated: bool = False
     area: Area = field(default_factory=Area)
+    frames: tuple[UserFrame, ...] = ()
+    frame: str = ""
 
     @property
     def is_empty(self) -> bool:
@@ -44,7 +49,12 @@ class Cell:
     @property
     def chosen_tool(self) -> Tool | None:
         """The chosen tool, or ``None`` for the bare flange."""
-        return next((tool for tool in self.tools if tool.name == self.tool), None)
+        return self.tool_named(self.tool)
+
+    @property
+    def chosen_frame(self) -> UserFrame | None:
+        """The chosen user frame, or ``None`` for the base."""
+        return self.frame_named(self.frame)
 
     @property
     def gripper(self) -> GripperTable | None:
@@ -54,6 +64,10 @@ class Cell:
     def tool_named(self, name: str) -> Tool | None:
         """Return a tool by its name, or ``None``."""
         return next((tool for tool in self.tools if tool.name == name), None)
+
+    def frame_named(self, name: str) -> UserFrame | None:
+        """Return a user frame by its name, or ``None``."""
+        return next((frame for frame in self.frames if frame.name == name), None)
 
 
 def with_tool(cell: Cell, tool: Tool, *, instead_of: str = "") -> Cell:
@@ -76,6 +90,27 @@ def without_tool(cell: Cell, name: str) -> Cell:
     return replace(cell, tools=tools, tool="" if cell.tool == name else cell.tool)
 
 
+def with_frame(cell: Cell, frame: UserFrame, *, instead_of: str = "") -> Cell:
+    """Return a cell with a further user frame, or with one in the place of another.
+
+    Args:
+        cell: The cell.
+        frame: The frame; it is chosen if it is new, or if the one it replaces was.
+        instead_of: The name of the frame that it replaces; "" adds it.
+    """
+    if not instead_of:
+        return replace(cell, frames=(*cell.frames, frame), frame=frame.name)
+    frames = tuple(frame if each.name == instead_of else each for each in cell.frames)
+    chosen = frame.name if cell.frame == instead_of else cell.frame
+    return replace(cell, frames=frames, frame=chosen)
+
+
+def without_frame(cell: Cell, name: str) -> Cell:
+    """Return a cell without a user frame; if it was the chosen one, the base is chosen."""
+    frames = tuple(each for each in cell.frames if each.name != name)
+    return replace(cell, frames=frames, frame="" if cell.frame == name else cell.frame)
+
+
 def check_cell(cell: Cell) -> Refusal | None:
     """Return why a cell is not possible as a whole, or ``None``."""
     refusals: Sequence[Refusal | None] = (
@@ -85,6 +120,9 @@ def check_cell(cell: Cell) -> Refusal | None:
         _check_choice(cell.tool, cell.chosen_tool),
         check_gripper_table(cell.gripper_table, used=cell.gripper_calibrated),
         check_area(cell.area),
+        check_names(frame.name for frame in cell.frames),
+        *(check_user_frame(frame) for frame in cell.frames),
+        _check_choice(cell.frame, cell.chosen_frame),
     )
     return next((each for each in refusals if each is not None), None)
 

@@ -8,14 +8,14 @@ from __future__ import annotations
 
 import errno
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
 from armui.arm.json_fields import FieldError, FieldProblem, Fields
 from armui.arm.refusal import Reason, Refusal
-from armui.cell import gripper_table, tools, work_area
+from armui.cell import gripper_table, tools, user_frames, work_area
 from armui.cell.cell import Cell, check_cell
 from armui.cell.work_area import Area
 from armui.system.atomic import write_whole
@@ -172,6 +172,8 @@ def _entries(cell: Cell) -> dict[str, object]:
         "gripper_table": gripper_table.to_entries(cell.gripper_table),
         "gripper_calibrated": int(cell.gripper_calibrated),
         "area": work_area.to_entry(cell.area),
+        "frames": [user_frames.to_entry(frame) for frame in cell.frames],
+        "frame": cell.frame,
     }
 
 
@@ -187,19 +189,24 @@ def _cell(fields: Fields, name: str) -> Cell:
         raise fields.wrong("version", CELL_VERSION(version=version, known=VERSION))
     cell = Cell(
         name,
-        tools=tuple(map(tools.from_entry, fields.objects("tools"))) if "tools" in fields else (),
+        tools=tuple(map(tools.from_entry, _objects(fields, "tools"))),
         tool=fields.text("tool", ""),
-        gripper_table=gripper_table.from_entries(
-            fields.objects("gripper_table") if "gripper_table" in fields else ()
-        ),
+        gripper_table=gripper_table.from_entries(_objects(fields, "gripper_table")),
         gripper_calibrated=bool(fields.whole("gripper_calibrated", 0, (0, 1))),
         area=work_area.from_entry(fields.object("area")) if "area" in fields else Area(),
+        frames=tuple(map(user_frames.from_entry, _objects(fields, "frames"))),
+        frame=fields.text("frame", ""),
     )
     fields.nothing_else()
     refusal = check_cell(cell)
     if refusal is not None:
         raise FieldError(FieldProblem.BAD, (), refusal=refusal)
     return cell
+
+
+def _objects(fields: Fields, name: str) -> Sequence[Fields]:
+    """Return the objects of a list; none of a part that older files do not have."""
+    return tuple(fields.objects(name)) if name in fields else ()
 
 
 def _flat(place: str, value: object) -> Iterator[tuple[str, object]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Final
 
 from armui.arm.json_fields import finite
@@ -22,6 +22,9 @@ CELL_FIGURE_BAD = Reason(
 )
 
 LONGEST_NAME: Final = 40
+FIGURES: Final = ("x_mm", "y_mm", "z_mm", "rx_deg", "ry_deg", "rz_deg")
+"""The figures of a pose as a cell's file names them."""
+_TURN_DEG: Final = 180.0
 _PORTS: Final = [f"{port}{number}" for port in ("com", "lpt") for number in range(10)]
 _DEVICES: Final = frozenset(("con", "prn", "aux", "nul", *_PORTS))
 """Names that Windows keeps for devices, with any suffix."""
@@ -68,6 +71,22 @@ def check_figure(
         return None
     shown = str(value)[:LONGEST_NAME] if figure is None else figure
     return CELL_FIGURE_BAD(name=name, field=field, value=shown, minimum=minimum, maximum=maximum)
+
+
+def check_pose(name: str, pose: Sequence[float], furthest_mm: float) -> Refusal | None:
+    """Return why the figures of a pose are not possible, or ``None``.
+
+    Args:
+        name: The thing that it belongs to.
+        pose: X, Y, Z in mm, RX, RY, RZ in degrees.
+        furthest_mm: The most of X, Y and Z.
+    """
+    mosts = (furthest_mm,) * 3 + (_TURN_DEG,) * 3
+    checks = (
+        check_figure(name, field, value, -most, most)
+        for field, value, most in zip(FIGURES, pose, mosts, strict=True)
+    )
+    return next(filter(None, checks), None)
 
 
 def _stands_alone(name: str) -> bool:

@@ -9,12 +9,9 @@ from typing import Final
 
 from armui.arm.json_fields import Fields
 from armui.arm.refusal import Refusal
-from armui.cell.checks import check_figure
+from armui.cell.checks import FIGURES, check_figure, check_pose
 from armui.setting_checks import TOOL_LONGEST_MM
 
-FIGURES: Final = ("x_mm", "y_mm", "z_mm", "rx_deg", "ry_deg", "rz_deg")
-"""The figures of a pose as a cell's file names them."""
-_TURN_DEG: Final = 180.0
 _THICKEST_MM: Final = 200.0
 NO_TOOL: Final = (0.0,) * 6
 
@@ -42,12 +39,8 @@ class Tool:
 
 def check_tool(tool: Tool) -> Refusal | None:
     """Return why the figures of a tool are not possible, or ``None``."""
-    for place, (field, value) in enumerate(zip(FIGURES, tool.pose, strict=True)):
-        most = TOOL_LONGEST_MM if place < 3 else _TURN_DEG
-        refusal = check_figure(tool.name, field, value, -most, most)
-        if refusal is not None:
-            return refusal
-    return check_figure(tool.name, "radius_mm", tool.radius_mm, 0.0, _THICKEST_MM)
+    refusal = check_pose(tool.name, tool.pose, TOOL_LONGEST_MM)
+    return refusal or check_figure(tool.name, "radius_mm", tool.radius_mm, 0.0, _THICKEST_MM)
 
 
 def to_entry(tool: Tool) -> Mapping[str, object]:

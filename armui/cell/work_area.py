@@ -8,8 +8,7 @@ from typing import Final, TypeVar
 
 from armui.arm.json_fields import Fields
 from armui.arm.refusal import Reason, Refusal
-from armui.cell.checks import check_figure, check_names
-from armui.cell.tools import FIGURES
+from armui.cell.checks import FIGURES, check_figure, check_names, check_pose
 
 AREA_TOO_MANY = Reason(
     "area_too_many",
@@ -21,7 +20,6 @@ MOST_BOXES: Final = 100
 MARGIN_MM: Final = 10.0
 """The distance that the arm keeps from planes and boxes unless another one is chosen."""
 _FURTHEST_MM: Final = 5000.0
-_TURN_DEG: Final = 180.0
 _SMALLEST_MM: Final = 1.0
 _LEAST_MARGIN_MM: Final = 2.0
 """Ways are looked at in steps that are too short to hide 1 mm: with this margin nothing touches."""
@@ -142,17 +140,13 @@ def check_area(area: Area) -> Refusal | None:
 
 
 def _check_zone(zone: Zone) -> Refusal | None:
-    for place, (field, value) in enumerate(zip(FIGURES, zone.pose, strict=True)):
-        most = _FURTHEST_MM if place < 3 else _TURN_DEG
-        refusal = check_figure(zone.name, field, value, -most, most)
-        if refusal is not None:
-            return refusal
-    if isinstance(zone, AreaBox):
+    refusal = check_pose(zone.name, zone.pose, _FURTHEST_MM)
+    if refusal is None and isinstance(zone, AreaBox):
         for field, value in zip(_SIZES, zone.size_mm, strict=True):
             refusal = check_figure(zone.name, field, value, _SMALLEST_MM, _FURTHEST_MM)
             if refusal is not None:
                 return refusal
-    return None
+    return refusal
 
 
 def to_entry(area: Area) -> Mapping[str, object]:

@@ -107,6 +107,21 @@ def flange_pose(tool_point: Sequence[float], tool: Sequence[float]) -> Pose:
     return matrix_to_pose(flange_matrix(pose_to_matrix(tool_point), tool))
 
 
+def to_base(pose: Sequence[float], frame: Sequence[float]) -> Pose:
+    """Return a pose of a frame as one of the base.
+
+    Args:
+        pose: X, Y, Z in mm, RX, RY, RZ in degrees, in the frame.
+        frame: The frame's own pose in the base, likewise.
+    """
+    return tool_pose(frame, pose)
+
+
+def from_base(pose: Sequence[float], frame: Sequence[float]) -> Pose:
+    """Return a pose of the base as one of a frame; see :func:`to_base`."""
+    return matrix_to_pose(np.linalg.inv(pose_to_matrix(frame)) @ pose_to_matrix(pose))
+
+
 def shifted(tool_point: Matrix, axis: int, amount: float, frame: JogFrame) -> Matrix:
     """Return a transform moved along, or turned about, one axis of a frame.
 

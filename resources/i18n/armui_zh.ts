@@ -9972,6 +9972,10 @@ The other program must have ended.</source>
         <translation>点动步长：“{value}”不是角度。请输入以度为单位的数字，例如 0.5。</translation>
     </message>
     <message>
+        <source>The three points lie nearly in line: the third is {value}° off the X axis, at least {minimum}° are needed. Take the point on the +Y side again, further to the side.</source>
+        <translation>三点几乎共线：第三点偏离 X 轴只有 {value}°，至少需要 {minimum}°。请在 +Y 一侧更偏的位置重新采集该点。</translation>
+    </message>
+    <message>
         <source>A folder needs a name. Enter one.</source>
         <translation>文件夹需要名称。请输入。</translation>
     </message>
@@ -10578,6 +10582,10 @@ The other program must have ended.</source>
     <message>
         <source>Cancelled. The recording itself is complete, as .blf.</source>
         <translation>已取消。录制本身完整，保存为 .blf。</translation>
+    </message>
+    <message>
+        <source>The point for {point} is {value} mm from the origin; at least {minimum} mm are needed. Take it again, further away.</source>
+        <translation>用于 {point} 的点距原点只有 {value} mm，至少需要 {minimum} mm。请到更远处重新采集。</translation>
     </message>
     <message>
         <source>The last minutes are being saved already. Wait a moment.</source>
