@@ -38,8 +38,12 @@ JSON_BAD = Reason("json_bad", "This is not valid JSON: {text}.")
 
 _KINDS: Final = ("armui trajectory", "armui recording")
 _EMPTY: Final = {
-    **{"note": "", "gripper": None, "light": None, "comments": ()},
-    **{"frame": "", "holds": None},
+    "note": "",
+    "gripper": None,
+    "light": None,
+    "comments": (),
+    "frame": "",
+    "holds": None,
 }
 """Fields of a point that are omitted when they hold this value."""
 

@@ -33,7 +33,8 @@ LINE_UNKNOWN = Reason(
 )
 OPTION_UNKNOWN = Reason(
     "option_unknown",
-    "“{value}” is not an option of a point; use frame, speed, dwell, gripper, holds, light or note.",
+    "“{value}” is not an option of a point; use frame, speed, dwell, gripper, holds, light or "
+    "note.",
 )
 OPTION_TWICE = Reason("option_twice", "“{value}” is given twice. Keep one.")
 TEXT_UNCLOSED = Reason("text_unclosed", "The closing quotation mark is missing.")

@@ -11,7 +11,7 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, fields
 from datetime import UTC, datetime
-from itertools import starmap
+from itertools import chain, starmap
 from operator import attrgetter
 from typing import Any, Final, NamedTuple
 
@@ -283,21 +283,15 @@ def check_point(point: Waypoint) -> Refusal | None:
         return POINT_INCOMPLETE(field="target", value=len(point.target))
     if arc != (point.middle is not None) or (arc and len(point.middle or ()) != VALUE_COUNT):
         return POINT_INCOMPLETE(field="middle", value=len(point.middle or ()))
-    for field, value in point.figures():
-        refusal = check_figure(field, value)
-        if refusal is not None:
-            return refusal
     if point.frame and point.is_joint:
         return POINT_FRAME_OF_JOINTS(name=point.frame)
-    for name in filter(None, (point.frame, point.holds)):
-        refusal = check_cell_name(name)
-        if refusal is not None:
-            return refusal
-    for comment in point.comments:
-        refusal = check_text("comment", comment, lines=1)
-        if refusal is not None:
-            return refusal
-    return check_text("note", point.note)
+    refusals = chain(
+        starmap(check_figure, point.figures()),
+        map(check_cell_name, filter(None, (point.frame, point.holds))),
+        (check_text("comment", comment, lines=1) for comment in point.comments),
+        (check_text("note", point.note),),
+    )
+    return next((each for each in refusals if each is not None), None)
 
 
 def check_name(name: str) -> Refusal | None:

@@ -145,8 +145,9 @@ class PointEdits(QObject):
             angles_deg = self._controller.state.angles_deg() or _ZERO
             return Waypoint(MoveMode.MOVE_J, tuple(angles_deg))
         point = self._document.points[rows[0]]
-        bare = {"gripper": None, "light": None, "holds": None, "note": "", "comments": ()}
-        return replace(point, dwell_s=0.0, **bare)
+        return Waypoint(
+            point.move, point.target, point.middle, point.speed_percent, frame=point.frame
+        )
 
     def _measured(self, point: Waypoint) -> Waypoint | Refusal:
         """A point moved to where the arm is measured now."""
@@ -157,12 +158,12 @@ class PointEdits(QObject):
         values = state.angles_deg() if point.is_joint else state.end_pose()
         if values is None:
             return JOINTS_UNKNOWN()
-        refusal = why_unknown((point,), self.frames())
-        if refusal is not None:
-            return refusal
-        if point.frame:
-            values = pose_in_frame(values, point.frame, self.frames())
-        return replace(point, target=tuple(values))
+        if not point.frame:
+            return replace(point, target=tuple(values))
+        frames = self.frames()
+        return why_unknown((point,), frames) or replace(
+            point, target=pose_in_frame(values, point.frame, frames)
+        )
 
     def _measured_gripper(self) -> GripperAction | Refusal:
         """The gripper's action that leads to where it is measured now."""
@@ -238,11 +239,13 @@ class PointEdits(QObject):
         model = self._controller.cartesian.kinematics()
         points, measured_deg = self._document.points, self._measured_deg()
         based = self._in_frame(points[row], "")
-        above = self._in_frame(points[row - 1], "") if row else None
-        if isinstance(based, Refusal) or isinstance(above, Refusal):
-            return based if isinstance(based, Refusal) else above
+        above = self._in_frame(points[max(row - 1, 0)], "")
+        if isinstance(based, Refusal):
+            return based
+        if isinstance(above, Refusal):
+            return above
         near_deg = joints_above(points, row, measured_deg)
-        before = pose_of(above, model) if above is not None else model.forward(measured_deg)
+        before = pose_of(above, model) if row else model.forward(measured_deg)
         result = to_move(based, move, model, near_deg, before)
         if isinstance(result, Refusal):
             return result

@@ -18,8 +18,8 @@ from armui.arm.refusal import Refusal
 from armui.protocol.codes import ALL_LAMPS, MoveMode
 from armui.trajectory.files.log_points import LETTERS
 from armui.trajectory.files.text import number
-from armui.trajectory.points import edits
 from armui.trajectory.planning.user_frames import Frames, why_unknown
+from armui.trajectory.points import edits
 from armui.trajectory.points.cells import (
     IN_FRAME,
     VALUES,
@@ -132,8 +132,9 @@ class PointsModel(TableModel):
         if column is PointColumn.MOVE and why_unknown((point,), self._frames()) is not None:
             return f"{shown(point, column)} ?"
         if column is PointColumn.GRIPPER and point.holds is not None:
-            holds = self.tr("holds {name}") if point.holds else self.tr("holds nothing")
-            return ", ".join(filter(None, (_gripper(point.gripper), holds.format(name=point.holds))))
+            text = self.tr("holds {name}") if point.holds else self.tr("holds nothing")
+            told = (_gripper(point.gripper), text.format(name=point.holds))
+            return ", ".join(filter(None, told))
         return shown(point, column)
 
     def _tip(self, point: Waypoint, column: PointColumn) -> str:
