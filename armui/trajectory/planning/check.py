@@ -67,8 +67,7 @@ _COLLISION_STEP_DEG: Final = 2.0
 FRAME_UNKNOWN = FindingKind(
     "frame_unknown",
     "The point is in the user frame “{name}”, which the cell has not: where it is cannot be told. "
-    "Choose the cell that has it, make a frame of this name under Cell, or give the point another "
-    "frame.",
+    "Choose the cell that has it, or make a frame of this name under Cell.",
     Severity.ERROR,
 )
 EMPTY = FindingKind("empty", "There is nothing to run. Add points, or record.", Severity.ERROR)

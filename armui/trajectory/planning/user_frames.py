@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 
 POINT_FRAME_UNKNOWN = Reason(
     "point_frame_unknown",
-    "The cell has no user frame “{name}”, which the point is in. Choose the cell that has it, make "
-    "a frame of this name under Cell, or give the point another frame.",
+    "The cell has no user frame “{name}”, which the point is in. Choose the cell that has it, or "
+    "make a frame of this name under Cell.",
 )
 
 Frames = Mapping[str, Values]
