@@ -19,6 +19,7 @@ from armui.arm.models import model_data
 from armui.arm.refusal import Reason, Refusal
 from armui.cell.clearance import box_gaps, plane_gaps
 from armui.cell.enclosure import Body, Capsule, Capsules, body_of, enclose
+from armui.cell.held_shape import held_shape
 from armui.cell.work_area import Area, Zone
 from armui.kinematics.poses import pose_to_matrix
 
@@ -79,6 +80,10 @@ class AreaCheck:
         self._boxes = _frames(self._area.boxes)
         self._sizes_mm = np.array([box.size_mm for box in self._area.boxes]).reshape(-1, 3)
         self._reaches_mm = _reaches_mm(body)
+        names = [zone.name for zone in self._area.zones]
+        self._skipped = np.array(
+            [[name in each.skips for name in names] for each in body.capsules]
+        ).reshape(len(body.capsules), len(names))
 
     @property
     def is_free(self) -> bool:
@@ -211,7 +216,10 @@ class AreaCheck:
         capsules = enclose(body or self._body, joints_deg)
         planes = plane_gaps(capsules, self._planes)
         boxes = box_gaps(capsules, self._boxes, self._sizes_mm, near_mm)
-        return np.concatenate((planes, boxes), axis=2), capsules
+        gaps = np.concatenate((planes, boxes), axis=2)
+        if body is None:
+            gaps[:, self._skipped] = np.inf
+        return gaps, capsules
 
     def _why(
         self, near: npt.NDArray[np.bool_], gaps: Array, inside: bool, capsules: Capsules
@@ -252,6 +260,19 @@ def carried_body(
         radius_mm = 0.0 if chosen is None else chosen.radius_mm
         tip = tuple(tool[:3])
         body = body.with_more(Capsule("tool", _FLANGE, (0.0, 0.0, 0.0), tip, radius_mm))
+    held = None if cell is None else cell.held_object
+    if cell is not None and held is not None:
+        shape, area = held_shape(held), cell.area
+        touched = frozenset(held.may_touch)
+        for rods, others in ((shape.hull, area.planes), (shape.edges, area.boxes)):
+            # planes are asked of the edges, which are exact, boxes of the hull
+            skips = touched | {zone.name for zone in others}
+            body = body.with_more(
+                *(
+                    Capsule("held object", _FLANGE, rod.start_mm, rod.end_mm, rod.radius_mm, skips)
+                    for rod in rods
+                )
+            )
     return body
 
 

@@ -32,10 +32,11 @@ def framed(point: Waypoint, frame=TABLE, name="Table") -> Waypoint:
 
 
 @given(POSES, POSES, POSES)
-def test_a_point_is_where_its_frame_carries_it(frame, target, middle):
+def test_a_point_is_where_its_frame_carries_it(frame, target, middle) -> None:
     there = Waypoint(MoveMode.MOVE_C, target, middle, note="kept", frame="a")
     (based,) = in_base((there,), {"a": frame})
     assert (based.frame, based.move, based.note) == ("", MoveMode.MOVE_C, "kept")
+    assert based.middle is not None
     for ours, theirs in ((based.target, target), (based.middle, middle)):
         off_mm, off_deg = apart(ours, carried(frame, theirs))
         assert off_mm < 1e-6

@@ -16,10 +16,10 @@ from armui.cell.tools import NO_TOOL, Tool
 from armui.control.arm_controller import ArmController
 from armui.control.cell.cell_control import CellControl
 from armui.control.operations.operation import operation_of
-from armui.kinematics.axes import AXES, LINEAR_AXES
+from armui.kinematics.axes import AXES
 from armui.ui import format as fmt
 from armui.ui.actions.command import Command, Target
-from armui.ui.panels.cell.cell_tab import Answered, CellTab, CurrentStack
+from armui.ui.panels.cell.cell_tab import Answered, CellTab, CurrentStack, figures, pose_grid
 from armui.ui.panels.cell.tip_by_points import TipByPoints
 from armui.ui.widgets.buttons import (
     caption,
@@ -103,19 +103,12 @@ class ToolsTab(CellTab):
         grid.addWidget(self._radius_label, 2, 0)
         grid.addWidget(self._radius, 2, 1)
         grid.setColumnStretch(1, 1)
-        figures = empty_grid(gaps=(6, 4), margins=0)
-        for place, (axis, field) in enumerate(zip(AXES, self._fields, strict=True)):
-            row, column = place // LINEAR_AXES, 2 * (place % LINEAR_AXES)
-            field.setMinimumWidth(_NARROW_PX)
-            figures.addWidget(QLabel(axis), row, column)
-            figures.addWidget(field, row, column + 1)
-            figures.setColumnStretch(column + 1, 1)
         for button in (self._apply, self._add, self._delete):
             button.setMinimumWidth(_NARROW_PX)
         self._choice.setMinimumWidth(_NARROW_PX)
         buttons = in_row((self._apply, 1), (self._add, 1), (self._delete, 1), spacing=6)
         typed = QWidget()
-        parts = (self._next, grid, figures, self._capsule, buttons, STRETCH)
+        parts = (self._next, grid, pose_grid(self._fields), self._capsule, buttons, STRETCH)
         in_column(*parts, on=typed, spacing=8, margins=0)
         self._ways.addWidget(typed)
         self._ways.addWidget(self._by_points)
@@ -180,11 +173,8 @@ class ToolsTab(CellTab):
 
     def typed(self) -> Tool:
         """Return the tool as typed; an empty field counts as 0, a text as itself."""
-        figures = [
-            field.text() if field.is_nonsense() else field.value or 0.0
-            for field in (*self._fields, self._radius)
-        ]
-        return Tool(self._name.text().strip(), tuple(figures[:6]), figures[6])  # type: ignore[arg-type]
+        pose, radius = figures(self._fields), figures([self._radius])
+        return Tool(self._name.text().strip(), pose, *radius)
 
     # -- appearance ---------------------------------------------------------------------------
 
