@@ -3982,6 +3982,10 @@
         <translation>该点位于用户坐标系“{name}”中，而当前单元没有这个坐标系，无法确定其位置。请选择含有该坐标系的单元，或在“单元”中新建同名坐标系。</translation>
     </message>
     <message>
+        <source>From here on the hand holds “{name}”, which the cell has not: how large it is cannot be told. Choose the cell that has it, or add it under Cell, Held.</source>
+        <translation>从该点起夹爪夹着“{name}”，而当前单元没有这个工件，无法确定其大小。请选择含有该工件的单元，或在“单元”的“工件”中添加。</translation>
+    </message>
+    <message>
         <source>Joint {joint} jumps {value}° from the sample before. Trim the recording there, or record again.</source>
         <translation>关节 {joint} 与上一采样相差 {value}°。请在此处裁剪，或重新录制。</translation>
     </message>
@@ -4723,6 +4727,18 @@
     <message>
         <source>Angle</source>
         <translation>角度</translation>
+    </message>
+    <message>
+        <source>Holds as before</source>
+        <translation>夹持不变</translation>
+    </message>
+    <message>
+        <source>Holds nothing</source>
+        <translation>从此不夹工件</translation>
+    </message>
+    <message>
+        <source>What the hand holds from this point on</source>
+        <translation>从该点起夹爪夹着的工件</translation>
     </message>
 </context>
 <context>
@@ -8538,11 +8554,11 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
     <message>
         <source>holds {name}</source>
-        <translation>夹持 {name}</translation>
+        <translation>夹着 {name}</translation>
     </message>
     <message>
         <source>holds nothing</source>
-        <translation>夹持：无</translation>
+        <translation>不夹工件</translation>
     </message>
     <message>
         <source>Its place counts from the user frame “{name}” of the cell.</source>

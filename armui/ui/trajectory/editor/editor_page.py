@@ -18,7 +18,6 @@ from armui.protocol.codes import MoveMode
 from armui.trajectory.files.errors import TrajectoryFileError
 from armui.trajectory.library.folders import shown_folder
 from armui.trajectory.planning.findings import Severity
-from armui.trajectory.planning.user_frames import frames_of
 from armui.trajectory.points.edits import Change
 from armui.trajectory.points.program import Trajectory, Waypoint, speeds_of
 from armui.ui import words
@@ -152,9 +151,10 @@ class EditorPage(Page):
         self._tells_saved = False
         self._folder = ""
         self.document = Document(trajectory, self)
-        self._frames = frames_of(controller.cell.cell)
-        self.model = PointsModel(self.document, self._to_move, lambda: self._frames, self)
+        self.model = PointsModel(self.document, self._to_move, self)
         self.table = PointsTable(self.model)
+        self._cell = controller.cell.cell
+        self.model.show_cell(self._cell)
         self._edits = PointEdits(controller, self.document, self.table)
         self._drafts = DraftKeeper(self.document, work)
         self._find_bar = FindBar()
@@ -185,7 +185,7 @@ class EditorPage(Page):
             self._take_draft(draft)
         self._show_count()
         self.table.show_middle(wanted=_has_arcs(self.document.points))
-        self.table.show_frames()
+        self.table.show_names()
         self.table.select_row(0)
         if not self.document.points:
             self._actions["jog"].trigger()
@@ -380,15 +380,16 @@ class EditorPage(Page):
         """What was found and planned was of other points."""
         if _has_arcs(change.added):
             self.table.show_middle(wanted=True)
-        self.table.show_frames()
+        self.table.show_names()
         self._forget_check()
 
     def _on_cell_changed(self, cell: Cell | None) -> None:
-        """What was found of points in frames was found where these were before."""
-        frames, before = frames_of(cell), self._frames
-        self._frames = frames
-        if frames != before and any(point.frame for point in self.document.points):
-            self.model.show_frames()
+        """What was found of points that name something of the cell was found with another one."""
+        before, self._cell = self._cell, cell
+        if _named_by_points(cell) == _named_by_points(before):
+            return
+        self.model.show_cell(cell)
+        if any(point.frame or point.holds is not None for point in self.document.points):
             self.model.show_faults({})
             self._forget_check()
 
@@ -585,6 +586,10 @@ class EditorPage(Page):
 def _height_of(part: QWidget, width_px: int) -> int:
     layout = part.layout()
     return 0 if layout is None else layout.totalHeightForWidth(width_px)
+
+
+def _named_by_points(cell: Cell | None) -> tuple[object, ...]:
+    return () if cell is None else (cell.frames, cell.held_objects)
 
 
 def _has_arcs(points: Iterable[Waypoint]) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 from PySide6.QtCore import (
     QMimeData,
@@ -18,7 +18,7 @@ from armui.arm.refusal import Refusal
 from armui.protocol.codes import ALL_LAMPS, MoveMode
 from armui.trajectory.files.log_points import LETTERS
 from armui.trajectory.files.text import number
-from armui.trajectory.planning.user_frames import Frames, why_unknown
+from armui.trajectory.planning.user_frames import Frames, frames_of, why_unknown
 from armui.trajectory.points import edits
 from armui.trajectory.points.cells import (
     IN_FRAME,
@@ -41,6 +41,9 @@ from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.trajectory.editor.document import Document
 from armui.ui.widgets.table_model import LEFT, RIGHT, Index, TableModel
+
+if TYPE_CHECKING:
+    from armui.cell.cell import Cell
 
 ROWS_MIME: Final = "application/x-armui-rows"
 
@@ -71,7 +74,6 @@ class PointsModel(TableModel):
     Args:
         document: The document with the points.
         to_move: Converts a point when its kind of motion is changed.
-        frames: Returns the user frames of the cell.
 
     Signals:
         refused: An index and the :class:`Refusal` of the entry.
@@ -82,17 +84,12 @@ class PointsModel(TableModel):
     moved = Signal(int, int)
     _columns = len(PointColumn)
 
-    def __init__(
-        self,
-        document: Document,
-        to_move: ToMove,
-        frames: Callable[[], Frames],
-        parent: QObject | None = None,
-    ) -> None:
+    def __init__(self, document: Document, to_move: ToMove, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._document = document
         self._to_move = to_move
-        self._frames = frames
+        self._frames: Frames = {}
+        self.held_names: Sequence[str] = ()
         self._points = document.points
         self._current = -1
         self._faults: Mapping[int, bool] = {}
@@ -129,7 +126,7 @@ class PointsModel(TableModel):
             and point.light.lamp == ALL_LAMPS
         ):
             return self.tr("J{joint} all").format(joint=point.light.joint)
-        if column is PointColumn.MOVE and why_unknown((point,), self._frames()) is not None:
+        if column is PointColumn.MOVE and why_unknown((point,), self._frames) is not None:
             return f"{shown(point, column)} ?"
         if column is PointColumn.GRIPPER and point.holds is not None:
             text = self.tr("holds {name}") if point.holds else self.tr("holds nothing")
@@ -143,7 +140,7 @@ class PointsModel(TableModel):
             allowed = RANGES[name]
             return f"{name}: {allowed.minimum:g} – {allowed.maximum:g} {allowed.unit}"
         if column is PointColumn.MOVE and point.frame:
-            unknown = why_unknown((point,), self._frames())
+            unknown = why_unknown((point,), self._frames)
             if unknown is not None:
                 return words.refusal(unknown)
             text = self.tr("Its place counts from the user frame “{name}” of the cell.")
@@ -299,8 +296,10 @@ class PointsModel(TableModel):
             self.dataChanged.emit(self.index(first, 0), self.index(last, len(PointColumn) - 1))
             self.headerDataChanged.emit(Qt.Orientation.Vertical, first, last)
 
-    def show_frames(self) -> None:
-        """Mark anew which points are in frames that the cell has not."""
+    def show_cell(self, cell: Cell | None) -> None:
+        """Mark the points that name what the cell has not, and offer what it has."""
+        self._frames = frames_of(cell)
+        self.held_names = () if cell is None else [each.name for each in cell.held_objects]
         self._redraw((0, len(self._points) - 1))
 
     def retranslate(self) -> None:

@@ -29,8 +29,8 @@ _WIDTHS_PX: Final = {
     PointColumn.GRIPPER: 128,
     PointColumn.LIGHT: 96,
 }
-_FRAME_PX: Final = 170
-"""The most that the name of a frame takes of the table by itself."""
+_NAMES_PX: Final = {PointColumn.MOVE: 170, PointColumn.GRIPPER: 220}
+"""The most that names of the cell's frames and objects take of the table by themselves."""
 
 
 class PointsTable(QTableView):
@@ -93,11 +93,12 @@ class PointsTable(QTableView):
         """Show or hide the column of the arcs' middle poses."""
         self.setColumnHidden(PointColumn.MIDDLE, not wanted)
 
-    def show_frames(self) -> None:
-        """Make room for the names of user frames beside the kinds of motion."""
-        wanted = min(self.sizeHintForColumn(PointColumn.MOVE), _FRAME_PX)
-        if wanted > self.columnWidth(PointColumn.MOVE):
-            self.setColumnWidth(PointColumn.MOVE, wanted)
+    def show_names(self) -> None:
+        """Make room for the names of things of the cell that points belong to or hold."""
+        for column, most_px in _NAMES_PX.items():
+            wanted_px = min(self.sizeHintForColumn(column), most_px)
+            if wanted_px > self.columnWidth(column):
+                self.setColumnWidth(column, wanted_px)
 
     # Rows -------------------------------------------------------------------------------------
 

@@ -1,18 +1,20 @@
-"""Points in user frames of the cell: shown and edited there, their places kept, the way checked."""
+"""Points that name things of the cell: user frames, which keep their places, and what is held."""
 
 import math
+from dataclasses import replace
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QListWidget, QMenu
 
 from armui.cell.cell import Cell, with_frame, without_frame
+from armui.cell.held_objects import HeldObject
 from armui.cell.user_frames import UserFrame
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codes import MoveMode
 from armui.trajectory.points.cells import PointColumn
-from armui.trajectory.points.program import Waypoint
+from armui.trajectory.points.program import GripperOpening, Waypoint
 from tests.accepted import accepted
 from tests.family import PIPER
 from tests.operator.editor.actions import BACK, CTRL, OUT, SHIFT, Editor, to
@@ -194,3 +196,43 @@ def test_the_run_ends_where_the_frame_is(app_driver):
         app_driver.run_until(lambda: not app_driver.controller.player.running, seconds=60.0)
         end = MODEL.forward(app_driver.firmware.joints_deg)
         assert apart(end, carried(frame.pose, taught))[0] < 0.01
+
+
+CUBE = HeldObject("Cube", (0.0, 0.0, 150.0, 0.0, 0.0, 0.0))
+
+
+def test_what_the_hand_holds_is_chosen_beside_the_gripper(editor):
+    control = editor.app_driver.controller.cell
+    accepted(control.change(replace(BENCH, held_objects=(CUBE,))))
+    field = editor.edit(0, PointColumn.GRIPPER)
+    assert [field.holds.itemText(place) for place in range(field.holds.count())] == [
+        *("Holds as before", "Holds nothing", "Cube")
+    ]
+    field.kind.setCurrentIndex(1)
+    field.place.setText("20")
+    field.holds.setCurrentIndex(2)
+    editor.enter(field)
+    assert (editor.points[0].gripper, editor.points[0].holds) == (GripperOpening(20.0), "Cube")
+    assert editor.text(0, PointColumn.GRIPPER) == "20 mm, 1 N·m, holds Cube"
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    field = editor.edit(0, PointColumn.GRIPPER)
+    assert (field.place.text(), field.holds.currentText()) == ("20", "Cube")
+    field.kind.setCurrentIndex(0)
+    field.holds.setCurrentIndex(1)
+    editor.enter(field)
+    assert (editor.points[0].gripper, editor.points[0].holds) == (None, "")
+    assert editor.text(0, PointColumn.GRIPPER) == "holds nothing"
+    editor.click("editor_undo")
+    editor.click("editor_undo")
+    assert editor.points[0].holds is None
+
+
+def test_what_the_cell_has_not_stays_chosen_and_is_said_by_the_check(editor):
+    editor.window.document.edit((to(OUT, holds="Box"),), "")
+    field = editor.edit(0, PointColumn.GRIPPER)
+    assert field.text() == "holds=Box"
+    editor.enter(field)
+    assert editor.points[0].holds == "Box"
+    editor.click("editor_check")
+    found = editor.child("findings_list", QListWidget)
+    assert "holds “Box”, which the cell has not" in found.item(0).text()
