@@ -30,7 +30,7 @@ from PySide6.QtWidgets import (
 from armui.trajectory.files.log_points import LETTERS
 from armui.trajectory.points.cells import HOLDS, IN_FRAME, VALUES, PointColumn
 from armui.ui.trajectory.editor.points_model import PointsModel
-from armui.ui.widgets.buttons import named
+from armui.ui.widgets.buttons import drop_down, named
 from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.painting import repolish
 from armui.ui.widgets.table_model import Index
@@ -139,7 +139,7 @@ class GripperEditor(_Row):
         self._place_unit = self.add_label()
         self.force = self.add_field("gripper_force")
         self._force_unit = self.add_label()
-        self.holds = named("gripper_holds", QComboBox())
+        self.holds = drop_down("gripper_holds")
         self.holds.addItems(["", "", *held])
         self._layout.addWidget(self.holds)
         self.kind.currentIndexChanged.connect(self._on_kind)
