@@ -2239,6 +2239,10 @@
 <context>
     <name>ConfirmDialog</name>
     <message>
+        <source>The work area does not hold it then: below the arm is {names}.</source>
+        <translation>此时工作区拦不住它：机械臂下方是 {names}。</translation>
+    </message>
+    <message>
         <source>Hold the button, or the space bar on it, for one second.</source>
         <translation>请按住按钮（或在按钮上按住空格键）1 秒。</translation>
     </message>
@@ -7117,6 +7121,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Gripper: sent to {value} {unit}</source>
         <translation>夹爪：已发送 {value} {unit}</translation>
+    </message>
+    <message>
+        <source>The stopped arm sinks, and the work area does not hold it: below it is {names}. Hold the arm.</source>
+        <translation>急停后机械臂会下沉，工作区拦不住它：其下方是 {names}。请扶住机械臂。</translation>
     </message>
     <message>
         <source>From here on the hand holds “{name}”.</source>
