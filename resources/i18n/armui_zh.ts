@@ -3191,6 +3191,10 @@
         <source>Disabled</source>
         <translation>失能</translation>
     </message>
+    <message>
+        <source>Stopped</source>
+        <translation>已急停</translation>
+    </message>
 </context>
 <context>
     <name>EndLimitsPanel</name>
@@ -5877,11 +5881,11 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>键盘点动</translation>
     </message>
     <message>
-        <source>Hold the space bar; each press of a letter key below is one step.</source>
+        <source>Hold the space bar: each letter key below is one step.</source>
         <translation>按住空格键，每按一次下列字母键走一步。</translation>
     </message>
     <message>
-        <source>Hold the space bar and a letter key below; release either and the arm stops.</source>
+        <source>Hold the space bar and a letter key; release either to stop.</source>
         <translation>按住空格键，再按住下列字母键即运动；松开任一键即停止。</translation>
     </message>
     <message>
@@ -7271,6 +7275,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>从第 {row} 行继续执行</translation>
     </message>
     <message>
+        <source>Own home set: {angles}</source>
+        <translation>原位已设定：{angles}</translation>
+    </message>
+    <message>
         <source>“{name}” has finished.</source>
         <translation>“{name}”执行完毕。</translation>
     </message>
@@ -7965,20 +7973,20 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>各关节运动到 {angles}。</translation>
     </message>
     <message>
+        <source>Sets your own home for this arm; nothing moves.</source>
+        <translation>为此机械臂设定原位，不运动。</translation>
+    </message>
+    <message>
         <source>Set own home</source>
         <translation>设定原位</translation>
     </message>
     <message>
-        <source>Saved for this arm; nothing moves.</source>
-        <translation>为此机械臂保存，不运动。</translation>
+        <source>Set to the measured angles</source>
+        <translation>设为当前测得的角度</translation>
     </message>
     <message>
-        <source>The measured angles</source>
-        <translation>当前测得的角度</translation>
-    </message>
-    <message>
-        <source>The targets in the fields</source>
-        <translation>输入框中的目标</translation>
+        <source>Set to the targets in the fields</source>
+        <translation>设为输入框中的目标</translation>
     </message>
     <message>
         <source>This arm reports no number of its own: another one without a number at this adapter would be taken for it.</source>
@@ -10267,6 +10275,10 @@ The other program must have ended.</source>
         <translation>未执行：{name}：{text}。请检查轨迹库文件夹的访问权限。</translation>
     </message>
     <message>
+        <source>No home of your own is kept for this arm. Set it with the arrow beside.</source>
+        <translation>尚未为此机械臂设定原位。请用旁边的箭头设定。</translation>
+    </message>
+    <message>
         <source>Robot description: the file {path} is not there. Choose another file, or use the built-in one.</source>
         <translation>机器人模型：找不到文件 {path}。请选择其它文件，或使用内置模型。</translation>
     </message>
@@ -10713,10 +10725,6 @@ The other program must have ended.</source>
     <message>
         <source>The speed override is 0 %: raise it, then hold “Continue” for 1 s.</source>
         <translation>运行倍率为 0 %：请先调高，再按住“继续”1 秒。</translation>
-    </message>
-    <message>
-        <source>No home of your own is kept for this arm. Set it with the button beside.</source>
-        <translation>尚未为此机械臂设定原位。请用旁边的按钮设定。</translation>
     </message>
     <message>
         <source>How far this gripper opens is not known: the arm has told no stroke limit. Set it in Gripper settings, or enter a target in Gripper control.</source>

@@ -275,7 +275,8 @@ class Player(Execution):
         """Count the time that a motion is expected to take as slowly as the arm goes."""
         now_s = self._context.clock()
         if self._phase is RunPhase.MOVING:
-            self._since_s += (now_s - self._looked_s) * (1.0 - self._share)
+            pace = self._schedule.pace(self._index, self._share) if self._schedule else 1.0
+            self._since_s += (now_s - self._looked_s) * (1.0 - pace)
         self._looked_s = now_s
 
     def _arrive(self, run: Run, now_s: float) -> None:
