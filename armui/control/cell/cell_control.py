@@ -290,6 +290,7 @@ class CellControl(ControllerPart):
         _name, held = self.holding()
         tool = held.pose
         self._cartesian.tool_radius_mm = held.radius_mm
+        self._cartesian.frame = None if self.in_force is None else self.in_force.chosen_frame
         if tool != self._cartesian.tool:
             self._cartesian.tool = tool
             self._context.authority.end_command(End.TOOL_CHANGED)
