@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
     from armui.arm.device import Device
+    from armui.cell.user_frames import UserFrame
     from armui.control.cell.cell_store import CellStore
     from armui.control.context import Context
     from armui.control.motion.cartesian import Cartesian
@@ -64,6 +65,7 @@ class CellControl(ControllerPart):
 
     Attributes:
         store: Keeps the cells; ``None`` if they end with the program, as in a replay.
+        candidate: A user frame that is shown before it is taken; nothing moves by it.
     """
 
     def __init__(
@@ -79,6 +81,7 @@ class CellControl(ControllerPart):
         self._device: Device | None = None
         self._own_tool: tuple[float, ...] = NO_TOOL
         self.store: CellStore | None = None
+        self.candidate: UserFrame | None = None
 
     # What is known --------------------------------------------------------------------------
 
@@ -151,6 +154,12 @@ class CellControl(ControllerPart):
     def tell_problem(self, reason: Refusal) -> None:
         """Tell the operator why a cell could not be saved or deleted."""
         self._context.tell(CELL_PROBLEM, reason=reason)
+
+    def propose(self, frame: UserFrame | None) -> None:
+        """Have a user frame shown that is not taken yet, or none any more."""
+        if frame != self.candidate:
+            self.candidate = frame
+            self._announce(self.cell)
 
     def begin_device(self, device: Device) -> None:
         """A device is opened: its own cell is to be confirmed before anything moves."""

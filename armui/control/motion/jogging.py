@@ -263,8 +263,8 @@ class Jogging(ControllerPart):
         refusal = (
             _why_blind(state, dt_s, now_s)
             or _why_not_steered(hold, now_s)
-            or self._cartesian.why_no_frame(_frame(hold.jog))
             or context.operating_state().cannot_move
+            or self._cartesian.why_no_frame(_frame(hold.jog))
         )
         if refusal is not None or measured_deg is None:
             self._end(refusal)
