@@ -1,10 +1,13 @@
 """Steps, jogs and typed targets in a user frame end where scipy's rotations have them."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from armui.cell.cell import Cell, with_frame
+from armui.cell.cell import Cell, with_frame, with_tool
+from armui.cell.tools import Tool
 from armui.cell.user_frames import UserFrame
 from armui.control.motion.jog_path import ToolJog
 from armui.control.motion.steered_path import SteeredJog
@@ -20,13 +23,14 @@ TOOL = (10.0, -20.0, 80.0, 0.0, 30.0, 0.0)
 RAMP = UserFrame("ramp", (240.0, 30.0, 90.0, 25.0, -35.0, 130.0))
 
 
-def in_force(rig, frame=RAMP, tool=TOOL):
-    """At a comfortable pose, with a cell whose frame is in force."""
+BENCH = with_frame(with_tool(Cell("bench"), Tool("tip", TOOL)), RAMP)
+
+
+def in_force(rig):
+    """At a comfortable pose, with a cell whose tool and frame are in force."""
     bend(rig)
-    accepted(rig.controller.cell.take(with_frame(Cell("bench"), frame)))
-    rig.controller.cartesian.tool = tool
+    accepted(rig.controller.cell.take(BENCH))
     rig.heard()
-    return rig
 
 
 def turn_of(pose):
@@ -143,9 +147,9 @@ def test_another_shown_frame_leaves_a_check_valid_and_another_place_does_not(rig
     in_force(rig)
     cells = rig.controller.cell
     basis = CheckBasis.of(rig.controller, RunOptions())
-    accepted(cells.change(Cell("bench", frames=(RAMP,))))
+    accepted(cells.change(replace(BENCH, frame="")))
     assert basis.why_other(CheckBasis.of(rig.controller, RunOptions())) is None
-    accepted(cells.change(Cell("bench", frames=(UserFrame("ramp"),))))
+    accepted(cells.change(replace(BENCH, frames=(UserFrame("ramp"),))))
     assert basis.why_other(CheckBasis.of(rig.controller, RunOptions())).code == (
         "changed_since_check"
     )
