@@ -549,10 +549,6 @@
         <translation>工作区的平面和长方体</translation>
     </message>
     <message>
-        <source>Type a name and a pose, or take the present tool pose. A plane keeps the arm on the side of its Z axis (all 0: above the table); a box keeps it out.</source>
-        <translation>请输入名称和位姿，或取当前工具位姿。平面使机械臂留在其 Z 轴一侧（全 0：桌面以上）；长方体使机械臂不进入其中。</translation>
-    </message>
-    <message>
         <source>Plane or box</source>
         <translation>平面或长方体</translation>
     </message>
@@ -635,6 +631,10 @@
     <message>
         <source>Puts these figures in force, and the margin with them.</source>
         <translation>使这些数值连同余量生效。</translation>
+    </message>
+    <message>
+        <source>Type a name and a pose in the base, or take the tool&apos;s. A plane keeps the arm on the side of its Z axis (all 0: above the table); a box keeps it out.</source>
+        <translation>请输入名称和在基坐标系中的位姿，或取当前工具位姿。平面使机械臂留在其 Z 轴一侧（全 0：桌面以上）；长方体使机械臂不进入其中。</translation>
     </message>
     <message>
         <source>Apply</source>
@@ -4217,6 +4217,10 @@
         <translation>新坐标系</translation>
     </message>
     <message>
+        <source>X {x}  Y {y}  Z {z} mm in the base</source>
+        <translation>基坐标系 X {x}  Y {y}  Z {z} mm</translation>
+    </message>
+    <message>
         <source>Found, in the base: {frame}
 Z points along {direction}</source>
         <translation>所得（基坐标系中）：{frame}
@@ -4684,6 +4688,10 @@ Z 轴指向 {direction}</translation>
     <message>
         <source>Frame</source>
         <translation>坐标系</translation>
+    </message>
+    <message>
+        <source>The frame&apos;s own pose, in the base (mm, °)</source>
+        <translation>该坐标系在基坐标系中的位姿（mm、°）</translation>
     </message>
     <message>
         <source>From the present tool pose</source>
@@ -13521,6 +13529,10 @@ The other program must have ended.</source>
     <message>
         <source>On the shank</source>
         <translation>杆部</translation>
+    </message>
+    <message>
+        <source>it points along {axis} of “{name}”</source>
+        <translation>指向“{name}”的 {axis}</translation>
     </message>
     <message>
         <source>Apply the tip</source>

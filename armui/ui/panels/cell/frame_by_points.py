@@ -128,7 +128,7 @@ class FrameByPoints(Translated, QWidget):
         if refusal is not None:
             return words.refusal(refusal)
         pose, origin = self._controller.cartesian.tool_pose(self._controller.state), self._points[0]
-        if pose is None or origin is None:
+        if pose is None or origin is None or None not in self._points:
             return ""
         way = [one - other for one, other in zip(pose[:3], origin, strict=False)]
         text = self.tr("{value} mm from the origin; {wanted} mm or more are wanted.")
@@ -175,7 +175,7 @@ class FrameByPoints(Translated, QWidget):
         if point is None:
             return fmt.NOTHING
         x, y, z = (fmt.number(value, 1) for value in point[:3])
-        return f"X {x}  Y {y}  Z {z} mm"
+        return self.tr("X {x}  Y {y}  Z {z} mm in the base").format(x=x, y=y, z=z)
 
     def _result_text(self, pose: Pose) -> str:
         x, y, z, rx, ry, rz = (fmt.number(value, 2) for value in pose)

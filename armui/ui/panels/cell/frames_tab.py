@@ -17,6 +17,7 @@ from armui.ui.panels.cell.cell_tab import Answered
 from armui.ui.panels.cell.frame_by_points import FrameByPoints
 from armui.ui.panels.cell.named_tab import NamedTab, Thing
 from armui.ui.widgets.buttons import caption, enable_or_explain, push_button
+from armui.ui.widgets.text_label import text_label
 from armui.ui.words.text import Text
 
 _CHANGE: Final = operation_of(CellControl.change)
@@ -57,7 +58,8 @@ class FramesTab(NamedTab):
         by_points.applied.connect(
             lambda pose, anew: self._take_found(pose, self.tr("Frame {number}"), anew=anew)
         )
-        self._lay_out(below=[self._here])
+        self._of_base = text_label("cell_frame_of_base", rank="muted", wraps=True)
+        self._lay_out(below=[self._of_base, self._here])
         self.retranslate_ui()
 
     def command_targets(self) -> Mapping[str, Target]:
@@ -145,5 +147,6 @@ class FramesTab(NamedTab):
         texts = (self.tr("Frame in force"), self.tr("Frame's name"))
         ways = (self.tr("Type it"), self.tr("By three points"))
         self._caption(texts, ways, self.tr("Frame"))
+        self._of_base.setText(self.tr("The frame's own pose, in the base (mm, °)"))
         caption(self._here, self.tr("From the present tool pose"))
         self.show_cell("")

@@ -277,6 +277,9 @@ class JogBox(Translated, QFrame):
         frame = self._controller.cartesian.frame
         none = words.refusal(FRAME_NOT_IN_FORCE()) if frame is None else ""
         enable_or_explain(self._choices[JogKind.USER], none, "" if frame is None else frame.name)
+        cell = self._controller.cell.cell  # also while it is to be confirmed: no button moves then
+        has_frames = cell is not None and bool(cell.frames)
+        self._choices[JogKind.USER].setVisible(has_frames or self.kind is JogKind.USER)
         text = self.tr("figures in “{name}”")
         if frame is None or self.kind in {JogKind.JOINTS, JogKind.GRIPPER}:
             self._frame.setText("")
