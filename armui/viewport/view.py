@@ -154,7 +154,6 @@ class ArmView(QWidget):
         self._strokes = StrokePainter()
         self._range_layer = StrokeLayer(self._strokes)
         self._handle_layer = StrokeLayer(self._strokes)
-        self._frame_layer = StrokeLayer(self._strokes)
         self._owns_client = client is None
         self._client = client or PictureClient(parent=self)
         self._connect_client()
@@ -296,16 +295,9 @@ class ArmView(QWidget):
             of_tool: the pose is that of the tool centre point, not of the flange.
             frame: the name of the user frame that it is in; empty for the base.
         """
-        self._set_hud(
-            replace(
-                self._hud,
-                pose=None if pose is None else tuple(pose),
-                pose_stale=stale,
-                too_low=too_low,
-                of_tool=of_tool,
-                frame=frame,
-            )
-        )
+        shown = None if pose is None else tuple(pose)
+        hud = replace(self._hud, pose=shown, pose_stale=stale, too_low=too_low)
+        self._set_hud(replace(hud, of_tool=of_tool, frame=frame))
 
     def set_theme(self, palette: ScenePalette) -> None:
         """Apply the colours of another theme."""
@@ -568,14 +560,10 @@ class ArmView(QWidget):
         self._again_button.setText(QCoreApplication.translate("ArmView", "Restart the 3D view"))
 
     def quantities_at(self, place: QPoint) -> list[str]:
-        """Return the key of the figure at a place; see `armui.telemetry.quantities`.
-
-        Curves are always in the base: a figure of a user frame has none.
-        """
+        """Return the key of the figure at a place, if it has a curve, which is in the base."""
         hud = self._hud
         key = self._hud_painter.quantity_at(QPointF(place), self.font(), of_tool=hud.of_tool)
-        in_base = key is None or key.startswith("arm.joint") or not hud.frame
-        return [key] if key is not None and in_base else []
+        return [] if key is None or (hud.frame and "joint" not in key) else [key]
 
     def _on_joint_picked(self, number: int | None) -> None:
         self.highlight_joint(number)
@@ -588,11 +576,7 @@ class ArmView(QWidget):
         projection = Projection(shown.camera, self.width(), self.height())
         palette = shown.palette
         self._path_overlay.paint(painter, shown.preview, projection, palette)
-        frames = self._frames
-        if frames:
-            self._frame_layer.paint(
-                painter, frames, lambda: user_frames(frames, palette), projection, palette
-            )
+        self._strokes.paint(painter, user_frames(self._frames, palette), projection, palette)
         shape, angles_deg = self._shape, shown.angles_deg
         if shape is None or angles_deg is None:
             return

@@ -283,6 +283,10 @@ def test_it_goes_along_the_user_frame_in_force(ready, pads):
     turned = UserFrame("turned", (0.0, 0.0, 0.0, 0.0, 0.0, 90.0))  # its −Y is the base's X
     accepted(ready.controller.cell.take(with_frame(Cell("bench"), turned)))
     assert [next_mode(ready, pads) for _press in range(3)][-1] is JogMode.USER
+    pads.release("left_shoulder")
+    pass_time(ready, 0.02)
+    pads.press("left_shoulder")
+    pass_time(ready, 0.02)
     before = ready.controller.state.end_pose()
     drive(ready, pads, left_x=1.0)  # Y−
     pass_time(ready, 0.5)
