@@ -88,7 +88,9 @@ class ControllerParts(QObject):
     def jog_floor(self) -> JogFloor:
         """Knows how low the arm reaches, and how low a jog may take it."""
         return JogFloor(
-            self._context, lambda: tool_capsule(self.cartesian.tool, self.cartesian.tool_radius_mm)
+            self._context,
+            lambda: tool_capsule(self.cartesian.tool, self.cartesian.tool_radius_mm),
+            lambda: self.cell.held_shape,
         )
 
     @cached_property

@@ -1511,6 +1511,10 @@
         <translation>区域</translation>
     </message>
     <message>
+        <source>Held</source>
+        <translation>工件</translation>
+    </message>
+    <message>
         <source>Frames</source>
         <translation>坐标系</translation>
     </message>
@@ -5279,6 +5283,177 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
+    <name>HeldTab</name>
+    <message>
+        <source>Held object</source>
+        <translation>夹持的工件</translation>
+    </message>
+    <message>
+        <source>Add an object to hold</source>
+        <translation>添加工件</translation>
+    </message>
+    <message>
+        <source>Apply the figures of the object</source>
+        <translation>应用工件的数值</translation>
+    </message>
+    <message>
+        <source>Delete the object</source>
+        <translation>删除工件</translation>
+    </message>
+    <message>
+        <source>What the held object may touch</source>
+        <translation>工件可以接触什么</translation>
+    </message>
+    <message>
+        <source>Tell the arm the object&apos;s load</source>
+        <translation>把工件的负载告诉机械臂</translation>
+    </message>
+    <message>
+        <source>— (a new one)</source>
+        <translation>—（新建）</translation>
+    </message>
+    <message>
+        <source> (held)</source>
+        <translation>（夹持中）</translation>
+    </message>
+    <message>
+        <source>Adds an object of this name.</source>
+        <translation>以此名称添加一个工件。</translation>
+    </message>
+    <message>
+        <source>Choose an object above first.</source>
+        <translation>请先在上方选择一个工件。</translation>
+    </message>
+    <message>
+        <source>Puts these figures in the place of those of the chosen object.</source>
+        <translation>用这些数值替换所选工件的数值。</translation>
+    </message>
+    <message>
+        <source>Deletes the chosen object.</source>
+        <translation>删除所选的工件。</translation>
+    </message>
+    <message>
+        <source>Let go</source>
+        <translation>已放下</translation>
+    </message>
+    <message>
+        <source>It is held</source>
+        <translation>已夹住</translation>
+    </message>
+    <message>
+        <source>“{name}” counts no more in any check. The gripper does not move.</source>
+        <translation>“{name}”不再计入任何检查。夹爪不会动。</translation>
+    </message>
+    <message>
+        <source>It counts in every check from now on. The gripper does not move.</source>
+        <translation>从现在起计入每一次检查。夹爪不会动。</translation>
+    </message>
+    <message>
+        <source>May touch: {count}</source>
+        <translation>可接触：{count}</translation>
+    </message>
+    <message>
+        <source>May touch…</source>
+        <translation>可接触…</translation>
+    </message>
+    <message>
+        <source>The work area has no plane or box yet.</source>
+        <translation>工作区还没有平面或长方体。</translation>
+    </message>
+    <message>
+        <source>What it may touch: the table, a tray.</source>
+        <translation>它可以接触什么：桌面、托盘。</translation>
+    </message>
+    <message>
+        <source>Diameter (X, Y), length (Z)</source>
+        <translation>直径（X、Y），长度（Z）</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>边长</translation>
+    </message>
+    <message>
+        <source>In the hand: {mass} kg. The arm carries {most} kg at most.</source>
+        <translation>夹持：{mass} kg。机械臂最多承载 {most} kg。</translation>
+    </message>
+    <message>
+        <source>Tell: {load}</source>
+        <translation>告知：{load}</translation>
+    </message>
+    <message>
+        <source>Tells the arm its end load. It is never told by itself.</source>
+        <translation>把末端负载告诉机械臂。程序绝不会自动告知。</translation>
+    </message>
+    <message>
+        <source>There is no cell yet: type its name above and press New.</source>
+        <translation>还没有单元：在上方输入名称并按“新建”。</translation>
+    </message>
+    <message>
+        <source>Press Apply to put the new figures in force.</source>
+        <translation>按“应用”使新数值生效。</translation>
+    </message>
+    <message>
+        <source>The hand holds “{name}”: it counts in every check until Let go.</source>
+        <translation>夹爪夹着“{name}”：按“已放下”之前它计入每一次检查。</translation>
+    </message>
+    <message>
+        <source>Press Add. It counts as soon as it is marked as held.</source>
+        <translation>按“添加”。标记为“已夹住”后才计入检查。</translation>
+    </message>
+    <message>
+        <source>Press It is held once the gripper has closed on it.</source>
+        <translation>夹爪夹紧它之后，按“已夹住”。</translation>
+    </message>
+    <message>
+        <source>Type a name, the middle of the object in the flange, and its edges.</source>
+        <translation>输入名称、工件中心在法兰坐标系中的位置和边长。</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>质量</translation>
+    </message>
+    <message>
+        <source>Name of the held object</source>
+        <translation>工件名称</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>长方体</translation>
+    </message>
+    <message>
+        <source>Rod</source>
+        <translation>圆头杆</translation>
+    </message>
+    <message>
+        <source>Shape of the held object</source>
+        <translation>工件形状</translation>
+    </message>
+    <message>
+        <source>Held object {axis}</source>
+        <translation>工件 {axis}</translation>
+    </message>
+    <message>
+        <source>Edge of the held object along {axis}</source>
+        <translation>工件沿 {axis} 的边长</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>添加</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>应用</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+</context>
+<context>
     <name>HeldTarget</name>
     <message>
         <source>a target this program does not know</source>
@@ -7183,6 +7358,18 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>夹爪：已发送 {value} {unit}</translation>
     </message>
     <message>
+        <source>From here on the hand holds “{name}”.</source>
+        <translation>从此刻起夹爪夹着“{name}”。</translation>
+    </message>
+    <message>
+        <source>From here on the hand holds nothing.</source>
+        <translation>从此刻起夹爪没有夹东西。</translation>
+    </message>
+    <message>
+        <source>The gripper has opened to {value} mm. “{name}” counts as held until it is let go under Cell, Held.</source>
+        <translation>夹爪已张开到 {value} mm。在“单元”的“工件”中标为“已放下”之前，“{name}”仍算夹着。</translation>
+    </message>
+    <message>
         <source>Cell: {reason}</source>
         <translation>单元：{reason}</translation>
     </message>
@@ -7879,6 +8066,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Choose the cell</source>
         <translation>选择单元</translation>
+    </message>
+    <message>
+        <source>Say what the hand holds</source>
+        <translation>说明夹爪夹着什么</translation>
     </message>
     <message>
         <source>Teach the reference pose</source>
@@ -9598,6 +9789,10 @@ The other program must have ended.</source>
         <translation>已命令机械臂终止运动，但它仍在动。请急停，或切断其电源。</translation>
     </message>
     <message>
+        <source>Last used here: the cell “{name}”, the hand holding “{held}”. Confirm both if they are there; if the hand is empty, let go under Cell first.</source>
+        <translation>上次在此使用的单元是“{name}”，夹爪夹着“{held}”。两者都属实请确认；夹爪是空的，请先在“单元”中标为“已放下”。</translation>
+    </message>
+    <message>
         <source>Another program controls the arm since {since} ({frames}, {rate} frames/s).</source>
         <translation>另一个程序正在控制机械臂：自 {since} 起（{frames}，{rate} 帧/秒）。</translation>
     </message>
@@ -10221,6 +10416,14 @@ The other program must have ended.</source>
     <message>
         <source>Jog step: “{value}” is not an angle. Enter a number of degrees, for example 0.5.</source>
         <translation>点动步长：“{value}”不是角度。请输入以度为单位的数字，例如 0.5。</translation>
+    </message>
+    <message>
+        <source>This adapter was last used with the cell “{name}”, and the hand held “{held}”. Confirm both if they are there; if the hand is empty, let go under Cell, Held first.</source>
+        <translation>此适配器上次使用的单元是“{name}”，夹爪夹着“{held}”。两者都属实请确认；夹爪是空的，请先在“单元”的“工件”中标为“已放下”。</translation>
+    </message>
+    <message>
+        <source>“{name}” is marked as held, and would not be any more. Let go of it under Held first.</source>
+        <translation>“{name}”标记为夹持中，这样做它就不再算夹着。请先在“工件”中标为“已放下”。</translation>
     </message>
     <message>
         <source>The three points lie nearly in line: the third is {value}° off the X axis, at least {minimum}° are needed. Take the point on the +Y side again, further to the side.</source>

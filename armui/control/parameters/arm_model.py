@@ -23,6 +23,7 @@ def arm_model(controller: ArmController) -> ArmModel:
     """Return the model of the connected arm, or of an arm as it leaves the factory."""
     now, cartesian = controller.operating_state, controller.cartesian
     arm = planning_model(controller.state, now, cartesian.tool, cartesian.tool_radius_mm)
+    arm = replace(arm, held=controller.cell.held_shape)
     if arm.stroke_mm is None or not controller.gripper.is_calibrated:
         return arm
     return replace(arm, widest_mm=controller.gripper.calibrated_mm(arm.stroke_mm))

@@ -17,7 +17,7 @@ import numpy.typing as npt
 from armui.arm.limits import JOINTS
 from armui.arm.models import ArmModel
 from armui.cell.area_check import AreaCheck
-from armui.kinematics.forward import flange_heights
+from armui.kinematics.forward import flange_heights, flange_transforms
 from armui.kinematics.singularity import NEAR_SINGULAR as SINGULAR_BELOW
 from armui.kinematics.singularity import margins, smallest_singular_values
 from armui.protocol.codes import MoveMode
@@ -355,6 +355,9 @@ def _below_floor(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
     heights = np.minimum(tips_mm, flanges_mm)
     if arm.tool is not None:
         heights = arm.tool.lowest(flanges_mm, tips_mm)
+    if arm.held is not None:
+        ups = flange_transforms(arm.kinematics.geometry, path.joints_deg)[:, 2, :3].T
+        heights = np.minimum(heights, arm.held.lowest(flanges_mm, tuple(ups)))
     below = FLOOR_MM - heights
     only_way = below[_first_point(path)] <= 0.0
     for index in _worst(below > 0.0, below, path):
@@ -387,7 +390,8 @@ def _collisions(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
         path.joints_deg[looked_at],
         arm.tool_mm,
         arm.gripper_turned_deg,
-        arm.tool,
+        tool=arm.tool,
+        held=arm.held,
     )
     recorded = path.expected_s == ()
     rows = path.rows[looked_at]

@@ -15,10 +15,10 @@ from armui.cell.work_area import Area, AreaBox, AreaPlane, Zone, with_zone, with
 from armui.control.arm_controller import ArmController
 from armui.control.cell.cell_control import CellControl
 from armui.control.operations.operation import operation_of
-from armui.kinematics.axes import AXES, LINEAR_AXES
+from armui.kinematics.axes import AXES
 from armui.ui import format as fmt
 from armui.ui.actions.command import Command, Target
-from armui.ui.panels.cell.cell_tab import Answered, CellTab
+from armui.ui.panels.cell.cell_tab import Answered, CellTab, figures, pose_grid
 from armui.ui.widgets.buttons import caption, enable_or_explain, named, push_button, show_primary
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import empty_grid, in_column, in_row
@@ -114,19 +114,22 @@ class AreaTab(CellTab):
         grid.addWidget(self._margin_label, 2, 0)
         grid.addLayout(in_row(self._margin, (self._nearness, 1), spacing=6), 2, 1)
         grid.setColumnStretch(1, 1)
-        figures = empty_grid(gaps=(6, 4), margins=0)
-        for place, (axis, field) in enumerate(zip(AXES, self._fields, strict=True)):
-            row, column = place // LINEAR_AXES, 2 * (place % LINEAR_AXES)
-            figures.addWidget(QLabel(axis), row, column)
-            figures.addWidget(field, row, column + 1)
-            figures.setColumnStretch(column + 1, 1)
         sizes = in_row(*((field, 1) for field in self._sizes), spacing=6)
         adds = in_row((self._add_plane, 1), (self._add_box, 1), spacing=6)
         changes = in_row((self._apply, 1), (self._delete, 1), spacing=6)
         buttons = (self._add_plane, self._add_box, self._apply, self._delete, self._here)
-        for each in (self._choice, self._name, *self._fields, *self._sizes, *buttons):
+        for each in (self._choice, self._name, *self._sizes, *buttons):
             each.setMinimumWidth(_NARROW_PX)
-        parts = (self._next, grid, figures, self._size_label, sizes, adds, changes, self._stops)
+        parts = (
+            self._next,
+            grid,
+            pose_grid(self._fields),
+            self._size_label,
+            sizes,
+            adds,
+            changes,
+            self._stops,
+        )
         in_column(*parts, on=self, spacing=8, margins=0)
 
     def command_targets(self) -> Mapping[str, Target]:
@@ -197,13 +200,13 @@ class AreaTab(CellTab):
             self._change(without_zone(self._area, self._chosen), "")
 
     def _typed_plane(self) -> AreaPlane:
-        return AreaPlane(self._name.text().strip(), _figures(self._fields))
+        return AreaPlane(self._name.text().strip(), figures(self._fields))
 
     def _typed_box(self) -> AreaBox:
-        return AreaBox(self._name.text().strip(), _figures(self._fields), _figures(self._sizes))
+        return AreaBox(self._name.text().strip(), figures(self._fields), figures(self._sizes))
 
     def _typed_margin(self) -> float:
-        return _figures([self._margin])[0]
+        return figures([self._margin])[0]
 
     # -- appearance ---------------------------------------------------------------------------
 
@@ -309,11 +312,3 @@ class AreaTab(CellTab):
         caption(self._add_box, self.tr("Add box"))
         caption(self._delete, self.tr("Delete"), whose=self.tr("Area"))
         self.show_cell("")
-
-
-def _figures(fields: list[FigureField]) -> tuple[float, ...]:
-    """Return what is typed; an empty field counts as 0, a text as itself."""
-    return tuple(
-        field.text() if field.is_nonsense() else field.value or 0.0  # type: ignore[misc]  # refused
-        for field in fields
-    )

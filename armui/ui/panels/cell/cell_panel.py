@@ -27,6 +27,7 @@ from armui.ui.panels.cell.area_tab import AreaTab
 from armui.ui.panels.cell.cell_tab import CellTab, CurrentStack
 from armui.ui.panels.cell.frames_tab import FramesTab
 from armui.ui.panels.cell.gripper_tab import GripperTab
+from armui.ui.panels.cell.held_tab import HeldTab
 from armui.ui.panels.cell.tools_tab import ToolsTab
 from armui.ui.panels.panel import Panel
 from armui.ui.widgets.buttons import (
@@ -44,7 +45,7 @@ if TYPE_CHECKING:
     from armui.control.operating_state import OperatingState
     from armui.settings import SettingsStore
 
-TABS: Final[tuple[type[CellTab], ...]] = (ToolsTab, FramesTab, AreaTab, GripperTab)
+TABS: Final[tuple[type[CellTab], ...]] = (ToolsTab, FramesTab, AreaTab, HeldTab, GripperTab)
 """The tabs from left to right."""
 _TALLEST_CARD_PX: Final = 560
 _NARROW_PX: Final = 60
@@ -99,7 +100,7 @@ class CellPanel(Panel):
         self._export.clicked.connect(self._on_export)
         self._delete.clicked.connect(self._on_delete)
         controller.cell_changed.connect(self._on_cell_changed)
-        self._listen("cell_")
+        self._listen("cell_", "held_", "load_")
         self.retranslate_ui()
 
     def _lay_out(self) -> None:

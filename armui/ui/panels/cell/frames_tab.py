@@ -13,7 +13,7 @@ from armui.control.arm_controller import ArmController
 from armui.control.cell.cell_control import CellControl
 from armui.control.operations.operation import operation_of
 from armui.ui.actions.command import Command, Target
-from armui.ui.panels.cell.cell_tab import Answered
+from armui.ui.panels.cell.cell_tab import Answered, figures
 from armui.ui.panels.cell.frame_by_points import FrameByPoints
 from armui.ui.panels.cell.named_tab import NamedTab, Thing
 from armui.ui.widgets.buttons import caption, enable_or_explain, push_button
@@ -88,7 +88,7 @@ class FramesTab(NamedTab):
 
     def typed(self) -> UserFrame:
         """Return the frame as typed; an empty field counts as 0, a text as itself."""
-        return UserFrame(self._name.text().strip(), tuple(self._figures()))
+        return UserFrame(self._name.text().strip(), figures(self._fields))
 
     def _on_here(self) -> None:
         pose = self._controller.cartesian.tool_pose(self._controller.state)

@@ -15,10 +15,10 @@ from armui.cell.checks import LONGEST_NAME
 from armui.cell.tools import NO_TOOL, Tool
 from armui.cell.user_frames import UserFrame
 from armui.control.arm_controller import ArmController
-from armui.kinematics.axes import AXES, LINEAR_AXES
+from armui.kinematics.axes import AXES
 from armui.ui import format as fmt
 from armui.ui.actions.command import Target
-from armui.ui.panels.cell.cell_tab import Answered, CellTab, CurrentStack
+from armui.ui.panels.cell.cell_tab import Answered, CellTab, CurrentStack, pose_grid
 from armui.ui.widgets.buttons import (
     caption,
     choice_button,
@@ -92,17 +92,11 @@ class NamedTab(CellTab):
             for column, widget in enumerate(pair):
                 grid.addWidget(widget, row, column)
         grid.setColumnStretch(1, 1)
-        figures = empty_grid(gaps=(6, 4), margins=0)
-        for place, (axis, field) in enumerate(zip(AXES, self._fields, strict=True)):
-            row, column = place // LINEAR_AXES, 2 * (place % LINEAR_AXES)
-            figures.addWidget(QLabel(axis), row, column)
-            figures.addWidget(field, row, column + 1)
-            figures.setColumnStretch(column + 1, 1)
-        for widget in (self._choice, *self._fields, self._apply, self._add, self._delete):
+        for widget in (self._choice, self._apply, self._add, self._delete):
             widget.setMinimumWidth(NARROW_PX)
         buttons = in_row((self._apply, 1), (self._add, 1), (self._delete, 1), spacing=6)
         typed = QWidget()
-        parts = (self._next, grid, figures, *below, buttons, STRETCH)
+        parts = (self._next, grid, pose_grid(self._fields), *below, buttons, STRETCH)
         in_column(*parts, on=typed, spacing=8, margins=0)
         self._ways.addWidget(typed)
         self._ways.addWidget(self._points)
@@ -200,13 +194,6 @@ class NamedTab(CellTab):
             self._live()
 
     # Appearance ------------------------------------------------------------------------------
-
-    def _figures(self, *more: FigureField) -> list[float]:
-        """Return what is typed; an empty field counts as 0, a text as itself, which is refused."""
-        return [
-            field.text() if field.is_nonsense() else field.value or 0.0  # type: ignore[misc]
-            for field in (*self._fields, *more)
-        ]
 
     def _list_things(self, none: str, why_not: str) -> None:
         """List all, with the words for none of them."""

@@ -15,7 +15,7 @@ from armui.control.cell.cell_control import CellControl
 from armui.control.operations.operation import operation_of
 from armui.ui import format as fmt
 from armui.ui.actions.command import Command
-from armui.ui.panels.cell.cell_tab import Answered
+from armui.ui.panels.cell.cell_tab import Answered, figures
 from armui.ui.panels.cell.named_tab import NamedTab, Thing
 from armui.ui.panels.cell.tip_by_points import TipByPoints
 from armui.ui.widgets.buttons import named
@@ -84,8 +84,8 @@ class ToolsTab(NamedTab):
 
     def typed(self) -> Tool:
         """Return the tool as typed; an empty field counts as 0, a text as itself."""
-        *pose, radius_mm = self._figures(self._radius)
-        return Tool(self._name.text().strip(), tuple(pose), radius_mm)
+        pose, radius = figures(self._fields), figures([self._radius])
+        return Tool(self._name.text().strip(), pose, *radius)
 
     # -- appearance ---------------------------------------------------------------------------
 

@@ -20,7 +20,9 @@ from PySide6.QtWidgets import (
 from armui.arm.joint_status import Item, Word
 from armui.control.devices.joint_monitor import JointMonitor
 from armui.protocol.generation import Generation
+from armui.session.log_model import told_held
 from armui.ui import words
+from armui.ui.picture.area_keeper import held_picture
 from armui.ui.shell.robot_in_view import RobotInView, show_in_view
 from armui.ui.shell.status_bar import StatusBar
 from armui.ui.theme import DARK, colors_of, scaled_font
@@ -221,6 +223,7 @@ class ReplayView(Translated, QWidget):
         self.replay = replay
         self.view = view
         view.set_tool(replay.controller.cartesian.tool)
+        view.set_area(held_picture(told_held(getattr(replay.session, "lines", ()))))
         self.robot = RobotInView(view, replay.controller, urdf_path, self)
         self._controller = controller = replay.controller
         controller.telemetry.wall_time = wall_time
