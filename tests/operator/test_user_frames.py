@@ -203,7 +203,7 @@ def test_a_typed_target_lands_where_the_frame_has_it(moved, button):
     for axis, figure in zip("XYZ", ("40", "10", "30"), strict=True):
         moved.type_into(f"pose_field_{axis}", figure)
     moved.click(button)
-    assert "of the base" in moved.read("notice_label")
+    assert "(base) to X" in moved.read("notice_label")
     settle(moved)
     expected = np.array(WORK[:3]) + work().apply((40.0, 10.0, 30.0))
     assert tip_mm(moved) == pytest.approx(expected, abs=0.1)

@@ -8,6 +8,7 @@ at once, and ends their motion if the operator wants that.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
@@ -96,7 +97,7 @@ class AreaGuard(ControllerPart):
         return AreaIntrusion(seen[0].zone.name, seen[0].part, value_mm)
 
     def check(self) -> AreaCheck | None:
-        """Return the checks of the present arm, tool and area; ``None`` for a free area."""
+        """Return the checks of the present arm, tool, held object and area; ``None`` if free."""
         area, cell = self.area, self._cell()
         if area is None or cell is None:
             self._of, self._check = (), None
@@ -110,6 +111,18 @@ class AreaGuard(ControllerPart):
             self._of = of
             self._check = AreaCheck(area, carried_body(now.model, geometry, tool, cell))
         return self._check
+
+    def check_holding(self, name: str) -> AreaCheck | None:
+        """Return the same checks as they will be once the hand holds an object; "" for none."""
+        cell, area = self._cell(), self.area
+        if cell is None or area is None or name == cell.held:
+            return self.check()
+        from armui.cell.area_check import AreaCheck, carried_body  # noqa: PLC0415 - numpy
+
+        now = self._context.operating_state()
+        holding = replace(cell, held=name)
+        body = carried_body(now.model, now.model_fit.geometry, self._tool(), holding)
+        return AreaCheck(area, body)
 
     # What is asked before something moves -----------------------------------------------------
 

@@ -62,13 +62,13 @@ FRAME_NOT_IN_FORCE = Reason(
 )
 SENT_POSE = Notice(
     "sent_pose",
-    "Sent MOVE P to X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}° of the base",
+    "Sent MOVE P (base) to X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°",
     Level.INFO,
     EventKind.COMMAND,
 )
 SENT_LINE = Notice(
     "sent_line",
-    "Sent MOVE L to X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}° of the base",
+    "Sent MOVE L (base) to X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°",
     Level.INFO,
     EventKind.COMMAND,
 )
