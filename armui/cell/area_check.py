@@ -47,6 +47,9 @@ _LOOKED_MM: Final = 2.0 * SLACK_MM
 _SAME_MM: Final = 1e-6
 _FLANGE: Final = 6
 _MOST_AT_ONCE: Final = 4096
+_DROP_MM: Final = 25.0
+_BESIDE_MM: Final = 50.0
+"""What is this near to the way straight down counts as below."""
 _AROUND: Final = 8
 """A first look is at one of so many poses on end."""
 
@@ -110,6 +113,21 @@ class AreaCheck:
             for place, (zone, capsule) in enumerate(zip(self._area.zones, nearest, strict=True))
         ]
         return tuple(sorted(entries, key=lambda entry: entry.gap_mm))
+
+    def below(self, joints_deg: Sequence[float]) -> tuple[str, ...]:
+        """Return the names of what an arm that sinks from six angles may come to.
+
+        It falls in arcs, whichever way: what is below any part of it counts, or little beside.
+        """
+        arm = enclose(self._body, np.array([joints_deg], dtype=float))
+        drops = np.arange(0.0, max(float(arm.starts[..., 2].max()), 1.0), _DROP_MM)
+        down = np.array([0.0, 0.0, -1.0]) * drops[:, None, None]
+        sunk = Capsules(arm.parts, arm.starts + down, arm.ends + down, arm.radii)
+        planes = plane_gaps(sunk, self._planes)
+        boxes = box_gaps(sunk, self._boxes, self._sizes_mm, _BESIDE_MM)
+        nearest = np.concatenate((planes, boxes), axis=2).min(axis=(0, 1))
+        zones = zip(self._area.zones, nearest, strict=True)
+        return tuple(zone.name for zone, gap_mm in zones if gap_mm < _BESIDE_MM)
 
     def why_no_turn(self, stops_deg: Sequence[Sequence[float]]) -> Refusal | None:
         """Return why the joints may not turn evenly from pose to pose; see :meth:`why_no_way`."""

@@ -629,12 +629,28 @@
         <translation>取当前工具位姿</translation>
     </message>
     <message>
+        <source>Take the pose of a user frame</source>
+        <translation>取用户坐标系的位姿</translation>
+    </message>
+    <message>
         <source>Puts these figures in force, and the margin with them.</source>
         <translation>使这些数值连同余量生效。</translation>
     </message>
     <message>
+        <source>The cell has no user frame yet.</source>
+        <translation>单元还没有用户坐标系。</translation>
+    </message>
+    <message>
+        <source>Fills in the pose of a user frame; its Z axis is that of the plane.</source>
+        <translation>填入用户坐标系的位姿；它的 Z 轴就是平面的 Z 轴。</translation>
+    </message>
+    <message>
         <source>Type a name and a pose in the base, or take the tool&apos;s. A plane keeps the arm on the side of its Z axis (all 0: above the table); a box keeps it out.</source>
         <translation>请输入名称和在基坐标系中的位姿，或取当前工具位姿。平面使机械臂留在其 Z 轴一侧（全 0：桌面以上）；长方体使机械臂不进入其中。</translation>
+    </message>
+    <message>
+        <source>From frame</source>
+        <translation>取自坐标系</translation>
     </message>
     <message>
         <source>Apply</source>
@@ -1403,6 +1419,14 @@
         <translation>把单元写到单独的文件。</translation>
     </message>
     <message>
+        <source>Rename</source>
+        <translation>改名</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>比较</translation>
+    </message>
+    <message>
         <source>Import…</source>
         <translation>导入…</translation>
     </message>
@@ -1427,8 +1451,32 @@
         <translation>两者相同。</translation>
     </message>
     <message>
+        <source>Compare the cell with another</source>
+        <translation>把单元与另一个比较</translation>
+    </message>
+    <message>
+        <source>Compare with “{name}”</source>
+        <translation>与“{name}”比较</translation>
+    </message>
+    <message>
+        <source>Choose it</source>
+        <translation>选用它</translation>
+    </message>
+    <message>
         <source>Type a name first.</source>
         <translation>请先输入名称。</translation>
+    </message>
+    <message>
+        <source>Gives the cell in force and its file the name that is typed.</source>
+        <translation>把输入的名称给予生效的单元及其文件。</translation>
+    </message>
+    <message>
+        <source>There is no other cell.</source>
+        <translation>没有其他单元。</translation>
+    </message>
+    <message>
+        <source>Says in what another cell of the list differs from the one in force.</source>
+        <translation>说明列表中另一个单元与生效的单元有何不同。</translation>
     </message>
     <message>
         <source>New</source>
@@ -2258,6 +2306,10 @@
 </context>
 <context>
     <name>ConfirmDialog</name>
+    <message>
+        <source>The work area does not hold it then: below the arm is {names}.</source>
+        <translation>此时工作区拦不住它：机械臂下方是 {names}。</translation>
+    </message>
     <message>
         <source>Hold the button, or the space bar on it, for one second.</source>
         <translation>请按住按钮（或在按钮上按住空格键）1 秒。</translation>
@@ -7390,6 +7442,14 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>夹爪：已发送 {value} {unit}</translation>
     </message>
     <message>
+        <source>The stopped arm sinks, and the work area does not hold it: below it is {names}. Hold the arm.</source>
+        <translation>急停后机械臂会下沉，工作区拦不住它：其下方是 {names}。请扶住机械臂。</translation>
+    </message>
+    <message>
+        <source>Cell renamed: {name}</source>
+        <translation>单元已改名：{name}</translation>
+    </message>
+    <message>
         <source>From here on the hand holds “{name}”.</source>
         <translation>从此刻起夹爪夹着“{name}”。</translation>
     </message>
@@ -8102,6 +8162,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Choose the cell</source>
         <translation>选择单元</translation>
+    </message>
+    <message>
+        <source>Rename the cell</source>
+        <translation>给单元改名</translation>
     </message>
     <message>
         <source>Say what the hand holds</source>

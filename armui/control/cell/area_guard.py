@@ -16,6 +16,7 @@ from armui.control.cell.intrusion import AreaIntrusion
 from armui.control.context import ControllerPart
 from armui.control.events import Notice
 from armui.control.motion.motion_command import Mover
+from armui.control.operating_state import StopState
 from armui.control.parameters.arm_model import planning_model
 from armui.telemetry.events import Asker, EventKind, Level
 from armui.trajectory.points.program import Trajectory, Waypoint
@@ -31,6 +32,13 @@ if TYPE_CHECKING:
 AREA_ENTERED = Notice(
     "area_entered",
     "The arm has come into the work area's “{name}”: {part}, {value} mm too near.",
+    Level.WARNING,
+    EventKind.STATUS,
+    Asker.PROGRAM,
+)
+AREA_BELOW = Notice(
+    "area_below",
+    "The stopped arm sinks, and the work area does not hold it: below it is {names}. Hold the arm.",
     Level.WARNING,
     EventKind.STATUS,
     Asker.PROGRAM,
@@ -69,6 +77,7 @@ class AreaGuard(ControllerPart):
         self._measured: tuple[object, ...] = ()
         self._seen: tuple[AreaEntry, ...] = ()
         self._was_in = False
+        self._ran = True
 
     # What is known ----------------------------------------------------------------------------
 
@@ -87,6 +96,11 @@ class AreaGuard(ControllerPart):
         if measured != self._measured:  # it is asked often, mostly of an arm that stands
             self._measured, self._seen = measured, check.look(joints_deg)
         return self._seen
+
+    def below(self) -> str:
+        """Return the names of what the arm may sink into without its motors; "" for nothing."""
+        joints_deg, check = self._context.state().angles_deg(), self.check()
+        return "" if joints_deg is None or check is None else ", ".join(check.below(joints_deg))
 
     def intrusion(self, state: ArmState) -> AreaIntrusion | None:
         """Return where the measured arm is too near to its area, or ``None``."""
@@ -196,6 +210,10 @@ class AreaGuard(ControllerPart):
         elif found is None and self._was_in:
             context.tell(AREA_LEFT)
         self._was_in = found is not None
+        runs = context.operating_state().stop is StopState.RUNNING
+        if self._ran and not runs and (names := self.below()):
+            context.tell(AREA_BELOW, names=names)
+        self._ran = runs
 
     def forget_arm(self) -> None:
         """Forget where the arm was: it may be another one that comes."""

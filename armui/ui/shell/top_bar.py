@@ -479,6 +479,7 @@ class TopBar(Translated, QWidget):
             on_confirmed=self._controller.motors.resume,
             hold=True,
             still=lambda: self._controller.operating_state.stop is StopState.STOPPED,
+            sinks=True,
         )
 
     def _on_enable(self) -> None:
@@ -494,6 +495,7 @@ class TopBar(Translated, QWidget):
             on_confirmed=self._controller.motors.disable,
             hold=True,
             still=lambda: self._enable.turns_off,
+            sinks=True,
         )
 
     def retranslate_ui(self) -> None:
