@@ -154,6 +154,11 @@ class CellPanel(Panel):
             targets.update(tab.command_targets())
         return targets
 
+    def zone_target(self) -> AreaTab | None:
+        """Return the tab in which a plane or box of the work area is typed, while it is seen."""
+        tab = self._tabs[self._group.checkedId()]
+        return tab if isinstance(tab, AreaTab) else None
+
     # -- actions ------------------------------------------------------------------------------
 
     def _on_chosen(self, place: int) -> None:
