@@ -319,7 +319,7 @@ class AreaTab(CellTab):
         if chosen:
             return self.tr("It is in force. Switch it off, or change its figures and press Apply.")
         return self.tr(
-            "Type a name and a pose, or take the present tool pose. A plane keeps the arm on the "
+            "Type a name and a pose in the base, or take the tool's. A plane keeps the arm on the "
             "side of its Z axis (all 0: above the table); a box keeps it out."
         )
 

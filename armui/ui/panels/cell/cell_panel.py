@@ -25,6 +25,7 @@ from armui.ui.dialogs.confirm_dialog import confirm
 from armui.ui.dialogs.files import choose_file
 from armui.ui.panels.cell.area_tab import AreaTab
 from armui.ui.panels.cell.cell_tab import CellTab, CurrentStack
+from armui.ui.panels.cell.frames_tab import FramesTab
 from armui.ui.panels.cell.gripper_tab import GripperTab
 from armui.ui.panels.cell.held_tab import HeldTab
 from armui.ui.panels.cell.tools_tab import ToolsTab
@@ -45,7 +46,7 @@ if TYPE_CHECKING:
     from armui.control.operating_state import OperatingState
     from armui.settings import SettingsStore
 
-TABS: Final[tuple[type[CellTab], ...]] = (ToolsTab, AreaTab, HeldTab, GripperTab)
+TABS: Final[tuple[type[CellTab], ...]] = (ToolsTab, FramesTab, AreaTab, HeldTab, GripperTab)
 """The tabs from left to right."""
 _TALLEST_CARD_PX: Final = 560
 _NARROW_PX: Final = 60

@@ -88,6 +88,7 @@ class PointsTable(QTableView):
         down.setMinimumWidth(self.fontMetrics().horizontalAdvance("▶ 00000"))
         across = self.horizontalHeader()
         across.setHighlightSections(False)
+        across.setResizeContentsPrecision(0)  # only rows in sight are asked how wide they are
         across.setStretchLastSection(True)
         self.setMinimumHeight(_LEAST_ROWS * _ROW_PX + across.sizeHint().height())
         for column, width_px in _WIDTHS_PX.items():
