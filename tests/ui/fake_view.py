@@ -47,7 +47,13 @@ class FakeView(QWidget):
         self.joints = None
 
     def set_pose(
-        self, pose: Any, stale: bool = False, too_low: bool = False, of_tool: bool = False
+        self,
+        pose: Any,
+        stale: bool = False,
+        *,
+        too_low: bool = False,
+        of_tool: bool = False,
+        frame: str = "",
     ) -> None:
         self.pose = (pose, stale)
 
