@@ -26,6 +26,7 @@ from armui.system.files import read_file
 from armui.system.paths import URDF
 
 if TYPE_CHECKING:
+    from armui.arm.held_shape import HeldShape
     from armui.arm.state import EndLimits
     from armui.arm.tool_capsule import ToolCapsule
     from armui.kinematics.arm_kinematics import Kinematics
@@ -309,6 +310,8 @@ class ArmModel:
         gripper_turned_deg: The gripper's turn about the flange's Z axis.
         kind: The model and its zeros; if "", trajectories of other arms are not recognised.
         tool: The tool set on the flange; ``None`` if only the gripper's tip counts.
+        held: What the hand holds.
+        frames: The names of the cell's user frames, and their poses in the base.
     """
 
     limits: tuple[JointLimits, ...]
@@ -321,6 +324,8 @@ class ArmModel:
     kind: str = ""
     widest_mm: float | None = None
     tool: ToolCapsule | None = None
+    held: HeldShape | None = None
+    frames: tuple[tuple[str, tuple[float, ...]], ...] = ()
 
     @property
     def tip_mm(self) -> tuple[float, float, float]:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 from armui.arm.refusal import Reason, Refusal
 from armui.cell.checks import check_name, check_names
 from armui.cell.gripper_table import GripperTable, Pairs, check_gripper_table
+from armui.cell.held_objects import HeldObject, check_held_object
 from armui.cell.tools import Tool, check_tool
 from armui.cell.user_frames import UserFrame, check_user_frame
 from armui.cell.work_area import Area, check_area
@@ -28,6 +29,8 @@ class Cell:
         gripper_table: The gripper's openings, asked for and measured with callipers, mm.
         gripper_calibrated: True if that table is applied.
         area: Where the arm may go.
+        held_objects: What the hand may hold, in the order of the list.
+        held: The name of what it holds now; "" for nothing.
         frames: Its user frames, in the order of the list.
         frame: The name of the one that poses are shown and typed in; "" for the base.
     """
@@ -38,6 +41,8 @@ class Cell:
     gripper_table: Pairs = ()
     gripper_calibrated: bool = False
     area: Area = field(default_factory=Area)
+    held_objects: tuple[HeldObject, ...] = ()
+    held: str = ""
     frames: tuple[UserFrame, ...] = ()
     frame: str = ""
 
@@ -57,6 +62,11 @@ class Cell:
         return self.frame_named(self.frame)
 
     @property
+    def held_object(self) -> HeldObject | None:
+        """What the hand holds now, or ``None``."""
+        return self.object_named(self.held)
+
+    @property
     def gripper(self) -> GripperTable | None:
         """The gripper's table while it is applied, or ``None``."""
         return GripperTable(self.gripper_table) if self.gripper_calibrated else None
@@ -64,6 +74,10 @@ class Cell:
     def tool_named(self, name: str) -> Tool | None:
         """Return a tool by its name, or ``None``."""
         return next((tool for tool in self.tools if tool.name == name), None)
+
+    def object_named(self, name: str) -> HeldObject | None:
+        """Return something that the hand may hold by its name, or ``None``."""
+        return next((each for each in self.held_objects if each.name == name), None)
 
     def frame_named(self, name: str) -> UserFrame | None:
         """Return a user frame by its name, or ``None``."""
@@ -88,6 +102,15 @@ def without_tool(cell: Cell, name: str) -> Cell:
     """Return a cell without a tool; if it was the chosen one, the bare flange is chosen."""
     tools = tuple(each for each in cell.tools if each.name != name)
     return replace(cell, tools=tools, tool="" if cell.tool == name else cell.tool)
+
+
+def with_held_object(cell: Cell, held: HeldObject, *, instead_of: str = "") -> Cell:
+    """Return a cell with a further object to hold, or with one in the place of another."""
+    if not instead_of:
+        return replace(cell, held_objects=(*cell.held_objects, held))
+    objects = tuple(held if each.name == instead_of else each for each in cell.held_objects)
+    now = held.name if cell.held == instead_of else cell.held
+    return replace(cell, held_objects=objects, held=now)
 
 
 def with_frame(cell: Cell, frame: UserFrame, *, instead_of: str = "") -> Cell:
@@ -120,6 +143,9 @@ def check_cell(cell: Cell) -> Refusal | None:
         _check_choice(cell.tool, cell.chosen_tool),
         check_gripper_table(cell.gripper_table, used=cell.gripper_calibrated),
         check_area(cell.area),
+        check_names(held.name for held in cell.held_objects),
+        *(check_held_object(held) for held in cell.held_objects),
+        _check_choice(cell.held, cell.held_object),
         check_names(frame.name for frame in cell.frames),
         *(check_user_frame(frame) for frame in cell.frames),
         _check_choice(cell.frame, cell.chosen_frame),

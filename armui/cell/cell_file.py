@@ -15,7 +15,7 @@ from typing import Final
 
 from armui.arm.json_fields import FieldError, FieldProblem, Fields
 from armui.arm.refusal import Reason, Refusal
-from armui.cell import gripper_table, tools, user_frames, work_area
+from armui.cell import gripper_table, held_objects, tools, user_frames, work_area
 from armui.cell.cell import Cell, check_cell
 from armui.cell.work_area import Area
 from armui.system.atomic import write_whole
@@ -139,6 +139,15 @@ def save_cell(path: Path, cell: Cell, expected: Cell | None) -> Refusal | None:
     return write_cell(path, cell)
 
 
+def rename_cell(path: Path, new: Path, cell: Cell, expected: Cell | None) -> Refusal | None:
+    """Move a cell to a file of another name, which must be free; see :func:`save_cell`."""
+    if new.exists():
+        return CELL_CHANGED_ELSEWHERE(path=str(new))
+    if path.exists() and read_cell(path) != expected:
+        return CELL_CHANGED_ELSEWHERE(path=str(path))
+    return write_cell(new, cell) or delete_cell(path)
+
+
 def read_cells(folder: Path) -> Mapping[str, Cell | Refusal]:
     """Return all cells of a folder by name, with the reasons against those that are broken."""
     try:
@@ -172,6 +181,8 @@ def _entries(cell: Cell) -> dict[str, object]:
         "gripper_table": gripper_table.to_entries(cell.gripper_table),
         "gripper_calibrated": int(cell.gripper_calibrated),
         "area": work_area.to_entry(cell.area),
+        "held_objects": [held_objects.to_entry(held) for held in cell.held_objects],
+        "held": cell.held,
         "frames": [user_frames.to_entry(frame) for frame in cell.frames],
         "frame": cell.frame,
     }
@@ -194,6 +205,8 @@ def _cell(fields: Fields, name: str) -> Cell:
         gripper_table=gripper_table.from_entries(_objects(fields, "gripper_table")),
         gripper_calibrated=bool(fields.whole("gripper_calibrated", 0, (0, 1))),
         area=work_area.from_entry(fields.object("area")) if "area" in fields else Area(),
+        held_objects=tuple(map(held_objects.from_entry, _objects(fields, "held_objects"))),
+        held=fields.text("held", ""),
         frames=tuple(map(user_frames.from_entry, _objects(fields, "frames"))),
         frame=fields.text("frame", ""),
     )

@@ -58,6 +58,7 @@ class Capsule:
             the flange is 6.
         start_mm, end_mm: The ends of the line in that frame.
         radius_mm: The distance.
+        skips: The names of the planes and boxes that it does not count against.
     """
 
     part: str
@@ -65,6 +66,7 @@ class Capsule:
     start_mm: tuple[float, ...]
     end_mm: tuple[float, ...]
     radius_mm: float
+    skips: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True, slots=True)

@@ -88,7 +88,9 @@ class ControllerParts(QObject):
     def jog_floor(self) -> JogFloor:
         """Knows how low the arm reaches, and how low a jog may take it."""
         return JogFloor(
-            self._context, lambda: tool_capsule(self.cartesian.tool, self.cartesian.tool_radius_mm)
+            self._context,
+            lambda: tool_capsule(self.cartesian.tool, self.cartesian.tool_radius_mm),
+            lambda: self.cell.held_shape,
         )
 
     @cached_property
@@ -135,7 +137,9 @@ class ControllerParts(QObject):
     @cached_property
     def player(self) -> Player:
         """Runs trajectories."""
-        return Player(self._context, self)
+        player = Player(self._context, self)
+        player.note_held = self.cell.note_held
+        return player
 
     @cached_property
     def replayer(self) -> Replayer:

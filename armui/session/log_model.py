@@ -8,6 +8,8 @@ import numpy as np
 
 from armui.arm.json_fields import FieldError, Fields
 from armui.arm.model_check import FittingArm, fitting_arms
+from armui.cell import held_objects
+from armui.cell.held_objects import HeldObject
 from armui.cell.tools import NO_TOOL, check_tool, from_entry
 from armui.protocol.addressing import Addressing
 from armui.protocol.codec import Codec, Message
@@ -96,6 +98,20 @@ def told_tool(lines: Iterable[Mapping[str, Any]]) -> tuple[float, ...]:
     """
     told = {_tool_in(line) for line in lines if line.get("kind") == "cell"}
     return told.pop() if len(told) == 1 else NO_TOOL
+
+
+def told_held(lines: Iterable[Mapping[str, Any]]) -> HeldObject | None:
+    """Return what the hand held all through a recording, or ``None``; see :func:`told_tool`."""
+    told = {_held_in(line) for line in lines if line.get("kind") == "cell"}
+    return told.pop() if len(told) == 1 else None
+
+
+def _held_in(line: Mapping[str, Any]) -> HeldObject | None:
+    try:
+        read = held_objects.from_entry(Fields(line.get("held")))
+    except FieldError:
+        return None
+    return None if held_objects.check_held_object(read) is not None else read
 
 
 def _tool_in(line: Mapping[str, Any]) -> tuple[float, ...]:

@@ -1,4 +1,4 @@
-"""The work area in the picture: plain data, passed to the render process."""
+"""The work area and what the hand holds in the picture: plain data for the render process."""
 
 from __future__ import annotations
 
@@ -7,18 +7,22 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True)
 class AreaShape:
-    """A plane or a box of the work area.
+    """A plane or a box of the work area, or what the hand holds.
 
     Attributes:
-        rows: Its frame in the base: the upper three rows of the transform, row by row, in mm. The
-            Z axis of a plane points to the side on which the arm stays.
+        rows: Its frame in the base: the upper three rows of the transform, row by row, in metres.
+            The Z axis of a plane points to the side on which the arm stays.
         size_mm: The edges of a box; ``None`` for a plane.
         near: True if the arm is near, so that it is lit.
+        held: True if the frame is in the flange instead, and it moves with the arm.
+        is_rod: True for a rod along the Z axis, as long as its edge there.
     """
 
     rows: tuple[float, ...]
     size_mm: tuple[float, ...] | None = None
     near: bool = False
+    held: bool = False
+    is_rod: bool = False
 
 
 AreaPicture = tuple[AreaShape, ...]

@@ -549,10 +549,6 @@
         <translation>工作区的平面和长方体</translation>
     </message>
     <message>
-        <source>Type a name and a pose, or take the present tool pose. A plane keeps the arm on the side of its Z axis (all 0: above the table); a box keeps it out.</source>
-        <translation>请输入名称和位姿，或取当前工具位姿。平面使机械臂留在其 Z 轴一侧（全 0：桌面以上）；长方体使机械臂不进入其中。</translation>
-    </message>
-    <message>
         <source>Plane or box</source>
         <translation>平面或长方体</translation>
     </message>
@@ -633,8 +629,28 @@
         <translation>取当前工具位姿</translation>
     </message>
     <message>
+        <source>Take the pose of a user frame</source>
+        <translation>取用户坐标系的位姿</translation>
+    </message>
+    <message>
         <source>Puts these figures in force, and the margin with them.</source>
         <translation>使这些数值连同余量生效。</translation>
+    </message>
+    <message>
+        <source>The cell has no user frame yet.</source>
+        <translation>单元还没有用户坐标系。</translation>
+    </message>
+    <message>
+        <source>Fills in the pose of a user frame; its Z axis is that of the plane.</source>
+        <translation>填入用户坐标系的位姿；它的 Z 轴就是平面的 Z 轴。</translation>
+    </message>
+    <message>
+        <source>Type a name and a pose in the base, or take the tool&apos;s. A plane keeps the arm on the side of its Z axis (all 0: above the table); a box keeps it out.</source>
+        <translation>请输入名称和在基坐标系中的位姿，或取当前工具位姿。平面使机械臂留在其 Z 轴一侧（全 0：桌面以上）；长方体使机械臂不进入其中。</translation>
+    </message>
+    <message>
+        <source>From frame</source>
+        <translation>取自坐标系</translation>
     </message>
     <message>
         <source>Apply</source>
@@ -819,6 +835,10 @@
     <message>
         <source>Restart the 3D view</source>
         <translation>重新启动 3D 视图</translation>
+    </message>
+    <message>
+        <source>{point} in “{frame}”</source>
+        <translation>{point}，“{frame}”坐标系</translation>
     </message>
     <message>
         <source>Restarting; the arm is not affected.</source>
@@ -1328,6 +1348,18 @@
 <context>
     <name>CartesianPanel</name>
     <message>
+        <source>Frame of the figures</source>
+        <translation>数值所用坐标系</translation>
+    </message>
+    <message>
+        <source>in the base frame</source>
+        <translation>基坐标系</translation>
+    </message>
+    <message>
+        <source>in “{name}”</source>
+        <translation>坐标系“{name}”</translation>
+    </message>
+    <message>
         <source>Fills the fields with the measured pose; nothing moves.</source>
         <translation>把当前位姿填入输入框，不会运动。</translation>
     </message>
@@ -1387,6 +1419,14 @@
         <translation>把单元写到单独的文件。</translation>
     </message>
     <message>
+        <source>Rename</source>
+        <translation>改名</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>比较</translation>
+    </message>
+    <message>
         <source>Import…</source>
         <translation>导入…</translation>
     </message>
@@ -1411,8 +1451,32 @@
         <translation>两者相同。</translation>
     </message>
     <message>
+        <source>Compare the cell with another</source>
+        <translation>把单元与另一个比较</translation>
+    </message>
+    <message>
+        <source>Compare with “{name}”</source>
+        <translation>与“{name}”比较</translation>
+    </message>
+    <message>
+        <source>Choose it</source>
+        <translation>选用它</translation>
+    </message>
+    <message>
         <source>Type a name first.</source>
         <translation>请先输入名称。</translation>
+    </message>
+    <message>
+        <source>Gives the cell in force and its file the name that is typed.</source>
+        <translation>把输入的名称给予生效的单元及其文件。</translation>
+    </message>
+    <message>
+        <source>There is no other cell.</source>
+        <translation>没有其他单元。</translation>
+    </message>
+    <message>
+        <source>Says in what another cell of the list differs from the one in force.</source>
+        <translation>说明列表中另一个单元与生效的单元有何不同。</translation>
     </message>
     <message>
         <source>New</source>
@@ -1493,6 +1557,14 @@
     <message>
         <source>Area</source>
         <translation>区域</translation>
+    </message>
+    <message>
+        <source>Held</source>
+        <translation>工件</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>坐标系</translation>
     </message>
 </context>
 <context>
@@ -2234,6 +2306,10 @@
 </context>
 <context>
     <name>ConfirmDialog</name>
+    <message>
+        <source>The work area does not hold it then: below the arm is {names}.</source>
+        <translation>此时工作区拦不住它：机械臂下方是 {names}。</translation>
+    </message>
     <message>
         <source>Hold the button, or the space bar on it, for one second.</source>
         <translation>请按住按钮（或在按钮上按住空格键）1 秒。</translation>
@@ -3000,6 +3076,10 @@
         <translation>关节角 ↔ 位姿互换</translation>
     </message>
     <message>
+        <source>User frame…</source>
+        <translation>用户坐标系…</translation>
+    </message>
+    <message>
         <source>Go to this point</source>
         <translation>运动到该点</translation>
     </message>
@@ -3097,6 +3177,10 @@
         <translation>已保存。“{name}”在此处打开后被另一个程序修改过：其保存的内容可在轨迹库的“最近删除…”中找到。</translation>
     </message>
     <message>
+        <source>Base</source>
+        <translation>基坐标系</translation>
+    </message>
+    <message>
         <source>“{name}” has been saved since these unsaved changes were kept: they are not put over it. They are in the library under “Recently deleted…”.</source>
         <translation>“{name}”在这些未保存的更改之后又保存过：未用它们覆盖，可在轨迹库的“最近删除…”中找回。</translation>
     </message>
@@ -3134,6 +3218,10 @@
     <message>
         <source>Disabled</source>
         <translation>失能</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>已急停</translation>
     </message>
 </context>
 <context>
@@ -3966,6 +4054,14 @@
         <translation>到达该位姿时关节 {joint} 要转 {value}°。如非本意，请改用关节角度表示该点。</translation>
     </message>
     <message>
+        <source>The point is in the user frame “{name}”, which the cell has not: where it is cannot be told. Choose the cell that has it, or make a frame of this name under Cell.</source>
+        <translation>该点位于用户坐标系“{name}”中，而当前单元没有这个坐标系，无法确定其位置。请选择含有该坐标系的单元，或在“单元”中新建同名坐标系。</translation>
+    </message>
+    <message>
+        <source>From here on the hand holds “{name}”, which the cell has not: how large it is cannot be told. Choose the cell that has it, or add it under Cell, Held.</source>
+        <translation>从该点起夹爪夹着“{name}”，而当前单元没有这个工件，无法确定其大小。请选择含有该工件的单元，或在“单元”的“工件”中添加。</translation>
+    </message>
+    <message>
         <source>Joint {joint} jumps {value}° from the sample before. Trim the recording there, or record again.</source>
         <translation>关节 {joint} 与上一采样相差 {value}°。请在此处裁剪，或重新录制。</translation>
     </message>
@@ -4167,6 +4263,95 @@
     </message>
 </context>
 <context>
+    <name>FrameByPoints</name>
+    <message>
+        <source>Takes the measured place of the tool; nothing moves.</source>
+        <translation>采集末端的实测位置；不会运动。</translation>
+    </message>
+    <message>
+        <source>{value} mm from the origin; {wanted} mm or more are wanted.</source>
+        <translation>距原点 {value} mm；需要 {wanted} mm 以上。</translation>
+    </message>
+    <message>
+        <source>Not all points are taken yet.</source>
+        <translation>三点尚未采集完。</translation>
+    </message>
+    <message>
+        <source>No frame is chosen.</source>
+        <translation>未选择坐标系。</translation>
+    </message>
+    <message>
+        <source>Adds the frame found under a new name, and chooses it.</source>
+        <translation>以新名称添加所得坐标系并选用。</translation>
+    </message>
+    <message>
+        <source>Puts the frame found in the place of “{name}”. Points of trajectories that belong to it move with it; their way is checked anew.</source>
+        <translation>用所得坐标系替换“{name}”。轨迹中属于它的点随之移动，其路径将重新检查。</translation>
+    </message>
+    <message>
+        <source>New frame</source>
+        <translation>新坐标系</translation>
+    </message>
+    <message>
+        <source>X {x}  Y {y}  Z {z} mm in the base</source>
+        <translation>基坐标系 X {x}  Y {y}  Z {z} mm</translation>
+    </message>
+    <message>
+        <source>Found, in the base: {frame}
+Z points along {direction}</source>
+        <translation>所得（基坐标系中）：{frame}
+Z 轴指向 {direction}</translation>
+    </message>
+    <message>
+        <source>“{name}” is in force: jog along it in Tool control, by its button beside − and +.</source>
+        <translation>“{name}”已生效：在“末端控制”中按“− / + 方向”旁它的按钮，即可沿它点动。</translation>
+    </message>
+    <message>
+        <source>Jog the tool&apos;s tip to what becomes the origin (Motion or Tool control, or lead the arm by hand), come back and press Origin.</source>
+        <translation>把工具尖点动到将作为原点的位置（用“运动控制”或“末端控制”，也可用手拖动），回到此处按“原点”。</translation>
+    </message>
+    <message>
+        <source>Jog the tip along what becomes the X axis, as far as you can; press On +X.</source>
+        <translation>沿将作为 X 轴的方向把工具尖移到尽量远处，按“+X 上”。</translation>
+    </message>
+    <message>
+        <source>Jog the tip to the side where +Y is to be; press On the +Y side.</source>
+        <translation>把工具尖移到 +Y 所在的一侧，按“+Y 一侧”。</translation>
+    </message>
+    <message>
+        <source>Look at the axes in the picture: is Z as you want it? Then press Add. If not, take a point again.</source>
+        <translation>请看画面中的坐标轴：Z 的朝向对吗？对则按“添加”；不对请重新采集某一点。</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>原点</translation>
+    </message>
+    <message>
+        <source>On +X</source>
+        <translation>+X 上</translation>
+    </message>
+    <message>
+        <source>On the +Y side</source>
+        <translation>+Y 一侧</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>添加</translation>
+    </message>
+    <message>
+        <source>Frame found</source>
+        <translation>所得坐标系</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>替换</translation>
+    </message>
+    <message>
+        <source>Start again</source>
+        <translation>重新开始</translation>
+    </message>
+</context>
+<context>
     <name>FrameChoice</name>
     <message>
         <source>− and + along</source>
@@ -4179,6 +4364,10 @@
     <message>
         <source>Tool frame</source>
         <translation>工具坐标系</translation>
+    </message>
+    <message>
+        <source>User frame</source>
+        <translation>用户坐标系</translation>
     </message>
 </context>
 <context>
@@ -4479,6 +4668,113 @@
     </message>
 </context>
 <context>
+    <name>FramesTab</name>
+    <message>
+        <source>Frame in force</source>
+        <translation>当前坐标系</translation>
+    </message>
+    <message>
+        <source>Frame by three points</source>
+        <translation>三点法建立坐标系</translation>
+    </message>
+    <message>
+        <source>Frame from the present tool pose</source>
+        <translation>取当前末端位姿为坐标系</translation>
+    </message>
+    <message>
+        <source>Apply the figures of the frame</source>
+        <translation>应用坐标系的数值</translation>
+    </message>
+    <message>
+        <source>Add as a new frame</source>
+        <translation>添加为新坐标系</translation>
+    </message>
+    <message>
+        <source>Delete the frame</source>
+        <translation>删除坐标系</translation>
+    </message>
+    <message>
+        <source>Frame {number}</source>
+        <translation>坐标系 {number}</translation>
+    </message>
+    <message>
+        <source>The arm has not told its pose.</source>
+        <translation>机械臂尚未反馈位姿。</translation>
+    </message>
+    <message>
+        <source>Fills in the present tool pose, with the axes of the tool.</source>
+        <translation>填入当前末端位姿，坐标轴即工具的坐标轴。</translation>
+    </message>
+    <message>
+        <source>— (base)</source>
+        <translation>—（基坐标系）</translation>
+    </message>
+    <message>
+        <source>Puts these figures in the place of those of the chosen frame. Points of trajectories that belong to it move with it; their way is checked anew.</source>
+        <translation>用这些数值取代所选坐标系的数值。轨迹中属于它的点随之移动，其路径将重新检查。</translation>
+    </message>
+    <message>
+        <source>Adds a frame of this name and chooses it.</source>
+        <translation>以此名称添加坐标系并选用。</translation>
+    </message>
+    <message>
+        <source>Deletes the chosen frame; the base is chosen then. Trajectories with points that belong to it are not run until they have another frame.</source>
+        <translation>删除所选坐标系，随后改用基坐标系。含有属于它的点的轨迹，在改换坐标系之前不能运行。</translation>
+    </message>
+    <message>
+        <source>No frame is chosen. Add one, or choose one above.</source>
+        <translation>未选择坐标系。请添加，或在上方选择。</translation>
+    </message>
+    <message>
+        <source>There is no cell yet: type its name above and press New.</source>
+        <translation>还没有单元：请在上方输入名称并按“新建”。</translation>
+    </message>
+    <message>
+        <source>Press By three points: the tool&apos;s tip shows where the frame is. Or type a name and the frame&apos;s pose in the base, then press Add.</source>
+        <translation>按“三点法”，用工具尖示出坐标系的位置；或输入名称及其在基坐标系中的位姿，再按“添加”。</translation>
+    </message>
+    <message>
+        <source>Press Add: poses are shown and typed in this frame from then on.</source>
+        <translation>按“添加”：此后位姿均以该坐标系显示和输入。</translation>
+    </message>
+    <message>
+        <source>Press Add for a further frame, or Apply to rename the chosen one.</source>
+        <translation>按“添加”新增一个坐标系，或按“应用”给所选坐标系改名。</translation>
+    </message>
+    <message>
+        <source>Press Apply: the frame moves, and what belongs to it moves with it.</source>
+        <translation>按“应用”：坐标系移动，属于它的点随之移动。</translation>
+    </message>
+    <message>
+        <source>Poses are shown and typed in this frame. Choose another one, or the base.</source>
+        <translation>位姿以该坐标系显示和输入。可改选其它坐标系或基坐标系。</translation>
+    </message>
+    <message>
+        <source>Frame&apos;s name</source>
+        <translation>坐标系名称</translation>
+    </message>
+    <message>
+        <source>Type it</source>
+        <translation>手动输入</translation>
+    </message>
+    <message>
+        <source>By three points</source>
+        <translation>三点法</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>坐标系</translation>
+    </message>
+    <message>
+        <source>The frame&apos;s own pose, in the base (mm, °)</source>
+        <translation>该坐标系在基坐标系中的位姿（mm、°）</translation>
+    </message>
+    <message>
+        <source>From the present tool pose</source>
+        <translation>取当前末端位姿</translation>
+    </message>
+</context>
+<context>
     <name>GamepadAction</name>
     <message>
         <source>Dead man (hold to move)</source>
@@ -4632,6 +4928,10 @@
         <source>Tool frame</source>
         <translation>工具坐标系</translation>
     </message>
+    <message>
+        <source>User frame</source>
+        <translation>用户坐标系</translation>
+    </message>
 </context>
 <context>
     <name>GamepadStrip</name>
@@ -4707,6 +5007,18 @@
     <message>
         <source>Angle</source>
         <translation>角度</translation>
+    </message>
+    <message>
+        <source>Holds as before</source>
+        <translation>夹持不变</translation>
+    </message>
+    <message>
+        <source>Holds nothing</source>
+        <translation>从此不夹工件</translation>
+    </message>
+    <message>
+        <source>What the hand holds from this point on</source>
+        <translation>从该点起夹爪夹着的工件</translation>
     </message>
 </context>
 <context>
@@ -5055,6 +5367,177 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
+    <name>HeldTab</name>
+    <message>
+        <source>Held object</source>
+        <translation>夹持的工件</translation>
+    </message>
+    <message>
+        <source>Add an object to hold</source>
+        <translation>添加工件</translation>
+    </message>
+    <message>
+        <source>Apply the figures of the object</source>
+        <translation>应用工件的数值</translation>
+    </message>
+    <message>
+        <source>Delete the object</source>
+        <translation>删除工件</translation>
+    </message>
+    <message>
+        <source>What the held object may touch</source>
+        <translation>工件可以接触什么</translation>
+    </message>
+    <message>
+        <source>Tell the arm the object&apos;s load</source>
+        <translation>把工件的负载告诉机械臂</translation>
+    </message>
+    <message>
+        <source>— (a new one)</source>
+        <translation>—（新建）</translation>
+    </message>
+    <message>
+        <source> (held)</source>
+        <translation>（夹持中）</translation>
+    </message>
+    <message>
+        <source>Adds an object of this name.</source>
+        <translation>以此名称添加一个工件。</translation>
+    </message>
+    <message>
+        <source>Choose an object above first.</source>
+        <translation>请先在上方选择一个工件。</translation>
+    </message>
+    <message>
+        <source>Puts these figures in the place of those of the chosen object.</source>
+        <translation>用这些数值替换所选工件的数值。</translation>
+    </message>
+    <message>
+        <source>Deletes the chosen object.</source>
+        <translation>删除所选的工件。</translation>
+    </message>
+    <message>
+        <source>Let go</source>
+        <translation>已放下</translation>
+    </message>
+    <message>
+        <source>It is held</source>
+        <translation>已夹住</translation>
+    </message>
+    <message>
+        <source>“{name}” counts no more in any check. The gripper does not move.</source>
+        <translation>“{name}”不再计入任何检查。夹爪不会动。</translation>
+    </message>
+    <message>
+        <source>It counts in every check from now on. The gripper does not move.</source>
+        <translation>从现在起计入每一次检查。夹爪不会动。</translation>
+    </message>
+    <message>
+        <source>May touch: {count}</source>
+        <translation>可接触：{count}</translation>
+    </message>
+    <message>
+        <source>May touch…</source>
+        <translation>可接触…</translation>
+    </message>
+    <message>
+        <source>The work area has no plane or box yet.</source>
+        <translation>工作区还没有平面或长方体。</translation>
+    </message>
+    <message>
+        <source>What it may touch: the table, a tray.</source>
+        <translation>它可以接触什么：桌面、托盘。</translation>
+    </message>
+    <message>
+        <source>Diameter (X, Y), length (Z)</source>
+        <translation>直径（X、Y），长度（Z）</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>边长</translation>
+    </message>
+    <message>
+        <source>In the hand: {mass} kg. The arm carries {most} kg at most.</source>
+        <translation>夹持：{mass} kg。机械臂最多承载 {most} kg。</translation>
+    </message>
+    <message>
+        <source>Tell: {load}</source>
+        <translation>告知：{load}</translation>
+    </message>
+    <message>
+        <source>Tells the arm its end load. It is never told by itself.</source>
+        <translation>把末端负载告诉机械臂。程序绝不会自动告知。</translation>
+    </message>
+    <message>
+        <source>There is no cell yet: type its name above and press New.</source>
+        <translation>还没有单元：在上方输入名称并按“新建”。</translation>
+    </message>
+    <message>
+        <source>Press Apply to put the new figures in force.</source>
+        <translation>按“应用”使新数值生效。</translation>
+    </message>
+    <message>
+        <source>The hand holds “{name}”: it counts in every check until Let go.</source>
+        <translation>夹爪夹着“{name}”：按“已放下”之前它计入每一次检查。</translation>
+    </message>
+    <message>
+        <source>Press Add. It counts as soon as it is marked as held.</source>
+        <translation>按“添加”。标记为“已夹住”后才计入检查。</translation>
+    </message>
+    <message>
+        <source>Press It is held once the gripper has closed on it.</source>
+        <translation>夹爪夹紧它之后，按“已夹住”。</translation>
+    </message>
+    <message>
+        <source>Type a name, the middle of the object in the flange, and its edges.</source>
+        <translation>输入名称、工件中心在法兰坐标系中的位置和边长。</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>质量</translation>
+    </message>
+    <message>
+        <source>Name of the held object</source>
+        <translation>工件名称</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>长方体</translation>
+    </message>
+    <message>
+        <source>Rod</source>
+        <translation>圆头杆</translation>
+    </message>
+    <message>
+        <source>Shape of the held object</source>
+        <translation>工件形状</translation>
+    </message>
+    <message>
+        <source>Held object {axis}</source>
+        <translation>工件 {axis}</translation>
+    </message>
+    <message>
+        <source>Edge of the held object along {axis}</source>
+        <translation>工件沿 {axis} 的边长</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>添加</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>应用</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+</context>
+<context>
     <name>HeldTarget</name>
     <message>
         <source>a target this program does not know</source>
@@ -5303,8 +5786,16 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>基坐标系</translation>
     </message>
     <message>
+        <source>figures in “{name}”</source>
+        <translation>数值：“{name}”坐标系</translation>
+    </message>
+    <message>
         <source>Tool</source>
         <translation>工具坐标系</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>坐标系</translation>
     </message>
     <message>
         <source>Gripper</source>
@@ -5650,11 +6141,11 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>键盘点动</translation>
     </message>
     <message>
-        <source>Hold the space bar; each press of a letter key below is one step.</source>
+        <source>Hold the space bar: each letter key below is one step.</source>
         <translation>按住空格键，每按一次下列字母键走一步。</translation>
     </message>
     <message>
-        <source>Hold the space bar and a letter key below; release either and the arm stops.</source>
+        <source>Hold the space bar and a letter key; release either to stop.</source>
         <translation>按住空格键，再按住下列字母键即运动；松开任一键即停止。</translation>
     </message>
     <message>
@@ -6718,6 +7209,21 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
 </context>
 <context>
+    <name>NamedTab</name>
+    <message>
+        <source>Apply</source>
+        <translation>应用</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>添加</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+</context>
+<context>
     <name>Notice</name>
     <message>
         <source>Sent J1 {j1}°  J2 {j2}°  J3 {j3}°  J4 {j4}°  J5 {j5}°  J6 {j6}°</source>
@@ -6766,14 +7272,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Jogging ended. {reason}</source>
         <translation>点动已结束。{reason}</translation>
-    </message>
-    <message>
-        <source>Sent MOVE P to X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°</source>
-        <translation>已发送 MOVE P：X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°</translation>
-    </message>
-    <message>
-        <source>Sent MOVE L to X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°</source>
-        <translation>已发送 MOVE L：X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°</translation>
     </message>
     <message>
         <source>Sent MOVE C through the three captured poses</source>
@@ -6944,6 +7442,26 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>夹爪：已发送 {value} {unit}</translation>
     </message>
     <message>
+        <source>The stopped arm sinks, and the work area does not hold it: below it is {names}. Hold the arm.</source>
+        <translation>急停后机械臂会下沉，工作区拦不住它：其下方是 {names}。请扶住机械臂。</translation>
+    </message>
+    <message>
+        <source>Cell renamed: {name}</source>
+        <translation>单元已改名：{name}</translation>
+    </message>
+    <message>
+        <source>From here on the hand holds “{name}”.</source>
+        <translation>从此刻起夹爪夹着“{name}”。</translation>
+    </message>
+    <message>
+        <source>From here on the hand holds nothing.</source>
+        <translation>从此刻起夹爪没有夹东西。</translation>
+    </message>
+    <message>
+        <source>The gripper has opened to {value} mm. “{name}” counts as held until it is let go under Cell, Held.</source>
+        <translation>夹爪已张开到 {value} mm。在“单元”的“工件”中标为“已放下”之前，“{name}”仍算夹着。</translation>
+    </message>
+    <message>
         <source>Cell: {reason}</source>
         <translation>单元：{reason}</translation>
     </message>
@@ -6992,6 +7510,18 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>零点设置失败。{reason}</translation>
     </message>
     <message>
+        <source>Sent MOVE P (base) to X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°</source>
+        <translation>已发送 MOVE P：基坐标系 X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°</translation>
+    </message>
+    <message>
+        <source>Sent MOVE L (base) to X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°</source>
+        <translation>已发送 MOVE L：基坐标系 X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°</translation>
+    </message>
+    <message>
+        <source>{device} jogs {axes} (user frame “{frame}”)</source>
+        <translation>{device} 点动 {axes}（用户坐标系“{frame}”）</translation>
+    </message>
+    <message>
         <source>Settings sent to the arm: {count}</source>
         <translation>已向机械臂发送 {count} 项参数</translation>
     </message>
@@ -7022,6 +7552,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Run continues in row {row}</source>
         <translation>从第 {row} 行继续执行</translation>
+    </message>
+    <message>
+        <source>Own home set: {angles}</source>
+        <translation>原位已设定：{angles}</translation>
     </message>
     <message>
         <source>“{name}” has finished.</source>
@@ -7630,6 +8164,14 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>选择单元</translation>
     </message>
     <message>
+        <source>Rename the cell</source>
+        <translation>给单元改名</translation>
+    </message>
+    <message>
+        <source>Say what the hand holds</source>
+        <translation>说明夹爪夹着什么</translation>
+    </message>
+    <message>
         <source>Teach the reference pose</source>
         <translation>示教基准位姿</translation>
     </message>
@@ -7710,20 +8252,20 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>各关节运动到 {angles}。</translation>
     </message>
     <message>
+        <source>Sets your own home for this arm; nothing moves.</source>
+        <translation>为此机械臂设定原位，不运动。</translation>
+    </message>
+    <message>
         <source>Set own home</source>
         <translation>设定原位</translation>
     </message>
     <message>
-        <source>Saved for this arm; nothing moves.</source>
-        <translation>为此机械臂保存，不运动。</translation>
+        <source>Set to the measured angles</source>
+        <translation>设为当前测得的角度</translation>
     </message>
     <message>
-        <source>The measured angles</source>
-        <translation>当前测得的角度</translation>
-    </message>
-    <message>
-        <source>The targets in the fields</source>
-        <translation>输入框中的目标</translation>
+        <source>Set to the targets in the fields</source>
+        <translation>设为输入框中的目标</translation>
     </message>
     <message>
         <source>This arm reports no number of its own: another one without a number at this adapter would be taken for it.</source>
@@ -8229,6 +8771,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>转换</translation>
     </message>
     <message>
+        <source>Frame</source>
+        <translation>用户坐标系</translation>
+    </message>
+    <message>
         <source>Cut</source>
         <translation>剪切</translation>
     </message>
@@ -8328,6 +8874,18 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>J{joint} all</source>
         <translation>J{joint} 全部</translation>
+    </message>
+    <message>
+        <source>holds {name}</source>
+        <translation>夹着 {name}</translation>
+    </message>
+    <message>
+        <source>holds nothing</source>
+        <translation>不夹工件</translation>
+    </message>
+    <message>
+        <source>Its place counts from the user frame “{name}” of the cell.</source>
+        <translation>其位置以单元的用户坐标系“{name}”为基准。</translation>
     </message>
     <message>
         <source>Motion</source>
@@ -9347,6 +9905,10 @@ The other program must have ended.</source>
         <translation>已命令机械臂终止运动，但它仍在动。请急停，或切断其电源。</translation>
     </message>
     <message>
+        <source>Last used here: the cell “{name}”, the hand holding “{held}”. Confirm both if they are there; if the hand is empty, let go under Cell first.</source>
+        <translation>上次在此使用的单元是“{name}”，夹爪夹着“{held}”。两者都属实请确认；夹爪是空的，请先在“单元”中标为“已放下”。</translation>
+    </message>
+    <message>
         <source>Another program controls the arm since {since} ({frames}, {rate} frames/s).</source>
         <translation>另一个程序正在控制机械臂：自 {since} 起（{frames}，{rate} 帧/秒）。</translation>
     </message>
@@ -9972,8 +10534,28 @@ The other program must have ended.</source>
         <translation>点动步长：“{value}”不是角度。请输入以度为单位的数字，例如 0.5。</translation>
     </message>
     <message>
+        <source>This adapter was last used with the cell “{name}”, and the hand held “{held}”. Confirm both if they are there; if the hand is empty, let go under Cell, Held first.</source>
+        <translation>此适配器上次使用的单元是“{name}”，夹爪夹着“{held}”。两者都属实请确认；夹爪是空的，请先在“单元”的“工件”中标为“已放下”。</translation>
+    </message>
+    <message>
+        <source>“{name}” is marked as held, and would not be any more. Let go of it under Held first.</source>
+        <translation>“{name}”标记为夹持中，这样做它就不再算夹着。请先在“工件”中标为“已放下”。</translation>
+    </message>
+    <message>
         <source>The three points lie nearly in line: the third is {value}° off the X axis, at least {minimum}° are needed. Take the point on the +Y side again, further to the side.</source>
         <translation>三点几乎共线：第三点偏离 X 轴只有 {value}°，至少需要 {minimum}°。请在 +Y 一侧更偏的位置重新采集该点。</translation>
+    </message>
+    <message>
+        <source>No user frame is in force, or another one than at the press. Choose one under Cell, then press again; or move along base or tool.</source>
+        <translation>没有生效的用户坐标系，或已不是按下时的那个。请在“单元”中选择坐标系后再按，或沿基坐标系、工具坐标系移动。</translation>
+    </message>
+    <message>
+        <source>Row {row} is in the user frame “{name}”, and where that is was not worked out. Send it again.</source>
+        <translation>第 {row} 行位于用户坐标系“{name}”中，但尚未换算到基坐标系。请重新发送。</translation>
+    </message>
+    <message>
+        <source>“{value}” is not an option of a point; use frame, speed, dwell, gripper, holds, light or note.</source>
+        <translation>“{value}”不是有效的点选项，可用选项为 frame、speed、dwell、gripper、holds、light 和 note。</translation>
     </message>
     <message>
         <source>A folder needs a name. Enter one.</source>
@@ -9998,6 +10580,14 @@ The other program must have ended.</source>
     <message>
         <source>Not done: {name}: {text}. Check the rights to the library&apos;s folder.</source>
         <translation>未执行：{name}：{text}。请检查轨迹库文件夹的访问权限。</translation>
+    </message>
+    <message>
+        <source>Joint angles belong to no frame, and this point names “{name}”. Make it MOVE P, L or C, or take the frame away.</source>
+        <translation>关节角度不属于任何坐标系，但该点写明了坐标系“{name}”。请改为 MOVE P、L 或 C，或去掉坐标系。</translation>
+    </message>
+    <message>
+        <source>No home of your own is kept for this arm. Set it with the arrow beside.</source>
+        <translation>尚未为此机械臂设定原位。请用旁边的箭头设定。</translation>
     </message>
     <message>
         <source>Robot description: the file {path} is not there. Choose another file, or use the built-in one.</source>
@@ -10292,10 +10882,6 @@ The other program must have ended.</source>
         <translation>“{value}”不是有效的文件头条目，可用条目为 name、note 和 modified。</translation>
     </message>
     <message>
-        <source>“{value}” is not an option of a point; use speed, dwell, gripper, light or note.</source>
-        <translation>“{value}”不是有效的点选项，可用选项为 speed、dwell、gripper、light 和 note。</translation>
-    </message>
-    <message>
         <source>“{value}” is given twice. Keep one.</source>
         <translation>“{value}”重复出现，请只保留一个。</translation>
     </message>
@@ -10350,6 +10936,10 @@ The other program must have ended.</source>
     <message>
         <source>“{field}” is not what it should be: {expected}.</source>
         <translation>“{field}”的内容不符合要求，应为：{expected}。</translation>
+    </message>
+    <message>
+        <source>The cell has no user frame “{name}”, which the point is in. Choose the cell that has it, or make a frame of this name under Cell.</source>
+        <translation>该点位于用户坐标系“{name}”中，而当前单元没有这个坐标系。请选择含有该坐标系的单元，或在“单元”中新建同名坐标系。</translation>
     </message>
     <message>
         <source>{field}: {value}{unit} is out of range. Enter a value from {minimum}{unit} to {maximum}{unit}.</source>
@@ -10446,10 +11036,6 @@ The other program must have ended.</source>
     <message>
         <source>The speed override is 0 %: raise it, then hold “Continue” for 1 s.</source>
         <translation>运行倍率为 0 %：请先调高，再按住“继续”1 秒。</translation>
-    </message>
-    <message>
-        <source>No home of your own is kept for this arm. Set it with the button beside.</source>
-        <translation>尚未为此机械臂设定原位。请用旁边的按钮设定。</translation>
     </message>
     <message>
         <source>How far this gripper opens is not known: the arm has told no stroke limit. Set it in Gripper settings, or enter a target in Gripper control.</source>
@@ -13276,6 +13862,10 @@ The other program must have ended.</source>
         <translation>杆部</translation>
     </message>
     <message>
+        <source>it points along {axis} of “{name}”</source>
+        <translation>指向“{name}”的 {axis}</translation>
+    </message>
+    <message>
         <source>Apply the tip</source>
         <translation>应用尖端</translation>
     </message>
@@ -13396,10 +13986,6 @@ Before: {before}</source>
         <translation>工具胶囊体的半径</translation>
     </message>
     <message>
-        <source>Add</source>
-        <translation>添加</translation>
-    </message>
-    <message>
         <source>Adds a tool of this name and chooses it.</source>
         <translation>添加以此命名的工具并选择它。</translation>
     </message>
@@ -13414,10 +14000,6 @@ Before: {before}</source>
     <message>
         <source>Tool&apos;s name</source>
         <translation>工具名称</translation>
-    </message>
-    <message>
-        <source>Apply</source>
-        <translation>应用</translation>
     </message>
     <message>
         <source>Puts these figures in the place of those of the chosen tool.</source>
@@ -13460,10 +14042,6 @@ Before: {before}</source>
         <translation>检查时视为从法兰到尖端的胶囊体，长 {length} mm。</translation>
     </message>
     <message>
-        <source>Delete</source>
-        <translation>删除</translation>
-    </message>
-    <message>
         <source>This tool is in force. Choose another one, or change its figures.</source>
         <translation>此工具已生效。可另选一个，或更改其数值。</translation>
     </message>
@@ -13474,10 +14052,6 @@ Before: {before}</source>
     <message>
         <source>Press Add: the tool is chosen, and its tip is what moves from then on.</source>
         <translation>请按“添加”：工具即被选用，从此运动的是它的尖端。</translation>
-    </message>
-    <message>
-        <source>Tool {axis}</source>
-        <translation>工具 {axis}</translation>
     </message>
     <message>
         <source>There is no cell yet: type its name above and press New.</source>
@@ -13748,6 +14322,10 @@ Before: {before}</source>
         <translation>工作空间</translation>
     </message>
     <message>
+        <source>User frames</source>
+        <translation>用户坐标系</translation>
+    </message>
+    <message>
         <source>Save picture…</source>
         <translation>保存画面…</translation>
     </message>
@@ -13786,6 +14364,10 @@ Before: {before}</source>
     <message>
         <source>Looks at the arm from below the floor; turning the picture never goes there</source>
         <translation>从地面以下看机械臂；拖动旋转不会转到地面以下</translation>
+    </message>
+    <message>
+        <source>Shows the user frames of the cell; the one in force has coloured axes</source>
+        <translation>显示单元的用户坐标系；生效的坐标系以彩色轴显示</translation>
     </message>
     <message>
         <source>Tool, along the axes of the base</source>

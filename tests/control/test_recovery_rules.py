@@ -15,7 +15,11 @@ from armui.arm.other_hosts import OtherHosts, OtherTraffic
 from armui.arm.state import ArmState, DriverSlow, Reading, Status
 from armui.control.assessment import ActiveTasks, AssessmentInputs, assess
 from armui.control.authority import Authority
-from armui.control.cell.cell_reasons import CELL_NOT_CONFIRMED, CELL_NOT_READ
+from armui.control.cell.cell_reasons import (
+    CELL_HOLDING_NOT_CONFIRMED,
+    CELL_NOT_CONFIRMED,
+    CELL_NOT_READ,
+)
 from armui.control.cell.intrusion import AreaIntrusion
 from armui.control.devices.teaching_phase import why_not_teach
 from armui.control.events import Level
@@ -200,7 +204,8 @@ def in_a_cell() -> Iterator[tuple[ArmState, OperatingState]]:
     for enabled, allowed, checking in itertools.product(ENABLED, (False, True), (False, True)):
         doubt = ReferenceStatus((2, 5), allowed, checking)
         yield arm(status(), enabled), operating_state(arm(status(), enabled), reference=doubt)
-    for waits in (CELL_NOT_CONFIRMED(name="bench"), CELL_NOT_READ(name="bench")):
+    holding = CELL_HOLDING_NOT_CONFIRMED(name="bench", held="cube")
+    for waits in (holding, CELL_NOT_CONFIRMED(name="bench"), CELL_NOT_READ(name="bench")):
         authority, state = Authority(), arm(status())
         authority.unconfirmed_cell = waits
         yield state, operating_state(state, authority=authority)

@@ -9,6 +9,7 @@ import pytest
 from armui.arm.parameters import Parameter
 from armui.arm.refusal import Refusal
 from armui.cell.cell import Cell
+from armui.cell.held_objects import HeldObject
 from armui.cell.tools import Tool
 from armui.control.motion.jog_path import JointJog
 from armui.control.operations.started import Ending, Started
@@ -86,10 +87,13 @@ BEFORE: dict[str, Any] = {
     "reference.drive": checking,
     "reference.finish": lambda rig: checking(rig, answered=True),
     **dict.fromkeys(
-        ("cell.choose", "cell.change", "cell.delete"),
+        ("cell.choose", "cell.change", "cell.delete", "cell.rename"),
         lambda rig: accepted(rig.controller.cell.take(Cell("bench"))),
     ),
     "cell.confirm": cell_unconfirmed,
+    "cell.hold": lambda rig: accepted(
+        rig.controller.cell.take(Cell("bench", held_objects=(HeldObject("cube"),)))
+    ),
 }
 """What is under way, so that the operation may begin."""
 
@@ -131,6 +135,8 @@ BEGIN: dict[str, tuple[Any, Ending]] = {
     "cell.choose": (("bench",), DONE),
     "cell.change": ((Cell("bench", (Tool("pen"),), "pen"),), DONE),
     **dict.fromkeys(("cell.confirm", "cell.delete"), (NONE, DONE)),
+    "cell.hold": (("cube",), DONE),
+    "cell.rename": (("stand",), DONE),
 }
 """The arguments each begins with, and how it ends where nothing comes in between."""
 
@@ -140,6 +146,7 @@ SHOWN = {
     *("recorder.start", "motors.enable"),
     *("gripper.disable", "gripper.clear_error", "gripper.set_zero"),
     *("cell.take", "cell.choose", "cell.change", "cell.confirm", "cell.delete"),
+    *("cell.hold", "cell.rename"),
 }
 """What the feedback shows of an arm that has heard nothing, for it was so before, and cells, which
 no arm is told of.

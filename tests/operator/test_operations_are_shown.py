@@ -122,6 +122,8 @@ SHOWN = {
     "cell.confirm": Shown("cell", "cell_confirm_button", "cell", "**Confirm**", "**确认**"),
     "cell.change": Shown("cell", "cell_tool_apply", "cell", "**Apply**", "**应用**"),
     "cell.delete": Shown("cell", "cell_delete_button", "cell", "**Delete**", "**删除**"),
+    "cell.rename": Shown("cell", "cell_rename_button", "cell", "**Rename**", "**改名**"),
+    "cell.hold": Shown("cell_held", "cell_held_hold", "cell", "**It is held**", "**已夹住**"),
     "recorder.start": Shown("recording", "record", "recording", "Records what", "记录手拖动"),
 }
 
@@ -162,6 +164,11 @@ def open_recording(driver):
     driver.click("library_record")
 
 
+def open_held(driver):
+    driver.click("menu_cell")
+    driver.click("cell_tab_held")
+
+
 def open_reference(driver, state="reference"):
     if state == "in_doubt":
         in_doubt(driver)
@@ -183,6 +190,7 @@ OPEN = {
     "window": lambda _driver: None,
     "library": open_library,
     "recording": open_recording,
+    "cell_held": open_held,
     **{panel: lambda driver, panel=panel: driver.click(f"menu_{panel}") for panel in PANELS},
     **{place: under_way(place) for place in BESIDES},
     **{stage: lambda driver, stage=stage: open_reference(driver, stage) for stage in DIALOG},
@@ -192,7 +200,7 @@ OPEN = {
 def test_each_has_a_place(rig):
     assert set(SHOWN) == set(rig.controller.operations)
     places = {each.place for each in SHOWN.values()}
-    assert places - PLACES.keys() - set(PANELS) == {"editing", *BESIDES, *DIALOG} - {
+    assert places - PLACES.keys() - set(PANELS) == {"editing", "cell_held", *BESIDES, *DIALOG} - {
         "run",
         "reference",
     }

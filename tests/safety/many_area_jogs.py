@@ -53,10 +53,16 @@ def main(count):
     """Tell the least gap of so many jogs, and how many the plane has ended."""
     application = QCoreApplication([])
     places = np.round(random_deg(PiperModel.PIPER, count, 3) * 0.8, 1)
-    found = [nearest_mm(place, number) for number, place in enumerate(places)]
+    found, left_out = [], 0
+    for number, place in enumerate(places):
+        try:
+            found.append(nearest_mm(place, number))
+        except AssertionError:  # the computer was too busy for the bus thread
+            left_out += 1
     gaps = np.array([gap for gap, _ in found])
     ended = sum(by_area for _, by_area in found)
-    print(f"{count} jogs, {ended} ended by the plane; least gap {gaps.min():.1f} mm")
+    print(f"{len(found)} jogs, {ended} ended by the plane; least gap {gaps.min():.1f} mm")
+    print(f"{left_out} left out")
     application.quit()
 
 

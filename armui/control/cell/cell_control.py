@@ -5,7 +5,8 @@ Without a cell everything is as it was: the tool is the one in the settings.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from dataclasses import replace
+from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
 from armui.cell.cell import Cell, check_cell
@@ -16,10 +17,12 @@ from armui.control.cell.cell_reasons import (
     CAPTURE_STALE,
     CELL_ALREADY_CONFIRMED,
     CELL_GONE,
+    CELL_HOLDING_NOT_CONFIRMED,
     CELL_NONE,
     CELL_NOT_CONFIRMED,
     CELL_NOT_READ,
     CELL_WHILE_MOVING,
+    HELD_IN_HAND,
 )
 from armui.control.context import ControllerPart
 from armui.control.events import Notice
@@ -27,12 +30,15 @@ from armui.control.motion.motion_command import End
 from armui.control.operating_state import why_unreachable
 from armui.control.operations.operation import operation, record_start
 from armui.control.operations.started import Ending
-from armui.telemetry.events import EventKind, Level
+from armui.telemetry.events import Asker, EventKind, Level
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
     from armui.arm.device import Device
+    from armui.arm.held_shape import HeldShape
+    from armui.cell.held_objects import HeldObject
+    from armui.cell.user_frames import UserFrame
     from armui.control.cell.cell_store import CellStore
     from armui.control.context import Context
     from armui.control.motion.cartesian import Cartesian
@@ -42,9 +48,28 @@ if TYPE_CHECKING:
 CELL_CHOSEN = Notice("cell_chosen", "Cell in force: {name}", Level.INFO, EventKind.COMMAND)
 CELL_LEFT = Notice("cell_left", "No cell is in force", Level.INFO, EventKind.COMMAND)
 CELL_CHANGED = Notice("cell_changed", "Cell changed: {name}", Level.INFO, EventKind.COMMAND)
+CELL_RENAMED = Notice("cell_renamed", "Cell renamed: {name}", Level.INFO, EventKind.COMMAND)
 CELL_DELETED = Notice("cell_deleted", "Cell deleted: {name}", Level.INFO, EventKind.COMMAND)
 CELL_CONFIRMED = Notice("cell_confirmed", "Cell confirmed: {name}", Level.INFO, EventKind.COMMAND)
+HELD_NOW = Notice(
+    "held_now", "From here on the hand holds “{name}”.", Level.INFO, EventKind.COMMAND
+)
+HELD_NOTHING = Notice(
+    "held_nothing", "From here on the hand holds nothing.", Level.INFO, EventKind.COMMAND
+)
+HELD_OPENED = Notice(
+    "held_opened",
+    "The gripper has opened to {value} mm. “{name}” counts as held until it is let go under Cell, "
+    "Held.",
+    Level.WARNING,
+    EventKind.STATUS,
+    Asker.PROGRAM,
+)
 CELL_PROBLEM = Notice("cell_problem", "Cell: {reason}", Level.WARNING, EventKind.PROGRAM)
+
+
+_OPENED_MM: Final = 5.0
+"""A gripper that opens this much further than it was with something in it may have let go."""
 
 
 def why_not_change(now: OperatingState) -> Refusal | None:
@@ -64,6 +89,7 @@ class CellControl(ControllerPart):
 
     Attributes:
         store: Keeps the cells; ``None`` if they end with the program, as in a replay.
+        candidate: A user frame that is shown before it is taken; nothing moves by it.
     """
 
     def __init__(
@@ -78,7 +104,10 @@ class CellControl(ControllerPart):
         self._confirmed = False
         self._device: Device | None = None
         self._own_tool: tuple[float, ...] = NO_TOOL
+        self._least_mm: float | None = None
+        self._opened = False
         self.store: CellStore | None = None
+        self.candidate: UserFrame | None = None
 
     # What is known --------------------------------------------------------------------------
 
@@ -114,19 +143,31 @@ class CellControl(ControllerPart):
             return None
         if self.cell is None:
             return CELL_NOT_READ(name=self._name)
+        if self.cell.held:
+            return CELL_HOLDING_NOT_CONFIRMED(name=self._name, held=self.cell.held)
         return None if self.cell.is_empty else CELL_NOT_CONFIRMED(name=self._name)
 
-    def holding(self) -> tuple[str, Tool]:
-        """Return the name of the cell in force, "" for none, and the tool that holds."""
+    def holding(self) -> tuple[str, Tool, HeldObject | None]:
+        """Return the cell in force by name, "" for none, the tool, and what the hand holds."""
         cell = self.in_force
         if cell is None:
-            return "", Tool("", self._own_tool)
-        return cell.name, cell.chosen_tool or Tool("")
+            return "", Tool("", self._own_tool), None
+        return cell.name, cell.chosen_tool or Tool(""), cell.held_object
 
     @property
     def tool_name(self) -> str:
         """The name of the tool in force; "" without a cell or a tool."""
         return "" if self.in_force is None else self.in_force.tool
+
+    @property
+    def held_shape(self) -> HeldShape | None:
+        """The shape of what the hand holds, or ``None``; it counts before it is confirmed, too."""
+        held = None if self.cell is None else self.cell.held_object
+        if held is None:
+            return None
+        from armui.cell.held_shape import held_shape  # noqa: PLC0415 - numpy
+
+        return held_shape(held)
 
     # What the program tells -----------------------------------------------------------------
 
@@ -148,9 +189,22 @@ class CellControl(ControllerPart):
                 self._cells.setdefault(name, cell)
         self._take_effect()
 
+    def give_name(self, name: str, other: str) -> None:
+        """Give a cell another name, or its former one because its file could not be renamed."""
+        if name in self._cells:
+            self._cells[other] = replace(self._cells.pop(name), name=other)
+            self._name = other if self._name == name else self._name
+            self._take_effect()
+
     def tell_problem(self, reason: Refusal) -> None:
         """Tell the operator why a cell could not be saved or deleted."""
         self._context.tell(CELL_PROBLEM, reason=reason)
+
+    def propose(self, frame: UserFrame | None) -> None:
+        """Have a user frame shown that is not taken yet, or none any more."""
+        if frame != self.candidate:
+            self.candidate = frame
+            self._announce(self.cell)
 
     def begin_device(self, device: Device) -> None:
         """A device is opened: its own cell is to be confirmed before anything moves."""
@@ -179,6 +233,7 @@ class CellControl(ControllerPart):
             why_not_change(self._context.refresh())
             or check_cell(cell)
             or (CELL_NAME_TAKEN(value=cell.name) if taken else None)
+            or self._why_holding()
         )
         if refusal is not None:
             return self._context.refuse(refusal)
@@ -192,6 +247,7 @@ class CellControl(ControllerPart):
         refusal = why_not_change(self._context.refresh())
         if refusal is None and name and name not in self._cells:
             refusal = self._broken.get(name) or CELL_GONE(name=name)
+        refusal = refusal or self._why_holding()
         if refusal is not None:
             return self._context.refuse(refusal)
         self._put_in_force(name)
@@ -219,6 +275,8 @@ class CellControl(ControllerPart):
             refusal = CELL_NONE()
         elif refusal is None and cell.name != self._name:
             refusal = CELL_GONE(name=cell.name)
+        elif refusal is None and not cell.held:
+            refusal = self._why_holding()
         refusal = refusal or check_cell(cell)
         if refusal is not None:
             return self._context.refuse(refusal)
@@ -227,13 +285,33 @@ class CellControl(ControllerPart):
         self._take_effect()
         return self._done(record_start(self.change), CELL_CHANGED, cell.name)
 
+    @operation("cell.rename", "Rename the cell", why_not_change)
+    def rename(self, name: str) -> Started | Refusal:
+        """Give the chosen cell and its file another name; it stays in force."""
+        cell = self.cell
+        refusal = why_not_change(self._context.refresh()) or self.unconfirmed
+        taken = name.casefold() in map(str.casefold, {*self._cells, *self._broken} - {self._name})
+        if refusal is None and cell is None:
+            refusal = CELL_NONE()
+        elif refusal is None and (taken or name == self._name):
+            refusal = CELL_NAME_TAKEN(value=name)
+        elif refusal is None and cell is not None:
+            refusal = check_cell(replace(cell, name=name))
+        if refusal is not None or cell is None:
+            return self._context.refuse(refusal or CELL_NONE())
+        self.give_name(cell.name, name)
+        started = self._done(record_start(self.rename), CELL_RENAMED, name)
+        if self.store is not None:
+            self.store.rename(cell.name, self._cells[name])
+        return started
+
     @operation("cell.delete", "Delete the cell", why_not_change)
     def delete(self) -> Started | Refusal:
         """Delete the chosen cell and its file; none is in force then."""
         name = self._name
         refusal = why_not_change(self._context.refresh())
-        if refusal is None and not name:
-            refusal = CELL_NONE()
+        if refusal is None:
+            refusal = self._why_holding() if name else CELL_NONE()
         if refusal is not None:
             return self._context.refuse(refusal)
         self._cells.pop(name, None)
@@ -242,6 +320,46 @@ class CellControl(ControllerPart):
             self.store.delete(name)
         self._put_in_force("")
         return self._done(record_start(self.delete), CELL_DELETED, name)
+
+    @operation("cell.hold", "Say what the hand holds", why_not_change)
+    def hold(self, name: str) -> Started | Refusal:
+        """Count an object as held from now on, or nothing for ""; also before it is confirmed."""
+        cell = self.cell
+        refusal = why_not_change(self._context.refresh())
+        if refusal is None and cell is None:
+            refusal = CELL_NONE()
+        elif refusal is None and cell is not None:
+            refusal = check_cell(replace(cell, held=name))
+        if refusal is not None:
+            return self._context.refuse(refusal)
+        self._hold(name)
+        return self._done(record_start(self.hold), HELD_NOW if name else HELD_NOTHING, name)
+
+    def note_held(self, name: str) -> None:
+        """Take what a point of a run says of the hand; the run was checked with it."""
+        if self.cell is not None and name != self.cell.held:
+            self._hold(name)
+            self._context.tell(
+                HELD_NOW if name else HELD_NOTHING, **({"name": name} if name else {})
+            )
+
+    def _hold(self, name: str) -> None:
+        if self.cell is not None:
+            self._save(replace(self.cell, held=name))
+            self._least_mm, self._opened = None, False
+            self._take_effect()
+
+    def follow_arm(self) -> None:
+        """Say that the gripper has opened although something is marked as held."""
+        cell, gripper = self.cell, self._context.state().gripper
+        opening_mm = None if gripper is None else gripper.value.opening_mm
+        if cell is None or not cell.held or opening_mm is None:
+            return
+        if self._least_mm is None or opening_mm < self._least_mm:
+            self._least_mm = opening_mm
+        elif not self._opened and opening_mm > self._least_mm + _OPENED_MM:
+            self._opened = True
+            self._context.tell(HELD_OPENED, name=cell.held, value=round(opening_mm))
 
     def why_not_capture(self) -> Refusal | None:
         """Return why the pose of the flange cannot be taken now, or ``None``.
@@ -267,6 +385,11 @@ class CellControl(ControllerPart):
             return self._context.refuse(refusal or CAPTURE_STALE())
         return tuple(pose)
 
+    def _why_holding(self) -> Refusal | None:
+        """Return why the cell may not be left: what is held would count no more."""
+        held = "" if self.in_force is None else self.in_force.held
+        return HELD_IN_HAND(name=held) if held else None
+
     def _save(self, cell: Cell) -> None:
         self._cells[cell.name] = cell
         if self.store is not None:
@@ -287,9 +410,10 @@ class CellControl(ControllerPart):
 
     def _take_effect(self) -> None:
         """Pass on the tool; a target of ours that was told with another one is none any more."""
-        _name, held = self.holding()
-        tool = held.pose
-        self._cartesian.tool_radius_mm = held.radius_mm
+        _name, chosen, _held = self.holding()
+        tool = chosen.pose
+        self._cartesian.tool_radius_mm = chosen.radius_mm
+        self._cartesian.frame = None if self.in_force is None else self.in_force.chosen_frame
         if tool != self._cartesian.tool:
             self._cartesian.tool = tool
             self._context.authority.end_command(End.TOOL_CHANGED)

@@ -9,6 +9,11 @@ CELL_NOT_CONFIRMED = Reason(
     "This adapter was last used with the cell “{name}”. See that it is the arm in front of you, "
     "then confirm the cell, or choose another one under Cell.",
 )
+CELL_HOLDING_NOT_CONFIRMED = Reason(
+    "cell_holding_not_confirmed",
+    "This adapter was last used with the cell “{name}”, and the hand held “{held}”. Confirm both "
+    "if they are there; if the hand is empty, let go under Cell, Held first.",
+)
 CELL_NOT_READ = Reason(
     "cell_not_read",
     "The cell “{name}” of this adapter could not be read. Choose another one under Cell, or none.",
@@ -26,6 +31,10 @@ CELL_GONE = Reason("cell_gone", "There is no cell “{name}”. Choose one of th
 CELL_WHILE_MOVING = Reason(
     "cell_while_moving",
     "The arm moves: what its motion was checked with stays until it rests. Wait, or halt it.",
+)
+HELD_IN_HAND = Reason(
+    "held_in_hand",
+    "“{name}” is marked as held, and would not be any more. Let go of it under Held first.",
 )
 CELL_ALREADY_CONFIRMED = Reason(
     "cell_already_confirmed", "Nothing is to be confirmed: the cell is in force, or there is none."

@@ -1,7 +1,7 @@
 """Computes how low the arm reaches, and limits how low a jog may take it.
 
-Heights are of the base frame: 0 mm is the plane the arm stands on. The lowest of flange and
-fingertip counts, as in the check before a run.
+Heights are of the base frame: 0 mm is the plane the arm stands on. The lowest of flange, fingertip
+and held object counts, as in the check before a run.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from armui.arm.refusal import Reason, Refusal
 from armui.kinematics.forward import flange_rows
 
 if TYPE_CHECKING:
+    from armui.arm.held_shape import HeldShape
     from armui.arm.state import ArmState
     from armui.arm.tool_capsule import ToolCapsule
     from armui.control.context import Context
@@ -38,14 +39,21 @@ class JogFloor:
         context: Knows the arm's geometry.
         tool: Returns the shape of the tool on the flange; ``None`` if only the gripper's tip
             counts.
+        held: Returns the shape of what the hand holds, or ``None``.
 
     Attributes:
         lowest_mm: The least height of the fingertip for jogs, or ``None`` for no limit.
     """
 
-    def __init__(self, context: Context, tool: Callable[[], ToolCapsule | None]) -> None:
+    def __init__(
+        self,
+        context: Context,
+        tool: Callable[[], ToolCapsule | None],
+        held: Callable[[], HeldShape | None],
+    ) -> None:
         self._context = context
         self._tool = tool
+        self._held = held
         self.lowest_mm: int | None = None
         self._measured: tuple[object, ...] = ()
         self._below_mm: int | None = None
@@ -58,12 +66,14 @@ class JogFloor:
 
     def _lowest(self, flange_mm: float, ups: Sequence[float]) -> float:
         """Return the lowest height, from the heights by which the flange's axes rise."""
-        tool = self._tool()
+        tool, held = self._tool(), self._held()
         if tool is not None:
             rises = sum(part * up for part, up in zip(tool.tip_mm, ups, strict=True))
-            return float(tool.lowest(flange_mm, flange_mm + rises))
-        reach_mm = model_data(self._context.operating_state().model).gripper.reach_mm
-        return flange_mm + min(0.0, reach_mm * ups[2])
+            lowest = float(tool.lowest(flange_mm, flange_mm + rises))
+        else:
+            reach_mm = model_data(self._context.operating_state().model).gripper.reach_mm
+            lowest = flange_mm + min(0.0, reach_mm * ups[2])
+        return lowest if held is None else min(lowest, float(held.lowest(flange_mm, ups)))
 
     def below_base_mm(self, state: ArmState) -> int | None:
         """Return by how much the measured arm reaches below its base plane, or ``None``."""
@@ -71,7 +81,7 @@ class JogFloor:
         if joints_deg is None:
             return None
         fit = self._context.operating_state().model_fit
-        measured = (joints_deg, fit, self._tool())
+        measured = (joints_deg, fit, self._tool(), self._held())
         if measured != self._measured:  # it is asked twice a tick, mostly of an arm that stands
             below = round(-self.height_mm(joints_deg))
             self._measured, self._below_mm = measured, below if below > 0 else None

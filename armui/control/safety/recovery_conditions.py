@@ -10,7 +10,6 @@ from armui.arm.limits import JOINTS
 from armui.arm.quirks import exits_by_mode_word
 from armui.arm.refusal import Reason
 from armui.arm.state import ArmState, DriverSlow, Status
-from armui.control.cell.cell_reasons import CELL_NOT_CONFIRMED, CELL_NOT_READ
 from armui.control.devices.teaching_phase import (
     NEAR_REST_DEG,
     TeachingPhase,
@@ -261,13 +260,11 @@ def motors_mixed(view: RecoveryView) -> list[bool]:
 overspeed = has_code(ArmStatusCode.OVERSPEED_WHILE_TEACHING)
 
 
-def cell_unconfirmed(view: RecoveryView) -> Params | None:
-    """Apply while the cell kept for the adapter waits for the operator's confirmation."""
-    waits = view.operating_state.unconfirmed_cell
-    return waits.params if waits is not None and waits.reason == CELL_NOT_CONFIRMED else None
+def cell_waits(reason: Reason) -> Applies:
+    """Return a check that applies while the cell kept for the adapter is not in force for this."""
 
+    def applies(view: RecoveryView) -> Params | None:
+        waits = view.operating_state.unconfirmed_cell
+        return waits.params if waits is not None and waits.reason == reason else None
 
-def cell_unreadable(view: RecoveryView) -> Params | None:
-    """Apply while the cell kept for the adapter could not be read."""
-    waits = view.operating_state.unconfirmed_cell
-    return waits.params if waits is not None and waits.reason == CELL_NOT_READ else None
+    return applies

@@ -13,6 +13,11 @@ from typing import Final
 
 from armui.arm.refusal import Reason
 from armui.arm.state import ArmState, is_fresh
+from armui.control.cell.cell_reasons import (
+    CELL_HOLDING_NOT_CONFIRMED,
+    CELL_NOT_CONFIRMED,
+    CELL_NOT_READ,
+)
 from armui.control.devices.teaching_phase import TeachingPhase
 from armui.control.events import Level
 from armui.control.motion.motion_command import Hold
@@ -23,8 +28,7 @@ from armui.control.safety.recovery_conditions import (
     Applies,
     RecoveryView,
     below_base,
-    cell_unconfirmed,
-    cell_unreadable,
+    cell_waits,
     drivers,
     far_from_rest,
     has_code,
@@ -232,8 +236,16 @@ _RULES: Final = (
         when(lambda view: view.operating_state.cancel_unheeded),
     ),
     # nothing of ours moves the arm before, and the steps below may
-    _Rule(StepKind.CELL_UNREADABLE, Level.WARNING, Action.LEAVE_CELL, cell_unreadable),
-    _Rule(StepKind.CELL_UNCONFIRMED, Level.INFO, Action.CONFIRM_CELL, cell_unconfirmed),
+    _Rule(StepKind.CELL_UNREADABLE, Level.WARNING, Action.LEAVE_CELL, cell_waits(CELL_NOT_READ)),
+    _Rule(
+        StepKind.CELL_HOLDING,
+        Level.INFO,
+        Action.CONFIRM_CELL,
+        cell_waits(CELL_HOLDING_NOT_CONFIRMED),
+    ),
+    _Rule(
+        StepKind.CELL_UNCONFIRMED, Level.INFO, Action.CONFIRM_CELL, cell_waits(CELL_NOT_CONFIRMED)
+    ),
     _Rule(StepKind.OTHER_MODE, Level.WARNING, Action.LEAVE_MODE, other_mode_that_ends),
     _Rule(StepKind.OTHER_MODE, Level.WARNING, Action.RESET, other_mode),
     _Rule(StepKind.LEADER_ARM, Level.WARNING, Action.TAKE_OVER, other_host_is(LEADER_ARM)),

@@ -259,6 +259,11 @@ class StepKind(enum.Enum):
         "cell_unconfirmed",
         "Last used here: the cell “{name}”. Is this its arm? Confirm it, or choose under Cell.",
     )
+    CELL_HOLDING = StepText(
+        "cell_holding",
+        "Last used here: the cell “{name}”, the hand holding “{held}”. Confirm both if they are "
+        "there; if the hand is empty, let go under Cell first.",
+    )
     CELL_UNREADABLE = StepText(
         "cell_unreadable",
         "The cell “{name}” kept for this arm could not be read. Choose another one under Cell.",

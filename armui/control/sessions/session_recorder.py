@@ -32,6 +32,7 @@ from armui.telemetry.events import Asker, EventKind, Level
 
 if TYPE_CHECKING:
     from armui.bus.link import BusReport
+    from armui.cell.held_objects import HeldObject
     from armui.cell.tools import Tool
     from armui.control.context import Context
     from armui.control.sessions.sidecar_lines import FedEvent
@@ -125,7 +126,7 @@ class SessionRecorder(QObject):
         context: Context,
         events: EventLog,
         parent: QObject | None = None,
-        tool: Callable[[], tuple[str, Tool]] = no_tool,
+        tool: Callable[[], tuple[str, Tool, HeldObject | None]] = no_tool,
     ) -> None:
         super().__init__(parent)
         self._context = context

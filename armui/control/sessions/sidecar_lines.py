@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.backup import parameter_row
 from armui.arm.parameters import all_batches, heard
+from armui.cell import held_objects
+from armui.cell.held_objects import HeldObject
 from armui.cell.tools import Tool, to_entry
 from armui.control.events import Level
 from armui.control.safety.stopping import (
@@ -86,9 +88,9 @@ def _mark_of(entry: EventEntry) -> MarkKind:
     return MarkKind.COMMAND if entry.kind is EventKind.COMMAND else MarkKind.NOTE
 
 
-def no_tool() -> tuple[str, Tool]:
-    """Return that there is no cell, and no tool."""
-    return "", Tool("")
+def no_tool() -> tuple[str, Tool, HeldObject | None]:
+    """Return that there is no cell, no tool, and nothing in the hand."""
+    return "", Tool(""), None
 
 
 class SidecarLines:
@@ -96,10 +98,14 @@ class SidecarLines:
 
     Args:
         context: The context that the controller's parts share.
-        tool: Returns the cell and the tool that hold, as :meth:`CellControl.holding` does.
+        tool: Returns the cell, the tool and what is held, as :meth:`CellControl.holding` does.
     """
 
-    def __init__(self, context: Context, tool: Callable[[], tuple[str, Tool]] = no_tool) -> None:
+    def __init__(
+        self,
+        context: Context,
+        tool: Callable[[], tuple[str, Tool, HeldObject | None]] = no_tool,
+    ) -> None:
         self._context = context
         self._tool = tool
         self._told: dict[str, Line] = {}
@@ -128,9 +134,10 @@ class SidecarLines:
                     "firmware": state.firmware,
                 }
             )
-        name, tool = self._tool()
+        name, tool, held = self._tool()
         if name or any(tool.pose) or "cell" in self._told:
-            lines.append({"kind": "cell", "cell": name, "tool": dict(to_entry(tool))})
+            holds = {} if held is None else {"held": dict(held_objects.to_entry(held))}
+            lines.append({"kind": "cell", "cell": name, "tool": dict(to_entry(tool)), **holds})
         values = settings_read(state)
         if values:
             lines.append({"kind": "settings", "values": values})

@@ -8,13 +8,14 @@ apart.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
 import numpy.typing as npt
 
+from armui.arm.held_shape import HeldShape
 from armui.arm.tool_capsule import ToolCapsule
 from armui.kinematics.forward import Links, links
 from armui.kinematics.geometry import Geometry, Wrist
@@ -22,7 +23,7 @@ from armui.kinematics.geometry import Geometry, Wrist
 Array = npt.NDArray[np.float64]
 Whole = npt.NDArray[np.int64]
 
-PARTS: Final = ("base", "upper arm", "forearm", "hand", "gripper", "tool")
+PARTS: Final = ("base", "upper arm", "forearm", "hand", "gripper", "tool", "held object")
 """The names of the arm's parts in findings."""
 
 _COLUMN_RADIUS_MM: Final = 38.0
@@ -62,7 +63,9 @@ def collisions(
     joints_deg: Array,
     tool_mm: float,
     gripper_turned_deg: float = 0.0,
+    *,
     tool: ToolCapsule | None = None,
+    held: HeldShape | None = None,
 ) -> dict[int, str]:
     """Return the samples at which parts of the arm would collide.
 
@@ -72,6 +75,7 @@ def collisions(
         tool_mm: The distance from the flange to the gripper's tip; 0 without a gripper.
         gripper_turned_deg: The gripper's turn about the flange's Z axis.
         tool: The tool on the flange, which counts beside the gripper if it has a radius.
+        held: What the hand holds.
 
     Returns:
         The two parts by the sample's index, as ``upper arm/gripper``.
@@ -79,12 +83,14 @@ def collisions(
     arm = links(geometry, joints_deg)
     tool = None if tool is None or not tool.radius_mm else tool
     beyond_mm = 0.0 if tool is None else math.hypot(*tool.tip_mm) + tool.radius_mm
+    beyond_mm = max(beyond_mm, 0.0 if held is None else held.reach_mm)
     close = np.flatnonzero(_close(geometry, arm, max(tool_mm, 0.0), beyond_mm))
     found: dict[int, str] = {}
     if not len(close):
         return found
     near = Links(*(each[close] for each in arm))
-    pairs = (*_pairs(geometry, near, tool_mm, gripper_turned_deg), *_tool(geometry, near, tool))
+    carried = _carried(near, tool, held)
+    pairs = (*_pairs(geometry, near, tool_mm, gripper_turned_deg), *_with(geometry, near, carried))
     for fixed, moving in pairs:
         gaps = segment_distances(fixed.start, fixed.end, moving.start, moving.end)
         for index in close[gaps < fixed.radius_mm + moving.radius_mm].tolist():
@@ -143,18 +149,31 @@ def _pairs(
             yield fixed, moving
 
 
-def _tool(
-    geometry: Geometry, arm: Links, tool: ToolCapsule | None
+def _carried(arm: Links, tool: ToolCapsule | None, held: HeldShape | None) -> Iterator[_Capsule]:
+    """Return what is fixed to the flange beside the gripper."""
+    if tool is not None:
+        begin, end = (
+            _in_flange(arm, [share * part for part in tool.tip_mm]) for share in tool.ends
+        )
+        yield _Capsule("tool", begin, end, tool.radius_mm)
+    for rod in () if held is None else held.hull:
+        begin, end = _in_flange(arm, rod.start_mm), _in_flange(arm, rod.end_mm)
+        yield _Capsule("held object", begin, end, rod.radius_mm)
+
+
+def _in_flange(arm: Links, place: Sequence[float]) -> Array:
+    along, palm, hand = place
+    return arm.flange + along * arm.along + palm * arm.palm + hand * arm.hand
+
+
+def _with(
+    geometry: Geometry, arm: Links, carried: Iterator[_Capsule]
 ) -> Iterator[tuple[_Capsule, _Capsule]]:
-    """Return the parts that the tool could meet: a bent one also the forearm behind it."""
-    if tool is None:
-        return
-    along, palm, hand = tool.tip_mm
-    way = along * arm.along + palm * arm.palm + hand * arm.hand
-    begin, end = (arm.flange + share * way for share in tool.ends)
-    moving = _Capsule("tool", begin, end, tool.radius_mm)
-    for fixed in (*_fixed(geometry, arm), _forearm(geometry, arm)):
-        yield fixed, moving
+    """Return the parts that what is carried could meet: also the forearm behind a bent tool."""
+    fixed_parts = (*_fixed(geometry, arm), _forearm(geometry, arm))
+    for moving in carried:
+        for fixed in fixed_parts:
+            yield fixed, moving
 
 
 def _forearm(geometry: Geometry, arm: Links) -> _Capsule:

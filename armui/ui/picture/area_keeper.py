@@ -1,4 +1,4 @@
-"""Keeps the work area in the picture: planes and boxes that are on, those near the arm lit."""
+"""Keeps the work area and what the hand holds in the picture; what is near the arm is lit."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from PySide6.QtGui import QAction
 
     from armui.arm.state import ArmState
+    from armui.cell.held_objects import HeldObject
     from armui.control.arm_controller import ArmController
     from armui.viewport.view import ArmView
 
@@ -21,7 +22,7 @@ _NEAR_MM: Final = 50.0
 
 
 class AreaKeeper(QObject):
-    """Shows the work area of the chosen cell, as long as a switch is on.
+    """Shows the work area of the chosen cell as long as a switch is on, and what the hand holds.
 
     Args:
         controller: Knows the cell, and how near the arm is.
@@ -47,9 +48,10 @@ class AreaKeeper(QObject):
             self._show()
 
     def _show(self, _changed: object = None) -> None:
-        area = self._controller.area_guard.area
+        area, cell = self._controller.area_guard.area, self._controller.cell.cell
+        held = held_picture(None if cell is None else cell.held_object)
         if area is None or not self._switch.isChecked():
-            self._view.set_area(())
+            self._view.set_area(held)
             return
         seen = self._controller.area_guard.look(self._controller.state)
         near = {each.zone.name for each in seen if each.gap_mm < area.margin_mm + _NEAR_MM}
@@ -61,4 +63,11 @@ class AreaKeeper(QObject):
                 for each in on.boxes
             ),
         )
-        self._view.set_area(shapes)
+        self._view.set_area((*shapes, *held))
+
+
+def held_picture(held: HeldObject | None) -> AreaPicture:
+    """Return what the hand holds as the picture shows it."""
+    if held is None:
+        return ()
+    return (AreaShape(pose_rows(held.pose), held.size_mm, held=True, is_rod=held.is_rod),)

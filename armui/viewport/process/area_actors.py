@@ -1,4 +1,4 @@
-"""The planes and boxes of the work area: translucent, those near the arm lit."""
+"""The work area, those of it near the arm lit, and what the hand holds: translucent."""
 
 from __future__ import annotations
 
@@ -6,14 +6,16 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 import pyvista as pv
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
 
 from armui.viewport.palette import ScenePalette, rgb
-from armui.viewport.process.geometry import actor_of
+from armui.viewport.process.geometry import actor_of, flat
 
 if TYPE_CHECKING:
     from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
 
     from armui.viewport.area_picture import AreaPicture, AreaShape
+    from armui.viewport.process.robot import Matrix
 
 _MM: Final = 0.001
 _OPACITY: Final = 0.14
@@ -31,6 +33,7 @@ class AreaActors:
         self._renderer = renderer
         self._actors: list[vtkActor] = []
         self._shown: tuple[AreaPicture, ScenePalette] | None = None
+        self._flange = vtkMatrix4x4()
 
     def show(self, area: AreaPicture, palette: ScenePalette) -> None:
         """Show an area; do nothing if it is the same as before."""
@@ -41,26 +44,39 @@ class AreaActors:
             self._renderer.RemoveActor(actor)
         self._actors = [self._add(shape, palette) for shape in area]
 
+    def follow(self, flange: Matrix) -> None:
+        """Move what the hand holds to where the flange is: (4, 4), in metres."""
+        self._flange.DeepCopy(flat(flange))
+
     def _add(self, shape: AreaShape, palette: ScenePalette) -> vtkActor:
         actor = actor_of(_surface(shape))
         look = actor.GetProperty()
-        color = rgb(palette.warning if shape.near else palette.muted)
+        lit = palette.accent if shape.held else palette.warning
+        color = rgb(lit if shape.near or shape.held else palette.muted)
         look.SetColor(*color)
-        look.SetOpacity(_NEAR_OPACITY if shape.near else _OPACITY)
+        look.SetOpacity(_NEAR_OPACITY if shape.near or shape.held else _OPACITY)
         look.LightingOff()
         look.BackfaceCullingOff()
         look.EdgeVisibilityOn()
         look.SetEdgeColor(*color)
         actor.PickableOff()
+        if shape.held:
+            actor.SetUserMatrix(self._flange)
         self._renderer.AddActor(actor)
         return actor
 
 
 def _surface(shape: AreaShape) -> pv.PolyData:
-    """Return a plane or a box in the base frame, in metres."""
+    """Return a plane, box or rod in the frame it is given in, in metres."""
     frame = np.vstack((np.reshape(shape.rows, (3, 4)), (0.0, 0.0, 0.0, 1.0)))
-    frame[:3, 3] *= _MM
-    if shape.size_mm is not None:
+    if shape.size_mm is not None and shape.is_rod:
+        x, y, z = (_MM * edge for edge in shape.size_mm)
+        radius = max(x, y) / 2.0
+        length = max(z - 2.0 * radius, 0.0)
+        surface = pv.Capsule(
+            direction=(0.0, 0.0, 1.0), radius=radius, cylinder_length=length, resolution=24
+        )
+    elif shape.size_mm is not None:
         x, y, z = (_MM * edge for edge in shape.size_mm)
         surface = pv.Cube(x_length=x, y_length=y, z_length=z)
     else:

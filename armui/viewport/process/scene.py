@@ -154,6 +154,12 @@ class RobotActors:
             self._parts.append((part.link, actor, part.color or _PLAIN))
 
     @property
+    def flange(self) -> Matrix:
+        """The pose of the link that joint 6 moves."""
+        last = self._robot.arm_joints[-1]
+        return self._poses[next(each.child for each in self._robot.joints if each.name == last)]
+
+    @property
     def actors(self) -> list[vtkActor]:
         """All actors, for adding them to a renderer or removing them."""
         return [actor for _, actor, _ in self._parts]
@@ -348,6 +354,7 @@ class Scene:
         self._drop_ghost()
         self._show_ghost(self._preview.ghost_deg)
         robot.pose(*self._pose)
+        self._area.follow(robot.flange)
         self._paint_robot()
 
     def show(self, state: ViewState) -> None:
@@ -379,6 +386,7 @@ class Scene:
         self._pose = (_ZERO_DEG if angles_deg is None else angles_deg, gripper_mm or 0.0)
         if self._robot is not None:
             self._robot.pose(*self._pose)
+            self._area.follow(self._robot.flange)
             if self._ghost is not None:
                 self._ghost.leave_out_what_stands_on(self._robot)
         is_fresh = angles_deg is not None and not stale

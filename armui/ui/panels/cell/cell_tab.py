@@ -3,21 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import ClassVar
+from typing import ClassVar, Final
 
 from PySide6.QtCore import QSize
-from PySide6.QtWidgets import QStackedWidget, QWidget
+from PySide6.QtWidgets import QGridLayout, QLabel, QStackedWidget, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
 from armui.control.operations.started import Started
+from armui.kinematics.axes import AXES, LINEAR_AXES
 from armui.ui.actions.command import Command, Target
+from armui.ui.widgets.figure_field import FigureField
+from armui.ui.widgets.layouts import empty_grid
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Text
 
 Answered = Callable[[Started | Refusal | None], bool]
 """Shows an answer in the panel, and returns whether it was a yes."""
+
+
+_NARROW_PX: Final = 56
 
 
 class CurrentStack(QStackedWidget):
@@ -46,6 +52,26 @@ class CurrentStack(QStackedWidget):
         """Return the height that the part that is shown needs."""
         part = self.currentWidget()
         return super().heightForWidth(width) if part is None else part.heightForWidth(width)
+
+
+def pose_grid(fields: Sequence[FigureField]) -> QGridLayout:
+    """Return the six fields of a pose with their names, in two rows."""
+    grid = empty_grid(gaps=(6, 4), margins=0)
+    for place, (axis, field) in enumerate(zip(AXES, fields, strict=True)):
+        row, column = place // LINEAR_AXES, 2 * (place % LINEAR_AXES)
+        field.setMinimumWidth(_NARROW_PX)
+        grid.addWidget(QLabel(axis), row, column)
+        grid.addWidget(field, row, column + 1)
+        grid.setColumnStretch(column + 1, 1)
+    return grid
+
+
+def figures(fields: Sequence[FigureField]) -> tuple[float, ...]:
+    """Return what is typed; an empty field counts as 0, a text as itself."""
+    return tuple(
+        field.text() if field.is_nonsense() else field.value or 0.0  # type: ignore[misc]  # refused
+        for field in fields
+    )
 
 
 class CellTab(Translated, QWidget):

@@ -8,7 +8,6 @@ from PySide6.QtCore import QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPen
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QComboBox,
     QHeaderView,
     QLabel,
     QSplitter,
@@ -20,7 +19,9 @@ from PySide6.QtWidgets import (
 from armui.arm.joint_status import Item, Word
 from armui.control.devices.joint_monitor import JointMonitor
 from armui.protocol.generation import Generation
+from armui.session.log_model import told_held
 from armui.ui import words
+from armui.ui.picture.area_keeper import held_picture
 from armui.ui.shell.robot_in_view import RobotInView, show_in_view
 from armui.ui.shell.status_bar import StatusBar
 from armui.ui.theme import DARK, colors_of, scaled_font
@@ -36,7 +37,7 @@ from armui.ui.watch.replay.time_line import TimeLine
 from armui.ui.watch.replay.transport import SPEEDS, Transport
 from armui.ui.watch.replay.whole_curves import WholeCurves
 from armui.ui.widgets import icons
-from armui.ui.widgets.buttons import named
+from armui.ui.widgets.buttons import drop_down, named
 from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.seen_timer import SeenTimer
 from armui.ui.widgets.text_label import ElidedLabel, text_label
@@ -221,6 +222,7 @@ class ReplayView(Translated, QWidget):
         self.replay = replay
         self.view = view
         view.set_tool(replay.controller.cartesian.tool)
+        view.set_area(held_picture(told_held(getattr(replay.session, "lines", ()))))
         self.robot = RobotInView(view, replay.controller, urdf_path, self)
         self._controller = controller = replay.controller
         controller.telemetry.wall_time = wall_time
@@ -242,8 +244,8 @@ class ReplayView(Translated, QWidget):
         self.time_line.show_log(session.start_s, session.end_s, self._search.marks)
         self.transport = Transport()
         self.note = text_label("replay_note", rank="muted", wraps=True, plain=True)
-        self.channels = named("replay_channel", QComboBox())
-        self.generations = named("replay_generation", QComboBox())
+        self.channels = drop_down("replay_channel")
+        self.generations = drop_down("replay_generation")
         self._surveys: tuple[ChannelSurvey, ...] = ()
         self._lay_out(name)
         self._connect()
