@@ -1479,6 +1479,10 @@
         <translation>说明列表中另一个单元与生效的单元有何不同。</translation>
     </message>
     <message>
+        <source>Cell&apos;s name</source>
+        <translation>单元名称</translation>
+    </message>
+    <message>
         <source>New</source>
         <translation>新建</translation>
     </message>
@@ -1529,10 +1533,6 @@
     <message>
         <source>What it holds:</source>
         <translation>它的内容：</translation>
-    </message>
-    <message>
-        <source>Name of a new one</source>
-        <translation>新单元名称</translation>
     </message>
     <message>
         <source>Delete</source>

@@ -59,6 +59,7 @@ WINDOW_SCENES = (
     Scene("refused", arm.refused),
     Scene("tool", panels.tool),
     Scene("cell", panels.cell),
+    Scene("cell-area", panels.cell_area),
     Scene("cell-held", panels.cell_held),
     Scene("cell-tip", panels.cell_tip),
     Scene("cell-frame", panels.cell_frame),

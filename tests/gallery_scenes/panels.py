@@ -10,6 +10,7 @@ from armui.cell.work_area import Area, AreaBox, AreaPlane
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.panels.light_panel import ColorDialog
 from armui.ui.widgets.hold_button import HoldButton
+from armui.viewport.handles import HandleKind
 from tests.accepted import accepted
 from tests.app_driver import AppDriver
 from tests.gallery_scenes import arm, trajectories
@@ -188,6 +189,18 @@ def cell_held(app_driver: AppDriver) -> None:
     box.setCurrentIndex(1)
     box.activated.emit(1)
     app_driver.step()
+
+
+def cell_area(app_driver: AppDriver) -> None:
+    """A box of the work area is dragged: handles at it, and where it would be."""
+    cell_held(app_driver)
+    app_driver.click("cell_tab_area")
+    box = app_driver.find("cell_area_box")
+    box.setCurrentIndex(2)
+    box.activated.emit(2)
+    app_driver.find("view_bar").choose_handles(HandleKind.TOOL_FRAME)
+    app_driver.type_into("cell_area_X", "300")
+    app_driver.run(0.2)
 
 
 def cell_tip(app_driver: AppDriver) -> None:

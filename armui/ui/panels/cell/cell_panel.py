@@ -121,11 +121,13 @@ class CellPanel(Panel):
             label.setBuddy(field)
             head.addWidget(label, row, 0)
             head.addWidget(field, row, 1)
-            head.addWidget(button, row, 2)
+            head.addWidget(button, row, 2, 1, 2 - row)
         head.addWidget(self._rename, 1, 3)
-        head.addWidget(self._compare, 0, 3)
         head.setColumnStretch(1, 1)
-        files = in_row((self._import, 1), (self._export, 1), (self._delete, 1), spacing=6)
+        files = in_row(
+            *((each, 1) for each in (self._import, self._export, self._compare, self._delete)),
+            spacing=6,
+        )
         choice = in_row(spacing=6)
         for place, tab in enumerate(self._tabs):
             tab_button = choice_button(f"cell_tab_{tab.key}")
@@ -154,6 +156,11 @@ class CellPanel(Panel):
             targets[f"cell.tab_{tab.key}"] = self._group.button(place)
             targets.update(tab.command_targets())
         return targets
+
+    def zone_target(self) -> AreaTab | None:
+        """Return the tab in which a plane or box of the work area is typed, while it is seen."""
+        tab = self._tabs[self._group.checkedId()]
+        return tab if isinstance(tab, AreaTab) else None
 
     # -- actions ------------------------------------------------------------------------------
 
@@ -368,7 +375,7 @@ class CellPanel(Panel):
         for label, field, text in zip(
             self._labels,
             (self._choice, self._name),
-            (self.tr("Cell in force"), self.tr("Name of a new one")),
+            (self.tr("Cell in force"), self.tr("Cell's name")),
             strict=True,
         ):
             label.setText(text)
