@@ -597,10 +597,6 @@
         <translation>删除平面或长方体</translation>
     </message>
     <message>
-        <source>The arm has not told its pose.</source>
-        <translation>机械臂尚未反馈位姿。</translation>
-    </message>
-    <message>
         <source>Choose a plane or a box above first.</source>
         <translation>请先在上方选择平面或长方体。</translation>
     </message>
@@ -643,6 +639,10 @@
     <message>
         <source>Fills in the pose of a user frame; its Z axis is that of the plane.</source>
         <translation>填入用户坐标系的位姿；它的 Z 轴就是平面的 Z 轴。</translation>
+    </message>
+    <message>
+        <source>The arm has not reported its pose yet.</source>
+        <translation>机械臂尚未反馈位姿。</translation>
     </message>
     <message>
         <source>Type a name and a pose in the base, or take the tool&apos;s. A plane keeps the arm on the side of its Z axis (all 0: above the table); a box keeps it out.</source>
@@ -1415,6 +1415,10 @@
         <translation>……另有 {count} 处</translation>
     </message>
     <message>
+        <source>Says how another cell of the list differs from the one in force.</source>
+        <translation>说明列表中另一个单元与生效的单元有何不同。</translation>
+    </message>
+    <message>
         <source>Writes the cell to a file of its own.</source>
         <translation>把单元写到单独的文件。</translation>
     </message>
@@ -1452,7 +1456,7 @@
     </message>
     <message>
         <source>Compare the cell with another</source>
-        <translation>把单元与另一个比较</translation>
+        <translation>与另一个单元比较</translation>
     </message>
     <message>
         <source>Compare with “{name}”</source>
@@ -1468,15 +1472,11 @@
     </message>
     <message>
         <source>Gives the cell in force and its file the name that is typed.</source>
-        <translation>把输入的名称给予生效的单元及其文件。</translation>
+        <translation>用输入的名称给生效的单元及其文件改名。</translation>
     </message>
     <message>
         <source>There is no other cell.</source>
         <translation>没有其他单元。</translation>
-    </message>
-    <message>
-        <source>Says in what another cell of the list differs from the one in force.</source>
-        <translation>说明列表中另一个单元与生效的单元有何不同。</translation>
     </message>
     <message>
         <source>Cell&apos;s name</source>
@@ -4038,6 +4038,14 @@
         <translation>机械臂将碰到自身：{other}与{one}。请在中间增加一点，或修改该点。</translation>
     </message>
     <message>
+        <source>The point is in the user frame “{name}”, which the cell does not have: its place is unknown. Choose the cell that has it, or make a frame of this name under Cell.</source>
+        <translation>该点位于用户坐标系“{name}”中，而当前单元没有这个坐标系，无法确定其位置。请选择含有该坐标系的单元，或在“单元”中新建同名坐标系。</translation>
+    </message>
+    <message>
+        <source>From here on the hand holds “{name}”, which the cell does not have: its size is unknown. Choose the cell that has it, or add it under Cell, Held.</source>
+        <translation>从该点起夹爪夹着“{name}”，而当前单元没有这个工件，无法确定其大小。请选择含有该工件的单元，或在“单元”的“工件”中添加。</translation>
+    </message>
+    <message>
         <source>Joint {joint} would have to turn at {value}°/s; its limit is {maximum}°/s. Replay at {percent} % of this speed at most.</source>
         <translation>关节 {joint} 需要以 {value}°/s 转动，上限为 {maximum}°/s。请以当前速度的 {percent} % 以下复现。</translation>
     </message>
@@ -4056,14 +4064,6 @@
     <message>
         <source>Joint {joint} turns {value}° to hold this pose. If that is not meant, give the point as joint angles.</source>
         <translation>到达该位姿时关节 {joint} 要转 {value}°。如非本意，请改用关节角度表示该点。</translation>
-    </message>
-    <message>
-        <source>The point is in the user frame “{name}”, which the cell has not: where it is cannot be told. Choose the cell that has it, or make a frame of this name under Cell.</source>
-        <translation>该点位于用户坐标系“{name}”中，而当前单元没有这个坐标系，无法确定其位置。请选择含有该坐标系的单元，或在“单元”中新建同名坐标系。</translation>
-    </message>
-    <message>
-        <source>From here on the hand holds “{name}”, which the cell has not: how large it is cannot be told. Choose the cell that has it, or add it under Cell, Held.</source>
-        <translation>从该点起夹爪夹着“{name}”，而当前单元没有这个工件，无法确定其大小。请选择含有该工件的单元，或在“单元”的“工件”中添加。</translation>
     </message>
     <message>
         <source>Joint {joint} jumps {value}° from the sample before. Trim the recording there, or record again.</source>
@@ -4273,8 +4273,8 @@
         <translation>采集末端的实测位置；不会运动。</translation>
     </message>
     <message>
-        <source>{value} mm from the origin; {wanted} mm or more are wanted.</source>
-        <translation>距原点 {value} mm；需要 {wanted} mm 以上。</translation>
+        <source>{value} mm from the origin; at least {wanted} mm are needed.</source>
+        <translation>距原点 {value} mm；至少需要 {wanted} mm。</translation>
     </message>
     <message>
         <source>Not all points are taken yet.</source>
@@ -4702,7 +4702,7 @@ Z 轴指向 {direction}</translation>
         <translation>坐标系 {number}</translation>
     </message>
     <message>
-        <source>The arm has not told its pose.</source>
+        <source>The arm has not reported its pose yet.</source>
         <translation>机械臂尚未反馈位姿。</translation>
     </message>
     <message>
@@ -4751,7 +4751,7 @@ Z 轴指向 {direction}</translation>
     </message>
     <message>
         <source>Poses are shown and typed in this frame. Choose another one, or the base.</source>
-        <translation>位姿以该坐标系显示和输入。可改选其它坐标系或基坐标系。</translation>
+        <translation>位姿以该坐标系显示和输入。可改选其他坐标系或基坐标系。</translation>
     </message>
     <message>
         <source>Frame&apos;s name</source>
@@ -5390,11 +5390,11 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
     <message>
         <source>What the held object may touch</source>
-        <translation>工件可以接触什么</translation>
+        <translation>工件可接触的物体</translation>
     </message>
     <message>
         <source>Tell the arm the object&apos;s load</source>
-        <translation>把工件的负载告诉机械臂</translation>
+        <translation>把工件的负载告知机械臂</translation>
     </message>
     <message>
         <source>— (a new one)</source>
@@ -5429,10 +5429,6 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>已夹住</translation>
     </message>
     <message>
-        <source>“{name}” counts no more in any check. The gripper does not move.</source>
-        <translation>“{name}”不再计入任何检查。夹爪不会动。</translation>
-    </message>
-    <message>
         <source>It counts in every check from now on. The gripper does not move.</source>
         <translation>从现在起计入每一次检查。夹爪不会动。</translation>
     </message>
@@ -5450,7 +5446,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
     <message>
         <source>What it may touch: the table, a tray.</source>
-        <translation>它可以接触什么：桌面、托盘。</translation>
+        <translation>工件可接触的物体，如桌面、托盘。</translation>
     </message>
     <message>
         <source>Diameter (X, Y), length (Z)</source>
@@ -5469,12 +5465,16 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>告知：{load}</translation>
     </message>
     <message>
-        <source>Tells the arm its end load. It is never told by itself.</source>
-        <translation>把末端负载告诉机械臂。程序绝不会自动告知。</translation>
+        <source>“{name}” no longer counts in any check. The gripper does not move.</source>
+        <translation>“{name}”不再计入任何检查。夹爪不会动。</translation>
+    </message>
+    <message>
+        <source>Tells the arm its end load; the program never does so by itself.</source>
+        <translation>把末端负载告知机械臂。程序不会自动告知。</translation>
     </message>
     <message>
         <source>There is no cell yet: type its name above and press New.</source>
-        <translation>还没有单元：在上方输入名称并按“新建”。</translation>
+        <translation>还没有单元：请在上方输入名称并按“新建”。</translation>
     </message>
     <message>
         <source>Press Apply to put the new figures in force.</source>
@@ -5494,7 +5494,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
     <message>
         <source>Type a name, the middle of the object in the flange, and its edges.</source>
-        <translation>输入名称、工件中心在法兰坐标系中的位置和边长。</translation>
+        <translation>请输入名称、工件中心在法兰坐标系中的位置和边长。</translation>
     </message>
     <message>
         <source>Name</source>
@@ -7459,7 +7459,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
     <message>
         <source>From here on the hand holds nothing.</source>
-        <translation>从此刻起夹爪没有夹东西。</translation>
+        <translation>从此刻起夹爪未夹工件。</translation>
     </message>
     <message>
         <source>The gripper has opened to {value} mm. “{name}” counts as held until it is let go under Cell, Held.</source>
@@ -8173,7 +8173,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
     <message>
         <source>Say what the hand holds</source>
-        <translation>说明夹爪夹着什么</translation>
+        <translation>标记夹爪夹持的工件</translation>
     </message>
     <message>
         <source>Teach the reference pose</source>
@@ -9910,7 +9910,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>Last used here: the cell “{name}”, the hand holding “{held}”. Confirm both if they are there; if the hand is empty, let go under Cell first.</source>
-        <translation>上次在此使用的单元是“{name}”，夹爪夹着“{held}”。两者都属实请确认；夹爪是空的，请先在“单元”中标为“已放下”。</translation>
+        <translation>上次在此使用的单元是“{name}”，夹爪夹着“{held}”。两者都属实请确认；如夹爪是空的，请先在“单元”中标为“已放下”。</translation>
     </message>
     <message>
         <source>Another program controls the arm since {since} ({frames}, {rate} frames/s).</source>
@@ -10539,11 +10539,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>This adapter was last used with the cell “{name}”, and the hand held “{held}”. Confirm both if they are there; if the hand is empty, let go under Cell, Held first.</source>
-        <translation>此适配器上次使用的单元是“{name}”，夹爪夹着“{held}”。两者都属实请确认；夹爪是空的，请先在“单元”的“工件”中标为“已放下”。</translation>
-    </message>
-    <message>
-        <source>“{name}” is marked as held, and would not be any more. Let go of it under Held first.</source>
-        <translation>“{name}”标记为夹持中，这样做它就不再算夹着。请先在“工件”中标为“已放下”。</translation>
+        <translation>此适配器上次使用的单元是“{name}”，夹爪夹着“{held}”。两者都属实请确认；如夹爪是空的，请先在“单元”的“工件”中标为“已放下”。</translation>
     </message>
     <message>
         <source>The three points lie nearly in line: the third is {value}° off the X axis, at least {minimum}° are needed. Take the point on the +Y side again, further to the side.</source>
@@ -10552,10 +10548,6 @@ The other program must have ended.</source>
     <message>
         <source>No user frame is in force, or another one than at the press. Choose one under Cell, then press again; or move along base or tool.</source>
         <translation>没有生效的用户坐标系，或已不是按下时的那个。请在“单元”中选择坐标系后再按，或沿基坐标系、工具坐标系移动。</translation>
-    </message>
-    <message>
-        <source>Row {row} is in the user frame “{name}”, and where that is was not worked out. Send it again.</source>
-        <translation>第 {row} 行位于用户坐标系“{name}”中，但尚未换算到基坐标系。请重新发送。</translation>
     </message>
     <message>
         <source>“{value}” is not an option of a point; use frame, speed, dwell, gripper, holds, light or note.</source>
@@ -11176,6 +11168,14 @@ The other program must have ended.</source>
     <message>
         <source>The point for {point} is {value} mm from the origin; at least {minimum} mm are needed. Take it again, further away.</source>
         <translation>用于 {point} 的点距原点只有 {value} mm，至少需要 {minimum} mm。请到更远处重新采集。</translation>
+    </message>
+    <message>
+        <source>“{name}” is marked as held; this would drop the mark. Let go of it under Held first.</source>
+        <translation>“{name}”已标记为夹持中，这样操作会取消该标记。请先在“工件”中标为“已放下”。</translation>
+    </message>
+    <message>
+        <source>Row {row} is in the user frame “{name}”, whose place was not worked out. Send it again.</source>
+        <translation>第 {row} 行位于用户坐标系“{name}”中，但尚未换算到基坐标系。请重新发送。</translation>
     </message>
     <message>
         <source>The last minutes are being saved already. Wait a moment.</source>
@@ -13862,6 +13862,10 @@ The other program must have ended.</source>
         <translation>求得的尖端已生效。要求另一工具，请重新开始。</translation>
     </message>
     <message>
+        <source>{turned}° from the nearest pose taken; {wanted}° or more are wanted.</source>
+        <translation>与最接近的已采集位姿相差 {turned}°；最好 {wanted}° 或更多。</translation>
+    </message>
+    <message>
         <source>On the shank</source>
         <translation>杆部</translation>
     </message>
@@ -13932,10 +13936,6 @@ The other program must have ended.</source>
     <message>
         <source>Left out of the search while it is not ticked</source>
         <translation>不勾选则不参与求解</translation>
-    </message>
-    <message>
-        <source>{turned}° from the nearest pose taken; {wanted}° or more are wanted.</source>
-        <translation>与最接近的已采集位姿相差 {turned}°；最好 {wanted}° 或更多。</translation>
     </message>
     <message>
         <source>as before</source>

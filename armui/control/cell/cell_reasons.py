@@ -34,7 +34,7 @@ CELL_WHILE_MOVING = Reason(
 )
 HELD_IN_HAND = Reason(
     "held_in_hand",
-    "“{name}” is marked as held, and would not be any more. Let go of it under Held first.",
+    "“{name}” is marked as held; this would drop the mark. Let go of it under Held first.",
 )
 CELL_ALREADY_CONFIRMED = Reason(
     "cell_already_confirmed", "Nothing is to be confirmed: the cell is in force, or there is none."

@@ -29,7 +29,7 @@ GRIPPER_OTHER_GENERATION = Reason(
 
 POINT_NOT_IN_BASE = Reason(
     "point_not_in_base",
-    "Row {row} is in the user frame “{name}”, and where that is was not worked out. Send it again.",
+    "Row {row} is in the user frame “{name}”, whose place was not worked out. Send it again.",
 )
 
 

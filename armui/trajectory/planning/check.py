@@ -67,13 +67,13 @@ _COLLISION_STEP_DEG: Final = 2.0
 
 FRAME_UNKNOWN = FindingKind(
     "frame_unknown",
-    "The point is in the user frame “{name}”, which the cell has not: where it is cannot be told. "
+    "The point is in the user frame “{name}”, which the cell does not have: its place is unknown. "
     "Choose the cell that has it, or make a frame of this name under Cell.",
     Severity.ERROR,
 )
 HELD_UNKNOWN = FindingKind(
     "held_unknown",
-    "From here on the hand holds “{name}”, which the cell has not: how large it is cannot be told. "
+    "From here on the hand holds “{name}”, which the cell does not have: its size is unknown. "
     "Choose the cell that has it, or add it under Cell, Held.",
     Severity.ERROR,
 )

@@ -280,7 +280,7 @@ class AreaTab(CellTab):
             text = text.format(name=seen[0].zone.name, value=fmt.number(seen[0].gap_mm, 0))
         self._nearness.setText(text)
         pose = self._controller.cartesian.tool_pose(state)
-        unknown = "" if pose is not None else self.tr("The arm has not told its pose.")
+        unknown = "" if pose is not None else self.tr("The arm has not reported its pose yet.")
         use = self.tr("Fills in the present tool pose; a plane's Z axis is that of the tool.")
         enable_or_explain(self._here, unknown, use)
 

@@ -354,7 +354,7 @@ class CellPanel(Panel):
         use = self.tr("Gives the cell in force and its file the name that is typed.")
         enable_or_explain(self._rename, why_not or none or unnamed, use)
         alone = "" if len(cells.cells) > 1 else self.tr("There is no other cell.")
-        use = self.tr("Says in what another cell of the list differs from the one in force.")
+        use = self.tr("Says how another cell of the list differs from the one in force.")
         enable_or_explain(self._compare, none or alone, use)
         no_store = self._controller.cell.store is None
         use = self.tr("Reads a cell from a file; says what is different before it is taken over.")

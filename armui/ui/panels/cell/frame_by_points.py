@@ -133,7 +133,7 @@ class FrameByPoints(Translated, QWidget):
         if pose is None or origin is None or None not in self._points:
             return ""
         way = [one - other for one, other in zip(pose[:3], origin, strict=False)]
-        text = self.tr("{value} mm from the origin; {wanted} mm or more are wanted.")
+        text = self.tr("{value} mm from the origin; at least {wanted} mm are needed.")
         value = fmt.number(sum(each * each for each in way) ** 0.5, 1)
         return text.format(value=value, wanted=round(LEAST_APART_MM))
 

@@ -103,7 +103,7 @@ class FramesTab(NamedTab):
         """Show whether the present tool pose can be filled in."""
         super().show_state(state)
         unknown = self._controller.cartesian.tool_pose(state) is None
-        why_not = self.tr("The arm has not told its pose.") if unknown else ""
+        why_not = self.tr("The arm has not reported its pose yet.") if unknown else ""
         use = self.tr("Fills in the present tool pose, with the axes of the tool.")
         enable_or_explain(self._here, why_not, use)
 

@@ -241,7 +241,7 @@ class HeldTab(CellTab):
         )
         moving = words.why_not(why_not_change(self._controller.operating_state))
         use = (
-            self.tr("“{name}” counts no more in any check. The gripper does not move.")
+            self.tr("“{name}” no longer counts in any check. The gripper does not move.")
             if held
             else self.tr("It counts in every check from now on. The gripper does not move.")
         )
@@ -306,7 +306,7 @@ class HeldTab(CellTab):
         text = self.tr("In the hand: {mass} kg. The arm carries {most} kg at most.")
         self._payload.setText(text.format(mass=mass, most=fmt.number(PAYLOAD_KG, 1)))
         caption(self._load, self.tr("Tell: {load}").format(load=words.end_load(load)))
-        use = self.tr("Tells the arm its end load. It is never told by itself.")
+        use = self.tr("Tells the arm its end load; the program never does so by itself.")
         why_not = words.why_not(why_no_load(self._controller.operating_state))
         enable_or_explain(self._load, why_not, use)
 
