@@ -954,6 +954,10 @@
         <translation>未打开文件；显示的是机械臂当前的值。</translation>
     </message>
     <message>
+        <source>Restored {count} parameters; reading them back gave the same values.</source>
+        <translation>已恢复 {count} 个参数，回读数值一致。</translation>
+    </message>
+    <message>
         <source>Stop reading</source>
         <translation>停止读取</translation>
     </message>
@@ -2183,6 +2187,10 @@
     <message>
         <source>Commands</source>
         <translation>命令</translation>
+    </message>
+    <message>
+        <source>Find every function by its name</source>
+        <translation>按名称查找任意功能</translation>
     </message>
 </context>
 <context>
@@ -6017,6 +6025,10 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>Search</source>
         <translation>搜索</translation>
+    </message>
+    <message>
+        <source>Search in names and notes</source>
+        <translation>在名称和备注中搜索</translation>
     </message>
     <message>
         <source>Not saved yet. Open it and save it first</source>
