@@ -7207,8 +7207,8 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>已发送初始化指令</translation>
     </message>
     <message>
-        <source>The arm has confirmed its factory values; they are read again.</source>
-        <translation>机械臂已应答恢复出厂值，正在重新读取。</translation>
+        <source>The arm has confirmed its factory values; the fields show what is read back.</source>
+        <translation>机械臂已应答恢复出厂值，输入框中为回读的数值。</translation>
     </message>
     <message>
         <source>Running “{name}”</source>
@@ -11882,6 +11882,10 @@ The other program must have ended.</source>
     <message>
         <source>Any CAN log, also of another program, is shown as if it were live.</source>
         <translation>任何 CAN 日志（包括其他程序的）都可以像实时一样显示。</translation>
+    </message>
+    <message>
+        <source>This computer opens no file manager. The folder is {folder}.</source>
+        <translation>本机无法打开文件管理器。文件夹是：{folder}。</translation>
     </message>
     <message>
         <source>Export…</source>

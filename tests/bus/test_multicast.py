@@ -52,15 +52,16 @@ def test_frames_of_ours_come_back_as_ours_and_those_of_another_as_theirs(buses):
 
 def test_what_the_system_did_not_take_is_not_expected_back(buses, monkeypatch):
     ours, other = buses
-    with monkeypatch.context() as patched, pytest.raises(can.CanOperationError):
+    with monkeypatch.context() as patched:
         patched.setattr(ours._multicast, "send", refuse)
-        ours.send(frame(4))
+        with pytest.raises(can.CanOperationError):
+            ours.send(frame(4))
     other.send(frame(4))
     assert heard(ours) == (4, False)
 
 
 def test_a_frame_that_was_lost_excuses_none_of_another_host_later(buses, monkeypatch):
-    ours, other = buses
+    ours, _other = buses
     monkeypatch.setattr("armui.bus.multicast.time.time", lambda: 0.0)
     ours.send(frame(5))
     monkeypatch.undo()

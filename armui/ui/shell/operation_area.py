@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Final, Protocol, runtime_checkable
 
-from PySide6.QtWidgets import QStackedWidget, QWidget
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication, QStackedWidget, QWidget
 
 from armui.ui.actions.command import CommandSource, also
 from armui.ui.panels.cell.cell_panel import CellPanel
@@ -180,7 +181,12 @@ class OperationArea(QStackedWidget):
             self.insertWidget(place, panel)
             self.removeWidget(empty)
             empty.deleteLater()
+        focused, panel = QApplication.focusWidget(), self.widget(place)
+        begins = focused is not None and self.isAncestorOf(focused) and not panel.focusWidget()
         self.setCurrentIndex(place)
+        if begins:
+            # Qt has given it to the first control, whose frame then looks like a choice
+            panel.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def focus_joint(self, joint: int) -> None:
         """Focus a joint in the visible panel, if it has controls for one."""
