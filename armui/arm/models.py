@@ -311,6 +311,7 @@ class ArmModel:
         kind: The model and its zeros; if "", trajectories of other arms are not recognised.
         tool: The tool set on the flange; ``None`` if only the gripper's tip counts.
         held: What the hand holds.
+        frames: The names of the cell's user frames, and their poses in the base.
     """
 
     limits: tuple[JointLimits, ...]
@@ -324,6 +325,7 @@ class ArmModel:
     widest_mm: float | None = None
     tool: ToolCapsule | None = None
     held: HeldShape | None = None
+    frames: tuple[tuple[str, tuple[float, ...]], ...] = ()
 
     @property
     def tip_mm(self) -> tuple[float, float, float]:

@@ -47,6 +47,11 @@ _LOOKED_MM: Final = 2.0 * SLACK_MM
 _SAME_MM: Final = 1e-6
 _FLANGE: Final = 6
 _MOST_AT_ONCE: Final = 4096
+_DROP_MM: Final = 25.0
+_BESIDE_MM: Final = 50.0
+"""What is this near to the way straight down counts as below."""
+_AROUND: Final = 8
+"""A first look is at one of so many poses on end."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,6 +114,21 @@ class AreaCheck:
         ]
         return tuple(sorted(entries, key=lambda entry: entry.gap_mm))
 
+    def below(self, joints_deg: Sequence[float]) -> tuple[str, ...]:
+        """Return the names of what an arm that sinks from six angles may come to.
+
+        It falls in arcs, whichever way: what is below any part of it counts, or little beside.
+        """
+        arm = enclose(self._body, np.array([joints_deg], dtype=float))
+        drops = np.arange(0.0, max(float(arm.starts[..., 2].max()), 1.0), _DROP_MM)
+        down = np.array([0.0, 0.0, -1.0]) * drops[:, None, None]
+        sunk = Capsules(arm.parts, arm.starts + down, arm.ends + down, arm.radii)
+        planes = plane_gaps(sunk, self._planes)
+        boxes = box_gaps(sunk, self._boxes, self._sizes_mm, _BESIDE_MM)
+        nearest = np.concatenate((planes, boxes), axis=2).min(axis=(0, 1))
+        zones = zip(self._area.zones, nearest, strict=True)
+        return tuple(zone.name for zone, gap_mm in zones if gap_mm < _BESIDE_MM)
+
     def why_no_turn(self, stops_deg: Sequence[Sequence[float]]) -> Refusal | None:
         """Return why the joints may not turn evenly from pose to pose; see :meth:`why_no_way`."""
         return self.why_no_way(np.array(stops_deg, dtype=float))
@@ -125,10 +145,13 @@ class AreaCheck:
         if self.is_free:
             return None
         poses = np.array([*ahead_deg, *now_deg], dtype=float)
+        # a jog keeps the slack to the margin, so that a way from where it ends is none too near
+        least_mm = self.margin_mm + SLACK_MM
+        if self._nearest_gaps(poses, least_mm).min() >= least_mm:
+            return None
         gaps, capsules = self._gaps(poses)
         ahead, now = np.split(gaps, 2)
-        # a jog keeps the slack to the margin, so that a way from where it ends is none too near
-        near = (ahead < self.margin_mm + SLACK_MM) & (ahead < now - _SAME_MM)
+        near = (ahead < least_mm) & (ahead < now - _SAME_MM)
         return self._why(near, ahead, now.min(initial=np.inf) < self.margin_mm, capsules)
 
     def why_no_way(self, joints_deg: Array) -> Refusal | None:
@@ -163,8 +186,7 @@ class AreaCheck:
             return found
         poses, indices = self._finely(joints_deg)
         near = np.flatnonzero(self._nearest_gaps(poses, self.margin_mm) < self.margin_mm)
-        for begin in range(0, len(near), _MOST_AT_ONCE):
-            block = near[begin : begin + _MOST_AT_ONCE]
+        for block in _blocks(near):
             gaps, capsules = self._gaps(poses[block], self.margin_mm)
             for which, index in enumerate(indices[block].tolist()):
                 entry = self._entry(gaps[which], capsules)
@@ -196,18 +218,35 @@ class AreaCheck:
 
     def _nearest_gaps(self, joints_deg: Array, near_mm: float) -> Array:
         """Return (n,) the least gap of each pose; from `near_mm` on it may be given too small."""
-        gaps = [np.empty(0)]
-        for begin in range(0, len(joints_deg), _MOST_AT_ONCE):
-            poses = joints_deg[begin : begin + _MOST_AT_ONCE]
-            nearest = self._gaps(poses, near_mm, self._coarse)[0].min(axis=(1, 2))
-            near = np.flatnonzero(nearest < near_mm)
-            if len(near):
-                nearest[near] = self._gaps(poses[near], near_mm)[0].min(axis=(1, 2))
-            gaps.append(nearest)
-        return np.concatenate(gaps)
+        # one pose stands for those around it, by how far anything moves from it to them
+        places = np.arange(len(joints_deg)) // _AROUND * _AROUND + _AROUND // 2
+        middles, stands_for = np.unique(np.minimum(places, len(places) - 1), return_inverse=True)
+        turns = np.radians(np.abs(joints_deg - joints_deg[middles][stands_for]))
+        travels_mm = turns @ self._reaches_mm
+        nearest: Array = np.concatenate(
+            [
+                self._gaps(joints_deg[which], -np.inf, self._coarse)[0].min(axis=(1, 2))
+                for which in _blocks(middles)
+            ]
+        )[stands_for]
+        nearest -= travels_mm
+        for which in _blocks(np.flatnonzero(nearest < near_mm)):
+            coarse = self._gaps(joints_deg[which], near_mm, self._coarse)[0].min(axis=1)
+            nearest[which] = coarse.min(axis=1)
+            close = np.flatnonzero(nearest[which] < near_mm)
+            if len(close):
+                wanted = coarse[close, len(self._area.planes) :] < near_mm
+                poses = joints_deg[which[close]]
+                gaps, _ = self._gaps(poses, near_mm, wanted=wanted)
+                nearest[which[close]] = gaps.min(axis=(1, 2))
+        return nearest
 
     def _gaps(
-        self, joints_deg: Array, near_mm: float = np.inf, body: Body | None = None
+        self,
+        joints_deg: Array,
+        near_mm: float = np.inf,
+        body: Body | None = None,
+        wanted: npt.NDArray[np.bool_] | None = None,
     ) -> tuple[Array, Capsules]:
         """Return (n, capsules, zones) the gaps at (n, 6) angles, and the capsules.
 
@@ -215,7 +254,7 @@ class AreaCheck:
         """
         capsules = enclose(body or self._body, joints_deg)
         planes = plane_gaps(capsules, self._planes)
-        boxes = box_gaps(capsules, self._boxes, self._sizes_mm, near_mm)
+        boxes = box_gaps(capsules, self._boxes, self._sizes_mm, near_mm, wanted)
         gaps = np.concatenate((planes, boxes), axis=2)
         if body is None:
             gaps[:, self._skipped] = np.inf
@@ -290,6 +329,13 @@ def _coarse(body: Body) -> Body:
         radius_mm = float((off + np.repeat([each.radius_mm for each in capsules], 2)).max())
         found.append(Capsule("base", link, tuple(start), tuple(end), radius_mm))
     return replace(body, capsules=tuple(found))
+
+
+def _blocks(indices: npt.NDArray[np.int64]) -> list[npt.NDArray[np.int64]]:
+    """Return indices in parts that fit into memory with ease."""
+    return [
+        indices[begin : begin + _MOST_AT_ONCE] for begin in range(0, len(indices), _MOST_AT_ONCE)
+    ]
 
 
 def _frames(zones: Sequence[Zone]) -> Array:

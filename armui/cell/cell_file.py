@@ -139,6 +139,15 @@ def save_cell(path: Path, cell: Cell, expected: Cell | None) -> Refusal | None:
     return write_cell(path, cell)
 
 
+def rename_cell(path: Path, new: Path, cell: Cell, expected: Cell | None) -> Refusal | None:
+    """Move a cell to a file of another name, which must be free; see :func:`save_cell`."""
+    if new.exists():
+        return CELL_CHANGED_ELSEWHERE(path=str(new))
+    if path.exists() and read_cell(path) != expected:
+        return CELL_CHANGED_ELSEWHERE(path=str(path))
+    return write_cell(new, cell) or delete_cell(path)
+
+
 def read_cells(folder: Path) -> Mapping[str, Cell | Refusal]:
     """Return all cells of a folder by name, with the reasons against those that are broken."""
     try:

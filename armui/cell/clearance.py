@@ -33,7 +33,13 @@ def plane_gaps(capsules: Capsules, frames: Array) -> Array:
     return gaps
 
 
-def box_gaps(capsules: Capsules, frames: Array, sizes_mm: Array, near_mm: float = np.inf) -> Array:
+def box_gaps(
+    capsules: Capsules,
+    frames: Array,
+    sizes_mm: Array,
+    near_mm: float = np.inf,
+    wanted: npt.NDArray[np.bool_] | None = None,
+) -> Array:
     """Return (n, k, b) the gaps between n × k capsules and b boxes.
 
     Args:
@@ -42,21 +48,23 @@ def box_gaps(capsules: Capsules, frames: Array, sizes_mm: Array, near_mm: float 
         sizes_mm: (b, 3) its edges along the axes of that frame.
         near_mm: A gap of this or more may be given too small, but never below this: what is far is
             not computed exactly.
+        wanted: (n, b) the poses and boxes that are not known to be that far apart.
     """
-    gaps = np.empty((*capsules.starts.shape[:2], len(frames)))
+    gaps = np.full((*capsules.starts.shape[:2], len(frames)), near_mm)
     middles = (capsules.starts + capsules.ends) / 2.0
     lines = capsules.ends - capsules.starts
     reach = np.linalg.norm(lines, axis=-1) / 2.0 + capsules.radii
     for index, (frame, size) in enumerate(zip(frames, sizes_mm, strict=True)):
         turn, half = frame[:3, :3], size / 2.0
-        outside = np.abs((middles - frame[:3, 3]) @ turn) - half
-        bound = np.sqrt((np.maximum(outside, 0.0) ** 2).sum(axis=-1)) - reach
+        rows = slice(None) if wanted is None else np.flatnonzero(wanted[:, index])
+        outside = np.maximum(np.abs((middles[rows] - frame[:3, 3]) @ turn) - half, 0.0)
+        bound = np.sqrt(np.einsum("nki,nki->nk", outside, outside)) - reach[rows]
         near = np.nonzero(bound < near_mm)
         if len(near[0]):
-            begin = (capsules.starts[near] - frame[:3, 3]) @ turn
-            along = lines[near] @ turn
+            begin = (capsules.starts[rows][near] - frame[:3, 3]) @ turn
+            along = lines[rows][near] @ turn
             bound[near] = segment_box_distances(begin, along, half) - capsules.radii[near[1]]
-        gaps[..., index] = bound
+        gaps[rows, :, index] = bound
     return gaps
 
 

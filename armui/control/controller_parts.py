@@ -137,7 +137,9 @@ class ControllerParts(QObject):
     @cached_property
     def player(self) -> Player:
         """Runs trajectories."""
-        return Player(self._context, self)
+        player = Player(self._context, self)
+        player.note_held = self.cell.note_held
+        return player
 
     @cached_property
     def replayer(self) -> Replayer:

@@ -633,8 +633,24 @@
         <translation>取当前工具位姿</translation>
     </message>
     <message>
+        <source>Take the pose of a user frame</source>
+        <translation>取用户坐标系的位姿</translation>
+    </message>
+    <message>
         <source>Puts these figures in force, and the margin with them.</source>
         <translation>使这些数值连同余量生效。</translation>
+    </message>
+    <message>
+        <source>The cell has no user frame yet.</source>
+        <translation>单元还没有用户坐标系。</translation>
+    </message>
+    <message>
+        <source>Fills in the pose of a user frame; its Z axis is that of the plane.</source>
+        <translation>填入用户坐标系的位姿；它的 Z 轴就是平面的 Z 轴。</translation>
+    </message>
+    <message>
+        <source>From frame</source>
+        <translation>取自坐标系</translation>
     </message>
     <message>
         <source>Apply</source>
@@ -1391,6 +1407,14 @@
         <translation>把单元写到单独的文件。</translation>
     </message>
     <message>
+        <source>Rename</source>
+        <translation>改名</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>比较</translation>
+    </message>
+    <message>
         <source>Import…</source>
         <translation>导入…</translation>
     </message>
@@ -1415,8 +1439,32 @@
         <translation>两者相同。</translation>
     </message>
     <message>
+        <source>Compare the cell with another</source>
+        <translation>把单元与另一个比较</translation>
+    </message>
+    <message>
+        <source>Compare with “{name}”</source>
+        <translation>与“{name}”比较</translation>
+    </message>
+    <message>
+        <source>Choose it</source>
+        <translation>选用它</translation>
+    </message>
+    <message>
         <source>Type a name first.</source>
         <translation>请先输入名称。</translation>
+    </message>
+    <message>
+        <source>Gives the cell in force and its file the name that is typed.</source>
+        <translation>把输入的名称给予生效的单元及其文件。</translation>
+    </message>
+    <message>
+        <source>There is no other cell.</source>
+        <translation>没有其他单元。</translation>
+    </message>
+    <message>
+        <source>Says in what another cell of the list differs from the one in force.</source>
+        <translation>说明列表中另一个单元与生效的单元有何不同。</translation>
     </message>
     <message>
         <source>New</source>
@@ -2247,6 +2295,10 @@
 <context>
     <name>ConfirmDialog</name>
     <message>
+        <source>The work area does not hold it then: below the arm is {names}.</source>
+        <translation>此时工作区拦不住它：机械臂下方是 {names}。</translation>
+    </message>
+    <message>
         <source>Hold the button, or the space bar on it, for one second.</source>
         <translation>请按住按钮（或在按钮上按住空格键）1 秒。</translation>
     </message>
@@ -3012,6 +3064,10 @@
         <translation>关节角 ↔ 位姿互换</translation>
     </message>
     <message>
+        <source>User frame…</source>
+        <translation>用户坐标系…</translation>
+    </message>
+    <message>
         <source>Go to this point</source>
         <translation>运动到该点</translation>
     </message>
@@ -3109,6 +3165,10 @@
         <translation>已保存。“{name}”在此处打开后被另一个程序修改过：其保存的内容可在轨迹库的“最近删除…”中找到。</translation>
     </message>
     <message>
+        <source>Base</source>
+        <translation>基坐标系</translation>
+    </message>
+    <message>
         <source>“{name}” has been saved since these unsaved changes were kept: they are not put over it. They are in the library under “Recently deleted…”.</source>
         <translation>“{name}”在这些未保存的更改之后又保存过：未用它们覆盖，可在轨迹库的“最近删除…”中找回。</translation>
     </message>
@@ -3146,6 +3206,10 @@
     <message>
         <source>Disabled</source>
         <translation>失能</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>已急停</translation>
     </message>
 </context>
 <context>
@@ -3978,6 +4042,14 @@
         <translation>到达该位姿时关节 {joint} 要转 {value}°。如非本意，请改用关节角度表示该点。</translation>
     </message>
     <message>
+        <source>The point is in the user frame “{name}”, which the cell has not: where it is cannot be told. Choose the cell that has it, or make a frame of this name under Cell.</source>
+        <translation>该点位于用户坐标系“{name}”中，而当前单元没有这个坐标系，无法确定其位置。请选择含有该坐标系的单元，或在“单元”中新建同名坐标系。</translation>
+    </message>
+    <message>
+        <source>From here on the hand holds “{name}”, which the cell has not: how large it is cannot be told. Choose the cell that has it, or add it under Cell, Held.</source>
+        <translation>从该点起夹爪夹着“{name}”，而当前单元没有这个工件，无法确定其大小。请选择含有该工件的单元，或在“单元”的“工件”中添加。</translation>
+    </message>
+    <message>
         <source>Joint {joint} jumps {value}° from the sample before. Trim the recording there, or record again.</source>
         <translation>关节 {joint} 与上一采样相差 {value}°。请在此处裁剪，或重新录制。</translation>
     </message>
@@ -4719,6 +4791,18 @@
     <message>
         <source>Angle</source>
         <translation>角度</translation>
+    </message>
+    <message>
+        <source>Holds as before</source>
+        <translation>夹持不变</translation>
+    </message>
+    <message>
+        <source>Holds nothing</source>
+        <translation>从此不夹工件</translation>
+    </message>
+    <message>
+        <source>What the hand holds from this point on</source>
+        <translation>从该点起夹爪夹着的工件</translation>
     </message>
 </context>
 <context>
@@ -5833,11 +5917,11 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>键盘点动</translation>
     </message>
     <message>
-        <source>Hold the space bar; each press of a letter key below is one step.</source>
+        <source>Hold the space bar: each letter key below is one step.</source>
         <translation>按住空格键，每按一次下列字母键走一步。</translation>
     </message>
     <message>
-        <source>Hold the space bar and a letter key below; release either and the arm stops.</source>
+        <source>Hold the space bar and a letter key; release either to stop.</source>
         <translation>按住空格键，再按住下列字母键即运动；松开任一键即停止。</translation>
     </message>
     <message>
@@ -7131,6 +7215,14 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>夹爪：已发送 {value} {unit}</translation>
     </message>
     <message>
+        <source>The stopped arm sinks, and the work area does not hold it: below it is {names}. Hold the arm.</source>
+        <translation>急停后机械臂会下沉，工作区拦不住它：其下方是 {names}。请扶住机械臂。</translation>
+    </message>
+    <message>
+        <source>Cell renamed: {name}</source>
+        <translation>单元已改名：{name}</translation>
+    </message>
+    <message>
         <source>From here on the hand holds “{name}”.</source>
         <translation>从此刻起夹爪夹着“{name}”。</translation>
     </message>
@@ -7221,6 +7313,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Run continues in row {row}</source>
         <translation>从第 {row} 行继续执行</translation>
+    </message>
+    <message>
+        <source>Own home set: {angles}</source>
+        <translation>原位已设定：{angles}</translation>
     </message>
     <message>
         <source>“{name}” has finished.</source>
@@ -7829,6 +7925,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>选择单元</translation>
     </message>
     <message>
+        <source>Rename the cell</source>
+        <translation>给单元改名</translation>
+    </message>
+    <message>
         <source>Say what the hand holds</source>
         <translation>说明夹爪夹着什么</translation>
     </message>
@@ -7913,20 +8013,20 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>各关节运动到 {angles}。</translation>
     </message>
     <message>
+        <source>Sets your own home for this arm; nothing moves.</source>
+        <translation>为此机械臂设定原位，不运动。</translation>
+    </message>
+    <message>
         <source>Set own home</source>
         <translation>设定原位</translation>
     </message>
     <message>
-        <source>Saved for this arm; nothing moves.</source>
-        <translation>为此机械臂保存，不运动。</translation>
+        <source>Set to the measured angles</source>
+        <translation>设为当前测得的角度</translation>
     </message>
     <message>
-        <source>The measured angles</source>
-        <translation>当前测得的角度</translation>
-    </message>
-    <message>
-        <source>The targets in the fields</source>
-        <translation>输入框中的目标</translation>
+        <source>Set to the targets in the fields</source>
+        <translation>设为输入框中的目标</translation>
     </message>
     <message>
         <source>This arm reports no number of its own: another one without a number at this adapter would be taken for it.</source>
@@ -8432,6 +8532,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>转换</translation>
     </message>
     <message>
+        <source>Frame</source>
+        <translation>用户坐标系</translation>
+    </message>
+    <message>
         <source>Cut</source>
         <translation>剪切</translation>
     </message>
@@ -8531,6 +8635,18 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>J{joint} all</source>
         <translation>J{joint} 全部</translation>
+    </message>
+    <message>
+        <source>holds {name}</source>
+        <translation>夹着 {name}</translation>
+    </message>
+    <message>
+        <source>holds nothing</source>
+        <translation>不夹工件</translation>
+    </message>
+    <message>
+        <source>Its place counts from the user frame “{name}” of the cell.</source>
+        <translation>其位置以单元的用户坐标系“{name}”为基准。</translation>
     </message>
     <message>
         <source>Motion</source>
@@ -10191,6 +10307,14 @@ The other program must have ended.</source>
         <translation>三点几乎共线：第三点偏离 X 轴只有 {value}°，至少需要 {minimum}°。请在 +Y 一侧更偏的位置重新采集该点。</translation>
     </message>
     <message>
+        <source>Row {row} is in the user frame “{name}”, and where that is was not worked out. Send it again.</source>
+        <translation>第 {row} 行位于用户坐标系“{name}”中，但尚未换算到基坐标系。请重新发送。</translation>
+    </message>
+    <message>
+        <source>“{value}” is not an option of a point; use frame, speed, dwell, gripper, holds, light or note.</source>
+        <translation>“{value}”不是有效的点选项，可用选项为 frame、speed、dwell、gripper、holds、light 和 note。</translation>
+    </message>
+    <message>
         <source>A folder needs a name. Enter one.</source>
         <translation>文件夹需要名称。请输入。</translation>
     </message>
@@ -10213,6 +10337,14 @@ The other program must have ended.</source>
     <message>
         <source>Not done: {name}: {text}. Check the rights to the library&apos;s folder.</source>
         <translation>未执行：{name}：{text}。请检查轨迹库文件夹的访问权限。</translation>
+    </message>
+    <message>
+        <source>Joint angles belong to no frame, and this point names “{name}”. Make it MOVE P, L or C, or take the frame away.</source>
+        <translation>关节角度不属于任何坐标系，但该点写明了坐标系“{name}”。请改为 MOVE P、L 或 C，或去掉坐标系。</translation>
+    </message>
+    <message>
+        <source>No home of your own is kept for this arm. Set it with the arrow beside.</source>
+        <translation>尚未为此机械臂设定原位。请用旁边的箭头设定。</translation>
     </message>
     <message>
         <source>Robot description: the file {path} is not there. Choose another file, or use the built-in one.</source>
@@ -10507,10 +10639,6 @@ The other program must have ended.</source>
         <translation>“{value}”不是有效的文件头条目，可用条目为 name、note 和 modified。</translation>
     </message>
     <message>
-        <source>“{value}” is not an option of a point; use speed, dwell, gripper, light or note.</source>
-        <translation>“{value}”不是有效的点选项，可用选项为 speed、dwell、gripper、light 和 note。</translation>
-    </message>
-    <message>
         <source>“{value}” is given twice. Keep one.</source>
         <translation>“{value}”重复出现，请只保留一个。</translation>
     </message>
@@ -10565,6 +10693,10 @@ The other program must have ended.</source>
     <message>
         <source>“{field}” is not what it should be: {expected}.</source>
         <translation>“{field}”的内容不符合要求，应为：{expected}。</translation>
+    </message>
+    <message>
+        <source>The cell has no user frame “{name}”, which the point is in. Choose the cell that has it, or make a frame of this name under Cell.</source>
+        <translation>该点位于用户坐标系“{name}”中，而当前单元没有这个坐标系。请选择含有该坐标系的单元，或在“单元”中新建同名坐标系。</translation>
     </message>
     <message>
         <source>{field}: {value}{unit} is out of range. Enter a value from {minimum}{unit} to {maximum}{unit}.</source>
@@ -10661,10 +10793,6 @@ The other program must have ended.</source>
     <message>
         <source>The speed override is 0 %: raise it, then hold “Continue” for 1 s.</source>
         <translation>运行倍率为 0 %：请先调高，再按住“继续”1 秒。</translation>
-    </message>
-    <message>
-        <source>No home of your own is kept for this arm. Set it with the button beside.</source>
-        <translation>尚未为此机械臂设定原位。请用旁边的按钮设定。</translation>
     </message>
     <message>
         <source>How far this gripper opens is not known: the arm has told no stroke limit. Set it in Gripper settings, or enter a target in Gripper control.</source>

@@ -87,7 +87,7 @@ BEFORE: dict[str, Any] = {
     "reference.drive": checking,
     "reference.finish": lambda rig: checking(rig, answered=True),
     **dict.fromkeys(
-        ("cell.choose", "cell.change", "cell.delete"),
+        ("cell.choose", "cell.change", "cell.delete", "cell.rename"),
         lambda rig: accepted(rig.controller.cell.take(Cell("bench"))),
     ),
     "cell.confirm": cell_unconfirmed,
@@ -136,6 +136,7 @@ BEGIN: dict[str, tuple[Any, Ending]] = {
     "cell.change": ((Cell("bench", (Tool("pen"),), "pen"),), DONE),
     **dict.fromkeys(("cell.confirm", "cell.delete"), (NONE, DONE)),
     "cell.hold": (("cube",), DONE),
+    "cell.rename": (("stand",), DONE),
 }
 """The arguments each begins with, and how it ends where nothing comes in between."""
 
@@ -144,7 +145,8 @@ GOES_ON = {"jog.begin", "recorder.start"}
 SHOWN = {
     *("recorder.start", "motors.enable"),
     *("gripper.disable", "gripper.clear_error", "gripper.set_zero"),
-    *("cell.take", "cell.choose", "cell.change", "cell.confirm", "cell.delete", "cell.hold"),
+    *("cell.take", "cell.choose", "cell.change", "cell.confirm", "cell.delete"),
+    *("cell.hold", "cell.rename"),
 }
 """What the feedback shows of an arm that has heard nothing, for it was so before, and cells, which
 no arm is told of.

@@ -172,3 +172,51 @@ def test_a_slow_disk_holds_nobody_and_a_failure_is_told(make_driver):
         assert "cell_problem" in driver.codes()
     finally:
         driver.close()
+
+
+def test_a_cell_is_renamed_with_its_file_and_for_its_arm(panel):
+    panel.type_into("cell_name", "bench")
+    add_pen(panel)
+    panel.find("cell_name").setText("stand")
+    panel.find("cell_name").textEdited.emit("stand")
+    panel.click("cell_rename_button")
+    assert panel.controller.cell.cell == Cell("stand", (PEN,), "pen")
+    assert not file_of(panel, "bench").exists()
+    assert read_cell(file_of(panel, "stand")) == Cell("stand", (PEN,), "pen")
+    assert panel.store.settings.cells == {panel.device.arm_key(): "stand"}
+    assert panel.controller.cartesian.tool == PEN.pose
+    panel.type_into("cell_tool_X", "3")
+    panel.click("cell_tool_apply")
+    assert read_cell(file_of(panel, "stand")).chosen_tool.pose[0] == 3.0
+
+
+def test_no_file_is_overwritten_by_a_new_name(panel):
+    panel.type_into("cell_name", "bench")
+    theirs = to_text(Cell("stand", (PEN,), "pen"))
+    file_of(panel, "stand").write_text(theirs, encoding="utf-8")
+    panel.find("cell_name").setText("stand")
+    panel.find("cell_name").textEdited.emit("stand")
+    panel.click("cell_rename_button")
+    assert "was not overwritten" in panel.read("cell_message")
+    assert file_of(panel, "stand").read_text(encoding="utf-8") == theirs
+    assert read_cell(file_of(panel, "bench")) == panel.controller.cell.cell == Cell("bench")
+    assert panel.store.settings.cells == {panel.device.arm_key(): "bench"}
+    panel.type_into("cell_name", "other")
+    panel.find("cell_name").setText("BENCH")
+    panel.find("cell_name").textEdited.emit("BENCH")
+    panel.click("cell_rename_button")
+    assert "exists already" in panel.read("cell_message")
+
+
+def test_it_is_compared_with_another_of_the_list(panel):
+    panel.type_into("cell_name", "other")
+    panel.type_into("cell_name", "bench")
+    add_pen(panel)
+    menu = panel.find("cell_compare_button").menu()
+    menu.aboutToShow.emit()
+    (other,) = menu.actions()
+    other.trigger()
+    question = panel.dialog(ConfirmDialog)
+    assert "tools.pen.z_mm: 120 → —" in question._text.text()
+    panel.confirm()
+    assert panel.controller.cell.cell == Cell("other")

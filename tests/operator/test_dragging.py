@@ -7,6 +7,8 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
+from armui.cell.cell import Cell, with_frame
+from armui.cell.user_frames import UserFrame
 from armui.protocol.codes import MoveMode
 from armui.system.paths import URDF
 from armui.trajectory.library.store import Library
@@ -21,6 +23,7 @@ from armui.viewport.process.robot import shape_of
 from armui.viewport.process.urdf_file import load_robot
 from tests.accepted import accepted
 from tests.picture_hand import Hand
+from tests.trajectory.frame_oracle import apart, carried, within
 
 OUT = (20.0, 60.0, -70.0, 10.0, 35.0, 15.0)
 BACK = (-15.0, 50.0, -60.0, -10.0, 30.0, -20.0)
@@ -289,6 +292,23 @@ def test_a_drag_changes_the_chosen_point_in_one_step_of_undo(at_editor, no_motio
     editor.document.stack.undo()
     assert editor.document.points == before
     assert no_motion() == []
+
+
+def test_a_point_in_a_user_frame_is_dragged_there(app_driver, shape):
+    frame = UserFrame("Table", (250.0, -80.0, 40.0, 10.0, -20.0, 35.0))
+    place = (300.0, 0.0, 250.0, 0.0, 85.0, 0.0)
+    there = Waypoint(MoveMode.MOVE_L, within(frame.pose, place), frame="Table")
+    at = AtEditor(app_driver, shape, (Waypoint(MoveMode.MOVE_J, OUT), there))
+    accepted(app_driver.controller.cell.take(with_frame(Cell("bench"), frame)))
+    at.editor.table.select_row(1)
+    at.drag(at.grip(GripKind.AXIS, 2), (0.0, -25.0))
+    changed = at.editor.document.points[1]
+    assert (changed.move, changed.frame) == (MoveMode.MOVE_L, "Table")
+    flange = carried(frame.pose, changed.target)
+    ghost = app_driver.controller.cartesian.kinematics().forward(at.ghost)
+    assert apart(flange, ghost)[0] < 0.002
+    assert flange[2] > place[2] + 3.0
+    assert flange[:2] == pytest.approx(place[:2], abs=0.05)
 
 
 def test_the_ghost_goes_with_the_slider_until_a_row_is_chosen(at_editor):

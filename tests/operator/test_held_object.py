@@ -1,12 +1,16 @@
 """An operator at the tab of what the hand holds: by clicks, judged by what counts and is sent."""
 
+from dataclasses import replace
+
 import pytest
 
 from armui.cell.cell_file import read_cell
 from armui.cell.held_objects import HeldObject
+from armui.cell.user_frames import UserFrame
 from armui.cell.work_area import AreaPlane
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from tests.accepted import accepted
 from tests.cell.areas import put
 from tests.faulty_arm import HardOfHearing
 
@@ -120,3 +124,16 @@ def test_after_a_restart_it_is_asked_for_with_the_cell(make_driver):
         assert (later.controller.cell.confirmed, later.controller.cell.cell.held) == (True, "")
     finally:
         later.close()
+
+
+def test_a_plane_is_taken_from_a_user_frame(panel):
+    cells = panel.controller.cell
+    pose = (100.0, -50.0, 20.0, 0.0, 0.0, 45.0)
+    accepted(cells.change(replace(cells.cell, frames=(UserFrame("fixture", pose),))))
+    panel.click("cell_tab_area")
+    (fixture,) = panel.find("cell_area_frame").menu().actions()
+    fixture.trigger()
+    assert cells.cell.area.planes == ()
+    panel.type_into("cell_area_name", "top")
+    panel.click("cell_area_add_plane")
+    assert cells.cell.area.planes == (AreaPlane("top", pose),)

@@ -41,9 +41,12 @@ def test_where_the_arm_is_measured_is_kept_and_reached_by_move_j(at_home):
     at_home.run(0.2)
     assert at_home.heard() == []
     assert "J3 -40.000°" in at_home.find("own_home_button").toolTip()
+    assert at_home.read("motion_message").startswith("Own home set: J1 10.0")
+    assert "J3 -40.000°" in at_home.read("motion_message")
     move_to(at_home, AWAY)
     at_home.click("own_home_button")
     at_home.step()
+    assert at_home.read("motion_message") == ""
     assert [frame.arbitration_id for frame in at_home.heard()] == [0x155, 0x156, 0x157, 0x151]
     at_home.run_until(lambda: math.dist(at_home.firmware.joints_deg, HERE) < 0.01)
 

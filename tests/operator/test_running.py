@@ -274,13 +274,16 @@ def test_the_library_sends_the_chosen_one(app_driver):
     assert "done" in operator.text("run_text")
 
 
+@pytest.mark.parametrize("override", [100, 50, 20])
 @pytest.mark.parametrize("percent", [20, 100])
-def test_the_time_left_is_that_which_short_ways_take(app_driver, percent):
+def test_the_time_left_is_that_which_short_ways_take(app_driver, percent, override):
     near = tuple(angle + 5.0 for angle in OUT)
-    operator = Operator(app_driver, to(OUT), to(near), to(OUT), to(near))
+    operator = Operator(app_driver, to(OUT), to(near), to(OUT, dwell_s=1.0), to(near))
     operator.child("run_speed", QSpinBox).setValue(percent)
     operator.send()
     operator.until(lambda: operator.progress.index == 1)
+    app_driver.controller.speed_override.set_percent(override)
+    app_driver.step()
     told_s, begun_s = operator.progress.remaining_s, app_driver.time_s
     operator.until_over()
     took_s = app_driver.time_s - begun_s

@@ -61,6 +61,8 @@ LIGHT = st.none() | st.builds(
     lamp=figure("lamp"),
 )
 
+IN_CELL = st.sampled_from(["Table", "工作台", "a b", "x=1, 2;3", "-", "@"])
+
 
 def _points(move: MoveMode) -> st.SearchStrategy[Waypoint]:
     return st.builds(
@@ -74,6 +76,8 @@ def _points(move: MoveMode) -> st.SearchStrategy[Waypoint]:
         light=LIGHT,
         note=TEXT,
         comments=COMMENTS,
+        frame=st.just("") if move is MoveMode.MOVE_J else st.just("") | IN_CELL,
+        holds=st.none() | st.just("") | IN_CELL,
     )
 
 

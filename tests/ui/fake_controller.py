@@ -231,6 +231,9 @@ class FakeAreaGuard:
     def look(self, _state: ArmState) -> tuple[object, ...]:
         return ()
 
+    def below(self) -> str:
+        return ""
+
 
 class FakeCartesian:
     """The tool of a fake controller, which is its flange."""

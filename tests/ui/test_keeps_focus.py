@@ -91,6 +91,7 @@ def test_a_panel_that_comes_gives_its_first_control_no_keyboard(app_driver):
     app_driver.find("target_field_1").setFocus()
     app_driver.click("menu_end_load")
     focused = QApplication.focusWidget()
+    assert focused is not None
     assert not isinstance(focused, QAbstractButton), focused
     QTest.keyClick(focused, Qt.Key.Key_Tab)
     assert app_driver.find("load_empty").hasFocus()

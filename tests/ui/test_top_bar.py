@@ -1,10 +1,12 @@
 """Regions 1, 3 and 4: communication, speed, enable (M1–M5)."""
 
+from dataclasses import replace
+
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QSpinBox
 
-from armui.control.operating_state import Busy, LinkState, OperatingState
+from armui.control.operating_state import Busy, LinkState, OperatingState, StopState
 from armui.control.safety.interlocks import STOPPED
 from armui.protocol.codes import ALL_JOINTS
 from armui.protocol.generation import Generation
@@ -165,6 +167,16 @@ def test_enable_button_shows_the_six_joints(enable, controller, marks, busy, wor
     controller.be(operating_state(enabled=marks, busy=busy))
     assert enable.marks == marks
     assert enable.text() == word
+
+
+def test_in_an_emergency_stop_the_motors_are_not_called_disabled(enable, controller):
+    """Resuming is what cuts their power."""
+    off = operating_state(enabled=(False,) * 6, stop=StopState.STOPPED)
+    controller.be(off)
+    assert enable.text() == "Stopped"
+    assert enable.accessibleName() == "Stopped"
+    controller.be(replace(off, stop=StopState.RUNNING))
+    assert enable.text() == "Disabled"
 
 
 @pytest.mark.parametrize("marks", [(False,) * 6, (True,) * 5 + (False,), (None,) * 6])

@@ -8,6 +8,7 @@ at once, and ends their motion if the operator wants that.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
@@ -15,6 +16,7 @@ from armui.control.cell.intrusion import AreaIntrusion
 from armui.control.context import ControllerPart
 from armui.control.events import Notice
 from armui.control.motion.motion_command import Mover
+from armui.control.operating_state import StopState
 from armui.control.parameters.arm_model import planning_model
 from armui.telemetry.events import Asker, EventKind, Level
 from armui.trajectory.points.program import Trajectory, Waypoint
@@ -30,6 +32,13 @@ if TYPE_CHECKING:
 AREA_ENTERED = Notice(
     "area_entered",
     "The arm has come into the work area's “{name}”: {part}, {value} mm too near.",
+    Level.WARNING,
+    EventKind.STATUS,
+    Asker.PROGRAM,
+)
+AREA_BELOW = Notice(
+    "area_below",
+    "The stopped arm sinks, and the work area does not hold it: below it is {names}. Hold the arm.",
     Level.WARNING,
     EventKind.STATUS,
     Asker.PROGRAM,
@@ -68,6 +77,7 @@ class AreaGuard(ControllerPart):
         self._measured: tuple[object, ...] = ()
         self._seen: tuple[AreaEntry, ...] = ()
         self._was_in = False
+        self._ran = True
 
     # What is known ----------------------------------------------------------------------------
 
@@ -87,6 +97,11 @@ class AreaGuard(ControllerPart):
             self._measured, self._seen = measured, check.look(joints_deg)
         return self._seen
 
+    def below(self) -> str:
+        """Return the names of what the arm may sink into without its motors; "" for nothing."""
+        joints_deg, check = self._context.state().angles_deg(), self.check()
+        return "" if joints_deg is None or check is None else ", ".join(check.below(joints_deg))
+
     def intrusion(self, state: ArmState) -> AreaIntrusion | None:
         """Return where the measured arm is too near to its area, or ``None``."""
         check, seen = self.check(), self.look(state)
@@ -96,7 +111,7 @@ class AreaGuard(ControllerPart):
         return AreaIntrusion(seen[0].zone.name, seen[0].part, value_mm)
 
     def check(self) -> AreaCheck | None:
-        """Return the checks of the present arm, tool and area; ``None`` for a free area."""
+        """Return the checks of the present arm, tool, held object and area; ``None`` if free."""
         area, cell = self.area, self._cell()
         if area is None or cell is None:
             self._of, self._check = (), None
@@ -110,6 +125,18 @@ class AreaGuard(ControllerPart):
             self._of = of
             self._check = AreaCheck(area, carried_body(now.model, geometry, tool, cell))
         return self._check
+
+    def check_holding(self, name: str) -> AreaCheck | None:
+        """Return the same checks as they will be once the hand holds an object; "" for none."""
+        cell, area = self._cell(), self.area
+        if cell is None or area is None or name == cell.held:
+            return self.check()
+        from armui.cell.area_check import AreaCheck, carried_body  # noqa: PLC0415 - numpy
+
+        now = self._context.operating_state()
+        holding = replace(cell, held=name)
+        body = carried_body(now.model, now.model_fit.geometry, self._tool(), holding)
+        return AreaCheck(area, body)
 
     # What is asked before something moves -----------------------------------------------------
 
@@ -183,6 +210,10 @@ class AreaGuard(ControllerPart):
         elif found is None and self._was_in:
             context.tell(AREA_LEFT)
         self._was_in = found is not None
+        runs = context.operating_state().stop is StopState.RUNNING
+        if self._ran and not runs and (names := self.below()):
+            context.tell(AREA_BELOW, names=names)
+        self._ran = runs
 
     def forget_arm(self) -> None:
         """Forget where the arm was: it may be another one that comes."""

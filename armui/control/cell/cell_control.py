@@ -47,6 +47,7 @@ if TYPE_CHECKING:
 CELL_CHOSEN = Notice("cell_chosen", "Cell in force: {name}", Level.INFO, EventKind.COMMAND)
 CELL_LEFT = Notice("cell_left", "No cell is in force", Level.INFO, EventKind.COMMAND)
 CELL_CHANGED = Notice("cell_changed", "Cell changed: {name}", Level.INFO, EventKind.COMMAND)
+CELL_RENAMED = Notice("cell_renamed", "Cell renamed: {name}", Level.INFO, EventKind.COMMAND)
 CELL_DELETED = Notice("cell_deleted", "Cell deleted: {name}", Level.INFO, EventKind.COMMAND)
 CELL_CONFIRMED = Notice("cell_confirmed", "Cell confirmed: {name}", Level.INFO, EventKind.COMMAND)
 HELD_NOW = Notice(
@@ -185,6 +186,13 @@ class CellControl(ControllerPart):
                 self._cells.setdefault(name, cell)
         self._take_effect()
 
+    def give_name(self, name: str, other: str) -> None:
+        """Give a cell another name, or its former one because its file could not be renamed."""
+        if name in self._cells:
+            self._cells[other] = replace(self._cells.pop(name), name=other)
+            self._name = other if self._name == name else self._name
+            self._take_effect()
+
     def tell_problem(self, reason: Refusal) -> None:
         """Tell the operator why a cell could not be saved or deleted."""
         self._context.tell(CELL_PROBLEM, reason=reason)
@@ -267,6 +275,26 @@ class CellControl(ControllerPart):
         self._confirmed = True
         self._take_effect()
         return self._done(record_start(self.change), CELL_CHANGED, cell.name)
+
+    @operation("cell.rename", "Rename the cell", why_not_change)
+    def rename(self, name: str) -> Started | Refusal:
+        """Give the chosen cell and its file another name; it stays in force."""
+        cell = self.cell
+        refusal = why_not_change(self._context.refresh()) or self.unconfirmed
+        taken = name.casefold() in map(str.casefold, {*self._cells, *self._broken} - {self._name})
+        if refusal is None and cell is None:
+            refusal = CELL_NONE()
+        elif refusal is None and (taken or name == self._name):
+            refusal = CELL_NAME_TAKEN(value=name)
+        elif refusal is None and cell is not None:
+            refusal = check_cell(replace(cell, name=name))
+        if refusal is not None or cell is None:
+            return self._context.refuse(refusal or CELL_NONE())
+        self.give_name(cell.name, name)
+        started = self._done(record_start(self.rename), CELL_RENAMED, name)
+        if self.store is not None:
+            self.store.rename(cell.name, self._cells[name])
+        return started
 
     @operation("cell.delete", "Delete the cell", why_not_change)
     def delete(self) -> Started | Refusal:

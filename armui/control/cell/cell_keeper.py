@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, Signal
@@ -13,6 +14,7 @@ from armui.cell.cell_file import (
     delete_cell,
     read_cell,
     read_cells,
+    rename_cell,
     save_cell,
     write_cell,
 )
@@ -73,6 +75,13 @@ class CellKeeper(CellStore):
         expected, self._written[cell.name] = self._written.get(cell.name), cell
         self._do(self._on_written, save_cell, self._path(cell.name), cell, expected)
 
+    def rename(self, name: str, cell: Cell) -> None:
+        """Give the file of a cell another name, never over another one; all its arms follow."""
+        expected, self._written[cell.name] = self._written.pop(name, None), cell
+        paths = self._path(name), self._path(cell.name)
+        then = partial(self._on_renamed, name, cell, expected)
+        self._do(then, rename_cell, *paths, cell, expected)
+
     def delete(self, name: str) -> None:
         """Delete the file of a cell."""
         self._written.pop(name, None)
@@ -83,6 +92,9 @@ class CellKeeper(CellStore):
         kept = {key: each for key, each in self._settings.settings.cells.items() if key != arm_key}
         if name:
             kept[arm_key] = name
+        self._keep(kept)
+
+    def _keep(self, kept: Mapping[str, str]) -> None:
         refusal = self._settings.change(cells=dict(list(kept.items())[-MOST:]))
         if refusal is not None:
             self._control.tell_problem(refusal)
@@ -110,6 +122,19 @@ class CellKeeper(CellStore):
             if not isinstance(cell, Refusal):
                 self._written.setdefault(name, cell)
         self._control.take_loaded(cells)
+
+    def _on_renamed(
+        self, name: str, cell: Cell, expected: Cell | None, problem: Refusal | None
+    ) -> None:
+        if problem is None:
+            kept = self._settings.settings.cells
+            self._keep({key: cell.name if each == name else each for key, each in kept.items()})
+            return
+        del self._written[cell.name]
+        if expected is not None:
+            self._written[name] = expected
+        self._control.give_name(cell.name, name)
+        self._control.tell_problem(problem)
 
     def _on_written(self, problem: Refusal | None) -> None:
         if problem is not None:

@@ -18,6 +18,9 @@ class CellStore(Protocol):
     def save(self, cell: Cell) -> None:
         """Keep a cell under its name."""
 
+    def rename(self, name: str, cell: Cell) -> None:
+        """Keep a cell under another name than before, for all arms that it belongs to."""
+
     def delete(self, name: str) -> None:
         """Keep a cell no longer."""
 

@@ -27,6 +27,12 @@ GRIPPER_OTHER_GENERATION = Reason(
 )
 
 
+POINT_NOT_IN_BASE = Reason(
+    "point_not_in_base",
+    "Row {row} is in the user frame “{name}”, and where that is was not worked out. Send it again.",
+)
+
+
 _POSE_MODES: Final = frozenset({MoveMode.MOVE_P, MoveMode.MOVE_L, MoveMode.MOVE_C})
 
 
@@ -101,8 +107,10 @@ def action_frames(codec: Codec, point: Waypoint) -> list[Frame]:
 
 
 def why_not_possible(generation: Generation | None, points: Sequence[Waypoint]) -> Refusal | None:
-    """Return the first point that the protocol has no frame for (its gripper), or ``None``."""
+    """Return why a point cannot be sent, or ``None``: its gripper's action, or its user frame."""
     for row, point in enumerate(points, start=1):
+        if point.frame:
+            return POINT_NOT_IN_BASE(row=row, name=point.frame)
         angle = isinstance(point.gripper, GripperAngle)
         opening = isinstance(point.gripper, GripperOpening)
         if (generation is Generation.TWO and angle) or (generation is Generation.ONE and opening):

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final
 from armui.arm.models import ArmModel, model_data
 from armui.arm.tool_capsule import ToolCapsule
 from armui.kinematics.arm_kinematics import Kinematics
+from armui.trajectory.planning.user_frames import frames_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -23,7 +24,8 @@ def arm_model(controller: ArmController) -> ArmModel:
     """Return the model of the connected arm, or of an arm as it leaves the factory."""
     now, cartesian = controller.operating_state, controller.cartesian
     arm = planning_model(controller.state, now, cartesian.tool, cartesian.tool_radius_mm)
-    arm = replace(arm, held=controller.cell.held_shape)
+    frames = tuple(frames_of(controller.cell.cell).items())
+    arm = replace(arm, held=controller.cell.held_shape, frames=frames)
     if arm.stroke_mm is None or not controller.gripper.is_calibrated:
         return arm
     return replace(arm, widest_mm=controller.gripper.calibrated_mm(arm.stroke_mm))

@@ -104,11 +104,13 @@ class Player(Execution):
 
     Attributes:
         as_asked: Returns a point's action with what the gripper is to be asked for.
+        note_held: Takes the name of what the hand holds from a point on; "" for nothing.
     """
 
     def __init__(self, context: Context, parent: QObject | None = None) -> None:
         super().__init__(context, parent)
         self.as_asked: Callable[[GripperAction | None], GripperAction | None] = lambda same: same
+        self.note_held: Callable[[str], object] = lambda _name: None
         self._run: Run | None = None
         self._schedule: RunSchedule | None = None
         self._has_lights = False
@@ -275,7 +277,8 @@ class Player(Execution):
         """Count the time that a motion is expected to take as slowly as the arm goes."""
         now_s = self._context.clock()
         if self._phase is RunPhase.MOVING:
-            self._since_s += (now_s - self._looked_s) * (1.0 - self._share)
+            pace = self._schedule.pace(self._index, self._share) if self._schedule else 1.0
+            self._since_s += (now_s - self._looked_s) * (1.0 - pace)
         self._looked_s = now_s
 
     def _arrive(self, run: Run, now_s: float) -> None:
@@ -284,6 +287,8 @@ class Player(Execution):
         self._send(action_frames(self._codec, point))
         if point.gripper is not None:
             self.gripper_sent.emit(*astuple(point.gripper))
+        if point.holds is not None:
+            self.note_held(point.holds)
         self._since_s = now_s
         self._phase = RunPhase.DWELLING
         self._follow_dwell()

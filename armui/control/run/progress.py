@@ -6,6 +6,7 @@ import enum
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import accumulate
+from operator import add
 
 from armui.arm.refusal import Refusal
 from armui.trajectory.points.program import Waypoint
@@ -50,6 +51,7 @@ class Run:
         name: The name of the trajectory.
         points: All points.
         expected_s: The time of each from the one before at the factor below, dwell included.
+        even_s: The same without dwells and without ramps; empty if it is not known.
         cycles: The number of cycles, or :data:`ENDLESS`.
         first: The index of the point to begin with, in the first cycle.
         speed_factor: The factor on each point's own speed.
@@ -63,6 +65,7 @@ class Run:
     first: int = 0
     speed_factor: float = 1.0
     step_by_step: bool = False
+    even_s: Sequence[float] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,17 +96,18 @@ class Progress:
 
 
 class RunSchedule:
-    """The planned times of a run."""
+    """The planned times of a run, at any share of its own speed."""
 
     def __init__(self, run: Run) -> None:
         self._run = run
-        lengths_s = [
-            max(point.dwell_s, expected_s)
-            for point, expected_s in zip(run.points, run.expected_s, strict=True)
+        self._dwells_s = [point.dwell_s for point in run.points]
+        self._moves_s = [
+            max(0.0, expected_s - dwell_s)
+            for expected_s, dwell_s in zip(run.expected_s, self._dwells_s, strict=True)
         ]
-        self._ends_s = list(accumulate(lengths_s))
-        self._lengths_s = lengths_s
-        self._dwells_end_s = list(accumulate(point.dwell_s for point in run.points))
+        self._lengths_s: list[float] = list(map(add, self._moves_s, self._dwells_s))
+        self._ends_s = list(accumulate(self._lengths_s))
+        self._slowed = (1.0, self._ends_s)
 
     @property
     def cycle_s(self) -> float:
@@ -119,6 +123,25 @@ class RunSchedule:
         length_s = self._lengths_s[index]
         return self._ends_s[index] - length_s + min(elapsed_s, length_s)
 
+    def move_s(self, index: int, share: float) -> float:
+        """Return how long the way to a point takes at a share of its speed, above 0.
+
+        A motion that goes evenly for D at its own speed, with ramps that add R, takes
+        D / share + R · share; one too short to go evenly takes as long as before.
+        """
+        move_s = self._moves_s[index]
+        even_s = min(move_s, self._run.even_s[index]) if self._run.even_s else move_s
+        ramps_s = move_s - even_s
+        if ramps_s > even_s:  # it never goes evenly
+            ramps_s = move_s * move_s / (4.0 * even_s or 1.0)
+        return max(move_s, even_s / share + min(ramps_s * share, even_s / share))
+
+    def pace(self, index: int, share: float) -> float:
+        """Return how fast the planned time of a motion goes by at a share of its speed, 0–1."""
+        if share <= 0.0:
+            return 0.0
+        return self._moves_s[index] / (self.move_s(index, share) or 1.0)
+
     def remaining_s(
         self, index: int, cycle: int, elapsed_s: float, share: float = 1.0
     ) -> float | None:
@@ -132,10 +155,16 @@ class RunSchedule:
         """
         if self._run.cycles == ENDLESS or share <= 0.0:
             return None
+        ends_s = self._ends_at(share)
         cycles_left = self._run.cycles - cycle
-        rest_s = self.cycle_s * (cycles_left + 1) - self.in_cycle_s(index, elapsed_s)
-        dwell_s = self._run.points[index].dwell_s
-        here_s = max(0.0, min(dwell_s, self._lengths_s[index] - elapsed_s))
-        per_cycle_s = self._dwells_end_s[-1]
-        dwells_s = here_s + per_cycle_s * (cycles_left + 1) - self._dwells_end_s[index]
-        return dwells_s + (rest_s - dwells_s) / share
+        move_s, dwell_s = self._moves_s[index], self._dwells_s[index]
+        move_left_s = max(0.0, move_s - elapsed_s) / (self.pace(index, share) or 1.0)
+        dwell_left_s = max(0.0, min(dwell_s, move_s + dwell_s - elapsed_s))
+        return ends_s[-1] * (cycles_left + 1) - ends_s[index] + move_left_s + dwell_left_s
+
+    def _ends_at(self, share: float) -> list[float]:
+        """Return when each point of a cycle is done; planned anew where the share has changed."""
+        if self._slowed[0] != share:
+            moves_s = (self.move_s(index, share) for index in range(len(self._moves_s)))
+            self._slowed = share, list(accumulate(map(add, moves_s, self._dwells_s)))
+        return self._slowed[1]

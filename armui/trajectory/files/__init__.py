@@ -154,12 +154,12 @@ def read_text(text: str, name: str) -> Content:
     name = name if name.strip() else "?"
     if not text.strip():
         raise broken(FILE_EMPTY)
+    if csv_file.is_csv(text):
+        return csv_file.read(text, name)
     if log_file.is_log(text):
         return log_file.read(text, name)
     if json_file.is_json(text):
         return json_file.read(text, name)
-    if csv_file.is_csv(text):
-        return csv_file.read(text, name)
     if csv_file.is_maker_csv(text):
         return csv_file.read_maker_csv(text, name)
     raise broken(FILE_KIND_UNKNOWN, 1)

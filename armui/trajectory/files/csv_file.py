@@ -1,7 +1,9 @@
 """`.csv`, for spreadsheets: one row of titles, then a row for each point or sample.
 
 Rows whose first cell is # hold a comment. Rows that begin with #name, #note, #taught_on or
-#modified hold properties of the whole; they come last, where they do not disturb a table.
+#modified hold properties of the whole; they come last, where they do not disturb a table. Before
+points that name things of a cell stands a line with the version, so that no program that knows of
+no frames takes this for a plain table, and their coordinates for those of the base.
 """
 
 from __future__ import annotations
@@ -9,6 +11,7 @@ from __future__ import annotations
 import csv
 import io
 import math
+import re
 from collections.abc import Iterator, Sequence
 from typing import Any, Final
 
@@ -16,9 +19,18 @@ import numpy as np
 
 from armui.arm.refusal import Reason
 from armui.protocol.codes import ALL_LAMPS
-from armui.trajectory.files.errors import FILE_DAMAGED, HEADER_UNKNOWN, broken
+from armui.trajectory.files.errors import FILE_DAMAGED, FILE_VERSION, HEADER_UNKNOWN, broken
 from armui.trajectory.files.log_points import LETTER_OF, LETTERS
-from armui.trajectory.files.model import Content, parse_time, verified, verified_point, verify
+from armui.trajectory.files.model import (
+    CELL_VERSION,
+    VERSION,
+    Content,
+    parse_time,
+    verified,
+    verified_point,
+    verify,
+    version_of,
+)
 from armui.trajectory.files.text import number, parse_number
 from armui.trajectory.points.program import (
     POINT_MOVE_UNKNOWN,
@@ -41,6 +53,10 @@ CELLS_COUNT = Reason("cells_count", "{value} cells where there are {expected} co
 
 SAMPLE_TITLES: Final = ("t_s", *(f"j{joint}_deg" for joint in range(1, 7)), "gripper_mm")
 _LONGEST_CELL: Final = 1 << 20
+_MARK: Final = re.compile(r'"?armui trajectory (\d{1,9})"?[,;\t]*\r?\n(?=[\w,;\t "\r]+\n)')
+"""The line with the version before a line of titles, which a header of `.log` is not: it has a
+colon. A spreadsheet may have put it in quotation marks, and cells behind.
+"""
 
 Row = tuple[int, list[str]]
 """The number of the row's first line, and its cells."""
@@ -48,7 +64,7 @@ Row = tuple[int, list[str]]
 
 def is_csv(text: str) -> bool:
     """Return whether a text has the titles of this format, in any order."""
-    titles = _titles(text.partition("\n")[0])
+    titles = _titles(_marked(text)[1])
     return "move" in titles or titles >= set(SAMPLE_TITLES[:GRIPPER])
 
 
@@ -62,10 +78,14 @@ def write(content: Content) -> str:
     stream = io.StringIO(newline="")
     writer = csv.writer(stream)
     if isinstance(content, Trajectory):
-        writer.writerow(TITLES)
+        of_cell = version_of(content) == CELL_VERSION
+        if of_cell:
+            writer.writerow((f"armui trajectory {CELL_VERSION}",))
+        titles = (*TITLES, *_OF_CELL) if of_cell else TITLES
+        writer.writerow(titles)
         for point in content.points:
             writer.writerows(("#", comment) for comment in point.comments)
-            writer.writerow(write_cells(point))
+            writer.writerow(write_cells(point, titles))
         writer.writerows(("#", comment) for comment in content.closing)
     else:
         writer.writerow(SAMPLE_TITLES)
@@ -90,7 +110,10 @@ def read(text: str, name: str) -> Content:
     Raises:
         TrajectoryFileError: With the line and, as column, the cell.
     """
-    table = rows(text, _delimiter(text.partition("\n")[0]))
+    version, first = _marked(text)
+    if version > CELL_VERSION:
+        raise broken(FILE_VERSION, 1, 1, value=version, maximum=CELL_VERSION)
+    table = rows(text, _delimiter(first), 1 if version == VERSION else 2)
     _, titles = next(table, (1, []))
     titles = [title.strip().lower() for title in titles]
     fields: dict[str, Any] = {"name": name}
@@ -128,6 +151,13 @@ def rows(text: str, delimiter: str = ",", first_line: int = 1) -> Iterator[Row]:
         if any(cells):
             yield line, cells
         line = first_line + reader.line_num
+
+
+def _marked(text: str) -> tuple[int, str]:
+    """Return the version of a table's format, and the line of its titles."""
+    mark = _MARK.match(text)
+    version, begin = (VERSION, 0) if mark is None else (int(mark.group(1)), mark.end())
+    return version, text[begin : begin + _LONGEST_CELL].partition("\n")[0]
 
 
 def _titles(line: str) -> set[str]:
@@ -207,6 +237,10 @@ _OPENING: Final = ("gripper_opening_mm", "gripper_torque_nm")
 _ANGLE: Final = ("gripper_angle_deg", "gripper_speed_rad_s")
 _LIGHT: Final = ("light_joint", "light_red", "light_green", "light_blue")
 _LAMP: Final = "light_lamp"
+_OF_CELL: Final = ("frame", "holds")
+"""The columns of a file in which points name things of a cell."""
+_NOTHING: Final = "<nothing>"
+"""The cell of a point from which on nothing is held; no name can be written so."""
 
 TITLES: Final = (
     *("move", *_JOINTS, *_POSE, *_MIDDLE, "speed_percent", "dwell_s"),
@@ -215,13 +249,15 @@ TITLES: Final = (
 _WHOLE_DEFAULT: Final = 30
 
 
-def write_cells(point: Waypoint) -> list[str]:
-    """Return the cells of a point, in the order of :data:`TITLES`."""
+def write_cells(point: Waypoint, titles: Sequence[str] = TITLES) -> list[str]:
+    """Return the cells of a point, in the order of the titles."""
     cells = {
         "move": f"MOVE {LETTER_OF[point.move]}",
         "speed_percent": str(point.speed_percent),
         "dwell_s": number(point.dwell_s),
         "note": point.note,
+        "frame": point.frame,
+        "holds": _NOTHING if point.holds == "" else point.holds or "",
     }
     cells |= _named(_JOINTS if point.is_joint else _POSE, point.target)
     if point.middle is not None:
@@ -234,7 +270,7 @@ def write_cells(point: Waypoint) -> list[str]:
     if light is not None:
         cells |= _named(_LIGHT, (light.joint, light.red, light.green, light.blue))
         cells[_LAMP] = "all" if light.lamp == ALL_LAMPS else str(light.lamp)
-    return [cells.get(title, "") for title in TITLES]
+    return [cells.get(title, "") for title in titles]
 
 
 class Columns:
@@ -247,7 +283,7 @@ class Columns:
     def __init__(self, titles: Sequence[str]) -> None:
         self._places: dict[str, int] = {}
         for place, title in enumerate(titles):
-            if title not in TITLES:
+            if title not in TITLES and title not in _OF_CELL:
                 raise broken(COLUMN_UNKNOWN, 1, place + 1, value=title)
             if title in self._places:
                 raise broken(COLUMN_TWICE, 1, place + 1, field=title)
@@ -291,6 +327,8 @@ def read_cells(
         row.light(),
         columns.cell(cells, "note"),
         comments,
+        row.text("frame"),
+        "" if row.text("holds") == _NOTHING else row.text("holds") or None,
     )
     return verified_point(point, line)
 

@@ -14,7 +14,14 @@ from armui.arm.json_fields import FieldError, FieldProblem, Fields, Path
 from armui.arm.refusal import Reason
 from armui.trajectory.files.errors import FILE_VERSION, TrajectoryFileError, broken, field_refusal
 from armui.trajectory.files.log_points import LETTER_OF, LETTERS
-from armui.trajectory.files.model import VERSION, Content, parse_time, verified, verify
+from armui.trajectory.files.model import (
+    VERSIONS,
+    Content,
+    parse_time,
+    verified,
+    verify,
+    version_of,
+)
 from armui.trajectory.points.program import (
     GripperAction,
     GripperAngle,
@@ -30,7 +37,14 @@ JSON_BAD = Reason("json_bad", "This is not valid JSON: {text}.")
 
 
 _KINDS: Final = ("armui trajectory", "armui recording")
-_EMPTY: Final = {"note": "", "gripper": None, "light": None, "comments": ()}
+_EMPTY: Final = {
+    "note": "",
+    "gripper": None,
+    "light": None,
+    "comments": (),
+    "frame": "",
+    "holds": None,
+}
 """Fields of a point that are omitted when they hold this value."""
 
 
@@ -48,7 +62,7 @@ def write(content: Content) -> str:
     verify(content)
     head: dict[str, Any] = {
         "format": _KINDS[isinstance(content, Recording)],
-        "version": VERSION,
+        "version": version_of(content),
         "name": content.name,
         "note": content.note,
         "modified": content.modified.isoformat(),
@@ -107,6 +121,7 @@ def _point_fields(point: Waypoint) -> dict[str, Any]:
     fields |= {"speed_percent": point.speed_percent, "dwell_s": point.dwell_s}
     fields["gripper"] = None if point.gripper is None else asdict(point.gripper)
     fields["light"] = None if point.light is None else asdict(point.light)
+    fields |= {"frame": point.frame, "holds": point.holds}
     fields |= {"note": point.note, "comments": point.comments}
     return {
         key: value for key, value in fields.items() if key not in _EMPTY or value != _EMPTY[key]
@@ -117,8 +132,8 @@ def _content(whole: Fields, name: str) -> Content:
     kind = whole.text("format")
     if kind not in _KINDS:
         raise whole.bad("format", " / ".join(_KINDS))
-    if whole.whole("version") != VERSION:
-        raise broken(FILE_VERSION, value=whole.whole("version"), maximum=VERSION)
+    if whole.whole("version") not in VERSIONS:
+        raise broken(FILE_VERSION, value=whole.whole("version"), maximum=VERSIONS[-1])
     common = {
         "name": whole.text("name", name),
         "note": whole.text("note", ""),
@@ -155,6 +170,8 @@ def _point(item: Fields) -> Waypoint:
         _light(item.maybe_object("light")),
         item.text("note", ""),
         item.texts("comments"),
+        item.text("frame", ""),
+        item.maybe_text("holds"),
     )
     item.nothing_else()
     reason = check_point(point)

@@ -25,12 +25,13 @@ from armui.trajectory.files.log_points import (
     write_point,
 )
 from armui.trajectory.files.model import (
-    VERSION,
+    VERSIONS,
     Content,
     UnwritableError,
     parse_time,
     verified,
     verify,
+    version_of,
 )
 from armui.trajectory.files.text import number, parse_number, read_figures
 from armui.trajectory.points.program import Trajectory, Waypoint, check_point
@@ -101,7 +102,7 @@ def lines(trajectory: Trajectory) -> Iterator[str]:
 
 def _header(content: Content) -> Iterator[str]:
     kind = "trajectory" if isinstance(content, Trajectory) else "recording"
-    yield f"armui {kind} {VERSION}\n"
+    yield f"armui {kind} {version_of(content)}\n"
     yield f"name: {_text(content.name)}\n"
     if content.note:
         yield f"note: {_text(content.note)}\n"
@@ -125,9 +126,9 @@ def read(text: str, name: str) -> Content:
     if first is None:
         raise broken(FILE_KIND_UNKNOWN, 1, 1)
     kind, version = first.group(1), int(first.group(2))
-    if version != VERSION:
+    if version not in VERSIONS:
         column = first.start(2) + 1
-        raise broken(FILE_VERSION, 1, column, value=version, maximum=VERSION)
+        raise broken(FILE_VERSION, 1, column, value=version, maximum=VERSIONS[-1])
     fields, begin, comments = _read_header(lines)
     fields.setdefault("name", name)
     if kind == "recording":

@@ -33,7 +33,8 @@ LINE_UNKNOWN = Reason(
 )
 OPTION_UNKNOWN = Reason(
     "option_unknown",
-    "“{value}” is not an option of a point; use speed, dwell, gripper, light or note.",
+    "“{value}” is not an option of a point; use frame, speed, dwell, gripper, holds, light or "
+    "note.",
 )
 OPTION_TWICE = Reason("option_twice", "“{value}” is given twice. Keep one.")
 TEXT_UNCLOSED = Reason("text_unclosed", "The closing quotation mark is missing.")
@@ -63,11 +64,15 @@ def write_point(point: Waypoint) -> str:
     if point.middle is not None:
         parts += [*map(number, point.middle), "/"]
     parts += map(number, point.target)
+    if point.frame:
+        parts.append(f"frame={json.dumps(point.frame, ensure_ascii=False)}")
     parts.append(f"speed={point.speed_percent}")
     if point.dwell_s:
         parts.append(f"dwell={number(point.dwell_s)}")
     if point.gripper is not None:
         parts.append(f"gripper={gripper_text(point.gripper)}")
+    if point.holds is not None:
+        parts.append(f"holds={json.dumps(point.holds, ensure_ascii=False)}")
     if point.light is not None:
         parts.append(f"light={light_text(point.light)}")
     if point.note:
@@ -211,5 +216,7 @@ _READERS: Final[dict[str, tuple[str, Callable[[str, int, int], Any]]]] = {
     "gripper": ("gripper", read_gripper),
     "light": ("light", read_light),
     "note": ("note", read_text),
+    "frame": ("frame", read_text),
+    "holds": ("holds", read_text),
 }
 """The attribute that each option sets, and the function that reads it."""

@@ -21,8 +21,20 @@ Content = Trajectory | Recording
 
 VERSION: Final = 1
 """The version of all formats."""
+CELL_VERSION: Final = 2
+"""The version of a file whose points name things of a cell: one that knows of no frames refuses it,
+instead of taking their coordinates for those of the base.
+"""
+VERSIONS: Final = (VERSION, CELL_VERSION)
 
 LARGEST_BYTES: Final = 256 * 1024 * 1024
+
+
+def version_of(content: Content) -> int:
+    """Return the version of the file of a content: the lowest that can hold it."""
+    points = content.points if isinstance(content, Trajectory) else ()
+    of_cell = any(point.frame or point.holds is not None for point in points)
+    return CELL_VERSION if of_cell else VERSION
 
 
 class UnwritableError(ValueError):

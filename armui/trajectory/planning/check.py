@@ -7,13 +7,14 @@ points take from half a second to many seconds, depending on their distances.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import Final
 
 import numpy as np
 import numpy.typing as npt
 
+from armui.arm.held_shape import HeldShape
 from armui.arm.limits import JOINTS
 from armui.arm.models import ArmModel
 from armui.cell.area_check import AreaCheck
@@ -34,6 +35,7 @@ from armui.trajectory.planning.planned_path import PlannedPath
 from armui.trajectory.planning.planning import NEVER_REPEATS, PATH_OUT_OF_REACH, PATH_SINGULAR
 from armui.trajectory.planning.stops import TOOL_MOVES, bounds
 from armui.trajectory.planning.timing import plan_path
+from armui.trajectory.planning.user_frames import in_base
 from armui.trajectory.points.program import GripperOpening, Trajectory, Waypoint
 from armui.trajectory.samples.recording import (
     Recording,
@@ -63,6 +65,18 @@ _STROKE_SLACK_MM: Final = 1.0
 """A gripper at its stop may measure this much more than its stroke."""
 _COLLISION_STEP_DEG: Final = 2.0
 
+FRAME_UNKNOWN = FindingKind(
+    "frame_unknown",
+    "The point is in the user frame “{name}”, which the cell has not: where it is cannot be told. "
+    "Choose the cell that has it, or make a frame of this name under Cell.",
+    Severity.ERROR,
+)
+HELD_UNKNOWN = FindingKind(
+    "held_unknown",
+    "From here on the hand holds “{name}”, which the cell has not: how large it is cannot be told. "
+    "Choose the cell that has it, or add it under Cell, Held.",
+    Severity.ERROR,
+)
 EMPTY = FindingKind("empty", "There is nothing to run. Add points, or record.", Severity.ERROR)
 TARGET_BEYOND_LIMIT = FindingKind(
     "target_beyond_limit",
@@ -148,6 +162,19 @@ _OF_A_WAY: Final = (PATH_BEYOND_LIMIT, PATH_OUT_OF_REACH, PATH_SINGULAR)
 
 
 @dataclass(frozen=True, slots=True)
+class Carried:
+    """What the hand holds, as a check sees it.
+
+    Attributes:
+        held: Its shape; ``None`` for nothing.
+        area: The work area of the arm with it; ``None`` if it may go anywhere.
+    """
+
+    held: HeldShape | None = None
+    area: AreaCheck | None = None
+
+
+@dataclass(frozen=True, slots=True)
 class CheckRequest:
     """The input of a check.
 
@@ -159,6 +186,7 @@ class CheckRequest:
         first: The index of the point to begin with, in the first cycle.
         cycles: The number of cycles; 0 runs until it is ended.
         area: The work area of this arm with what it carries; ``None`` if it may go anywhere.
+        carried: What its points have the hand hold, as far as the cell knows it, by name.
     """
 
     content: Content
@@ -168,6 +196,7 @@ class CheckRequest:
     first: int = 0
     cycles: int = 1
     area: AreaCheck | None = None
+    carried: Mapping[str, Carried] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -179,12 +208,15 @@ class CheckOutcome:
         expected_s: The duration of each point at the speed of the run; empty for a recording.
         findings: The findings, errors first, then by row.
         profile: The replay profile of a recording; ``None`` for points.
+        in_base: The trajectory with all its points in the base, as it was checked; ``None`` if it
+            is that of the request.
     """
 
     path: PlannedPath
     expected_s: tuple[float, ...]
     findings: tuple[Finding, ...]
     profile: ReplayProfile | None = None
+    in_base: Trajectory | None = None
 
     @property
     def errors(self) -> tuple[Finding, ...]:
@@ -199,16 +231,36 @@ def warm_up() -> None:
 def check(request: CheckRequest) -> CheckOutcome:
     """Plan a trajectory or recording, and report what this arm cannot do or should not do."""
     content, arm, start_deg = request.content, request.arm, request.start_deg
+    based = None
+    if isinstance(content, Trajectory):
+        unknown = tuple(_unknown(content, request))
+        if unknown:
+            nothing = plan_path(replace(content, points=()), arm, start_deg)
+            return CheckOutcome(nothing, (), unknown)
+        points = in_base(content.points, dict(arm.frames))
+        if points is not content.points:
+            content = based = replace(content, points=points)
     path = plan_path(
         *(content, arm, start_deg),
         first=request.first,
         cycles=request.cycles,
         speed_factor=request.speed_factor,
     )
-    found = _findings(content, arm, path, request.area)
+    found = _findings(content, path, request)
     profile = replay_profile(content) if isinstance(content, Recording) else None
     by_place = {(one.kind, one.row, one.approach): one for one in reversed(found)}
-    return CheckOutcome(path, path.expected_s, tuple(sorted(by_place.values(), key=_rank)), profile)
+    findings = tuple(sorted(by_place.values(), key=_rank))
+    return CheckOutcome(path, path.expected_s, findings, profile, based)
+
+
+def _unknown(content: Trajectory, request: CheckRequest) -> Iterator[Finding]:
+    """What points name and the cell has not."""
+    frames = dict(request.arm.frames)
+    for row, point in enumerate(content.points):
+        if point.frame and point.frame not in frames:
+            yield replace(FRAME_UNKNOWN(name=point.frame), row=row)
+        if point.holds is not None and point.holds not in request.carried:
+            yield replace(HELD_UNKNOWN(name=point.holds), row=row)
 
 
 def _rank(finding: Finding) -> tuple[bool, int]:
@@ -216,10 +268,9 @@ def _rank(finding: Finding) -> tuple[bool, int]:
     return finding.severity is not Severity.ERROR, -1 if finding.row is None else finding.row
 
 
-def _findings(
-    content: Content, arm: ArmModel, path: PlannedPath, area: AreaCheck | None
-) -> list[Finding]:
+def _findings(content: Content, path: PlannedPath, request: CheckRequest) -> list[Finding]:
     """Return what speaks against a path, by row; what concerns the whole comes first."""
+    arm = request.arm
     findings = list(path.problems)
     if content.taught_on and arm.kind and content.taught_on != arm.kind:
         findings.append(OTHER_ARM(taught=content.taught_on, arm=arm.kind))
@@ -240,16 +291,43 @@ def _findings(
         findings += _grippers(content.points, arm)
     if len(path.times_s):
         findings += _far_from_start(path)
-        findings += _below_floor(path, arm)
         findings += _tool_too_fast(path, ~slow, arm)
-        findings += _collisions(path, arm)
-        findings += _too_near(path, area)
+        for carried, there in _stretches(content, path, request):
+            carrying = replace(arm, held=carried.held)
+            findings += _below_floor(path, carrying, there)
+            findings += _collisions(path, carrying, there)
+            findings += _too_near(path, carried.area, there)
         findings = _tell_approach(findings, path)
     if any(each.cycle > 1 and each.severity is Severity.ERROR for each in findings):
         # what ends a later cycle says why they do not repeat
         findings = [each for each in findings if each.kind != NEVER_REPEATS]
     findings.sort(key=lambda each: (-1 if each.row is None else each.row, each.severity.value))
     return findings
+
+
+def _stretches(
+    content: Content, path: PlannedPath, request: CheckRequest
+) -> Iterator[tuple[Carried, Flags]]:
+    """Yield what the hand holds, and (samples,) where on the path; where it changes, both."""
+    holds = [point.holds for point in content.points] if isinstance(content, Trajectory) else []
+    now = Carried(request.arm.held, request.area)
+    if all(name is None for name in holds):
+        yield now, np.ones(len(path.rows), dtype=bool)
+        return
+    begins = np.flatnonzero(path.begins).tolist()
+    ways = list(zip(begins, [*begins[1:], len(path.rows)], strict=True))
+    if request.cycles != 1:  # further cycles begin with what the last one ends with
+        ways += [way for way in ways if path.cycles[way[0]] == path.cycles[-1]]
+    found: dict[str | None, Flags] = {}
+    name: str | None = None
+    for begin, end in ways:
+        found.setdefault(name, np.zeros(len(path.rows), dtype=bool))[begin:end] = True
+        told = holds[path.rows[begin]]
+        if told is not None:
+            name = told
+            found.setdefault(name, np.zeros(len(path.rows), dtype=bool))[end - 1] = True
+    for name, there in found.items():
+        yield now if name is None else request.carried[name], there
 
 
 def _tell_approach(findings: Sequence[Finding], path: PlannedPath) -> list[Finding]:
@@ -349,7 +427,7 @@ def _far_from_start(path: PlannedPath) -> Iterator[Finding]:
         yield _at(path, last, FAR_FROM_START(joint=JOINTS[joint], value=value))
 
 
-def _below_floor(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
+def _below_floor(path: PlannedPath, arm: ArmModel, there: Flags) -> Iterator[Finding]:
     flanges_mm = flange_heights(arm.kinematics.geometry, path.joints_deg)
     tips_mm = path.places_mm[:, 2]
     heights = np.minimum(tips_mm, flanges_mm)
@@ -360,7 +438,7 @@ def _below_floor(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
         heights = np.minimum(heights, arm.held.lowest(flanges_mm, tuple(ups)))
     below = FLOOR_MM - heights
     only_way = below[_first_point(path)] <= 0.0
-    for index in _worst(below > 0.0, below, path):
+    for index in _worst((below > 0.0) & there, below, path):
         found = _at(path, index, BELOW_FLOOR(value=round(float(below[index]), 1)))
         on_way = only_way and (found.row, found.cycle) == (int(path.rows[0]), 1)
         yield replace(found, approach=Approach.WAY) if on_way else found
@@ -381,7 +459,7 @@ def _tool_too_fast(path: PlannedPath, free: Flags, arm: ArmModel) -> Iterator[Fi
         yield replace(found, approach=Approach.WAY) if index < slow_way else found
 
 
-def _collisions(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
+def _collisions(path: PlannedPath, arm: ArmModel, there: Flags) -> Iterator[Finding]:
     turned = np.abs(np.diff(path.joints_deg, axis=0)).max(axis=1, initial=0.0)
     strides = np.floor(np.concatenate(([0.0], np.cumsum(turned))) / _COLLISION_STEP_DEG)
     looked_at = np.flatnonzero(np.diff(strides, prepend=-1.0) != 0.0)
@@ -393,6 +471,7 @@ def _collisions(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
         tool=arm.tool,
         held=arm.held,
     )
+    hits = {which: parts for which, parts in hits.items() if there[looked_at[which]]}
     recorded = path.expected_s == ()
     rows = path.rows[looked_at]
     to_first = (rows == rows[0]) & (path.cycles[looked_at] == 1)
@@ -417,15 +496,16 @@ def _collisions(path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
             yield replace(found, approach=approach)
 
 
-def _too_near(path: PlannedPath, area: AreaCheck | None) -> Iterator[Finding]:
+def _too_near(path: PlannedPath, area: AreaCheck | None, there: Flags) -> Iterator[Finding]:
     """The nearest place of each way to a point; of a recording, of each run of such samples."""
     if area is None:
         return
     entries = area.entries(path.joints_deg)
     gaps_mm = np.full(len(path.rows), np.inf)
     gaps_mm[list(entries)] = [entry.gap_mm for entry in entries.values()]
+    gaps_mm[~there] = np.inf
     first = _first_point(path)
-    if 0 in entries:  # from there it is moved out, which is no run
+    if 0 in entries and there[0]:  # from there it is moved out, which is no run
         gaps_mm[1:first] = np.inf
     for index in _worst(np.isfinite(gaps_mm), -gaps_mm, path):
         entry = entries[index]

@@ -1,4 +1,4 @@
-"""Converts points between joint angles and poses."""
+"""Converts points between joint angles and poses; these are in the base."""
 
 from __future__ import annotations
 
@@ -97,24 +97,23 @@ def to_move(
     return to_pose(point, kinematics, move)
 
 
-def comes_from(
-    points: Sequence[Waypoint], row: int, kinematics: Kinematics, measured_deg: Sequence[float]
-) -> tuple[Sequence[float], Pose]:
-    """Return the joint angles and the pose from which the arm moves to a row.
+def joints_above(
+    points: Sequence[Waypoint], row: int, measured_deg: Sequence[float]
+) -> Sequence[float]:
+    """Return the joint angles near which the arm comes to a row.
 
     Args:
         points: The points of the trajectory.
         row: The row, from 0.
-        kinematics: The arm's kinematics.
         measured_deg: The joint angles before the first point.
 
     Returns:
-        The joint angles of this row or the nearest one above that holds some, else the measured
-        ones; and the pose of the row above, else the measured one.
+        Those of this row or the nearest one above that holds some, else the measured ones.
     """
     above = points[row::-1] if row < len(points) else points[::-1]
-    near_deg = next((point.target for point in above if point.is_joint), measured_deg)
-    if row == 0:
-        return near_deg, kinematics.forward(measured_deg)
-    last = points[row - 1]
-    return near_deg, kinematics.forward(last.target) if last.is_joint else Pose(*last.target)
+    return next((point.target for point in above if point.is_joint), measured_deg)
+
+
+def pose_of(point: Waypoint, kinematics: Kinematics) -> Pose:
+    """Return the pose of the flange at a point whose place is in the base."""
+    return kinematics.forward(point.target) if point.is_joint else Pose(*point.target)

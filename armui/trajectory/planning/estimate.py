@@ -11,6 +11,7 @@ from armui.protocol.codes import MoveMode
 from armui.trajectory.library.run_options import RunOptions
 from armui.trajectory.planning.findings import Severity
 from armui.trajectory.planning.timing import plan_path
+from armui.trajectory.planning.user_frames import in_base, why_unknown
 from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.trajectory.samples.recording import Recording
 
@@ -36,15 +37,16 @@ def estimate_s(
             leave that way out. The way to a recording is always left out.
 
     Returns:
-        The seconds; ``None`` for no points, for more than `MOST_POINTS`, and for a point or a way
-        that the arm cannot reach.
+        The seconds; ``None`` for no points, for more than `MOST_POINTS`, for a point in a frame
+        that the cell has not, and for a point or a way that the arm cannot reach.
     """
     further, first, speed_factor = max(options.cycles, 1) - 1, options.first, options.speed_factor
     if isinstance(content, Recording):
         return content.duration_s / speed_factor * (1 + further)
-    points = content.points
-    if not 0 <= first < len(points) or len(points) > MOST_POINTS:
+    points, frames = content.points, dict(arm.frames)
+    if not 0 <= first < len(points) or len(points) > MOST_POINTS or why_unknown(points, frames):
         return None
+    points = in_base(points, frames)
     whole_s = 0.0
     if further:  # from the last point back to the first, and on to the last
         again_s = _lasting_s((*points, points[0]), arm, speed_factor)

@@ -31,6 +31,8 @@ class PlannedPath:
         cycles: (n,) the cycle, from 1.
         expected_s: The duration of each point from the one before, dwell included: the longest of
             all cycles, 0 for those left out; empty for a recording.
+        even_s: The same without dwells, and as if the arm moved evenly all the way: what is left
+            is the time of its ramps, which a lower speed does not stretch.
         problems: The findings of the planning: points left out because the arm cannot reach them,
             and points for which it is not certain which solution the arm takes.
     """
@@ -42,6 +44,7 @@ class PlannedPath:
     rows: Whole
     cycles: Whole
     expected_s: tuple[float, ...] = ()
+    even_s: tuple[float, ...] = ()
     problems: tuple[Finding, ...] = ()
 
     @property
@@ -103,6 +106,7 @@ def sampled_path(
     *,
     cycles: Whole | None = None,
     expected_s: tuple[float, ...] = (),
+    even_s: tuple[float, ...] = (),
     problems: tuple[Finding, ...] = (),
 ) -> PlannedPath:
     """Return a path with the places and speeds of the tool's tip computed."""
@@ -113,7 +117,9 @@ def sampled_path(
         places += along * arm_links.along + palm * arm_links.palm
     cycles = np.ones_like(rows) if cycles is None else cycles
     speeds = _speeds(times_s, places)
-    return PlannedPath(times_s, joints_deg, places, speeds, rows, cycles, expected_s, problems)
+    return PlannedPath(
+        times_s, joints_deg, places, speeds, rows, cycles, expected_s, even_s, problems
+    )
 
 
 def _speeds(times_s: Array, places_mm: Array) -> Array:

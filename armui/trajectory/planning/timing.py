@@ -80,7 +80,7 @@ class _Motions:
     Attributes:
         rows: (m,) the points they lead to.
         starts_deg, ends_deg: (m, 6).
-        lasting_s: (m,) without the dwell.
+        lasting_s, even_s: (m,) without the dwell; without ramps, too.
         counts: (m,) how many samples show each, both ends among them.
     """
 
@@ -88,6 +88,7 @@ class _Motions:
     starts_deg: Array
     ends_deg: Array
     lasting_s: Array
+    even_s: Array
     counts: Whole
 
 
@@ -97,13 +98,14 @@ class _Samples:
 
     Attributes:
         times_s, joints_deg, rows: As in `PlannedPath`, from its own beginning.
-        expected_s: (points,) how long each takes, 0 for those left out.
+        expected_s, even_s: (points,) as there, 0 for those left out.
     """
 
     times_s: Array
     joints_deg: Array
     rows: Whole
     expected_s: Array
+    even_s: Array
 
 
 def _joined(
@@ -118,7 +120,7 @@ def _joined(
         shares: (points,) of the highest speed.
         dwells_s: (points,) how long the arm stays.
     """
-    expected_s = np.zeros(len(shares))
+    expected_s, even_s = np.zeros(len(shares)), np.zeros(len(shares))
     times, joints, rows, cycles = [np.empty(0)], [np.empty((0, 6))], [_NO_ROWS], [_NO_ROWS]
     problems = [] if endless is None else [endless]
     begun_s = 0.0
@@ -131,6 +133,7 @@ def _joined(
         cycles.append(np.full(len(part.rows), leg.cycle))
         begun_s = float(times[-1][-1]) if len(part.times_s) else begun_s
         expected_s[here] = np.maximum(expected_s[here], part.expected_s)
+        even_s[here] = np.maximum(even_s[here], part.even_s)
         problems += (_placed(leg.plan.problems[stop], leg) for stop in sorted(leg.plan.problems))
         for stop, (joint, one, other) in leg.plan.route.unsure.items():
             found = EITHER_WAY(joint=joint, value=round(one, 1), other=round(other, 1))
@@ -142,6 +145,7 @@ def _joined(
         arm,
         cycles=np.concatenate(cycles),
         expected_s=tuple(expected_s.tolist()),
+        even_s=tuple(even_s.tolist()),
         problems=tuple(problems),
     )
 
@@ -193,10 +197,11 @@ def _sampled(plan: Plan, arm: ArmModel, shares: Array, dwells_s: Array) -> _Samp
     joints[ended] = motions.ends_deg[which[ended]]
     stays = local >= motions.counts[which]
     times_s[stays] += dwells_s[which[stays]]
-    expected_s = np.zeros(len(shares))
+    expected_s, even_s = np.zeros(len(shares)), np.zeros(len(shares))
     expected_s[motions.rows] = motions.lasting_s + dwells_s
+    even_s[motions.rows] = motions.even_s
     times_s = np.maximum.accumulate(times_s + begins_s[which])  # against rounding
-    return _Samples(times_s, joints, motions.rows[which], expected_s)
+    return _Samples(times_s, joints, motions.rows[which], expected_s, even_s)
 
 
 def _motions(plan: Plan, arm: ArmModel, shares: Array) -> _Motions:
@@ -204,7 +209,7 @@ def _motions(plan: Plan, arm: ArmModel, shares: Array) -> _Motions:
     run = np.flatnonzero((route.origins >= 0) & ~np.isnan(route.ends_deg[:, 0]))
     starts, ends = route.ends_deg[route.origins[run]], route.ends_deg[run]
     rows = run - 1
-    lasting_s, counts = _joint_moves(starts, ends, shares[rows], arm)
+    lasting_s, even_s, counts = _joint_moves(starts, ends, shares[rows], arm)
     index_of = np.full(len(route.origins), -1)
     index_of[run] = np.arange(len(run))
     for group in plan.moves:
@@ -213,20 +218,23 @@ def _motions(plan: Plan, arm: ArmModel, shares: Array) -> _Motions:
         rate = group.speeds[wanted] * shares[rows[indices]]
         ones = np.ones(len(indices))
         lasting_s[indices] = trapezoids.durations(ones, rate, group.accelerations[wanted])
+        even_s[indices] = ones / rate
         counts[indices] = group.joints_deg.shape[1]
         ends[indices] = group.joints_deg[wanted, -1]
-    return _Motions(rows, starts, ends, lasting_s, counts)
+    return _Motions(rows, starts, ends, lasting_s, even_s, counts)
 
 
 def _joint_moves(
     starts_deg: Array, ends_deg: Array, shares: Array, arm: ArmModel
-) -> tuple[Array, Whole]:
-    """Return how long MOVE J takes, and how many samples show it; (m,) each."""
+) -> tuple[Array, Array, Whole]:
+    """Return how long MOVE J takes, how long without ramps, and how many samples show it."""
     tops, accelerations = _limits(arm)
     ways = np.abs(ends_deg - starts_deg)
-    each_s = trapezoids.durations(ways, np.maximum(shares[:, None] * tops, _SLOWEST), accelerations)
+    speeds = np.maximum(shares[:, None] * tops, _SLOWEST)
+    each_s = trapezoids.durations(ways, speeds, accelerations)
+    even_s = (ways / speeds).max(axis=1, initial=0.0)
     steps = np.maximum(np.ceil(ways.max(axis=1, initial=0.0) / _STEP_DEG), _FEWEST_STEPS)
-    return each_s.max(axis=1, initial=0.0), steps.astype(np.int64) + 1
+    return each_s.max(axis=1, initial=0.0), even_s, steps.astype(np.int64) + 1
 
 
 def _limits(arm: ArmModel) -> tuple[Array, Array]:
@@ -268,7 +276,7 @@ def _replay(
 
 def _approach(start_deg: Array, first_deg: Array, arm: ArmModel) -> tuple[Array, Array]:
     """Times and joints of the slow way to the first sample; (1, 6) each end."""
-    lasting_s, counts = _joint_moves(
+    lasting_s, _, counts = _joint_moves(
         start_deg, first_deg, np.array([APPROACH_PERCENT / 100.0]), arm
     )
     _, accelerations = _limits(arm)

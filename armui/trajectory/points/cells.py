@@ -47,6 +47,11 @@ class PointColumn(enum.IntEnum):
 VALUES: Final = range(PointColumn.VALUE_1, PointColumn.VALUE_6 + 1)
 """The columns of the six values of the target."""
 
+IN_FRAME: Final = "@"
+"""It parts the kind of motion from the user frame of a point, as in ``MOVE L@Table``."""
+HOLDS: Final = "holds="
+"""It stands before the name of what the hand holds from a point on; before none: nothing."""
+
 _PARTING: Final = re.compile(r"[\s;,，；/]+")
 _UNIT: Final = re.compile(r"\s*(?:°|deg|mm|%|s)$")
 
@@ -62,10 +67,13 @@ def text_of(point: Waypoint, column: PointColumn) -> str:
     if column is PointColumn.DWELL:
         return number(point.dwell_s)
     if column is PointColumn.GRIPPER:
-        return "" if point.gripper is None else gripper_text(point.gripper)
+        gripper = "" if point.gripper is None else gripper_text(point.gripper)
+        return gripper if point.holds is None else f"{gripper} {HOLDS}{point.holds}".lstrip()
     if column is PointColumn.LIGHT:
         return "" if point.light is None else light_text(point.light)
-    return point.note if column is PointColumn.NOTE else f"MOVE {point.move.name[-1]}"
+    if column is PointColumn.MOVE:
+        return f"MOVE {point.move.name[-1]}" + (point.frame and f"{IN_FRAME}{point.frame}")
+    return point.note
 
 
 def edited(point: Waypoint, column: PointColumn, text: str) -> Waypoint | Refusal:
@@ -105,7 +113,9 @@ def _edited(point: Waypoint, column: PointColumn, text: str) -> Waypoint | Refus
         value = figure("dwell", text or "0")
         return value if isinstance(value, Refusal) else replace(point, dwell_s=value)
     if column is PointColumn.GRIPPER:
-        return replace(point, gripper=read_gripper(text, 0, 0) if text else None)
+        action, sign, held = (part.strip() for part in text.partition(HOLDS))
+        gripper = read_gripper(action, 0, 0) if action else None
+        return replace(point, gripper=gripper, holds=held if sign else None)
     if column is PointColumn.LIGHT:
         return replace(point, light=read_light(text, 0, 0) if text else None)
     return replace(point, note=text)

@@ -14,7 +14,7 @@ from armui.trajectory.files.errors import TrajectoryFileError, broken
 from armui.trajectory.files.log_file import FILE_KIND_UNKNOWN
 from armui.trajectory.files.log_points import LETTERS, VALUES_COUNT, read_point
 from armui.trajectory.files.model import verified_point
-from armui.trajectory.points.cells import VALUES, PointColumn, edited, figure, text_of
+from armui.trajectory.points.cells import IN_FRAME, VALUES, PointColumn, edited, figure, text_of
 from armui.trajectory.points.program import (
     JOINT_NAMES,
     POSE_NAMES,
@@ -103,9 +103,10 @@ def _read_row(line: str, number: int, like: MoveMode) -> Waypoint:
     if delimiter is None and line.split(maxsplit=1)[0] in LETTERS:
         return read_point(line.strip(), number, ())
     cells = [cell.strip() for cell in line.split(delimiter)]
-    move = _MOVES.get(cells[0].upper())
+    word, _, frame = cells[0].partition(IN_FRAME)
+    move = _MOVES.get(word.strip().upper())
     if move is None:
-        move, cells = like, ["", *cells]
+        move, cells, frame = like, ["", *cells], ""
     values = cells[1 : 1 + VALUE_COUNT]
     if len(values) != VALUE_COUNT:
         raise broken(VALUES_COUNT, number, 1, value=len(values), expected=VALUE_COUNT)
@@ -119,7 +120,7 @@ def _read_row(line: str, number: int, like: MoveMode) -> Waypoint:
         rest = ["", *rest]  # a spreadsheet's rows have no column of middle poses
     # an arc needs some middle before its cell is read; without one it is none
     middle = _NO_POSE if move is MoveMode.MOVE_C else None
-    point = Waypoint(move, target, middle)
+    point = Waypoint(move, target, middle, frame=frame.strip())
     if middle is not None and not (rest and rest[0]):
         raise broken(VALUES_COUNT, number, PointColumn.MIDDLE + 1, value=0, expected=VALUE_COUNT)
     for column, cell in zip(range(PointColumn.MIDDLE, len(PointColumn)), rest, strict=False):

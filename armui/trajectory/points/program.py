@@ -1,7 +1,8 @@
 """A trajectory of points as the operator wrote it; without numpy and without an arm.
 
-A point of MOVE J holds six joint angles; one of MOVE P, L or C the pose of the flange it ends in.
-An arc of MOVE C begins where the point before it ends and passes through a middle pose.
+A point of MOVE J holds six joint angles; one of MOVE P, L or C the pose of the flange it ends in,
+in the base or in a user frame of the cell. An arc of MOVE C begins where the point before it ends
+and passes through a middle pose.
 """
 
 from __future__ import annotations
@@ -10,11 +11,12 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, fields
 from datetime import UTC, datetime
-from itertools import starmap
+from itertools import chain, starmap
 from operator import attrgetter
 from typing import Any, Final, NamedTuple
 
 from armui.arm.refusal import Reason, Refusal
+from armui.cell.checks import check_name as check_cell_name
 from armui.protocol.codes import ALL_LAMPS, MoveMode
 
 POINT_NOT_WHOLE = Reason("point_not_whole", "{field}: {value} is not a whole number.")
@@ -30,6 +32,11 @@ POINT_MOVE_UNKNOWN = Reason(
 )
 POINT_INCOMPLETE = Reason(
     "point_incomplete", "{field}: {value} values; six belong there, and a middle only to MOVE C."
+)
+POINT_FRAME_OF_JOINTS = Reason(
+    "point_frame_of_joints",
+    "Joint angles belong to no frame, and this point names “{name}”. Make it MOVE P, L or C, or "
+    "take the frame away.",
 )
 NAME_EMPTY = Reason("name_empty", "A trajectory needs a name. Enter one.")
 NAME_TOO_LONG = Reason(
@@ -133,6 +140,9 @@ class Waypoint:
         light: The lamps' action on arrival.
         note: The operator's own words.
         comments: The comment lines before the point in its file.
+        frame: The name of the cell's user frame in which target and middle are; "" for the base.
+        holds: The name of the cell's object that the hand holds from here on, "" for none;
+            ``None`` if the point changes nothing about that.
     """
 
     move: MoveMode
@@ -144,6 +154,8 @@ class Waypoint:
     light: LightAction | None = None
     note: str = ""
     comments: tuple[str, ...] = ()
+    frame: str = ""
+    holds: str | None = None
 
     @property
     def is_joint(self) -> bool:
@@ -271,15 +283,15 @@ def check_point(point: Waypoint) -> Refusal | None:
         return POINT_INCOMPLETE(field="target", value=len(point.target))
     if arc != (point.middle is not None) or (arc and len(point.middle or ()) != VALUE_COUNT):
         return POINT_INCOMPLETE(field="middle", value=len(point.middle or ()))
-    for field, value in point.figures():
-        refusal = check_figure(field, value)
-        if refusal is not None:
-            return refusal
-    for comment in point.comments:
-        refusal = check_text("comment", comment, lines=1)
-        if refusal is not None:
-            return refusal
-    return check_text("note", point.note)
+    if point.frame and point.is_joint:
+        return POINT_FRAME_OF_JOINTS(name=point.frame)
+    refusals = chain(
+        starmap(check_figure, point.figures()),
+        map(check_cell_name, filter(None, (point.frame, point.holds))),
+        (check_text("comment", comment, lines=1) for comment in point.comments),
+        (check_text("note", point.note),),
+    )
+    return next((each for each in refusals if each is not None), None)
 
 
 def check_name(name: str) -> Refusal | None:

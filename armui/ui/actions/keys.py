@@ -97,6 +97,7 @@ _ONE_PRESS: Final = (
     ("editor.move_up", "Alt+Up", Text("EditorAction", "Move up")),
     ("editor.move_down", "Alt+Down", Text("EditorAction", "Move down")),
     ("editor.convert", "Ctrl+Shift+K", Text("EditorAction", "Convert joint angles ↔ pose")),
+    ("editor.frame", "Ctrl+Shift+F", Text("EditorAction", "User frame…")),
     ("editor.go_to", "Ctrl+G", Text("EditorAction", "Go to this point")),
     ("editor.save", "Ctrl+S", Text("EditorAction", "Save")),
     ("editor.undo", "Ctrl+Z", Text("EditorAction", "Undo")),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import platform
 from collections.abc import Mapping
 from datetime import datetime
+from functools import partial
 from pathlib import Path
 from typing import Final
 
@@ -149,7 +150,7 @@ class AboutDialog(ArmDialog):
 
     def _on_licences(self, found: tuple[Licence, ...] | Refusal) -> None:
         if isinstance(found, Refusal):
-            self._message.show_message(words.refusal(found), Level.FAULT)
+            self._message.show_message(partial(words.refusal, found), Level.FAULT)
             return
         if not found:
             said = self.tr("The texts were not installed; they are in the release's zip file.")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Final, Protocol
 
 from PySide6.QtCore import Qt, QTimer, Signal
@@ -31,7 +32,7 @@ from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.dialogs.finding_row import WORDS, Remedy
 from armui.ui.widgets.buttons import enable_or_explain, named, push_button
 from armui.ui.widgets.layouts import STRETCH, fill, in_row
-from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.message_line import MessageLine, Words
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
@@ -151,7 +152,7 @@ class AdapterLine(Translated, QWidget):
         self._end_listening()
         refusal = why_not_switch(remedy[0], remedy[1], self._controller.operating_state)
         if refusal is not None:
-            self._say(words.refusal(refusal), Level.WARNING)
+            self._say(partial(words.refusal, refusal), Level.WARNING)
             return
         self._number += 1
         number = self._number
@@ -180,7 +181,7 @@ class AdapterLine(Translated, QWidget):
         self._change = None
         if isinstance(answer, Refusal):
             self._forbidden = answer.reason == ADAPTER_NOT_AUTHORISED
-            self._say(words.refusal(answer), Level.FAULT)
+            self._say(partial(words.refusal, answer), Level.FAULT)
             self.changed.emit()
             return
         self._on_done(answer)
@@ -196,7 +197,7 @@ class AdapterLine(Translated, QWidget):
             return
         self.cancel()
         if refusal is not None:
-            self._say(words.refusal(refusal), Level.WARNING)
+            self._say(partial(words.refusal, refusal), Level.WARNING)
         else:
             said = self.tr("The adapter is not the one that was shown: nothing was written.")
             self._say(said, Level.WARNING)
@@ -275,7 +276,7 @@ class AdapterLine(Translated, QWidget):
 
     # How it looks -----------------------------------------------------------------------------
 
-    def _say(self, text: str, level: Level = Level.INFO, *, busy: bool = False) -> None:
+    def _say(self, text: Words, level: Level = Level.INFO, *, busy: bool = False) -> None:
         self._line.show_message(text, level)
         self.cancel_button.setVisible(busy)
         self.setVisible(bool(text))
@@ -405,7 +406,7 @@ class KeepDialog(ArmDialog):
             self.files.setPlainText(self._as_text(answer))
         elif isinstance(answer, Refusal):
             self.files.setPlainText("")
-            self._line.show_message(words.refusal(answer), Level.WARNING)
+            self._line.show_message(partial(words.refusal, answer), Level.WARNING)
         self._refresh()
 
     def _as_text(self, planned: Planned) -> str:

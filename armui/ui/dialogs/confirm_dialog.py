@@ -39,6 +39,7 @@ def confirm(
     hold: bool = False,
     concerns_arm: bool = True,
     still: Callable[[], bool] = lambda: True,
+    sinks: bool = False,
 ) -> ConfirmDialog:
     """Ask a question without blocking; an older question of the same title is withdrawn.
 
@@ -53,10 +54,17 @@ def confirm(
         concerns_arm: True to withdraw it when another arm or none is connected; see
             `ConfirmDialog`.
         still: Returns whether its text still holds; otherwise it is withdrawn.
+        sinks: The arm sinks by it: what of its work area is below it is said, too.
 
     Returns:
         The open question; it deletes itself once answered.
     """
+    below = controller.area_guard.below() if sinks else ""
+    if below:
+        said = QCoreApplication.translate(
+            "ConfirmDialog", "The work area does not hold it then: below the arm is {names}."
+        )
+        text = f"{text}\n{said.format(names=below)}"
     for older in parent.findChildren(ConfirmDialog):
         if older.windowTitle() == title:
             older.reject()

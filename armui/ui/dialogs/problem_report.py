@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Mapping
 from datetime import datetime
+from functools import partial
 from pathlib import Path
 from typing import Final
 
@@ -221,7 +222,7 @@ class ProblemReportDialog(ArmDialog):
             return
         self._collecting = False
         if isinstance(files, Refusal):
-            self._message.show_message(words.refusal(files), Level.FAULT)
+            self._message.show_message(partial(words.refusal, files), Level.FAULT)
         else:
             self._files = files
             self._message.show_message("")
@@ -231,7 +232,7 @@ class ProblemReportDialog(ArmDialog):
         self._bus_job = None
         if isinstance(data, Refusal):
             self.bus_box.setChecked(False)
-            self._message.show_message(words.refusal(data), Level.FAULT)
+            self._message.show_message(partial(words.refusal, data), Level.FAULT)
         else:
             self._bus = ReportFile(BUS_FILE, data)
         self._refresh()
@@ -240,7 +241,7 @@ class ProblemReportDialog(ArmDialog):
         self._late.stop()
         self._saving = None
         if isinstance(saved, Refusal):
-            self._message.show_message(words.refusal(saved), Level.FAULT)
+            self._message.show_message(partial(words.refusal, saved), Level.FAULT)
         else:
             said = self.tr("Saved: {path}").format(path=saved)
             self._message.show_message(said, Level.DONE)

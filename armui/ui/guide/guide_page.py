@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Final
 
 from PySide6.QtCore import Qt
@@ -114,7 +115,7 @@ class GuidePage(Page):
 
     def _take(self, read: list[GuideSection] | Refusal) -> None:
         if isinstance(read, Refusal):
-            self._message.show_message(words.refusal(read), Level.FAULT)
+            self._message.show_message(partial(words.refusal, read), Level.FAULT)
             return
         self._message.show_message("")
         self._sections = read

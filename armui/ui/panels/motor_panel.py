@@ -125,7 +125,7 @@ class MotorPanel(Panel):
             text = self.tr("Joint {joint} and what hangs on it gives way.").format(joint=joint)
             text = f"{danger}\n{text}"
         act = partial(self._controller.motors.disable, joint)
-        self._ask_to_hold(title, text, self.tr("Disable"), act)
+        self._ask_to_hold(title, text, self.tr("Disable"), act, sinks=True)
 
     def _ask_for_zero(self, joint: int) -> None:
         if joint == ALL_JOINTS:

@@ -205,6 +205,7 @@ class Panel(Translated, QWidget):
         act: Callable[[], Started | Refusal | None],
         *,
         still: Callable[[], bool] = lambda: True,
+        sinks: bool = False,
     ) -> None:
         """Ask before what a double click must not do: the answer is a button that is held.
 
@@ -214,6 +215,7 @@ class Panel(Translated, QWidget):
             label: The word on the button.
             act: The command; its refusal is shown.
             still: Returns true while the question still holds.
+            sinks: The arm sinks by it.
         """
         confirm(
             self.window(),
@@ -224,6 +226,7 @@ class Panel(Translated, QWidget):
             on_confirmed=lambda: self._accepted(act()),
             hold=True,
             still=still,
+            sinks=sinks,
         )
 
     def showEvent(self, event: QShowEvent) -> None:

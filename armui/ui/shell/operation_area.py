@@ -181,12 +181,82 @@ class OperationArea(QStackedWidget):
             self.insertWidget(place, panel)
             self.removeWidget(empty)
             empty.deleteLater()
-        focused, panel = QApplication.focusWidget(), self.widget(place)
-        begins = focused is not None and self.isAncestorOf(focused) and not panel.focusWidget()
+        shown, focused = self.widget(place), QApplication.focusWidget()
+        had = focused is not None and self.isAncestorOf(focused)
+        new = shown is not None and shown.focusWidget() is None
         self.setCurrentIndex(place)
-        if begins:
+        if had and new and shown is not None:
             # Qt has given it to the first control, whose frame then looks like a choice
-            panel.setFocus(Qt.FocusReason.OtherFocusReason)
+            shown.setFocus(Qt.FocusReason.OtherFocusReason)
+
+    def focus_joint(self, joint: int) -> None:
+        """Focus the controls of a joint."""
+
+
+class OperationArea(QStackedWidget):
+    """Holds the panels that have been shown, and empty pages for the others.
+
+    Args:
+        entries: The panels, in the order of the menu.
+    """
+
+    def __init__(self, entries: Sequence[MenuEntry]) -> None:
+        super().__init__()
+        self.setObjectName("operation_area")
+        self._entries = tuple(entries)
+        self._made: dict[int, QWidget] = {}
+        self._empty = {place: QWidget() for place in range(len(self._entries))}
+        for page in self._empty.values():
+            self.addWidget(page)
+        self.show_panel(0)
+
+    @property
+    def current_key(self) -> str:
+        """The key of the chosen panel."""
+        return self._entries[self.currentIndex()].key
+
+    def panel(self, key: str) -> Panel | None:
+        """Return a panel by its key, or ``None`` if it has not been shown yet."""
+        keys = [entry.key for entry in self._entries]
+        panel = self._made.get(keys.index(key))
+        return panel if isinstance(panel, Panel) else None
+
+    def sources(self, open_panel: Callable[[str], object]) -> list[CommandSource]:
+        """Return the commands of each panel.
+
+        Args:
+            open_panel: Opens a panel by its key, after asking about unsaved entries.
+        """
+        return [
+            CommandSource(
+                entry.commands,
+                partial(self.panel, entry.key),
+                partial(open_panel, entry.key),
+                asks_first=True,
+            )
+            for entry in self._entries
+        ]
+
+    @property
+    def panels(self) -> list[QWidget]:
+        """The panels that have been shown, in the order of the menu."""
+        return [self._made[place] for place in sorted(self._made)]
+
+    def show_panel(self, place: int) -> None:
+        """Show a panel, creating it the first time."""
+        if place not in self._made:
+            empty = self._empty.pop(place)
+            panel = self._made[place] = self._entries[place].make_panel()
+            self.insertWidget(place, panel)
+            self.removeWidget(empty)
+            empty.deleteLater()
+        focused: QWidget | None = QApplication.focusWidget()
+        before: QWidget | None = self.widget(place).focusWidget()
+        had = focused is not None and self.isAncestorOf(focused)
+        self.setCurrentIndex(place)
+        if had and before is None:
+            # Qt has given it to the first control, whose frame then looks like a choice
+            self.widget(place).setFocus(Qt.FocusReason.OtherFocusReason)
 
     def focus_joint(self, joint: int) -> None:
         """Focus a joint in the visible panel, if it has controls for one."""

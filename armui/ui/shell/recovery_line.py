@@ -177,6 +177,7 @@ class RecoveryLine(Translated, QWidget):
                 on_confirmed=lambda: self._controller.recovery.act(step, action),
                 hold=True,
                 still=lambda: self._controller.recovery.step.kind is step.kind,
+                sinks=action in {Action.RESUME, Action.RESET, Action.LEAVE_MODE},
             )
         else:
             self._act(action)

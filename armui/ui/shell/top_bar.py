@@ -61,6 +61,7 @@ _WORDS: Final = Texts("EnableButton") | {
     "partly": "Partly enabled",
     "unknown": "Unknown",
     "disabled": "Disabled",
+    "stopped": "Stopped",
 }
 _WIDEST_PX: Final = 620
 
@@ -140,13 +141,18 @@ class SpeedControl(Translated, QWidget):
 
 
 class EnableButton(Translated, QAbstractButton):
-    """Shows for each joint whether it is enabled: filled, hollow, or dashed if not heard."""
+    """Shows for each joint whether it is enabled: filled, hollow, or dashed if not heard.
+
+    After an emergency stop the word is that of the stop: the motors report disabled, but resuming
+    is what cuts their power.
+    """
 
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("enable_button")
         self._enabled: tuple[bool | None, ...] = (None,) * len(JOINTS)
         self._busy: Busy | None = None
+        self._stopped = False
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         self.setAttribute(Qt.WidgetAttribute.WA_Hover)
@@ -164,8 +170,10 @@ class EnableButton(Translated, QAbstractButton):
 
     def show_operating_state(self, operating_state: OperatingState) -> None:
         """Show the state of the motors as reported by the arm."""
-        if (operating_state.enabled, operating_state.busy) != (self._enabled, self._busy):
-            self._enabled, self._busy = operating_state.enabled, operating_state.busy
+        stopped = operating_state.stop is StopState.STOPPED
+        now = operating_state.enabled, operating_state.busy, stopped
+        if now != (self._enabled, self._busy, self._stopped):
+            self._enabled, self._busy, self._stopped = now
             self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
@@ -177,6 +185,8 @@ class EnableButton(Translated, QAbstractButton):
         self.update()
 
     def _stands(self) -> str:
+        if self._stopped:
+            return "stopped"
         if self._busy is Busy.ENABLING:
             return "enabling"
         if self._busy is Busy.DISABLING:
@@ -469,6 +479,7 @@ class TopBar(Translated, QWidget):
             on_confirmed=self._controller.motors.resume,
             hold=True,
             still=lambda: self._controller.operating_state.stop is StopState.STOPPED,
+            sinks=True,
         )
 
     def _on_enable(self) -> None:
@@ -484,6 +495,7 @@ class TopBar(Translated, QWidget):
             on_confirmed=self._controller.motors.disable,
             hold=True,
             still=lambda: self._enable.turns_off,
+            sinks=True,
         )
 
     def retranslate_ui(self) -> None:

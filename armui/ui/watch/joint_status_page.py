@@ -42,7 +42,7 @@ from armui.ui.theme import Colors, colors_of, scaled_font
 from armui.ui.widgets import state_mark
 from armui.ui.widgets.buttons import enable_or_explain, named, push_button
 from armui.ui.widgets.layouts import STRETCH, fill, in_row
-from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.message_line import MessageLine, Words
 from armui.ui.widgets.page import Page
 from armui.ui.widgets.state_mark import Mark
 from armui.ui.widgets.table_model import Index, TableModel
@@ -464,7 +464,7 @@ class JointStatusPage(Page):
         self._event = None
         answer = self._controller.joint_errors.clear(joint)
         if isinstance(answer, Refusal):
-            self._say(words.refusal(answer), Level.WARNING)
+            self._say(partial(words.refusal, answer), Level.WARNING)
 
     def _on_noticed(self, event: Event) -> None:
         if event.notice in _OURS:
@@ -475,9 +475,9 @@ class JointStatusPage(Page):
         if self._event is None:
             self._say("", Level.INFO)
         else:
-            self._say(words.event(self._event), self._event.level)
+            self._say(partial(words.event, self._event), self._event.level)
 
-    def _say(self, text: str, level: Level) -> None:
+    def _say(self, text: Words, level: Level) -> None:
         """Say something in the place of the chosen cell's line."""
         self._message.show_message(text, level)
         self._detail.setHidden(bool(text))

@@ -5,12 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QCoreApplication, Signal
-from PySide6.QtWidgets import QComboBox, QWidget
+from PySide6.QtWidgets import QWidget
 
 from armui.ui.watch.plot_layout import SETS
 from armui.ui.watch.save_button import SaveButton
 from armui.ui.watch.time_frame import SPANS_S
-from armui.ui.widgets.buttons import bar_button, named
+from armui.ui.widgets.buttons import bar_button, drop_down
 from armui.ui.widgets.flow import in_flow
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Texts
@@ -49,8 +49,8 @@ class PlotBar(Translated, QWidget):
     def __init__(self, board: PlotBoard, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._board = board
-        self.sets = named("plot_sets", QComboBox())
-        self.spans = named("plot_span", QComboBox())
+        self.sets = drop_down("plot_sets")
+        self.spans = drop_down("plot_span")
         self.pause = bar_button("plot_pause", toggles=True)
         self.undo = bar_button("plot_undo")
         self.cursors = bar_button("plot_cursors", toggles=True)

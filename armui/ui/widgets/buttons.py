@@ -1,4 +1,4 @@
-"""Functions that create buttons, and set the names of widgets."""
+"""Functions that create buttons and drop-down boxes, and set the names of widgets."""
 
 from __future__ import annotations
 
@@ -6,7 +6,14 @@ from typing import TypeVar
 
 from PySide6.QtCore import QObject, Qt, QTimer
 from PySide6.QtGui import QCursor, QKeySequence
-from PySide6.QtWidgets import QAbstractButton, QMenu, QPushButton, QToolButton, QWidget
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QComboBox,
+    QMenu,
+    QPushButton,
+    QToolButton,
+    QWidget,
+)
 
 from armui.ui.widgets.painting import repolish
 
@@ -117,6 +124,17 @@ def bar_button(name: str, *, toggles: bool = False) -> QPushButton:
     button.setCheckable(toggles)
     button.setProperty("toggle", toggles)
     return button
+
+
+def drop_down(name: str) -> QComboBox:
+    """Return a drop-down box that is as wide as its widest entry in every language.
+
+    Args:
+        name: Its object name.
+    """
+    box = named(name, QComboBox())
+    box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+    return box
 
 
 def choice_button(name: str, text: str = "") -> QToolButton:

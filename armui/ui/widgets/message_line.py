@@ -29,8 +29,8 @@ _LINE: Final = "急"
 """A line of Chinese text, which may be higher than others."""
 _LEAST_PX: Final = 200
 _UNBOUNDED_PX: Final = 10_000
-_OVER: Final = frozenset({Level.INFO, Level.DONE})
-"""The levels of messages about the past."""
+_OVER: Final = frozenset({Level.INFO, Level.DONE, Level.WARNING})
+"""The levels of messages that need not outlive a change of language."""
 _ICONS: Final = {
     Level.INFO: "info",
     Level.DONE: "done",
@@ -83,7 +83,7 @@ class MessageLine(QWidget):
     def show_message(self, words: Words, level: Level = Level.INFO) -> None:
         """Show a message; an empty text hides it.
 
-        After a change of language a plain text about the past disappears; a warning stays.
+        After a change of language a plain text disappears unless it is shown anew; a fault stays.
 
         Args:
             words: The text.

@@ -55,6 +55,11 @@ def test_a_message_that_is_said_anew_in_the_other_language_stays(qtbot, translat
     line.show_message("完成", Level.DONE)  # by its window, which hears of the change first
     QCoreApplication.processEvents()
     assert line.text() == "完成"
+    line.show_message("太多", Level.WARNING)
+    translator.set_language("en")
+    QCoreApplication.processEvents()
+    assert line.text() == ""
+    translator.set_language("zh")
     line.show_message("故障", Level.FAULT)
     translator.set_language("en")
     QCoreApplication.processEvents()

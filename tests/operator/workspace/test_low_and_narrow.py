@@ -78,3 +78,18 @@ def test_the_menu_is_whole_at_1280_800(app_driver, language):
     app_driver.run(0.1)
     entries = app_driver.window.findChild(QScrollArea, "side_menu_entries")
     assert entries.verticalScrollBar().maximum() == 0
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_every_joint_is_in_sight_in_a_low_window_and_above_the_legend_of_the_keys(pages, language):
+    pages.driver.ready()
+    pages.driver.store.change(language=language)
+    (card,) = pages.driver.find("operation_area").currentWidget().findChildren(QScrollArea)
+    for height in (724, 800):
+        pages.driver.window.resize(1280, height)
+        pages.driver.run(0.1)
+        assert card.verticalScrollBar().maximum() == 0, height
+    pages.driver.click("jog_keys_button")
+    pages.driver.run(0.1)
+    assert pages.driver.find("jog_key_pad").isVisible()
+    assert card.verticalScrollBar().maximum() == 0

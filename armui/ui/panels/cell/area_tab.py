@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Final
 
-from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QLineEdit
+from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QLineEdit, QMenu
 
 from armui.arm.state import ArmState
 from armui.cell.cell import Cell
@@ -19,7 +19,14 @@ from armui.kinematics.axes import AXES
 from armui.ui import format as fmt
 from armui.ui.actions.command import Command, Target
 from armui.ui.panels.cell.cell_tab import Answered, CellTab, figures, pose_grid
-from armui.ui.widgets.buttons import caption, enable_or_explain, named, push_button, show_primary
+from armui.ui.widgets.buttons import (
+    caption,
+    enable_or_explain,
+    give_menu,
+    named,
+    push_button,
+    show_primary,
+)
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import empty_grid, in_column, in_row
 from armui.ui.widgets.text_label import text_label
@@ -62,6 +69,7 @@ class AreaTab(CellTab):
             leads=True,
         ),
         Command("cell.area_here", Text("AreaTab", "Take the present tool pose")),
+        Command("cell.area_frame", Text("AreaTab", "Take the pose of a user frame")),
     )
 
     def __init__(self, controller: ArmController, answered: Answered) -> None:
@@ -86,6 +94,9 @@ class AreaTab(CellTab):
         self._margin_label.setBuddy(self._margin)
         self._stops = named("cell_area_stops", QCheckBox())
         self._here = push_button("cell_area_here")
+        self._frame = push_button("cell_area_frame")
+        self._frames = QMenu(self._frame)
+        give_menu(self._frame, self._frames)
         self._apply = push_button("cell_area_apply")
         self._add_plane = push_button("cell_area_add_plane")
         self._add_box = push_button("cell_area_add_box")
@@ -99,6 +110,7 @@ class AreaTab(CellTab):
         for field in (self._name, self._margin, *self._fields, *self._sizes):
             field.textEdited.connect(lambda _text: self._show_news())
         self._here.clicked.connect(self._on_here)
+        self._frames.triggered.connect(lambda action: self._take_pose(action.data()))
         self._apply.clicked.connect(self._on_apply)
         self._add_plane.clicked.connect(lambda: self._add(self._typed_plane()))
         self._add_box.clicked.connect(lambda: self._add(self._typed_box()))
@@ -110,7 +122,7 @@ class AreaTab(CellTab):
         grid.addWidget(self._choice_label, 0, 0)
         grid.addLayout(in_row((self._choice, 1), self._on, spacing=6), 0, 1)
         grid.addWidget(self._name_label, 1, 0)
-        grid.addLayout(in_row((self._name, 1), self._here, spacing=6), 1, 1)
+        grid.addLayout(in_row((self._name, 1), self._here, self._frame, spacing=6), 1, 1)
         grid.addWidget(self._margin_label, 2, 0)
         grid.addLayout(in_row(self._margin, (self._nearness, 1), spacing=6), 2, 1)
         grid.setColumnStretch(1, 1)
@@ -142,6 +154,7 @@ class AreaTab(CellTab):
             "cell.area_switch": self._on,
             "cell.area_delete": self._delete,
             "cell.area_here": self._here,
+            "cell.area_frame": self._frame,
             "cell.area_stops": self._stops,
         }
 
@@ -178,9 +191,12 @@ class AreaTab(CellTab):
         """Fill in the tool's pose; a plane's allowed side is behind the tool."""
         pose = self._controller.cartesian.tool_pose(self._controller.state)
         if pose is not None:
-            for field, value in zip(self._fields, pose, strict=True):
-                field.show_value(value)
-            self._show_news()
+            self._take_pose(tuple(pose))
+
+    def _take_pose(self, pose: tuple[float, ...]) -> None:
+        for field, value in zip(self._fields, pose, strict=True):
+            field.show_value(value)
+        self._show_news()
 
     def _on_apply(self) -> None:
         area, zone = replace(self._area, margin_mm=self._typed_margin()), self._zone
@@ -236,6 +252,13 @@ class AreaTab(CellTab):
         enable_or_explain(self._on, why_not or none, self.tr("Off: it counts for nothing."))
         use = self.tr("It is told in any case. A stop holds the arm where it is, powered.")
         enable_or_explain(self._stops, why_not, use)
+        frames = () if self._controller.cell.cell is None else self._controller.cell.cell.frames
+        self._frames.clear()
+        for frame in frames:
+            self._frames.addAction(frame.name).setData(frame.pose)
+        none = "" if frames else self.tr("The cell has no user frame yet.")
+        use = self.tr("Fills in the pose of a user frame; its Z axis is that of the plane.")
+        enable_or_explain(self._frame, none, use)
         self._choice.setEnabled(self._controller.cell.cell is not None)
         self._show_news()
 
@@ -307,6 +330,7 @@ class AreaTab(CellTab):
         self._margin_label.setText(self.tr("Margin"))
         self._margin.setAccessibleName(self.tr("Margin of the work area"))
         caption(self._here, self.tr("From tool"), whose=self.tr("Area"))
+        caption(self._frame, self.tr("From frame"), whose=self.tr("Area"))
         caption(self._apply, self.tr("Apply"), whose=self.tr("Area"))
         caption(self._add_plane, self.tr("Add plane"))
         caption(self._add_box, self.tr("Add box"))

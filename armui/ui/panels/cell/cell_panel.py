@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtWidgets import QButtonGroup, QComboBox, QFrame, QLabel, QLineEdit
+from PySide6.QtWidgets import QButtonGroup, QComboBox, QFrame, QLabel, QLineEdit, QMenu
 
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
@@ -33,6 +33,7 @@ from armui.ui.widgets.buttons import (
     caption,
     choice_button,
     enable_or_explain,
+    give_menu,
     named,
     push_button,
     show_primary,
@@ -66,6 +67,8 @@ class CellPanel(Panel):
         Command(
             "cell.new", Text("CellPanel", "New cell"), operation_of(CellControl.take), leads=True
         ),
+        Command("cell.rename", operation=operation_of(CellControl.rename), leads=True),
+        Command("cell.compare", Text("CellPanel", "Compare the cell with another")),
         Command("cell.import", Text("CellPanel", "Import a cell"), operation_of(CellControl.take)),
         Command("cell.export", Text("CellPanel", "Export the cell")),
         Command("cell.delete", operation=operation_of(CellControl.delete), leads=True, risky=True),
@@ -82,6 +85,10 @@ class CellPanel(Panel):
         self._name = named("cell_name", QLineEdit())
         self._name.setMaxLength(LONGEST_NAME)
         self._new = push_button("cell_new_button")
+        self._rename = push_button("cell_rename_button")
+        self._compare = push_button("cell_compare_button")
+        self._others = named("cell_compare_menu", QMenu(self._compare))
+        give_menu(self._compare, self._others)
         self._import = push_button("cell_import_button")
         self._export = push_button("cell_export_button")
         self._delete = push_button("cell_delete_button")
@@ -95,6 +102,9 @@ class CellPanel(Panel):
         self._new.clicked.connect(self._on_new)
         self._name.returnPressed.connect(self._on_new)
         self._name.textEdited.connect(lambda _text: self._show_buttons())
+        self._rename.clicked.connect(self._on_rename)
+        self._others.aboutToShow.connect(self._show_others)
+        self._others.triggered.connect(lambda action: self._on_compare(action.data()))
         self._import.clicked.connect(self._on_import)
         self._export.clicked.connect(self._on_export)
         self._delete.clicked.connect(self._on_delete)
@@ -111,6 +121,8 @@ class CellPanel(Panel):
             head.addWidget(label, row, 0)
             head.addWidget(field, row, 1)
             head.addWidget(button, row, 2)
+        head.addWidget(self._rename, 1, 3)
+        head.addWidget(self._compare, 0, 3)
         head.setColumnStretch(1, 1)
         files = in_row((self._import, 1), (self._export, 1), (self._delete, 1), spacing=6)
         choice = in_row(spacing=6)
@@ -131,6 +143,8 @@ class CellPanel(Panel):
             "cell.choose": self._choice,
             "cell.confirm": self._confirm,
             "cell.new": self._new,
+            "cell.rename": self._rename,
+            "cell.compare": self._compare,
             "cell.import": self._import,
             "cell.export": self._export,
             "cell.delete": self._delete,
@@ -154,6 +168,47 @@ class CellPanel(Panel):
         if self._accepted(self._controller.cell.take(cell)):
             self._name.clear()
             self._show_buttons()
+
+    def _on_rename(self) -> None:
+        if self._accepted(self._controller.cell.rename(self._name.text().strip())):
+            self._name.clear()
+            self._show_buttons()
+
+    def _show_others(self) -> None:
+        cells = self._controller.cell
+        self._others.clear()
+        for name in sorted(cells.cells, key=str.casefold):
+            if cells.cell is not None and name != cells.cell.name:
+                self._others.addAction(name).setData(name)
+
+    def _on_compare(self, name: str) -> None:
+        """Show in what another cell of the list differs from the one in force."""
+        cells = self._controller.cell
+        now, other = cells.cell, cells.cells.get(name)
+        if now is None or other is None:
+            return
+        head = self.tr("In what it differs from “{name}”:").format(name=now.name)
+        confirm(
+            self.window(),
+            self._controller,
+            title=self.tr("Compare with “{name}”").format(name=name),
+            text="\n".join((head, *self._differing(now, other))),
+            action_label=self.tr("Choose it"),
+            on_confirmed=lambda: self._accepted(cells.choose(name)),
+            still=lambda: (cells.cell, cells.cells.get(name)) == (now, other),
+        )
+
+    def _differing(self, one: Cell, other: Cell) -> list[str]:
+        """Return the lines of the first differences between two cells."""
+        differing = [
+            f"{each.place}: {_shown(each.before)} → {_shown(each.after)}"
+            for each in differences(one, other)
+        ]
+        lines = differing[:_MOST_SHOWN] or [self.tr("They are the same.")]
+        if len(differing) > len(lines):
+            more = self.tr("… and {count} more")
+            lines.append(more.format(count=len(differing) - len(lines)))
+        return lines
 
     def _on_delete(self) -> None:
         cell = self._controller.cell.cell
@@ -208,14 +263,7 @@ class CellPanel(Panel):
         cells = self._controller.cell
         same = cells.cells.get(cell.name)
         other = same or cells.cell or Cell("")
-        differing = [
-            f"{each.place}: {_shown(each.before)} → {_shown(each.after)}"
-            for each in differences(other, cell)
-        ]
-        lines = differing[:_MOST_SHOWN] or [self.tr("They are the same.")]
-        if len(differing) > len(lines):
-            more = self.tr("… and {count} more")
-            lines.append(more.format(count=len(differing) - len(lines)))
+        lines = self._differing(other, cell)
         if same is not None:
             head = self.tr("It takes the place of the cell of this name. What changes:")
         elif other.name:
@@ -294,10 +342,15 @@ class CellPanel(Panel):
         use = self.tr("Makes an empty cell; a tool typed before becomes its first.")
         enable_or_explain(self._new, why_not or unnamed, use)
         show_primary(self._new, wanted=not unnamed)
+        none = words.why_not(CELL_NONE()) if cells.cell is None else ""
+        use = self.tr("Gives the cell in force and its file the name that is typed.")
+        enable_or_explain(self._rename, why_not or none or unnamed, use)
+        alone = "" if len(cells.cells) > 1 else self.tr("There is no other cell.")
+        use = self.tr("Says in what another cell of the list differs from the one in force.")
+        enable_or_explain(self._compare, none or alone, use)
         no_store = self._controller.cell.store is None
         use = self.tr("Reads a cell from a file; says what is different before it is taken over.")
         enable_or_explain(self._import, why_not or (done if no_store else ""), use)
-        none = words.why_not(CELL_NONE()) if cells.cell is None else ""
         enable_or_explain(self._export, none, self.tr("Writes the cell to a file of its own."))
         use = self.tr("Asks first, then deletes the cell and its file.")
         enable_or_explain(self._delete, why_not or none, use)
@@ -321,6 +374,8 @@ class CellPanel(Panel):
             field.setAccessibleName(text)
         caption(self._confirm, self.tr("Confirm"), whose=self._title.text())
         caption(self._new, self.tr("New"), whose=self._title.text())
+        caption(self._rename, self.tr("Rename"), whose=self._title.text())
+        caption(self._compare, self.tr("Compare"), whose=self._title.text())
         caption(self._import, self.tr("Import…"), whose=self._title.text())
         caption(self._export, self.tr("Export…"), whose=self._title.text())
         caption(self._delete, self.tr("Delete"), whose=self._title.text())

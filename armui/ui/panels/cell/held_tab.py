@@ -24,6 +24,7 @@ from armui.ui.actions.command import Command, Target
 from armui.ui.panels.cell.cell_tab import Answered, CellTab, figures, pose_grid
 from armui.ui.widgets.buttons import (
     caption,
+    drop_down,
     enable_or_explain,
     give_menu,
     named,
@@ -82,7 +83,7 @@ class HeldTab(CellTab):
         self._hold = push_button("cell_held_hold")
         self._name = named("cell_held_name", QLineEdit())
         self._name.setMaxLength(LONGEST_NAME)
-        self._kind = named("cell_held_kind", QComboBox())
+        self._kind = drop_down("cell_held_kind")
         self._fields = [named(f"cell_held_{axis}", FigureField(fmt.DECIMALS)) for axis in AXES]
         self._sizes = [named(f"cell_held_size_{edge}", FigureField(1, "mm")) for edge in _EDGES]
         self._mass = named("cell_held_mass", FigureField(2, "kg"))

@@ -8,7 +8,7 @@ from typing import Final
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QFocusEvent, QHideEvent, QKeyEvent
-from PySide6.QtWidgets import QComboBox, QFrame, QLabel, QLayout, QPushButton, QWidget
+from PySide6.QtWidgets import QComboBox, QFrame, QLabel, QLayout, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
@@ -178,6 +178,7 @@ class StepBox(QComboBox):
 
     def __init__(self, write: Callable[[float], str]) -> None:
         super().__init__()
+        self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self._write = write
         self._step = 1.0
         self._fill(STEPS)
@@ -341,11 +342,9 @@ class KeyPad(Translated, QFrame):
         if self._why_not:
             text = self.tr("Jogging is not possible now.")
         elif self.hasFocus() and not self._continuous:
-            text = self.tr("Hold the space bar; each press of a letter key below is one step.")
+            text = self.tr("Hold the space bar: each letter key below is one step.")
         elif self.hasFocus():
-            text = self.tr(
-                "Hold the space bar and a letter key below; release either and the arm stops."
-            )
+            text = self.tr("Hold the space bar and a letter key; release either to stop.")
         else:
             text = self.tr("Click here to jog by keys.")
         self._hint.setText(text)
@@ -405,11 +404,10 @@ class JogPanel(Panel):
     def _finish(
         self,
         card: QFrame,
-        buttons: Sequence[QPushButton],
+        buttons: Sequence[QWidget],
         *,
         tallest_px: int,
         above: Sequence[QWidget] = (),
-        below: Sequence[QWidget] = (),
     ) -> None:
         """Lay the panel out around its card, and listen; the last step but the words.
 
@@ -418,7 +416,6 @@ class JogPanel(Panel):
             buttons: Those below it, from left to right.
             tallest_px: The card grows no higher.
             above: What stands between the title and the card.
-            below: What stands below the buttons.
         """
         head = in_row(self._title, STRETCH, *(self._keys, self._step_label, self._step_box))
         row = in_row(spacing=10)
@@ -430,7 +427,6 @@ class JogPanel(Panel):
             scrolled(card, tallest_px),
             self._key_pad,
             row,
-            *below,
         ]
         self._stack(*parts, head=head)
         self._step_box.chosen.connect(self._on_step_chosen)
@@ -578,7 +574,7 @@ class JogPanel(Panel):
 
     def _show_message(self) -> None:
         standing = self._unless_told(self._operating_state.cannot_move)
-        self._say(self._refusal or standing or self._first_wrong())
+        self._say(self._refusal or standing or self._first_wrong(), self._event)
 
     def retranslate_ui(self) -> None:
         """Set the texts of the head in the operator's language."""

@@ -14,6 +14,7 @@ from armui.arm.limits import ANGLE_STEP_DEG, JOINT_NOT_A_NUMBER, JOINTS, JointLi
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
+from armui.control.events import Event
 from armui.control.motion.jog_path import JointJog
 from armui.control.motion.jogging import Jogging
 from armui.control.motion.joint_motion import Motion
@@ -263,14 +264,15 @@ class MotionPanel(JogPanel):
         heads = in_row(_FIELD_INDENT_PX, self._target_head, STRETCH, self._measured_head)
         rows = ((row, 1) for row in self._rows)
         in_column(heads, *rows, on=card, spacing=2, margins=(16, 6, 16, 6))
-        buttons = (self._home, self._load, self._send)
-        self._finish(card, buttons, tallest_px=_TALLEST_CARD_PX, below=(self._own_home,))
+        buttons = (self._home, self._own_home, self._load, self._send)
+        self._finish(card, buttons, tallest_px=_TALLEST_CARD_PX)
 
     def _connect(self) -> None:
         self._follow_rows()
         self._home.clicked.connect(self._on_home)
         self._own_home.refused.connect(self._accepted)
         self._own_home.sent.connect(lambda: self._release(*JOINTS))
+        self._own_home.kept.connect(self._on_home_kept)
         self._load.clicked.connect(self._on_load)
         self._send.clicked.connect(self._on_send)
 
@@ -335,6 +337,7 @@ class MotionPanel(JogPanel):
 
     def _release(self, *joints: int) -> None:
         """These joints were sent on: their fields go along, and sending takes none of them back."""
+        self._event = None
         for joint in joints:
             self._rows[joint - 1].own = False
         self._follow_arm()
@@ -345,6 +348,10 @@ class MotionPanel(JogPanel):
         if jog is not None and not jog.frame:
             for joint in _moving(jog.rates):
                 self._rows[joint - 1].own = False
+
+    def _on_home_kept(self, event: Event) -> None:
+        self._refusal, self._event = None, event
+        self._show_message()
 
     def _on_home(self) -> None:
         if self._accepted(self._controller.motion.go_home()):
@@ -374,7 +381,7 @@ class MotionPanel(JogPanel):
         return JOINTS_UNKNOWN()
 
     def _on_edited(self) -> None:
-        self._refusal = None
+        self._refusal = self._event = None
         self._light_send()
         self._show_message()
 

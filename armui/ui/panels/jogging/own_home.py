@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from datetime import datetime
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QMenu, QWidget
+from PySide6.QtWidgets import QMenu, QSizePolicy, QWidget
 
 from armui.arm.limits import check_joints
 from armui.arm.refusal import Reason, Refusal
 from armui.control.context import GENERATION_UNKNOWN
+from armui.control.events import Event, Level, Notice
 from armui.control.link.arm_key import arm_key
 from armui.control.operating_state import NOT_CONNECTED
 from armui.control.operations.started import refusal_of
@@ -34,12 +36,14 @@ if TYPE_CHECKING:
     from armui.settings import SettingsStore
 
 NO_OWN_HOME = Reason(
-    "no_own_home", "No home of your own is kept for this arm. Set it with the button beside."
+    "no_own_home", "No home of your own is kept for this arm. Set it with the arrow beside."
 )
+OWN_HOME_KEPT = Notice("own_home_kept", "Own home set: {angles}", Level.DONE)
 
 
 _MOST: Final = 200
 """The most arms remembered."""
+_ARROW_PX: Final = 28
 
 Angles = tuple[float, ...]
 
@@ -56,8 +60,9 @@ class OwnHome(Translated, QWidget):
         typed: Returns the six angles in the panel, or ``None`` if one is invalid.
 
     Signals:
-        refused: A :class:`Refusal`, or ``None`` when it was done.
+        refused: A :class:`Refusal`, or ``None`` when it was sent.
         sent: The motion was sent.
+        kept: It was set: an :class:`Event` with the angles.
 
     Attributes:
         go: The button that moves there.
@@ -66,6 +71,7 @@ class OwnHome(Translated, QWidget):
 
     refused = Signal(object)
     sent = Signal()
+    kept = Signal(object)
 
     def __init__(
         self,
@@ -84,7 +90,12 @@ class OwnHome(Translated, QWidget):
         self.set_typed = named("set_own_home_typed", QAction(self._menu))
         self._menu.addActions([self.set_measured, self.set_typed])
         give_menu(self._set, self._menu)
-        in_row((self.go, 1), (self._set, 1), on=self, spacing=10, margins=0)
+        self._set.setFixedWidth(_ARROW_PX)
+        for button in (self.go, self._set):
+            button.setSizePolicy(
+                button.sizePolicy().horizontalPolicy(), QSizePolicy.Policy.Expanding
+            )
+        in_row((self.go, 1), self._set, on=self, spacing=2, margins=0)
         self.go.clicked.connect(self._on_go)
         self.set_measured.triggered.connect(lambda _checked=False: self._keep_measured())
         self.set_typed.triggered.connect(lambda _checked=False: self._keep(self._typed()))
@@ -132,7 +143,12 @@ class OwnHome(Translated, QWidget):
         elif angles_deg is None:
             self.refused.emit(JOINTS_UNKNOWN())
         else:
-            self.refused.emit(self._refusal_of(arm, tuple(round(a, 3) for a in angles_deg)))
+            kept = tuple(round(angle, 3) for angle in angles_deg)
+            refusal = self._refusal_of(arm, kept)
+            self.refused.emit(refusal)
+            if refusal is None:
+                at = datetime.now().astimezone()
+                self.kept.emit(Event(at, OWN_HOME_KEPT, {"angles": _figures(kept)}))
         self.show_possible()
 
     def _refusal_of(self, arm: str, angles_deg: Angles) -> Refusal | None:
@@ -153,13 +169,10 @@ class OwnHome(Translated, QWidget):
             now = self._controller.operating_state
             refusal = now.cannot_move or check_joints(angles_deg, now.limits)
             reason = words.why_not(refusal)
-            figures = "  ".join(
-                f"J{joint} {fmt.angle(angle)}" for joint, angle in enumerate(angles_deg, start=1)
-            )
-            use = self.tr("Moves the joints to {angles}.").format(angles=figures)
+            use = self.tr("Moves the joints to {angles}.").format(angles=_figures(angles_deg))
         doubt = self._doubt()
         enable_or_explain(self.go, reason, "\n".join(filter(None, (use, doubt))))
-        kept = self.tr("Saved for this arm; nothing moves.")
+        kept = self.tr("Sets your own home for this arm; nothing moves.")
         self._set.setToolTip("\n".join(filter(None, (kept, doubt))))
 
     def _doubt(self) -> str:
@@ -174,7 +187,11 @@ class OwnHome(Translated, QWidget):
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
         caption(self.go, self.tr("Own home"))
-        caption(self._set, self.tr("Set own home"))
-        self.set_measured.setText(self.tr("The measured angles"))
-        self.set_typed.setText(self.tr("The targets in the fields"))
+        self._set.setAccessibleName(self.tr("Set own home"))
+        self.set_measured.setText(self.tr("Set to the measured angles"))
+        self.set_typed.setText(self.tr("Set to the targets in the fields"))
         self.show_possible()
+
+
+def _figures(angles_deg: Angles) -> str:
+    return "  ".join(f"J{joint} {fmt.angle(a)}" for joint, a in enumerate(angles_deg, start=1))

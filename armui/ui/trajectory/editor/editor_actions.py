@@ -25,7 +25,7 @@ _MENU: Final = (
     ("insert_before", "insert_after", "insert_measured", "replace_by_measured", "duplicate"),
     ("cut", "copy", "paste", "delete"),
     ("move_up", "move_down"),
-    ("convert", "go_to"),
+    ("convert", "frame", "go_to"),
     ("find",),
 )
 """The right-button menu of the table, in its groups."""

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeySequence, QResizeEvent, QShortcut
-from PySide6.QtWidgets import QHeaderView, QLineEdit, QWidget
+from PySide6.QtWidgets import QHeaderView, QLineEdit, QMenu, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.control.events import Level
@@ -41,6 +41,7 @@ from armui.ui.widgets.page import Page
 from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
+    from armui.cell.cell import Cell
     from armui.control.arm_controller import ArmController
     from armui.trajectory.library.run_options import RunOptions
     from armui.ui.panels.jogging.jog_box import JogBox
@@ -152,6 +153,8 @@ class EditorPage(Page):
         self.document = Document(trajectory, self)
         self.model = PointsModel(self.document, self._to_move, self)
         self.table = PointsTable(self.model)
+        self._cell = controller.cell.cell
+        self.model.show_cell(self._cell)
         self._edits = PointEdits(controller, self.document, self.table)
         self._drafts = DraftKeeper(self.document, work)
         self._find_bar = FindBar()
@@ -182,6 +185,7 @@ class EditorPage(Page):
             self._take_draft(draft)
         self._show_count()
         self.table.show_middle(wanted=_has_arcs(self.document.points))
+        self.table.show_names()
         self.table.select_row(0)
         if not self.document.points:
             self._actions["jog"].trigger()
@@ -210,6 +214,7 @@ class EditorPage(Page):
             "find": self._find_bar.open,
             "check": self._run_bar.check,
             "jog": self._show_jog,
+            "frame": self._choose_frame,
         }
 
     def _lay_out(self) -> None:
@@ -248,6 +253,7 @@ class EditorPage(Page):
         self._findings.row_wanted.connect(self.table.select_row)
         self._findings.dismissed.connect(self._run_bar.drop_check)
         self.document.changed.connect(self._on_points)
+        self._controller.cell_changed.connect(self._on_cell_changed)
 
     @property
     def subject(self) -> str:
@@ -317,6 +323,20 @@ class EditorPage(Page):
     def _to_move(self, row: int, move: MoveMode) -> Waypoint | Refusal:
         return self._edits.to_move(row, move)
 
+    def _choose_frame(self) -> None:
+        """Show the frames that the selected points may count from."""
+        menu = named("frame_menu", QMenu(self))
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        chosen = {self.document.points[row].frame for row in self.table.rows()}
+        for name in ("", *self._edits.frames()):
+            action = menu.addAction(name or self.tr("Base"))
+            action.setCheckable(True)
+            action.setChecked(chosen == {name})
+            edit = partial(self._edits.set_frame, name)
+            action.triggered.connect(lambda _checked=False, edit=edit: self._do(edit))
+        cell = self.table.visualRect(self.table.currentIndex())
+        menu.popup(self.table.viewport().mapToGlobal(cell.bottomLeft()))
+
     def _step(self, step: Callable[[], None]) -> None:
         """Undo or redo, and show the rows in which something has changed."""
         shown: list[Change] = []
@@ -360,6 +380,20 @@ class EditorPage(Page):
         """What was found and planned was of other points."""
         if _has_arcs(change.added):
             self.table.show_middle(wanted=True)
+        self.table.show_names()
+        self._forget_check()
+
+    def _on_cell_changed(self, cell: Cell | None) -> None:
+        """What was found of points that name something of the cell was found with another one."""
+        before, self._cell = self._cell, cell
+        if _named_by_points(cell) == _named_by_points(before):
+            return
+        self.model.show_cell(cell)
+        if any(point.frame or point.holds is not None for point in self.document.points):
+            self.model.show_faults({})
+            self._forget_check()
+
+    def _forget_check(self) -> None:
         self._findings.clear()
         self._run_bar.drop_check()
         self._show_count()
@@ -552,6 +586,10 @@ class EditorPage(Page):
 def _height_of(part: QWidget, width_px: int) -> int:
     layout = part.layout()
     return 0 if layout is None else layout.totalHeightForWidth(width_px)
+
+
+def _named_by_points(cell: Cell | None) -> tuple[object, ...]:
+    return () if cell is None else (cell.frames, cell.held_objects)
 
 
 def _has_arcs(points: Iterable[Waypoint]) -> bool:

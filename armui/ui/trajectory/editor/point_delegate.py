@@ -5,6 +5,7 @@ It paints nothing: a delegate's painting in Python is called for every cell, tim
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Final, Protocol, cast, runtime_checkable
 
 from PySide6.QtCore import (
@@ -27,9 +28,9 @@ from PySide6.QtWidgets import (
 )
 
 from armui.trajectory.files.log_points import LETTERS
-from armui.trajectory.points.cells import VALUES, PointColumn
+from armui.trajectory.points.cells import HOLDS, IN_FRAME, VALUES, PointColumn
 from armui.ui.trajectory.editor.points_model import PointsModel
-from armui.ui.widgets.buttons import named
+from armui.ui.widgets.buttons import drop_down, named
 from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.painting import repolish
 from armui.ui.widgets.table_model import Index
@@ -39,6 +40,7 @@ from armui.ui.widgets.translated import Translated
 _FIELD_PX: Final = 62
 _COLOR_PX: Final = 130
 _ALL: Final = "all"
+_HOLDS_NOTHING: Final = 1
 _JOINTS: Final = 6
 
 
@@ -88,7 +90,7 @@ class MoveEditor(QComboBox):
 
     def set_text(self, text: str) -> None:
         """Choose what stood in the cell."""
-        self.setCurrentText(text)
+        self.setCurrentText(text.partition(IN_FRAME)[0])
 
 
 class _Row(Translated, QWidget):
@@ -120,12 +122,16 @@ class _Row(Translated, QWidget):
 
 
 class GripperEditor(_Row):
-    """An editor of the gripper's action on arrival: none, to an opening, or to an angle."""
+    """An editor of the gripper's action on arrival, and of what the hand holds from then on.
+
+    Args:
+        held: The names of what it may hold.
+    """
 
     _UNITS: Final = (("", ""), ("mm", "N·m"), ("°", "rad/s"))
     _FIRST: Final = (("", ""), ("0", "1"), ("0", "1"))
 
-    def __init__(self, parent: QWidget) -> None:
+    def __init__(self, parent: QWidget, held: Sequence[str]) -> None:
         super().__init__(parent)
         self.kind.setObjectName("gripper_kind")
         self.kind.addItems(["", "", ""])
@@ -133,6 +139,9 @@ class GripperEditor(_Row):
         self._place_unit = self.add_label()
         self.force = self.add_field("gripper_force")
         self._force_unit = self.add_label()
+        self.holds = drop_down("gripper_holds")
+        self.holds.addItems(["", "", *held])
+        self._layout.addWidget(self.holds)
         self.kind.currentIndexChanged.connect(self._on_kind)
         self.retranslate_ui()
         self._on_kind(0)
@@ -142,6 +151,9 @@ class GripperEditor(_Row):
         texts = (self.tr("Nothing"), self.tr("Opening"), self.tr("Angle"))
         for place, text in enumerate(texts):
             self.kind.setItemText(place, text)
+        for place, text in enumerate((self.tr("Holds as before"), self.tr("Holds nothing"))):
+            self.holds.setItemText(place, text)
+        self.holds.setToolTip(self.tr("What the hand holds from this point on"))
 
     def _on_kind(self, kind: int) -> None:
         place, force = self._FIRST[kind]
@@ -152,15 +164,21 @@ class GripperEditor(_Row):
         self._force_unit.setText(self._UNITS[kind][1])
 
     def text(self) -> str:
-        """Return the action as in ``35mm@1Nm``; empty for none."""
-        kind = self.kind.currentIndex()
-        if kind == 0:
-            return ""
+        """Return the action as in ``35mm@1Nm holds=Cube``; empty for none."""
+        kind, holds = self.kind.currentIndex(), self.holds.currentIndex()
         units = ("mm", "Nm") if kind == 1 else ("°", "rad/s")
-        return f"{_plain(self.place)}{units[0]}@{_plain(self.force)}{units[1]}"
+        action = f"{_plain(self.place)}{units[0]}@{_plain(self.force)}{units[1]}" if kind else ""
+        held = self.holds.currentText() if holds > _HOLDS_NOTHING else ""
+        return action if holds == 0 else f"{action} {HOLDS}{held}".lstrip()
 
     def set_text(self, text: str) -> None:
         """Show the action in a text."""
+        text, sign, held = (part.strip() for part in text.partition(HOLDS))
+        if held and self.holds.findText(held) < 0:
+            self.holds.addItem(held)
+        self.holds.setCurrentIndex(
+            self.holds.findText(held) if held else _HOLDS_NOTHING if sign else 0
+        )
         place, _, force = text.partition("@")
         self.kind.setCurrentIndex(0 if not text else 1 if place.endswith("mm") else 2)
         if text:
@@ -250,7 +268,9 @@ class PointDelegate(QStyledItemDelegate):
             editor.decided.connect(self._on_decided)
             return editor
         if column is PointColumn.GRIPPER:
-            return GripperEditor(parent)
+            model = index.model()
+            held = model.held_names if isinstance(model, PointsModel) else ()
+            return GripperEditor(parent, held)
         if column is PointColumn.LIGHT:
             return LightEditor(parent)
         return TextEditor(parent, figure=column in {*VALUES, PointColumn.SPEED, PointColumn.DWELL})

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QMimeData, QObject
@@ -17,7 +18,14 @@ from armui.kinematics.poses import tool_pose
 from armui.protocol.codes import MoveMode
 from armui.protocol.generation import Generation
 from armui.trajectory.files.errors import TrajectoryFileError
-from armui.trajectory.planning.convert import comes_from, to_joints, to_move, to_pose
+from armui.trajectory.planning.convert import joints_above, pose_of, to_joints, to_move, to_pose
+from armui.trajectory.planning.user_frames import (
+    Frames,
+    frames_of,
+    in_frame,
+    pose_in_frame,
+    why_unknown,
+)
 from armui.trajectory.points import edits
 from armui.trajectory.points.clipboard import pasted, to_text
 from armui.trajectory.points.program import (
@@ -97,7 +105,9 @@ class PointEdits(QObject):
         Args:
             with_gripper: True to add the measured opening of the gripper.
         """
-        point = self._measured(self._plain(self._table.rows()[-1:]))
+        plain = self._plain(self._table.rows()[-1:])
+        placed = plain if plain.is_joint else self._in_frame(plain, self._chosen_frame())
+        point = placed if isinstance(placed, Refusal) else self._measured(placed)
         if isinstance(point, Refusal):
             return point
         if with_gripper:
@@ -135,7 +145,9 @@ class PointEdits(QObject):
             angles_deg = self._controller.state.angles_deg() or _ZERO
             return Waypoint(MoveMode.MOVE_J, tuple(angles_deg))
         point = self._document.points[rows[0]]
-        return replace(point, dwell_s=0.0, gripper=None, light=None, note="", comments=())
+        return Waypoint(
+            point.move, point.target, point.middle, point.speed_percent, frame=point.frame
+        )
 
     def _measured(self, point: Waypoint) -> Waypoint | Refusal:
         """A point moved to where the arm is measured now."""
@@ -146,7 +158,12 @@ class PointEdits(QObject):
         values = state.angles_deg() if point.is_joint else state.end_pose()
         if values is None:
             return JOINTS_UNKNOWN()
-        return replace(point, target=tuple(values))
+        if not point.frame:
+            return replace(point, target=tuple(values))
+        frames = self.frames()
+        return why_unknown((point,), frames) or replace(
+            point, target=pose_in_frame(values, point.frame, frames)
+        )
 
     def _measured_gripper(self) -> GripperAction | Refusal:
         """The gripper's action that leads to where it is measured now."""
@@ -197,8 +214,10 @@ class PointEdits(QObject):
         points, measured_deg = self._document.points, self._measured_deg()
         changed: dict[int, Waypoint] = {}
         for row in self._table.rows():
-            near_deg, _ = comes_from(points, row, model, measured_deg)
-            point = points[row]
+            point = self._in_frame(points[row], "")
+            if isinstance(point, Refusal):
+                return point
+            near_deg = joints_above(points, row, measured_deg)
             result = (
                 to_pose(point, model)
                 if point.is_joint
@@ -206,15 +225,57 @@ class PointEdits(QObject):
             )
             if isinstance(result, Refusal):
                 return result
-            changed[row] = result
+            placed = self._in_frame(result, self._chosen_frame())
+            if isinstance(placed, Refusal):
+                return placed
+            changed[row] = placed
         return self._put(changed, self.tr("Convert"))
 
     def to_move(self, row: int, move: MoveMode) -> Waypoint | Refusal:
-        """Return the point of a row with another kind of motion, or why not."""
+        """Return the point of a row with another kind of motion, or why not.
+
+        A pose stays in its frame; one that was joint angles comes into the chosen one.
+        """
         model = self._controller.cartesian.kinematics()
-        points = self._document.points
-        near_deg, before = comes_from(points, row, model, self._measured_deg())
-        return to_move(points[row], move, model, near_deg, before)
+        points, measured_deg = self._document.points, self._measured_deg()
+        based = self._in_frame(points[row], "")
+        above = self._in_frame(points[max(row - 1, 0)], "")
+        if isinstance(based, Refusal):
+            return based
+        if isinstance(above, Refusal):
+            return above
+        near_deg = joints_above(points, row, measured_deg)
+        before = pose_of(above, model) if row else model.forward(measured_deg)
+        result = to_move(based, move, model, near_deg, before)
+        if isinstance(result, Refusal):
+            return result
+        frame = self._chosen_frame() if points[row].is_joint else points[row].frame
+        return self._in_frame(result, frame)
+
+    def set_frame(self, name: str) -> Outcome:
+        """Have the selected points count from another frame; each keeps its place.
+
+        Args:
+            name: The user frame of the cell; "" for the base.
+        """
+        return self._change(partial(self._in_frame, name=name), self.tr("Frame"))
+
+    def frames(self) -> Frames:
+        """Return the user frames of the cell."""
+        return frames_of(self._controller.cell.cell)
+
+    def _chosen_frame(self) -> str:
+        cell = self._controller.cell.cell
+        return "" if cell is None else cell.frame
+
+    def _in_frame(self, point: Waypoint, name: str) -> Waypoint | Refusal:
+        """Return the same place in another frame, or why where it is is not known."""
+        frames = self.frames()
+        if point.is_joint or point.frame == name:
+            return point
+        return why_unknown((point, replace(point, frame=name)), frames) or in_frame(
+            point, name, frames
+        )
 
     def _measured_deg(self) -> Sequence[float]:
         return self._controller.state.angles_deg() or _ZERO
@@ -285,7 +346,9 @@ class PointEdits(QObject):
         row = self._table.current_row()
         if row < 0:
             return _no_rows()
-        point = self._document.points[row]
+        point = self._in_frame(self._document.points[row], "")
+        if isinstance(point, Refusal):
+            return point
         if point.is_joint:
             return refusal_of(self._controller.motion.send_joints(point.target))
 

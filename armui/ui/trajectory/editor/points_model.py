@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 from PySide6.QtCore import (
     QMimeData,
@@ -18,8 +18,16 @@ from armui.arm.refusal import Refusal
 from armui.protocol.codes import ALL_LAMPS, MoveMode
 from armui.trajectory.files.log_points import LETTERS
 from armui.trajectory.files.text import number
+from armui.trajectory.planning.user_frames import Frames, frames_of, why_unknown
 from armui.trajectory.points import edits
-from armui.trajectory.points.cells import VALUES, PointColumn, editable, edited, text_of
+from armui.trajectory.points.cells import (
+    IN_FRAME,
+    VALUES,
+    PointColumn,
+    editable,
+    edited,
+    text_of,
+)
 from armui.trajectory.points.edits import Change
 from armui.trajectory.points.program import (
     POINT_MOVE_UNKNOWN,
@@ -30,8 +38,12 @@ from armui.trajectory.points.program import (
     Waypoint,
 )
 from armui.ui import format as fmt
+from armui.ui import words
 from armui.ui.trajectory.editor.document import Document
 from armui.ui.widgets.table_model import LEFT, RIGHT, Index, TableModel
+
+if TYPE_CHECKING:
+    from armui.cell.cell import Cell
 
 ROWS_MIME: Final = "application/x-armui-rows"
 
@@ -76,6 +88,8 @@ class PointsModel(TableModel):
         super().__init__(parent)
         self._document = document
         self._to_move = to_move
+        self._frames: Frames = {}
+        self.held_names: Sequence[str] = ()
         self._points = document.points
         self._current = -1
         self._faults: Mapping[int, bool] = {}
@@ -112,6 +126,12 @@ class PointsModel(TableModel):
             and point.light.lamp == ALL_LAMPS
         ):
             return self.tr("J{joint} all").format(joint=point.light.joint)
+        if column is PointColumn.MOVE and why_unknown((point,), self._frames) is not None:
+            return f"{shown(point, column)} ?"
+        if column is PointColumn.GRIPPER and point.holds is not None:
+            text = self.tr("holds {name}") if point.holds else self.tr("holds nothing")
+            told = (_gripper(point.gripper), text.format(name=point.holds))
+            return ", ".join(filter(None, told))
         return shown(point, column)
 
     def _tip(self, point: Waypoint, column: PointColumn) -> str:
@@ -119,6 +139,12 @@ class PointsModel(TableModel):
             name = point.names[column - PointColumn.VALUE_1]
             allowed = RANGES[name]
             return f"{name}: {allowed.minimum:g} – {allowed.maximum:g} {allowed.unit}"
+        if column is PointColumn.MOVE and point.frame:
+            unknown = why_unknown((point,), self._frames)
+            if unknown is not None:
+                return words.refusal(unknown)
+            text = self.tr("Its place counts from the user frame “{name}” of the cell.")
+            return text.format(name=point.frame)
         return text_of(point, column)
 
     def headerData(  # noqa: N802 - Qt's name
@@ -178,7 +204,7 @@ class PointsModel(TableModel):
     def _entered(self, row: int, column: PointColumn, text: str) -> Waypoint | Refusal:
         if column is not PointColumn.MOVE:
             return edited(self._points[row], column, text)
-        move = LETTERS.get(text[-1:])
+        move = LETTERS.get(text.partition(IN_FRAME)[0][-1:])
         if move is None:
             return POINT_MOVE_UNKNOWN(value=text)
         return self._to_move(row, move)
@@ -270,6 +296,12 @@ class PointsModel(TableModel):
             self.dataChanged.emit(self.index(first, 0), self.index(last, len(PointColumn) - 1))
             self.headerDataChanged.emit(Qt.Orientation.Vertical, first, last)
 
+    def show_cell(self, cell: Cell | None) -> None:
+        """Mark the points that name what the cell has not, and offer what it has."""
+        self._frames = frames_of(cell)
+        self.held_names = () if cell is None else [each.name for each in cell.held_objects]
+        self._redraw((0, len(self._points) - 1))
+
     def retranslate(self) -> None:
         """Update the titles after a change of language."""
         self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, len(PointColumn) - 1)
@@ -285,6 +317,8 @@ def shown(point: Waypoint, column: PointColumn) -> str:
         return f"{point.speed_percent} %"
     if column is PointColumn.DWELL:
         return f"{text_of(point, column)} s" if point.dwell_s else fmt.NOTHING
+    if column is PointColumn.MOVE and point.frame:
+        return f"MOVE {point.move.name[-1]} · {point.frame}"
     if column is PointColumn.GRIPPER:
         return _gripper(point.gripper)
     if column is PointColumn.LIGHT:

@@ -37,6 +37,8 @@ _WIDTHS_PX: Final = {
     PointColumn.GRIPPER: 128,
     PointColumn.LIGHT: 96,
 }
+_NAMES_PX: Final = {PointColumn.MOVE: 170, PointColumn.GRIPPER: 220}
+"""The most that names of the cell's frames and objects take of the table by themselves."""
 
 
 class PointsTable(QTableView):
@@ -110,6 +112,13 @@ class PointsTable(QTableView):
     def show_middle(self, *, wanted: bool) -> None:
         """Show or hide the column of the arcs' middle poses."""
         self.setColumnHidden(PointColumn.MIDDLE, not wanted)
+
+    def show_names(self) -> None:
+        """Make room for the names of things of the cell that points belong to or hold."""
+        for column, most_px in _NAMES_PX.items():
+            wanted_px = min(self.sizeHintForColumn(column), most_px)
+            if wanted_px > self.columnWidth(column):
+                self.setColumnWidth(column, wanted_px)
 
     # Rows -------------------------------------------------------------------------------------
 

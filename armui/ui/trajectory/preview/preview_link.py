@@ -14,8 +14,15 @@ from armui.arm.refusal import Refusal
 from armui.kinematics.forward import flange_transforms
 from armui.kinematics.poses import pose_to_matrix
 from armui.trajectory.planning.check import BELOW_FLOOR
-from armui.trajectory.planning.convert import comes_from, to_joints
+from armui.trajectory.planning.convert import joints_above, to_joints
 from armui.trajectory.planning.findings import Severity
+from armui.trajectory.planning.user_frames import (
+    Frames,
+    frames_of,
+    in_base,
+    pose_in_frame,
+    why_unknown,
+)
 from armui.trajectory.points import edits
 from armui.trajectory.points.cells import VALUES
 from armui.trajectory.points.program import VALUE_COUNT, Trajectory, check_point
@@ -26,9 +33,11 @@ from armui.viewport.path_picture import FindingMark, PathPicture
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from armui.cell.cell import Cell
     from armui.control.arm_controller import ArmController
     from armui.kinematics.geometry import Geometry
     from armui.trajectory.planning.findings import Finding
+    from armui.trajectory.points.edits import Points
     from armui.trajectory.points.program import Waypoint
     from armui.ui.trajectory.editor.editor_page import EditorPage
     from armui.ui.trajectory.library.library_page import LibraryPage
@@ -76,8 +85,11 @@ def _place_mm(
         return x, y, z
     joints_deg: Sequence[float] | None = found.joints_deg
     if joints_deg is None and found.row is not None:
-        if isinstance(content, Trajectory) and not content.points[found.row].is_joint:
-            flange = pose_to_matrix(content.points[found.row].target)
+        point = content.points[found.row] if isinstance(content, Trajectory) else None
+        if point is not None and point.frame:
+            return None  # nobody knows where that frame is
+        if point is not None and not point.is_joint:
+            flange = pose_to_matrix(point.target)
             x, y, z = tool_points(flange[np.newaxis], tool)[0].tolist()
             return x, y, z
         end = path.ends().get(found.row)
@@ -96,10 +108,17 @@ check shows them.
 
 
 def marks_of(
-    points: Sequence[Waypoint], geometry: Geometry, tool: Sequence[float]
+    points: Points, geometry: Geometry, tool: Sequence[float], frames: Frames
 ) -> PathPicture | None:
-    """Return the tool centre point at each point; None for none, or more than `MOST_POINTS`."""
+    """Return the tool centre point at each point; None for none, or more than `MOST_POINTS`.
+
+    Points in a frame that is not known have no place, and no mark.
+    """
     if not 0 < len(points) <= MOST_POINTS:
+        return None
+    rows = [row for row, point in enumerate(points) if not point.frame or point.frame in frames]
+    points = in_base(tuple(points[row] for row in rows), frames)
+    if not points:
         return None
     targets = np.array([point.target for point in points], dtype=np.float64)
     joint = np.array([point.is_joint for point in points])
@@ -107,7 +126,7 @@ def marks_of(
     flanges[joint] = flange_transforms(geometry, targets[joint])
     flanges[~joint] = pose_to_matrix(targets[~joint])
     marks = tool_points(flanges, tool)
-    return PathPicture(np.empty((0, 3)), np.empty(0), marks, tuple(range(len(points))))
+    return PathPicture(np.empty((0, 3)), np.empty(0), marks, tuple(rows))
 
 
 _MOST_PLACES: Final = 2000
@@ -165,7 +184,7 @@ class PointTarget:
     def __init__(self, editor: EditorPage, controller: ArmController) -> None:
         self.editor = editor
         self._controller = controller
-        self._solved: tuple[object, int, tuple[float, ...] | None] | None = None
+        self._solved: tuple[object, int, Frames, tuple[float, ...] | None] | None = None
         self._begun = self._at()
 
     @property
@@ -178,10 +197,10 @@ class PointTarget:
         points, row = self.editor.document.points, self.editor.table.current_row()
         if not 0 <= row < len(points):
             return None
-        solved = self._solved
-        if solved is None or solved[0] is not points or solved[1] != row:
-            solved = self._solved = (points, row, self._solve(points, row))
-        return solved[2]
+        solved, frames = self._solved, frames_of(self._controller.cell.cell)
+        if solved is None or solved[0] is not points or solved[1:3] != (row, frames):
+            solved = self._solved = (points, row, frames, self._solve(points, row, frames))
+        return solved[3]
 
     def typed_deg(self) -> None:
         """Return None: the selected point's ghost is shown by `PathPreview.show_points`."""
@@ -208,25 +227,32 @@ class PointTarget:
         if point.is_joint:
             values: Sequence[float] = angles_deg
         else:
-            values = self._controller.cartesian.kinematics().forward(angles_deg)
+            pose = self._controller.cartesian.kinematics().forward(angles_deg)
+            values = pose_in_frame(pose, point.frame, frames_of(self._controller.cell.cell))
         changed = replace(point, target=tuple(round(value, _DECIMALS) for value in values))
         refusal = check_point(changed)
         if refusal is None:
             label = QCoreApplication.translate("PointTarget", "Drag in the picture")
             self.editor.document.edit(edits.change(points, {row: changed}), label)
             # what leads there is known: it was dragged there
-            self._solved = (self.editor.document.points, row, angles_deg)
+            frames = frames_of(self._controller.cell.cell)
+            self._solved = (self.editor.document.points, row, frames, angles_deg)
         return refusal
 
     def give_up(self, _angles_deg: tuple[float, ...]) -> None:
         """Do nothing: the point was not changed."""
 
-    def _solve(self, points: Sequence[Waypoint], row: int) -> tuple[float, ...] | None:
+    def _solve(
+        self, points: Sequence[Waypoint], row: int, frames: Frames
+    ) -> tuple[float, ...] | None:
+        if why_unknown((points[row],), frames) is not None:
+            return None
+        (based,) = in_base((points[row],), frames)
         model = self._controller.cartesian.kinematics()
         measured_deg = self._controller.state.angles_deg() or _ZERO
-        near_deg, _ = comes_from(points, row, model, measured_deg)
+        near_deg = joints_above(points, row, measured_deg)
         limits = self._controller.operating_state.limits
-        point = to_joints(points[row], model, near_deg, limits)
+        point = to_joints(based, model, near_deg, limits)
         return None if isinstance(point, Refusal) else point.target
 
 
@@ -264,6 +290,7 @@ class PreviewLink(QObject):
         library.editor_opened.connect(self._follow)
         library.editors.recorder_opened.connect(self._follow_recorder)
         preview.closed.connect(self._on_closed)
+        controller.cell_changed.connect(self._on_cell_changed)
         self._watch(library)
 
     @property
@@ -373,10 +400,10 @@ class PreviewLink(QObject):
             self._shown = None
             self._preview.show(None)
         points, cartesian = target.editor.document.points, self._controller.cartesian
-        geometry = cartesian.kinematics().geometry
-        key = (points, geometry, cartesian.tool)
+        geometry, frames = cartesian.kinematics().geometry, frames_of(self._controller.cell.cell)
+        key = (points, geometry, cartesian.tool, frames)
         if self._marks[0] != key:
-            self._marks = (key, marks_of(points, geometry, cartesian.tool))
+            self._marks = (key, marks_of(points, geometry, cartesian.tool, frames))
         row = target.editor.table.current_row()
         self._preview.show_points(self._marks[1], row if row >= 0 else None, target.angles_deg())
 
@@ -397,6 +424,15 @@ class PreviewLink(QObject):
         cartesian = self._controller.cartesian
         picture, ghost_deg = cut_picture(cut, cartesian.kinematics().geometry, cartesian.tool)
         self._preview.show_points(picture, None, ghost_deg)
+
+    def _on_cell_changed(self, cell: Cell | None) -> None:
+        """Show points where their frames are now; a path that was checked elsewhere is none."""
+        frames = frames_of(cell)
+        for page, checked in tuple(self._checked.items()):
+            if checked.outcome.in_base is not None and dict(checked.order.arm.frames) != frames:
+                self._take(page, None)
+        if self._page is not None and self._page not in self._checked:
+            self._show_points()
 
     def _on_row(self, editor: EditorPage, row: int) -> None:
         if editor is not self._page:

@@ -32,7 +32,7 @@ from armui.ui.trajectory.running.run_request import Checks, Preflight
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
-from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.message_line import MessageLine, Words
 from armui.ui.widgets.page import Page
 from armui.ui.widgets.text_label import text_label
 from armui.ui.words.text import Text
@@ -278,7 +278,7 @@ class RecordingPage(Page):
     def _begin(self) -> None:
         answer = self._controller.recorder.start()
         if isinstance(answer, Refusal):
-            self._say(words.refusal(answer), Level.WARNING)
+            self._say(partial(words.refusal, answer), Level.WARNING)
         else:
             self._drop_work()
             self._recording = self._result = None
@@ -407,7 +407,7 @@ class RecordingPage(Page):
     ) -> None:
         self._job = None
         if isinstance(result, Refusal):
-            self._say(words.refusal(result), Level.FAULT)
+            self._say(partial(words.refusal, result), Level.FAULT)
             result = None
         self._result = result
         self._show_kept()
@@ -440,7 +440,7 @@ class RecordingPage(Page):
 
     def _show_preview(self, checked: Preflight | Refusal) -> None:
         if isinstance(checked, Refusal):
-            self._say(words.refusal(checked), Level.FAULT)
+            self._say(partial(words.refusal, checked), Level.FAULT)
             return
         self._say(self.tr("The path is shown in the 3D view."))
         self.preview_wanted.emit(checked)
@@ -565,7 +565,7 @@ class RecordingPage(Page):
         self._record.setToolTip("" if reason is None else words.refusal(reason))
         self._record.setEnabled(reason is None)
 
-    def _say(self, text: str, level: Level = Level.INFO) -> None:
+    def _say(self, text: Words, level: Level = Level.INFO) -> None:
         self._message.show_message(text, level)
 
     def retranslate_ui(self) -> None:

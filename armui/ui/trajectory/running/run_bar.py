@@ -8,7 +8,7 @@ from typing import Final
 
 from PySide6.QtCore import QObject, QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QHideEvent, QShowEvent
-from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QSpinBox, QWidget
+from PySide6.QtWidgets import QCheckBox, QLabel, QSpinBox, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
@@ -35,7 +35,7 @@ from armui.ui.dialogs.confirm_dialog import ASKED_OTHERWISE
 from armui.ui.trajectory.running.run_estimate import RunEstimate, estimate_tip
 from armui.ui.trajectory.running.run_request import Checks, RequestState, RunRequest
 from armui.ui.trajectory.running.runner import Runner, ended_early
-from armui.ui.widgets.buttons import enable_or_explain, named, push_button, show_primary
+from armui.ui.widgets.buttons import drop_down, enable_or_explain, named, push_button, show_primary
 from armui.ui.widgets.flow import in_flow, pair
 from armui.ui.widgets.layouts import fill, in_column, in_row
 from armui.ui.widgets.text_label import ElidedLabel, text_label
@@ -211,7 +211,7 @@ class RunBar(Translated, QWidget):
         self._call_off = push_button("run_call_off", on_enter=False)
         self._state = text_label("run_checking", rank="muted")
         self._resume = push_button("run_resume", on_enter=False)
-        self._cycles = named("run_cycles", QComboBox())
+        self._cycles = drop_down("run_cycles")
         self._cycles.addItems(["", "", ""])
         self._times = _spin("run_times", MOST_CYCLES, 3)
         self._speed = _spin("run_speed", round(100 * FASTEST_FACTOR), round(100 * FIRST_RUN_FACTOR))

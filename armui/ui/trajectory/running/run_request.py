@@ -8,12 +8,14 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Reason, Refusal
+from armui.cell.held_shape import held_shape
 from armui.control.operations.started import ARM_CHANGED
 from armui.control.parameters.arm_model import arm_model, start_deg
 from armui.system.clock import steady_s
-from armui.trajectory.planning.check import CheckOutcome, CheckRequest, check, warm_up
+from armui.trajectory.planning.check import Carried, CheckOutcome, CheckRequest, check, warm_up
 from armui.trajectory.planning.estimate import estimate_s
 from armui.trajectory.planning.findings import Finding, Severity
+from armui.trajectory.samples.recording import Recording
 from armui.ui.background import Job
 
 if TYPE_CHECKING:
@@ -111,8 +113,8 @@ class Preflight:
 
     @property
     def content(self) -> Content:
-        """The trajectory or recording that was checked."""
-        return self.order.content
+        """The recording or trajectory as it was checked: with all its points in the base."""
+        return self.outcome.in_base or self.order.content
 
     @property
     def path(self) -> PlannedPath:
@@ -154,6 +156,18 @@ class Preflight:
         return self.basis.why_other(CheckBasis.of(controller, options))
 
 
+def carried_by(controller: ArmController, content: Content) -> dict[str, Carried]:
+    """Return what the points of a content have the hand hold, as far as the cell knows it."""
+    points, cell = () if isinstance(content, Recording) else content.points, controller.cell.cell
+    found = {}
+    for name in {point.holds for point in points if point.holds is not None}:
+        held = None if cell is None else cell.object_named(name)
+        if held is not None or not name:
+            shape = None if held is None else held_shape(held)
+            found[name] = Carried(shape, controller.area_guard.check_holding(name))
+    return found
+
+
 class Checks:
     """Runs checks one after another in the background.
 
@@ -189,6 +203,7 @@ class Checks:
             options.first,
             options.cycles,
             self._controller.area_guard.check(),
+            carried_by(self._controller, content),
         )
 
         def hand_on(outcome: CheckOutcome | Refusal) -> None:

@@ -62,6 +62,7 @@ class Runner(QObject):
             options.first,
             options.speed_factor,
             options.step_by_step,
+            checked.outcome.path.even_s,
         )
         return refusal_of(self._controller.player.start(run))
 

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QComboBox, QLabel, QSpinBox, QWidget
 
 from armui.trajectory.columns import LABELS, Dialect, Encoding, TableFile
 from armui.trajectory.columns.model import DECIMALS, DELIMITERS, SPACES
-from armui.ui.widgets.buttons import named
+from armui.ui.widgets.buttons import drop_down, named
 from armui.ui.widgets.flow import in_flow, pair
 from armui.ui.widgets.translated import Translated
 
@@ -117,10 +117,9 @@ class _Line(QSpinBox):
 
 
 def _choice(name: str, values: tuple[Any, ...]) -> QComboBox:
-    box = named(name, QComboBox())
+    box = drop_down(name)
     for value in values:
         box.addItem("", value)
-    box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
     return box
 
 

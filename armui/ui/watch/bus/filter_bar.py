@@ -10,7 +10,6 @@ from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import (
     QButtonGroup,
     QCheckBox,
-    QComboBox,
     QLineEdit,
     QWidget,
 )
@@ -18,7 +17,7 @@ from PySide6.QtWidgets import (
 from armui.telemetry.bus_senders import Sender
 from armui.ui.actions.keys import keys_of
 from armui.ui.watch.bus.frame_filter import FrameFilter, IdFilter, parse_ids
-from armui.ui.widgets.buttons import bar_button, named
+from armui.ui.widgets.buttons import bar_button, drop_down, named
 from armui.ui.widgets.flow import in_flow
 from armui.ui.widgets.layouts import STRETCH, in_column, in_row
 from armui.ui.widgets.painting import repolish
@@ -67,7 +66,7 @@ class FilterBar(Translated, QWidget):
         self.ids = named("bus_ids", QLineEdit())
         self.ids.setClearButtonEnabled(True)
         self.ids.setFixedWidth(_IDS_PX)
-        self.senders = named("bus_senders", QComboBox())
+        self.senders = drop_down("bus_senders")
         self.only_changed = named("bus_only_changed", QCheckBox())
         self.only_unknown = named("bus_only_unknown", QCheckBox())
         self._lay_out()

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, QPoint, Qt, Signal
 from PySide6.QtGui import QFont, QFontMetrics, QGuiApplication
-from PySide6.QtWidgets import QComboBox, QLineEdit, QMenu, QWidget
+from PySide6.QtWidgets import QLineEdit, QMenu, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.system.atomic import write_whole
@@ -23,7 +23,7 @@ from armui.ui.dialogs.files import FileExport
 from armui.ui.watch.events.event_filter import EventFilter, gravity
 from armui.ui.watch.events.event_table import EventColumn, cell_text, column_title
 from armui.ui.watch.save_button import SaveButton
-from armui.ui.widgets.buttons import bar_button, named
+from armui.ui.widgets.buttons import bar_button, drop_down, named
 from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
@@ -137,8 +137,8 @@ class EventBar(Translated, QWidget):
         super().__init__()
         self.search = named("event_search", QLineEdit())
         self.search.setClearButtonEnabled(True)
-        self.levels = named("event_levels", QComboBox())
-        self.askers = named("event_askers", QComboBox())
+        self.levels = drop_down("event_levels")
+        self.askers = drop_down("event_askers")
         self.follow = bar_button("event_follow", toggles=True)
         self.follow.setChecked(True)
         self.kinds = {kind: bar_button(f"event_kind_{kind}", toggles=True) for kind in EventKind}

@@ -9,7 +9,6 @@ from PySide6.QtCore import QSize, Qt, QTimer
 from PySide6.QtGui import QStandardItemModel
 from PySide6.QtWidgets import (
     QCheckBox,
-    QComboBox,
     QFrame,
     QLabel,
     QProgressBar,
@@ -32,7 +31,7 @@ from armui.ui.dialogs.files import choose_folder
 from armui.ui.theme import colors_of
 from armui.ui.watch.recordings import recording_files
 from armui.ui.widgets import icons
-from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.buttons import drop_down, named, push_button
 from armui.ui.widgets.layouts import STRETCH, in_column, in_row
 from armui.ui.widgets.text_label import ElidedLabel, text_label
 from armui.ui.widgets.translated import Translated
@@ -243,7 +242,7 @@ class RecordingCard(Translated, QFrame):
         self.making = CancellableProgress(self._call_off_mf4)
         self.making.setObjectName("session_making")
         self._format_label, self._size_label, self._folder_label = QLabel(), QLabel(), QLabel()
-        self.format_box = named("session_format", QComboBox())
+        self.format_box = drop_down("session_format")
         for suffix, name in _FORMATS:
             self.format_box.addItem(f"{name} ({suffix})", suffix)
         self.format_note = text_label("session_format_note", rank="muted", wraps=True, plain=True)

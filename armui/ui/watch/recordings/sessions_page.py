@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
@@ -47,7 +48,7 @@ from armui.ui.watch.recordings.recording_card import (
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.flow import in_flow
 from armui.ui.widgets.layouts import STRETCH, fill
-from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.message_line import MessageLine, Words
 from armui.ui.widgets.page import Page
 from armui.ui.widgets.seen_timer import SeenTimer
 from armui.ui.widgets.table_model import LEFT, RIGHT, Index, TableModel, list_rows
@@ -430,7 +431,7 @@ class SessionsPage(Page):
     def _show_listing(self, entries: list[RecordingEntry] | Refusal) -> None:
         self._listing = None
         if isinstance(entries, Refusal):
-            self._say(words.refusal(entries), Level.WARNING)
+            self._say(partial(words.refusal, entries), Level.WARNING)
             entries = []
         names = [entry.name for entry in self.chosen()]
         if self._choose_next is not None:
@@ -451,9 +452,9 @@ class SessionsPage(Page):
             isinstance(refused, Refusal) and refused.code.startswith("session_")
         )
         if ours and self.isVisible():
-            self._say(words.event(event), event.level)
+            self._say(partial(words.event, event), event.level)
 
-    def _say(self, text: str, level: Level) -> None:
+    def _say(self, text: Words, level: Level) -> None:
         self._message.show_message(text, level)
 
     def chosen(self) -> list[RecordingEntry]:
@@ -536,7 +537,7 @@ class SessionsPage(Page):
             self._say(text.format(folder=folder), Level.WARNING)
 
     def _refuse(self, refusal: Refusal) -> None:
-        self._say(words.refusal(refusal), Level.WARNING)
+        self._say(partial(words.refusal, refusal), Level.WARNING)
 
 
 def _table(shown: QSortFilterProxyModel) -> QTableView:

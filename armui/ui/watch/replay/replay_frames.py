@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Signal
@@ -83,7 +84,7 @@ class ReplayFrames(Translated, QWidget):
         self._job = None
         if isinstance(read, Refusal):
             self._between_s = (-math.inf, math.inf)  # it would be refused again
-            self.message.show_message(words.refusal(read), Level.FAULT)
+            self.message.show_message(partial(words.refusal, read), Level.FAULT)
             self.message.show()
             return
         statistics, begin_s, end_s = read

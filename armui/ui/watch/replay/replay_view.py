@@ -8,7 +8,6 @@ from PySide6.QtCore import QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPen
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QComboBox,
     QHeaderView,
     QLabel,
     QSplitter,
@@ -38,7 +37,7 @@ from armui.ui.watch.replay.time_line import TimeLine
 from armui.ui.watch.replay.transport import SPEEDS, Transport
 from armui.ui.watch.replay.whole_curves import WholeCurves
 from armui.ui.widgets import icons
-from armui.ui.widgets.buttons import named
+from armui.ui.widgets.buttons import drop_down, named
 from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.seen_timer import SeenTimer
 from armui.ui.widgets.text_label import ElidedLabel, text_label
@@ -245,8 +244,8 @@ class ReplayView(Translated, QWidget):
         self.time_line.show_log(session.start_s, session.end_s, self._search.marks)
         self.transport = Transport()
         self.note = text_label("replay_note", rank="muted", wraps=True, plain=True)
-        self.channels = named("replay_channel", QComboBox())
-        self.generations = named("replay_generation", QComboBox())
+        self.channels = drop_down("replay_channel")
+        self.generations = drop_down("replay_generation")
         self._surveys: tuple[ChannelSurvey, ...] = ()
         self._lay_out(name)
         self._connect()

@@ -29,7 +29,7 @@ from armui.ui.watch.replay.log_time import wall_time
 from armui.ui.widgets import icons, painting
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.layouts import STRETCH, in_column, in_row
-from armui.ui.widgets.message_line import MessageLine
+from armui.ui.widgets.message_line import MessageLine, Words
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
@@ -265,7 +265,7 @@ class ReplayWindow(ArmDialog):
     def _on_refused(self, reason: Refusal) -> None:
         self._opening = None
         self._show_waiting()
-        self._say(words.refusal(reason), Level.FAULT)
+        self._say(partial(words.refusal, reason), Level.FAULT)
 
     def _on_opened(self, session: Session, surveys: tuple[ChannelSurvey, ...]) -> None:
         self._opening = None
@@ -321,7 +321,7 @@ class ReplayWindow(ArmDialog):
         def show(found: LoggedEvents | Refusal) -> None:
             self._events = None
             if isinstance(found, Refusal):
-                self._say(words.refusal(found), Level.FAULT)
+                self._say(partial(words.refusal, found), Level.FAULT)
             else:
                 view.show_events(found.log, found.marks)
                 self._keep_counts(view.replay.session, found)
@@ -345,10 +345,10 @@ class ReplayWindow(ArmDialog):
     def _on_failed(self, text: str) -> None:
         name = "" if self._path is None else self._path.name
         reason = REPLAY_FAILED(name=name, text=text)
-        self._say(words.refusal(reason), Level.FAULT)
+        self._say(partial(words.refusal, reason), Level.FAULT)
 
-    def _tell_oddities(self, session: Session) -> None:
-        """Say what of the log could not be read, or was put right."""
+    def _oddities(self, session: Session) -> str:
+        """Return what of the log could not be read, or was put right."""
         parts = []
         if session.damage_count:
             text = self.tr("{count} places of the log could not be read; the rest is shown.")
@@ -377,12 +377,15 @@ class ReplayWindow(ArmDialog):
                     "“Protocol” if you know."
                 )
             )
-        if parts:
-            self._say(" ".join(parts), Level.WARNING)
+        return " ".join(parts)
+
+    def _tell_oddities(self, session: Session) -> None:
+        if self._oddities(session):
+            self._say(partial(self._oddities, session), Level.WARNING)
             told = [f"{each.place}: {each.reason}" for each in session.damages[:_MOST_TOLD]]
             self.message.setToolTip("\n".join(told))
 
-    def _say(self, text: str, level: Level) -> None:
+    def _say(self, text: Words, level: Level) -> None:
         self.message.show_message(text, level)
         self.message.setToolTip("")
         self.message.show()

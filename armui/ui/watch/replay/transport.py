@@ -5,12 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtWidgets import QComboBox, QPushButton, QWidget
+from PySide6.QtWidgets import QPushButton, QWidget
 
 from armui.ui.actions.keys import key_text, listen_for
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
-from armui.ui.widgets.buttons import named
+from armui.ui.widgets.buttons import drop_down
 from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
@@ -51,7 +51,7 @@ class Transport(Translated, QWidget):
             "next_fault": lambda: self.fault_wanted.emit(1),
         }
         self.buttons = {name: self._button(name, act) for name, act in acts.items()}
-        self.speeds = named("replay_speed", QComboBox())
+        self.speeds = drop_down("replay_speed")
         for speed in SPEEDS:
             self.speeds.addItem(f"{speed:g}×", speed)
         self.speeds.setCurrentIndex(SPEEDS.index(1.0))
