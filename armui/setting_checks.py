@@ -35,7 +35,7 @@ ThemeName = Literal["light", "dark", "system"]
 MountingName = Literal["level", "on_the_left_side", "on_the_right_side", "upside_down"]
 PictureDirection = Literal["iso", "front", "side", "top", "below"]
 SessionFormat = Literal[".blf", ".asc", ".log", ".mf4"]
-GamepadMode = Literal["joint", "base", "tool"]
+GamepadMode = Literal["joint", "base", "tool", "user"]
 GamepadButtons = Mapping[str, Mapping[str, str]]
 """The button's name for each action (`armui.gamepad.layout.ACTIONS`), by device."""
 

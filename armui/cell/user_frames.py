@@ -72,13 +72,13 @@ def frame_from_points(
     for point, way in zip(("+X", "+Y"), ways, strict=True):
         apart_mm = float(np.linalg.norm(way))
         if apart_mm < LEAST_APART_MM:
-            return FRAME_POINTS_NEAR(point=point, value=apart_mm, minimum=LEAST_APART_MM)
+            return FRAME_POINTS_NEAR(point=point, value=apart_mm, minimum=round(LEAST_APART_MM))
     x, aside = (way / np.linalg.norm(way) for way in ways)
     z = np.cross(x, aside)
     sine = float(np.linalg.norm(z))
     off_deg = math.degrees(math.atan2(sine, abs(float(x @ aside))))
     if off_deg < LEAST_OFF_DEG:
-        return FRAME_POINTS_IN_LINE(value=off_deg, minimum=LEAST_OFF_DEG)
+        return FRAME_POINTS_IN_LINE(value=off_deg, minimum=round(LEAST_OFF_DEG))
     z /= sine
     matrix = np.eye(4)
     matrix[:3] = np.column_stack((x, np.cross(z, x), z, places[0]))

@@ -20,11 +20,12 @@ SPEED_AXIS: Final = "right_trigger"
 
 
 class JogMode(StrEnum):
-    """The mode of the axes: the joints, or the tool along the axes of the base or of the tool."""
+    """The mode of the axes: the joints, or the tool along the axes of a frame."""
 
     JOINT = "joint"
     BASE = "base"
     TOOL = "tool"
+    USER = "user"
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,9 +66,8 @@ _MOUSE: Final = tuple(AxisSource(axis) for axis in ("x", "y", "z", "rx", "ry", "
 
 SOURCES: Final[Mapping[DeviceKind, Mapping[JogMode, tuple[AxisSource, ...]]]] = {
     DeviceKind.GAMEPAD: {
+        **dict.fromkeys(JogMode, _PAD_TOOL),
         JogMode.JOINT: _PAD_JOINTS,
-        JogMode.BASE: _PAD_TOOL,
-        JogMode.TOOL: _PAD_TOOL,
     },
     DeviceKind.SPACE_MOUSE: dict.fromkeys(JogMode, _MOUSE),
 }

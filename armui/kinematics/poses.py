@@ -12,6 +12,8 @@ import numpy.typing as npt
 from armui.kinematics.axes import JogFrame
 
 Matrix = npt.NDArray[np.float64]
+JogAxes = JogFrame | Matrix
+"""The frame whose axes count in a jog, or the 3×3 rotation of another one in the base."""
 Joints = tuple[float, ...]
 """Six angles in degrees, joint 1 first."""
 _Angle = TypeVar("_Angle", float, Matrix)
@@ -122,7 +124,7 @@ def from_base(pose: Sequence[float], frame: Sequence[float]) -> Pose:
     return matrix_to_pose(np.linalg.inv(pose_to_matrix(frame)) @ pose_to_matrix(pose))
 
 
-def shifted(tool_point: Matrix, axis: int, amount: float, frame: JogFrame) -> Matrix:
+def shifted(tool_point: Matrix, axis: int, amount: float, frame: JogAxes) -> Matrix:
     """Return a transform moved along, or turned about, one axis of a frame.
 
     Args:
@@ -131,16 +133,12 @@ def shifted(tool_point: Matrix, axis: int, amount: float, frame: JogFrame) -> Ma
         amount: In mm or degrees.
         frame: The frame whose axes count.
     """
-    step = pose_to_matrix([amount if each == axis else 0.0 for each in range(6)])
-    moved: Matrix = tool_point @ step
-    if frame is JogFrame.BASE:
-        moved[:3, 3] = tool_point[:3, 3] + step[:3, 3]
-        moved[:3, :3] = step[:3, :3] @ tool_point[:3, :3]
-    return moved
+    way = [amount if each == axis else 0.0 for each in range(6)]
+    return moved(tool_point, way[:3], way[3:], frame)
 
 
 def moved(
-    tool_point: Matrix, way_mm: Sequence[float], turn_deg: Sequence[float], frame: JogFrame
+    tool_point: Matrix, way_mm: Sequence[float], turn_deg: Sequence[float], frame: JogAxes
 ) -> Matrix:
     """Return a transform moved along three axes of a frame, and turned about all three at once.
 
@@ -151,13 +149,13 @@ def moved(
             its own origin.
         frame: The frame whose axes count.
     """
-    step = np.eye(4)
-    step[:3, 3] = way_mm
-    step[:3, :3] = rotation(turn_deg)
-    result: Matrix = tool_point @ step
-    if frame is JogFrame.BASE:
-        result[:3, 3] = tool_point[:3, 3] + step[:3, 3]
-        result[:3, :3] = step[:3, :3] @ tool_point[:3, :3]
+    own = tool_point[:3, :3]
+    axes = frame
+    if isinstance(axes, JogFrame):
+        axes = own if axes is JogFrame.TOOL else np.eye(3)
+    result: Matrix = tool_point.copy()
+    result[:3, 3] += axes @ np.asarray(way_mm, dtype=np.float64)
+    result[:3, :3] = axes @ rotation(turn_deg) @ axes.T @ own
     return result
 
 

@@ -15,6 +15,7 @@ DECIMALS: Final = 3
 _HOUR_S: Final = 3600
 _MINUTE_S: Final = 60
 _MOST_NAMES: Final = 5
+_SHORT: Final = 14
 
 
 def number(value: float | None, decimals: int = DECIMALS) -> str:
@@ -87,6 +88,11 @@ def duration(seconds: float | None) -> str:
     hours, rest = divmod(whole, _HOUR_S)
     minutes, left = divmod(rest, _MINUTE_S)
     return f"{hours}:{minutes:02}:{left:02}" if hours else f"{minutes}:{left:02}"
+
+
+def short(name: str) -> str:
+    """Return a name that the operator has given as it fits on a button."""
+    return name if len(name) <= _SHORT else f"{name[: _SHORT - 1]}…"
 
 
 def name_list(names: Sequence[str]) -> str:

@@ -252,6 +252,9 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._view.load_failed.connect(self._status_bar.show_problem)
         self._status_bar.event_wanted.connect(self._watch.show_events)
         self._controller.state_changed.connect(self._show_in_view)
+        self._controller.cell_changed.connect(
+            lambda _cell: self._show_in_view(self._controller.state)
+        )
         self._controller.operating_state_changed.connect(self._on_operating_state_changed)
         self._unsubscribe = self._preferences.subscribe(self._on_settings_changed)
 
@@ -294,6 +297,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
             show_in_view(
                 *(self._view, state, controller.operating_state, controller.cartesian.tool),
                 calibrated=lambda gripper: controller.gripper.shown(gripper),  # noqa: PLW0108
+                frame=controller.cartesian.frame,
             )
 
     def _recolor(self) -> None:

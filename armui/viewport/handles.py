@@ -36,10 +36,12 @@ class HandlePlace:
     Attributes:
         angles_deg: The joint angles of the arm or ghost that is to be dragged.
         kind: The kind of handles.
+        frame: Where they are instead, in the base: of a plane or box of the work area.
     """
 
     angles_deg: tuple[float, ...]
     kind: HandleKind
+    frame: Rows | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,7 +92,7 @@ class Handles:
             return []
         if place.kind is HandleKind.JOINTS:
             return joint_grips(shape, place.angles_deg, projection, palette)
-        at = composed(shape.flange(shape.links(place.angles_deg)), tool)
+        at = place.frame or composed(shape.flange(shape.links(place.angles_deg)), tool)
         frame = at if place.kind is HandleKind.TOOL_FRAME else None
         return tool_grips(at, frame, projection, palette)
 

@@ -43,8 +43,9 @@ class HudValues:
         pose_stale: the pose is no longer fresh.
         angles_stale: the angles are no longer fresh.
         too_low: flange or fingertip is below the plane on which the arm stands; the height turns
-            amber.
+            amber, in a user frame the place.
         of_tool: the pose is that of the tool centre point, not of the flange.
+        frame: the name of the user frame that the pose is in; empty for the base.
     """
 
     pose: tuple[float, ...] | None = None
@@ -53,13 +54,16 @@ class HudValues:
     angles_stale: bool = False
     too_low: bool = False
     of_tool: bool = False
+    frame: str = ""
 
     @property
     def point(self) -> str:
-        """The name of the point that the pose describes."""
+        """The name of the point that the pose describes, and of the user frame that it is in."""
+        point = QCoreApplication.translate("ArmView", "Flange")
         if self.of_tool:
-            return QCoreApplication.translate("ArmView", "Tool centre point")
-        return QCoreApplication.translate("ArmView", "Flange")
+            point = QCoreApplication.translate("ArmView", "Tool centre point")
+        text = QCoreApplication.translate("ArmView", "{point} in “{frame}”")
+        return text.format(point=point, frame=self.frame) if self.frame else point
 
 
 def hud_font(base: QFont) -> QFont:
@@ -128,7 +132,8 @@ class Hud:
         ):
             calm = QColor(palette.muted if stale or numbers is None else palette.text)
             for line, figure in enumerate(figures(numbers)):
-                low = values.too_low and numbers is values.pose and line == _HEIGHT
+                height = line <= _HEIGHT if values.frame else line == _HEIGHT
+                low = values.too_low and numbers is values.pose and height
                 painter.setPen(QColor(palette.warning) if low else calm)
                 place = QPointF(right - self._width_px(figure), top + line * line_px)
                 if self._is_tabular:
@@ -202,6 +207,8 @@ class Hud:
         painter.setPen(QColor(palette.muted))
         left = _PADDING_PX
         line_px = self._metrics.height() * _LINE_SPACING
+        room_px = frame.width() - 2.0 * _PADDING_PX
+        point = self._metrics.elidedText(point, Qt.TextElideMode.ElideRight, room_px)
         painter.drawText(QPointF(left, _PADDING_PX + self._metrics.ascent()), point)
         for rows in (_POSE, _JOINTS):
             baseline = _PADDING_PX + self._metrics.ascent() + line_px

@@ -40,14 +40,51 @@ class Stroke:
     label: str = ""
 
 
+@dataclass(frozen=True, slots=True)
+class FrameMark:
+    """A user frame in the picture.
+
+    Attributes:
+        name: Its name.
+        rows: Its place in the base.
+        lit: True for the one in force, or that is to be looked at; the others are faint.
+    """
+
+    name: str
+    rows: Rows
+    lit: bool = False
+
+
 def tool_frame(rows: Rows, palette: ScenePalette) -> list[Stroke]:
     """Return the axes of the tool centre point."""
-    start = (rows[3], rows[7], rows[11])
-    ends = ((FRAME_M, 0.0, 0.0), (0.0, FRAME_M, 0.0), (0.0, 0.0, FRAME_M))
     return [
-        Stroke((start, moved(rows, end)), color, 2.5, label=name)
-        for end, color, name in zip(ends, palette.axes, "xyz", strict=True)
+        Stroke((_origin(rows), end), color, 2.5, label=name)
+        for end, color, name in zip(_axis_ends(rows), palette.axes, "xyz", strict=True)
     ]
+
+
+def user_frames(marks: Sequence[FrameMark], palette: ScenePalette) -> list[Stroke]:
+    """Return the axes and the names of user frames; the name stands below the origin."""
+    strokes = []
+    for mark in marks:
+        colors = palette.axes if mark.lit else (palette.muted,) * 3
+        names, width_px = ("XYZ", 2.5) if mark.lit else (" " * 3, 1.0)
+        start = _origin(mark.rows)
+        for end, color, name in zip(_axis_ends(mark.rows), colors, names, strict=True):
+            strokes.append(Stroke((start, end), color, width_px, label=name.strip()))
+        below = moved(mark.rows, (0.0, 0.0, -0.01))
+        color = palette.text if mark.lit else palette.muted
+        strokes.append(Stroke((start, below), color, width_px, label=mark.name))
+    return strokes
+
+
+def _origin(rows: Rows) -> Vector:
+    return rows[3], rows[7], rows[11]
+
+
+def _axis_ends(rows: Rows) -> list[Vector]:
+    ends = ((FRAME_M, 0.0, 0.0), (0.0, FRAME_M, 0.0), (0.0, 0.0, FRAME_M))
+    return [moved(rows, end) for end in ends]
 
 
 def joint_range(

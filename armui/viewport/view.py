@@ -33,7 +33,7 @@ from armui.viewport.path_overlay import PathOverlay
 from armui.viewport.projection import Projection
 from armui.viewport.robot_shape import IDENTITY, composed, pose_rows
 from armui.viewport.stroke_painter import StrokeLayer, StrokePainter
-from armui.viewport.strokes import joint_range, tool_frame
+from armui.viewport.strokes import FrameMark, joint_range, tool_frame, user_frames
 from armui.viewport.view_state import BUILT_IN_ROBOT, PickRequest, RobotChoice, ViewState
 from armui.viewport.viewpoint import ViewMode, Viewpoint
 
@@ -146,6 +146,7 @@ class ArmView(QWidget):
         self._drag = Drag()
         self._pick_serial = 0
         self._tool = IDENTITY
+        self._frames: tuple[FrameMark, ...] = ()
         self._shows_tool = False
         self._range: tuple[int, tuple[float, float]] | None = None
         self._path_overlay = PathOverlay()
@@ -283,6 +284,7 @@ class ArmView(QWidget):
         *,
         too_low: bool = False,
         of_tool: bool = False,
+        frame: str = "",
     ) -> None:
         """Show the measured end pose.
 
@@ -291,16 +293,11 @@ class ArmView(QWidget):
             stale: it is no longer fresh.
             too_low: flange or fingertip is below the plane on which the arm stands.
             of_tool: the pose is that of the tool centre point, not of the flange.
+            frame: the name of the user frame that it is in; empty for the base.
         """
-        self._set_hud(
-            replace(
-                self._hud,
-                pose=None if pose is None else tuple(pose),
-                pose_stale=stale,
-                too_low=too_low,
-                of_tool=of_tool,
-            )
-        )
+        shown = None if pose is None else tuple(pose)
+        hud = replace(self._hud, pose=shown, pose_stale=stale, too_low=too_low)
+        self._set_hud(replace(hud, of_tool=of_tool, frame=frame))
 
     def set_theme(self, palette: ScenePalette) -> None:
         """Apply the colours of another theme."""
@@ -347,6 +344,12 @@ class ArmView(QWidget):
         self._viewpoint.set_tool((self._tool[3], self._tool[7], self._tool[11]))
         self._look_at(self._state)
         self.update()
+
+    def set_frames(self, marks: tuple[FrameMark, ...]) -> None:
+        """Show user frames; an empty tuple removes them."""
+        if marks != self._frames:
+            self._frames = marks
+            self.update()
 
     def show_tool_frame(self, *, wanted: bool) -> None:
         """Show or hide the axes of the tool centre point."""
@@ -557,9 +560,10 @@ class ArmView(QWidget):
         self._again_button.setText(QCoreApplication.translate("ArmView", "Restart the 3D view"))
 
     def quantities_at(self, place: QPoint) -> list[str]:
-        """Return the key of the figure at a place; see `armui.telemetry.quantities`."""
-        key = self._hud_painter.quantity_at(QPointF(place), self.font(), of_tool=self._hud.of_tool)
-        return [] if key is None else [key]
+        """Return the key of the figure at a place, if it has a curve, which is in the base."""
+        hud = self._hud
+        key = self._hud_painter.quantity_at(QPointF(place), self.font(), of_tool=hud.of_tool)
+        return [] if key is None or (hud.frame and "joint" not in key) else [key]
 
     def _on_joint_picked(self, number: int | None) -> None:
         self.highlight_joint(number)
@@ -572,6 +576,7 @@ class ArmView(QWidget):
         projection = Projection(shown.camera, self.width(), self.height())
         palette = shown.palette
         self._path_overlay.paint(painter, shown.preview, projection, palette)
+        self._strokes.paint(painter, user_frames(self._frames, palette), projection, palette)
         shape, angles_deg = self._shape, shown.angles_deg
         if shape is None or angles_deg is None:
             return

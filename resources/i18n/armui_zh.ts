@@ -549,10 +549,6 @@
         <translation>工作区的平面和长方体</translation>
     </message>
     <message>
-        <source>Type a name and a pose, or take the present tool pose. A plane keeps the arm on the side of its Z axis (all 0: above the table); a box keeps it out.</source>
-        <translation>请输入名称和位姿，或取当前工具位姿。平面使机械臂留在其 Z 轴一侧（全 0：桌面以上）；长方体使机械臂不进入其中。</translation>
-    </message>
-    <message>
         <source>Plane or box</source>
         <translation>平面或长方体</translation>
     </message>
@@ -647,6 +643,10 @@
     <message>
         <source>Fills in the pose of a user frame; its Z axis is that of the plane.</source>
         <translation>填入用户坐标系的位姿；它的 Z 轴就是平面的 Z 轴。</translation>
+    </message>
+    <message>
+        <source>Type a name and a pose in the base, or take the tool&apos;s. A plane keeps the arm on the side of its Z axis (all 0: above the table); a box keeps it out.</source>
+        <translation>请输入名称和在基坐标系中的位姿，或取当前工具位姿。平面使机械臂留在其 Z 轴一侧（全 0：桌面以上）；长方体使机械臂不进入其中。</translation>
     </message>
     <message>
         <source>From frame</source>
@@ -835,6 +835,10 @@
     <message>
         <source>Restart the 3D view</source>
         <translation>重新启动 3D 视图</translation>
+    </message>
+    <message>
+        <source>{point} in “{frame}”</source>
+        <translation>{point}，“{frame}”坐标系</translation>
     </message>
     <message>
         <source>Restarting; the arm is not affected.</source>
@@ -1348,6 +1352,18 @@
 <context>
     <name>CartesianPanel</name>
     <message>
+        <source>Frame of the figures</source>
+        <translation>数值所用坐标系</translation>
+    </message>
+    <message>
+        <source>in the base frame</source>
+        <translation>基坐标系</translation>
+    </message>
+    <message>
+        <source>in “{name}”</source>
+        <translation>坐标系“{name}”</translation>
+    </message>
+    <message>
         <source>Fills the fields with the measured pose; nothing moves.</source>
         <translation>把当前位姿填入输入框，不会运动。</translation>
     </message>
@@ -1467,6 +1483,10 @@
         <translation>说明列表中另一个单元与生效的单元有何不同。</translation>
     </message>
     <message>
+        <source>Cell&apos;s name</source>
+        <translation>单元名称</translation>
+    </message>
+    <message>
         <source>New</source>
         <translation>新建</translation>
     </message>
@@ -1519,10 +1539,6 @@
         <translation>它的内容：</translation>
     </message>
     <message>
-        <source>Name of a new one</source>
-        <translation>新单元名称</translation>
-    </message>
-    <message>
         <source>Delete</source>
         <translation>删除</translation>
     </message>
@@ -1549,6 +1565,10 @@
     <message>
         <source>Held</source>
         <translation>工件</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>坐标系</translation>
     </message>
 </context>
 <context>
@@ -4251,6 +4271,95 @@
     </message>
 </context>
 <context>
+    <name>FrameByPoints</name>
+    <message>
+        <source>Takes the measured place of the tool; nothing moves.</source>
+        <translation>采集末端的实测位置；不会运动。</translation>
+    </message>
+    <message>
+        <source>{value} mm from the origin; {wanted} mm or more are wanted.</source>
+        <translation>距原点 {value} mm；需要 {wanted} mm 以上。</translation>
+    </message>
+    <message>
+        <source>Not all points are taken yet.</source>
+        <translation>三点尚未采集完。</translation>
+    </message>
+    <message>
+        <source>No frame is chosen.</source>
+        <translation>未选择坐标系。</translation>
+    </message>
+    <message>
+        <source>Adds the frame found under a new name, and chooses it.</source>
+        <translation>以新名称添加所得坐标系并选用。</translation>
+    </message>
+    <message>
+        <source>Puts the frame found in the place of “{name}”. Points of trajectories that belong to it move with it; their way is checked anew.</source>
+        <translation>用所得坐标系替换“{name}”。轨迹中属于它的点随之移动，其路径将重新检查。</translation>
+    </message>
+    <message>
+        <source>New frame</source>
+        <translation>新坐标系</translation>
+    </message>
+    <message>
+        <source>X {x}  Y {y}  Z {z} mm in the base</source>
+        <translation>基坐标系 X {x}  Y {y}  Z {z} mm</translation>
+    </message>
+    <message>
+        <source>Found, in the base: {frame}
+Z points along {direction}</source>
+        <translation>所得（基坐标系中）：{frame}
+Z 轴指向 {direction}</translation>
+    </message>
+    <message>
+        <source>“{name}” is in force: jog along it in Tool control, by its button beside − and +.</source>
+        <translation>“{name}”已生效：在“末端控制”中按“− / + 方向”旁它的按钮，即可沿它点动。</translation>
+    </message>
+    <message>
+        <source>Jog the tool&apos;s tip to what becomes the origin (Motion or Tool control, or lead the arm by hand), come back and press Origin.</source>
+        <translation>把工具尖点动到将作为原点的位置（用“运动控制”或“末端控制”，也可用手拖动），回到此处按“原点”。</translation>
+    </message>
+    <message>
+        <source>Jog the tip along what becomes the X axis, as far as you can; press On +X.</source>
+        <translation>沿将作为 X 轴的方向把工具尖移到尽量远处，按“+X 上”。</translation>
+    </message>
+    <message>
+        <source>Jog the tip to the side where +Y is to be; press On the +Y side.</source>
+        <translation>把工具尖移到 +Y 所在的一侧，按“+Y 一侧”。</translation>
+    </message>
+    <message>
+        <source>Look at the axes in the picture: is Z as you want it? Then press Add. If not, take a point again.</source>
+        <translation>请看画面中的坐标轴：Z 的朝向对吗？对则按“添加”；不对请重新采集某一点。</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>原点</translation>
+    </message>
+    <message>
+        <source>On +X</source>
+        <translation>+X 上</translation>
+    </message>
+    <message>
+        <source>On the +Y side</source>
+        <translation>+Y 一侧</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>添加</translation>
+    </message>
+    <message>
+        <source>Frame found</source>
+        <translation>所得坐标系</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>替换</translation>
+    </message>
+    <message>
+        <source>Start again</source>
+        <translation>重新开始</translation>
+    </message>
+</context>
+<context>
     <name>FrameChoice</name>
     <message>
         <source>− and + along</source>
@@ -4263,6 +4372,10 @@
     <message>
         <source>Tool frame</source>
         <translation>工具坐标系</translation>
+    </message>
+    <message>
+        <source>User frame</source>
+        <translation>用户坐标系</translation>
     </message>
 </context>
 <context>
@@ -4563,6 +4676,113 @@
     </message>
 </context>
 <context>
+    <name>FramesTab</name>
+    <message>
+        <source>Frame in force</source>
+        <translation>当前坐标系</translation>
+    </message>
+    <message>
+        <source>Frame by three points</source>
+        <translation>三点法建立坐标系</translation>
+    </message>
+    <message>
+        <source>Frame from the present tool pose</source>
+        <translation>取当前末端位姿为坐标系</translation>
+    </message>
+    <message>
+        <source>Apply the figures of the frame</source>
+        <translation>应用坐标系的数值</translation>
+    </message>
+    <message>
+        <source>Add as a new frame</source>
+        <translation>添加为新坐标系</translation>
+    </message>
+    <message>
+        <source>Delete the frame</source>
+        <translation>删除坐标系</translation>
+    </message>
+    <message>
+        <source>Frame {number}</source>
+        <translation>坐标系 {number}</translation>
+    </message>
+    <message>
+        <source>The arm has not told its pose.</source>
+        <translation>机械臂尚未反馈位姿。</translation>
+    </message>
+    <message>
+        <source>Fills in the present tool pose, with the axes of the tool.</source>
+        <translation>填入当前末端位姿，坐标轴即工具的坐标轴。</translation>
+    </message>
+    <message>
+        <source>— (base)</source>
+        <translation>—（基坐标系）</translation>
+    </message>
+    <message>
+        <source>Puts these figures in the place of those of the chosen frame. Points of trajectories that belong to it move with it; their way is checked anew.</source>
+        <translation>用这些数值取代所选坐标系的数值。轨迹中属于它的点随之移动，其路径将重新检查。</translation>
+    </message>
+    <message>
+        <source>Adds a frame of this name and chooses it.</source>
+        <translation>以此名称添加坐标系并选用。</translation>
+    </message>
+    <message>
+        <source>Deletes the chosen frame; the base is chosen then. Trajectories with points that belong to it are not run until they have another frame.</source>
+        <translation>删除所选坐标系，随后改用基坐标系。含有属于它的点的轨迹，在改换坐标系之前不能运行。</translation>
+    </message>
+    <message>
+        <source>No frame is chosen. Add one, or choose one above.</source>
+        <translation>未选择坐标系。请添加，或在上方选择。</translation>
+    </message>
+    <message>
+        <source>There is no cell yet: type its name above and press New.</source>
+        <translation>还没有单元：请在上方输入名称并按“新建”。</translation>
+    </message>
+    <message>
+        <source>Press By three points: the tool&apos;s tip shows where the frame is. Or type a name and the frame&apos;s pose in the base, then press Add.</source>
+        <translation>按“三点法”，用工具尖示出坐标系的位置；或输入名称及其在基坐标系中的位姿，再按“添加”。</translation>
+    </message>
+    <message>
+        <source>Press Add: poses are shown and typed in this frame from then on.</source>
+        <translation>按“添加”：此后位姿均以该坐标系显示和输入。</translation>
+    </message>
+    <message>
+        <source>Press Add for a further frame, or Apply to rename the chosen one.</source>
+        <translation>按“添加”新增一个坐标系，或按“应用”给所选坐标系改名。</translation>
+    </message>
+    <message>
+        <source>Press Apply: the frame moves, and what belongs to it moves with it.</source>
+        <translation>按“应用”：坐标系移动，属于它的点随之移动。</translation>
+    </message>
+    <message>
+        <source>Poses are shown and typed in this frame. Choose another one, or the base.</source>
+        <translation>位姿以该坐标系显示和输入。可改选其它坐标系或基坐标系。</translation>
+    </message>
+    <message>
+        <source>Frame&apos;s name</source>
+        <translation>坐标系名称</translation>
+    </message>
+    <message>
+        <source>Type it</source>
+        <translation>手动输入</translation>
+    </message>
+    <message>
+        <source>By three points</source>
+        <translation>三点法</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>坐标系</translation>
+    </message>
+    <message>
+        <source>The frame&apos;s own pose, in the base (mm, °)</source>
+        <translation>该坐标系在基坐标系中的位姿（mm、°）</translation>
+    </message>
+    <message>
+        <source>From the present tool pose</source>
+        <translation>取当前末端位姿</translation>
+    </message>
+</context>
+<context>
     <name>GamepadAction</name>
     <message>
         <source>Dead man (hold to move)</source>
@@ -4715,6 +4935,10 @@
     <message>
         <source>Tool frame</source>
         <translation>工具坐标系</translation>
+    </message>
+    <message>
+        <source>User frame</source>
+        <translation>用户坐标系</translation>
     </message>
 </context>
 <context>
@@ -5570,8 +5794,16 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>基坐标系</translation>
     </message>
     <message>
+        <source>figures in “{name}”</source>
+        <translation>数值：“{name}”坐标系</translation>
+    </message>
+    <message>
         <source>Tool</source>
         <translation>工具坐标系</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>坐标系</translation>
     </message>
     <message>
         <source>Gripper</source>
@@ -6989,6 +7221,21 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
 </context>
 <context>
+    <name>NamedTab</name>
+    <message>
+        <source>Apply</source>
+        <translation>应用</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>添加</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+</context>
+<context>
     <name>Notice</name>
     <message>
         <source>Sent J1 {j1}°  J2 {j2}°  J3 {j3}°  J4 {j4}°  J5 {j5}°  J6 {j6}°</source>
@@ -7037,14 +7284,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Jogging ended. {reason}</source>
         <translation>点动已结束。{reason}</translation>
-    </message>
-    <message>
-        <source>Sent MOVE P to X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°</source>
-        <translation>已发送 MOVE P：X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°</translation>
-    </message>
-    <message>
-        <source>Sent MOVE L to X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°</source>
-        <translation>已发送 MOVE L：X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°</translation>
     </message>
     <message>
         <source>Sent MOVE C through the three captured poses</source>
@@ -7281,6 +7520,18 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Zero setting failed. {reason}</source>
         <translation>零点设置失败。{reason}</translation>
+    </message>
+    <message>
+        <source>Sent MOVE P (base) to X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°</source>
+        <translation>已发送 MOVE P：基坐标系 X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°</translation>
+    </message>
+    <message>
+        <source>Sent MOVE L (base) to X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°</source>
+        <translation>已发送 MOVE L：基坐标系 X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°</translation>
+    </message>
+    <message>
+        <source>{device} jogs {axes} (user frame “{frame}”)</source>
+        <translation>{device} 点动 {axes}（用户坐标系“{frame}”）</translation>
     </message>
     <message>
         <source>Settings sent to the arm: {count}</source>
@@ -10305,6 +10556,10 @@ The other program must have ended.</source>
     <message>
         <source>The three points lie nearly in line: the third is {value}° off the X axis, at least {minimum}° are needed. Take the point on the +Y side again, further to the side.</source>
         <translation>三点几乎共线：第三点偏离 X 轴只有 {value}°，至少需要 {minimum}°。请在 +Y 一侧更偏的位置重新采集该点。</translation>
+    </message>
+    <message>
+        <source>No user frame is in force, or another one than at the press. Choose one under Cell, then press again; or move along base or tool.</source>
+        <translation>没有生效的用户坐标系，或已不是按下时的那个。请在“单元”中选择坐标系后再按，或沿基坐标系、工具坐标系移动。</translation>
     </message>
     <message>
         <source>Row {row} is in the user frame “{name}”, and where that is was not worked out. Send it again.</source>
@@ -13623,6 +13878,10 @@ The other program must have ended.</source>
         <translation>杆部</translation>
     </message>
     <message>
+        <source>it points along {axis} of “{name}”</source>
+        <translation>指向“{name}”的 {axis}</translation>
+    </message>
+    <message>
         <source>Apply the tip</source>
         <translation>应用尖端</translation>
     </message>
@@ -13743,10 +14002,6 @@ Before: {before}</source>
         <translation>工具胶囊体的半径</translation>
     </message>
     <message>
-        <source>Add</source>
-        <translation>添加</translation>
-    </message>
-    <message>
         <source>Adds a tool of this name and chooses it.</source>
         <translation>添加以此命名的工具并选择它。</translation>
     </message>
@@ -13761,10 +14016,6 @@ Before: {before}</source>
     <message>
         <source>Tool&apos;s name</source>
         <translation>工具名称</translation>
-    </message>
-    <message>
-        <source>Apply</source>
-        <translation>应用</translation>
     </message>
     <message>
         <source>Puts these figures in the place of those of the chosen tool.</source>
@@ -13807,10 +14058,6 @@ Before: {before}</source>
         <translation>检查时视为从法兰到尖端的胶囊体，长 {length} mm。</translation>
     </message>
     <message>
-        <source>Delete</source>
-        <translation>删除</translation>
-    </message>
-    <message>
         <source>This tool is in force. Choose another one, or change its figures.</source>
         <translation>此工具已生效。可另选一个，或更改其数值。</translation>
     </message>
@@ -13821,10 +14068,6 @@ Before: {before}</source>
     <message>
         <source>Press Add: the tool is chosen, and its tip is what moves from then on.</source>
         <translation>请按“添加”：工具即被选用，从此运动的是它的尖端。</translation>
-    </message>
-    <message>
-        <source>Tool {axis}</source>
-        <translation>工具 {axis}</translation>
     </message>
     <message>
         <source>There is no cell yet: type its name above and press New.</source>
@@ -14095,6 +14338,10 @@ Before: {before}</source>
         <translation>工作空间</translation>
     </message>
     <message>
+        <source>User frames</source>
+        <translation>用户坐标系</translation>
+    </message>
+    <message>
         <source>Save picture…</source>
         <translation>保存画面…</translation>
     </message>
@@ -14133,6 +14380,10 @@ Before: {before}</source>
     <message>
         <source>Looks at the arm from below the floor; turning the picture never goes there</source>
         <translation>从地面以下看机械臂；拖动旋转不会转到地面以下</translation>
+    </message>
+    <message>
+        <source>Shows the user frames of the cell; the one in force has coloured axes</source>
+        <translation>显示单元的用户坐标系；生效的坐标系以彩色轴显示</translation>
     </message>
     <message>
         <source>Tool, along the axes of the base</source>

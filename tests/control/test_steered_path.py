@@ -85,6 +85,12 @@ def test_one_axis_alone_is_the_step_of_a_button(axis, frame):
     figures[axis] = 7.0
     here = moved(start, figures[:3], figures[3:], frame)
     assert here == pytest.approx(shifted(start, axis, 7.0, frame), abs=1e-9)
+    axes = start[:3, :3] if frame is JogFrame.TOOL else np.eye(3)
+    turn = Rotation.from_rotvec(np.radians(7.0) * axes[:, axis % 3]).as_matrix()
+    along = 7.0 * axes[:, axis] if axis < 3 else np.zeros(3)
+    assert here[:3, 3] == pytest.approx(start[:3, 3] + along, abs=1e-9)
+    turned = start[:3, :3] if axis < 3 else turn @ start[:3, :3]
+    assert here[:3, :3] == pytest.approx(turned, abs=1e-9)
 
 
 @pytest.mark.parametrize("turn_deg", [(0.0, 0.0, 0.0), (1e-13, 0, 0), (10, -20, 5), (0, 179, 0)])

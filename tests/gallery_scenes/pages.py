@@ -202,6 +202,7 @@ SCENES = (
     Scene("editor", _online(trajectories.editor), sizes=_SIZES),
     Scene("editor-find", _online(trajectories.editor_find), sizes=_SIZES),
     Scene("editor-check-failed", _online(trajectories.failed_check), sizes=_SIZES, fine=True),
+    Scene("editor-of-the-cell", trajectories.editor_of_the_cell, sizes=_SIZES),
     Scene("recording", _online(trajectories.recording), sizes=_SIZES),
     Scene("columns-offered", _online(trajectories.columns_offered), sizes=_SIZES),
     Scene("columns", _online(trajectories.columns), sizes=_SIZES),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QDialog
+from PySide6.QtWidgets import QDialog, QWidget
 
 from armui.cell.cell import Cell
 from armui.cell.held_objects import HeldObject
@@ -10,9 +10,11 @@ from armui.cell.work_area import Area, AreaBox, AreaPlane
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.panels.light_panel import ColorDialog
 from armui.ui.widgets.hold_button import HoldButton
+from armui.viewport.handles import HandleKind
 from tests.accepted import accepted
 from tests.app_driver import AppDriver
-from tests.gallery_scenes import arm
+from tests.gallery_scenes import arm, trajectories
+from tests.operator import frame_actions
 from tests.operator import tip_actions as actions
 
 
@@ -135,6 +137,41 @@ def cell(app_driver: AppDriver) -> None:
     app_driver.step()
 
 
+def cell_frame(app_driver: AppDriver) -> None:
+    """A frame by three points is found and looked at; another one is there already."""
+    frame_actions.made(app_driver)
+    app_driver.click("frame_points_restart")
+    frame_actions.take(app_driver, 1, 2, 0)
+    app_driver.step()
+
+
+def cell_frame_typed(app_driver: AppDriver) -> None:
+    """A frame is in force; the figures of a further one are typed."""
+    frame_actions.made(app_driver)
+    app_driver.click("cell_frame_typed")
+    app_driver.type_into("cell_frame_name", "jig 2")
+    app_driver.type_into("cell_frame_Z", "20")
+    app_driver.step()
+
+
+def in_frame(app_driver: AppDriver) -> None:
+    """Targets are typed and jogs go in a user frame."""
+    frame_actions.made(app_driver)
+    app_driver.click("menu_cartesian")
+    app_driver.click("frame_user")
+    app_driver.type_into("pose_field_Z", "30")
+    app_driver.click("capture_start")
+    app_driver.run(0.3)
+
+
+def editor_in_frame(app_driver: AppDriver) -> None:
+    """Points are made by jogs in a user frame."""
+    frame_actions.made(app_driver)
+    app_driver.click(trajectories.editor(app_driver).findChild(QWidget, "editor_jog"))
+    app_driver.click("box_user")
+    app_driver.step()
+
+
 def cell_held(app_driver: AppDriver) -> None:
     """A box in the hand, which may touch the table; a work area around."""
     app_driver.ready()
@@ -152,6 +189,18 @@ def cell_held(app_driver: AppDriver) -> None:
     box.setCurrentIndex(1)
     box.activated.emit(1)
     app_driver.step()
+
+
+def cell_area(app_driver: AppDriver) -> None:
+    """A box of the work area is dragged: handles at it, and where it would be."""
+    cell_held(app_driver)
+    app_driver.click("cell_tab_area")
+    box = app_driver.find("cell_area_box")
+    box.setCurrentIndex(2)
+    box.activated.emit(2)
+    app_driver.find("view_bar").choose_handles(HandleKind.TOOL_FRAME)
+    app_driver.type_into("cell_area_X", "300")
+    app_driver.run(0.2)
 
 
 def cell_tip(app_driver: AppDriver) -> None:

@@ -11,10 +11,15 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QWidget
 
 from armui.arm.model_check import ModelFit
+from armui.cell.cell import Cell, with_frame
+from armui.cell.held_objects import HeldObject
+from armui.cell.user_frames import UserFrame
 from armui.control.parameters.arm_model import arm_model
+from armui.protocol.codes import MoveMode
 from armui.protocol.generation import PiperModel
 from armui.trajectory.columns import ColumnQuantity
 from armui.trajectory.library.store import Library
+from armui.trajectory.points.program import GripperOpening, Trajectory, Waypoint
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.library.library_page import LibraryPage
@@ -24,6 +29,7 @@ from armui.ui.widgets.page import Page
 from tests.app_driver import AppDriver
 from tests.sample_trajectories import SAMPLES
 
+_OVER_DEG = (10.0, 70.0, -60.0, 10.0, 25.0, -20.0)
 _SUNK_DEG = (-20.9, 142.0, -2.7, -26.1, 65.7, 103.0)
 """The wrist lies against the base."""
 
@@ -51,6 +57,27 @@ def editor_find(app_driver: AppDriver) -> Page:
     window = editor(app_driver)
     QTest.keyClick(window, Qt.Key.Key_F, Qt.KeyboardModifier.ControlModifier)
     return window
+
+
+def editor_of_the_cell(app_driver: AppDriver) -> EditorPage:
+    """Points in a user frame, one in a frame that is not there, and one that holds something."""
+    app_driver.ready()
+    table = UserFrame("工作台 Table", (150.0, -120.0, 40.0, 0.0, 0.0, 20.0))
+    cube = HeldObject("Cube", (0.0, 0.0, 150.0, 0.0, 0.0, 0.0))
+    cell = replace(with_frame(Cell("bench"), table), held_objects=(cube,))
+    app_driver.controller.cell.take(cell)
+    corners = ((90.0, 140.0), (130.0, 140.0), (130.0, 80.0), (90.0, 80.0))
+    line = Waypoint(MoveMode.MOVE_L, (0.0,) * 6, frame=table.name)
+    rows = [replace(line, target=(x, y, 210.0, -170.0, 40.0, -160.0)) for x, y in corners]
+    rows[1] = replace(rows[1], gripper=GripperOpening(35.0), holds="Cube")
+    lost = replace(line, target=(10.0, 20.0, 150.0, 180.0, 0.0, 0.0), frame="Tray")
+    library(app_driver)
+    kept = Library(app_driver.library_folder)
+    kept.save(Trajectory("Pallet", points=(Waypoint(MoveMode.MOVE_J, _OVER_DEG), *rows, lost)))
+    library(app_driver).open_trajectory("Pallet")
+    page = app_driver.page(EditorPage)
+    page.table.select_row(1)
+    return page
 
 
 def failed_check(app_driver: AppDriver) -> Page:

@@ -24,7 +24,7 @@ from armui.gamepad.layout import (
 )
 from tests.gamepad.pads import MOUSE, PAD
 
-JOINT, BASE, TOOL = JogMode
+JOINT, BASE, TOOL, _USER = JogMode
 
 
 def moved(info, mode, axes=(), buttons=()):

@@ -4,7 +4,10 @@ import pytest
 from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import QApplication, QMenu
 
+from armui.cell.cell import Cell, with_frame
+from armui.cell.user_frames import UserFrame
 from armui.control.gamepad.pilot import GAMEPAD_NOT_IN_FRONT
+from armui.control.motion.cartesian import FRAME_NOT_IN_FORCE
 from armui.control.motion.jog_path import JointJog
 from armui.gamepad.dead_man import HoldPhase
 from armui.gamepad.layout import JogMode
@@ -251,6 +254,47 @@ def test_the_mode_button_and_the_sign_in_the_window(ready, pads):
     pass_time(ready, 0.02)
     drive(ready, pads, left_y=1.0)
     assert "Base frame · jogging X−" in ready.read("gamepad_text")
+
+
+def next_mode(driver, pads):
+    pads.press("y")
+    pads.release("y")
+    pass_time(driver, 0.02)
+    return pilot(driver).view.mode
+
+
+def test_the_mode_of_the_user_frame_is_left_out_without_one(ready, pads):
+    assert [next_mode(ready, pads) for _press in range(3)] == [
+        JogMode.BASE,
+        JogMode.TOOL,
+        JogMode.JOINT,
+    ]
+    pilot(ready).set_mode(JogMode.USER)  # as the settings can
+    pads.release("left_shoulder")
+    pass_time(ready, 0.02)
+    pads.press("left_shoulder")
+    pass_time(ready, 0.02)
+    pads.push(left_y=1.0)
+    assert is_sent_nothing(ready)
+    assert pilot(ready).view.refusal == FRAME_NOT_IN_FORCE()
+
+
+def test_it_goes_along_the_user_frame_in_force(ready, pads):
+    turned = UserFrame("turned", (0.0, 0.0, 0.0, 0.0, 0.0, 90.0))  # its −Y is the base's X
+    accepted(ready.controller.cell.take(with_frame(Cell("bench"), turned)))
+    assert [next_mode(ready, pads) for _press in range(3)][-1] is JogMode.USER
+    pads.release("left_shoulder")
+    pass_time(ready, 0.02)
+    pads.press("left_shoulder")
+    pass_time(ready, 0.02)
+    before = ready.controller.state.end_pose()
+    drive(ready, pads, left_x=1.0)  # Y−
+    pass_time(ready, 0.5)
+    pads.push(left_x=0.0)
+    pass_time(ready, 0.5)
+    after = ready.controller.state.end_pose()
+    assert after[0] - before[0] > 3.0
+    assert after[1:3] == pytest.approx(before[1:3], abs=0.05)
 
 
 def test_the_event_log_says_that_the_operator_asked_by_gamepad(ready, pads):

@@ -38,6 +38,7 @@ if TYPE_CHECKING:
     from armui.arm.device import Device
     from armui.arm.held_shape import HeldShape
     from armui.cell.held_objects import HeldObject
+    from armui.cell.user_frames import UserFrame
     from armui.control.cell.cell_store import CellStore
     from armui.control.context import Context
     from armui.control.motion.cartesian import Cartesian
@@ -88,6 +89,7 @@ class CellControl(ControllerPart):
 
     Attributes:
         store: Keeps the cells; ``None`` if they end with the program, as in a replay.
+        candidate: A user frame that is shown before it is taken; nothing moves by it.
     """
 
     def __init__(
@@ -105,6 +107,7 @@ class CellControl(ControllerPart):
         self._least_mm: float | None = None
         self._opened = False
         self.store: CellStore | None = None
+        self.candidate: UserFrame | None = None
 
     # What is known --------------------------------------------------------------------------
 
@@ -196,6 +199,12 @@ class CellControl(ControllerPart):
     def tell_problem(self, reason: Refusal) -> None:
         """Tell the operator why a cell could not be saved or deleted."""
         self._context.tell(CELL_PROBLEM, reason=reason)
+
+    def propose(self, frame: UserFrame | None) -> None:
+        """Have a user frame shown that is not taken yet, or none any more."""
+        if frame != self.candidate:
+            self.candidate = frame
+            self._announce(self.cell)
 
     def begin_device(self, device: Device) -> None:
         """A device is opened: its own cell is to be confirmed before anything moves."""
@@ -404,6 +413,7 @@ class CellControl(ControllerPart):
         _name, chosen, _held = self.holding()
         tool = chosen.pose
         self._cartesian.tool_radius_mm = chosen.radius_mm
+        self._cartesian.frame = None if self.in_force is None else self.in_force.chosen_frame
         if tool != self._cartesian.tool:
             self._cartesian.tool = tool
             self._context.authority.end_command(End.TOOL_CHANGED)

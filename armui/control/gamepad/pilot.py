@@ -14,6 +14,8 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from armui.arm.refusal import Reason, Refusal
+from armui.cell.user_frames import UserFrame
+from armui.control.motion.jog_path import MotionFrame
 from armui.control.motion.jogging import GAMEPAD_SILENT, axes_text
 from armui.control.motion.steered_path import SteeredJog
 from armui.control.operating_state import JOG_UNDER_WAY
@@ -250,7 +252,10 @@ class GamepadPilot(QObject):
                 self._driving = False
                 self._stop_ours()
             return
-        jog = SteeredJog(hand.hold.rates, _FRAMES[self._mode], self._infos[key].name)
+        frame: MotionFrame | None = _FRAMES.get(self._mode)
+        if self._mode is JogMode.USER:  # without one in force the jog is refused
+            frame = self._controller.cartesian.frame or UserFrame("")
+        jog = SteeredJog(hand.hold.rates, frame, self._infos[key].name)
         jogging = self._controller.jogging
         if self._driving:
             if not jogging.steer(jog):  # it has ended, and whoever ended it has said why
@@ -316,8 +321,10 @@ class GamepadPilot(QObject):
             if self._holder == info.key:
                 self._let_go()
         if buttons.mode and buttons.mode in down and not self._driving:
-            modes = tuple(JogMode)
-            self.set_mode(modes[(modes.index(self._mode) + 1) % len(modes)])
+            none = self._controller.cartesian.frame is None
+            modes = [mode for mode in JogMode if mode is not JogMode.USER or not none]
+            place = modes.index(self._mode) if self._mode in modes else -1
+            self.set_mode(modes[(place + 1) % len(modes)])
         self._show()
 
     # What is shown ----------------------------------------------------------------------------

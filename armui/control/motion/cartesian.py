@@ -14,8 +14,10 @@ from armui.arm.model_check import MODEL_DIFFERS, ModelFit, fitting_models
 from armui.arm.models import all_models
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
+from armui.cell.user_frames import UserFrame
 from armui.control.context import Context, ControllerPart
 from armui.control.events import Notice
+from armui.control.motion.jog_path import MotionFrame, axes_of, axis_in
 from armui.control.motion.joint_motion import why_not_move
 from armui.control.motion.motion_command import CommandKind
 from armui.control.motion.point_frames import leading_mode
@@ -23,7 +25,7 @@ from armui.control.operations.operation import operation, record_start
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.kinematics import poses
 from armui.kinematics.arm_kinematics import Kinematics
-from armui.kinematics.axes import AXES, LINEAR_AXES, JogFrame
+from armui.kinematics.axes import AXES, LINEAR_AXES
 from armui.kinematics.poses import Pose, apart, flange_pose, matrix_to_pose, pose_to_matrix
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode
@@ -53,15 +55,20 @@ ARC_IS_NONE = Reason(
     "arc_is_none",
     "The three poses lie on a line, or two in one place: that is no arc. Capture others.",
 )
+FRAME_NOT_IN_FORCE = Reason(
+    "frame_not_in_force",
+    "No user frame is in force, or another one than at the press. Choose one under Cell, then "
+    "press again; or move along base or tool.",
+)
 SENT_POSE = Notice(
     "sent_pose",
-    "Sent MOVE P to X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°",
+    "Sent MOVE P (base) to X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°",
     Level.INFO,
     EventKind.COMMAND,
 )
 SENT_LINE = Notice(
     "sent_line",
-    "Sent MOVE L to X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°",
+    "Sent MOVE L (base) to X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°",
     Level.INFO,
     EventKind.COMMAND,
 )
@@ -100,6 +107,7 @@ class Cartesian(ControllerPart):
 
     Attributes:
         tool_radius_mm: The radius of the capsule that stands for the tool in checks; 0 without one.
+        frame: The user frame in force; ``None`` for the base. What is sent is always of the base.
     """
 
     def __init__(self, context: Context, motion: Motion, floor: JogFloor, area: AreaGuard) -> None:
@@ -110,6 +118,7 @@ class Cartesian(ControllerPart):
         self._model: Kinematics | None = None
         self._tool: tuple[float, ...] = _NO_TOOL
         self.tool_radius_mm = 0.0
+        self.frame: UserFrame | None = None
 
     @property
     def tool(self) -> tuple[float, ...]:
@@ -146,6 +155,19 @@ class Cartesian(ControllerPart):
         if flange is None:
             return None
         return poses.tool_pose(flange, self.tool) if any(self.tool) else poses.Pose(*flange)
+
+    def in_frame(self, pose: Sequence[float]) -> Pose:
+        """Return a pose of the base as it is shown: in the user frame in force, if there is one."""
+        return Pose(*pose) if self.frame is None else poses.from_base(pose, self.frame.pose)
+
+    def in_base(self, shown: Sequence[float]) -> Pose:
+        """Return a pose that was typed, which is of the user frame in force, as one of the base."""
+        return Pose(*shown) if self.frame is None else poses.to_base(shown, self.frame.pose)
+
+    def why_no_frame(self, frame: MotionFrame | None) -> Refusal | None:
+        """Return why nothing may move along the axes of a frame: a user frame not in force."""
+        off = isinstance(frame, UserFrame) and frame != self.frame
+        return FRAME_NOT_IN_FORCE() if off else None
 
     def why_unknown(self) -> Refusal | None:
         """Return why poses cannot be computed: not heard, or not those of this kind of arm."""
@@ -212,7 +234,7 @@ class Cartesian(ControllerPart):
         return self._move(record_start(self.move), target, move_mode, notice, figures)
 
     @operation("tool.step", "Move the tool by a step", why_not_move, moves=True)
-    def step(self, axis: int, amount: float, frame: JogFrame) -> Started | Refusal:
+    def step(self, axis: int, amount: float, frame: MotionFrame) -> Started | Refusal:
         """Move the tool centre point by a step, on a straight line.
 
         The step is added to the target of the last motion, while that is ours and the tool is on
@@ -223,7 +245,8 @@ class Cartesian(ControllerPart):
             amount: In mm or degrees.
             frame: The frame of the axes.
         """
-        unknown = self._context.refresh().cannot_move or self.why_unknown()
+        cannot = self._context.refresh().cannot_move
+        unknown = cannot or self.why_no_frame(frame) or self.why_unknown()
         if unknown is not None:
             return self._context.refuse(unknown)
         measured_deg = self._context.authority.measured_deg()
@@ -231,13 +254,13 @@ class Cartesian(ControllerPart):
             return self._context.refuse(JOINTS_UNKNOWN())
         measured = poses.tool_matrix(self.kinematics().matrix(measured_deg), self.tool)
         base = self._base(measured)
-        target = poses.shifted(base, axis, amount, frame)
+        target = poses.shifted(base, axis, amount, axes_of(frame))
         ahead, now = (poses.flange_matrix(each, self.tool) for each in (target, base))
         refusal = self._floor.why_pose_lower(ahead, now)
         if refusal is not None:
             return self._context.refuse(refusal)
         unit = " mm" if axis < LINEAR_AXES else "°"
-        figures: dict[str, object] = {"axis": AXES[axis], "step": f"{amount:+g}{unit}"}
+        figures: dict[str, object] = {"axis": axis_in(frame, axis), "step": f"{amount:+g}{unit}"}
         pose = poses.matrix_to_pose(target)
         return self._move(record_start(self.step), pose, MoveMode.MOVE_L, STEPPED_TOOL, figures)
 

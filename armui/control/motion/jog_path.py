@@ -8,14 +8,15 @@ from typing import TYPE_CHECKING, Final, Protocol
 
 from armui.arm.limits import JOINTS, JointLimits, check_joints
 from armui.arm.refusal import Reason, Refusal
+from armui.cell.user_frames import UserFrame
 from armui.kinematics import poses
-from armui.kinematics.axes import LINEAR_AXES, JogFrame
+from armui.kinematics.axes import AXES, LINEAR_AXES, JogFrame
 from armui.kinematics.poses import shifted, tool_matrix
 
 if TYPE_CHECKING:
     from armui.control.motion.jog_pace import Pace
     from armui.kinematics.arm_kinematics import Kinematics
-    from armui.kinematics.poses import Matrix
+    from armui.kinematics.poses import JogAxes, Matrix
 
 JOG_AT_LIMIT = Reason("jog_at_limit", "J{joint} is at its limit of {limit}°. Jog the other way.")
 JOG_OUT_OF_REACH = Reason(
@@ -29,6 +30,10 @@ TOOL_DEG_S: Final = 12.0
 be jogged, the tool goes slower."""
 
 _NOWHERE_DEG: Final = float("inf")
+
+
+MotionFrame = JogFrame | UserFrame
+"""The frame whose axes a jog or a step follows: the base's, the tool's, or a user frame's."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +55,7 @@ class ToolJog:
 
     axis: int
     direction: int
-    frame: JogFrame
+    frame: MotionFrame
 
 
 class JogPath(Protocol):
@@ -179,6 +184,7 @@ class ToolJogPath(HeldToolPath):
     ) -> None:
         super().__init__(kinematics, base_deg, tool, limits)
         self._jog = jog
+        self._axes = axes_of(jog.frame)
 
     def speed(self, pace: Pace) -> float:
         """Return the tool's speed at the present speed percentage."""
@@ -187,8 +193,21 @@ class ToolJogPath(HeldToolPath):
     def joints_at(self, gone: float, near_deg: Sequence[float]) -> tuple[float, ...] | Refusal:
         """Return the solution nearest to ``near_deg``, or why there is none."""
         jog = self._jog
-        target = shifted(self._start, jog.axis, jog.direction * gone, jog.frame)
+        target = shifted(self._start, jog.axis, jog.direction * gone, self._axes)
         return self._joints_of(target, near_deg)
+
+
+def axes_of(frame: MotionFrame) -> JogAxes:
+    """Return what :func:`armui.kinematics.poses.moved` takes for a frame."""
+    if isinstance(frame, UserFrame):
+        rotation: Matrix = poses.pose_to_matrix(frame.pose)[:3, :3]
+        return rotation
+    return frame
+
+
+def axis_in(frame: MotionFrame, axis: int) -> str:
+    """Return the name of an axis, 0–5; that of a user frame names it, as X (table)."""
+    return f"{AXES[axis]} ({frame.name})" if isinstance(frame, UserFrame) else AXES[axis]
 
 
 def at_limit(beyond: Refusal) -> Refusal:

@@ -18,10 +18,19 @@ from PySide6.QtCore import Qt, QTimer
 from armui.arm.limits import JOINTS, check_joints
 from armui.arm.models import model_data
 from armui.arm.refusal import Reason, Refusal
+from armui.cell.user_frames import UserFrame
 from armui.control.context import Context, ControllerPart
 from armui.control.events import Notice
 from armui.control.motion.jog_pace import accelerations, pace
-from armui.control.motion.jog_path import JogPath, JointJog, JointJogPath, ToolJog, ToolJogPath
+from armui.control.motion.jog_path import (
+    JogPath,
+    JointJog,
+    JointJogPath,
+    MotionFrame,
+    ToolJog,
+    ToolJogPath,
+    axis_in,
+)
 from armui.control.motion.jog_stream import JOG_NOT_FOLLOWING, JogStream
 from armui.control.motion.joint_motion import why_not_move
 from armui.control.motion.motion_command import CommandKind, MotionCommand
@@ -62,6 +71,12 @@ DEVICE_JOGS_BASE = Notice(
 )
 DEVICE_JOGS_TOOL = Notice(
     "device_jogs_tool", "{device} jogs {axes} (tool frame)", Level.INFO, EventKind.COMMAND
+)
+DEVICE_JOGS_FRAME = Notice(
+    "device_jogs_frame",
+    "{device} jogs {axes} (user frame “{frame}”)",
+    Level.INFO,
+    EventKind.COMMAND,
 )
 JOG_ENDED = Notice(
     "jog_ended", "Jogging ended. {reason}", Level.WARNING, EventKind.RESULT, Asker.JOG
@@ -171,8 +186,9 @@ class Jogging(ControllerPart):
         self.stop()
         context = self._context
         refusal = context.refresh().cannot_move
-        if refusal is None and not _by_joints(jog):
-            refusal = self._cartesian.why_unknown()
+        frame = _frame(jog)
+        if refusal is None and frame is not None:
+            refusal = self._cartesian.why_no_frame(frame) or self._cartesian.why_unknown()
         if refusal is not None:
             return context.refuse(refusal)
         now_s = context.clock()
@@ -188,7 +204,11 @@ class Jogging(ControllerPart):
         if isinstance(jog, JointJog):
             tell(JOGGING_JOINT, started, joint=jog.joint, sign=_sign(jog.direction))
         elif isinstance(jog, ToolJog):
-            tell(JOGGING_TOOL, started, axis=AXES[jog.axis], sign=_sign(jog.direction))
+            axis = axis_in(jog.frame, jog.axis)
+            tell(JOGGING_TOOL, started, axis=axis, sign=_sign(jog.direction))
+        elif isinstance(jog.frame, UserFrame):
+            figures = {"axes": axes_text(jog), "device": jog.device, "frame": jog.frame.name}
+            tell(DEVICE_JOGS_FRAME, started, **figures)
         else:
             tell(_STEERED[jog.frame], started, axes=axes_text(jog), device=jog.device)
 
@@ -200,7 +220,7 @@ class Jogging(ControllerPart):
             something else is held.
         """
         hold, before = self._hold, self.steered
-        if hold is None or before is None or before.frame is not jog.frame:
+        if hold is None or before is None or before.frame != jog.frame:
             return False
         hold.steered_s = self._context.clock()
         if jog.rates != before.rates:
@@ -244,6 +264,7 @@ class Jogging(ControllerPart):
             _why_blind(state, dt_s, now_s)
             or _why_not_steered(hold, now_s)
             or context.operating_state().cannot_move
+            or self._cartesian.why_no_frame(_frame(hold.jog))
         )
         if refusal is not None or measured_deg is None:
             self._end(refusal)
@@ -387,8 +408,9 @@ def _why_not_steered(hold: _Hold, now_s: float) -> Refusal | None:
     return None
 
 
-def _by_joints(jog: Jog) -> bool:
-    return isinstance(jog, JointJog) or (isinstance(jog, SteeredJog) and jog.frame is None)
+def _frame(jog: Jog) -> MotionFrame | None:
+    """Return the frame whose axes a jog follows; ``None`` for one of the joints."""
+    return None if isinstance(jog, JointJog) else jog.frame
 
 
 def axes_text(jog: SteeredJog) -> str:

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 from armui.arm.limits import JointLimits
 from armui.arm.refusal import Refusal
-from armui.control.motion.jog_path import TOOL_DEG_S, TOOL_MM_S, HeldToolPath
-from armui.kinematics.axes import LINEAR_AXES, JogFrame
+from armui.control.motion.jog_path import TOOL_DEG_S, TOOL_MM_S, HeldToolPath, MotionFrame, axes_of
+from armui.kinematics.axes import LINEAR_AXES
 from armui.kinematics.poses import moved
 
 if TYPE_CHECKING:
@@ -28,7 +28,7 @@ class SteeredJog:
     """
 
     rates: tuple[float, ...]
-    frame: JogFrame | None
+    frame: MotionFrame | None
     device: str
 
 
@@ -45,7 +45,7 @@ class SteeredToolPath(HeldToolPath):
     def __init__(
         self,
         rates: Sequence[float],
-        frame: JogFrame,
+        frame: MotionFrame,
         kinematics: Kinematics,
         base_deg: Sequence[float],
         *,
@@ -56,7 +56,7 @@ class SteeredToolPath(HeldToolPath):
         linear, turning = rates[:LINEAR_AXES], rates[LINEAR_AXES:]
         self._mm_s = tuple(TOOL_MM_S * rate for rate in _within_one(linear))
         self._deg_s = tuple(TOOL_DEG_S * rate for rate in _within_one(turning))
-        self._frame = frame
+        self._axes = axes_of(frame)
 
     def speed(self, pace: Pace) -> float:
         """Return the present share of full speed, 0–1."""
@@ -66,7 +66,7 @@ class SteeredToolPath(HeldToolPath):
         """Return the solution nearest to ``near_deg``, or why there is none."""
         way_mm = [gone * each for each in self._mm_s]
         turn_deg = [gone * each for each in self._deg_s]
-        return self._joints_of(moved(self._start, way_mm, turn_deg, self._frame), near_deg)
+        return self._joints_of(moved(self._start, way_mm, turn_deg, self._axes), near_deg)
 
 
 def _within_one(rates: Sequence[float]) -> tuple[float, ...]:

@@ -66,6 +66,7 @@ _ONE_PRESS: Final = (
     ("view.tool_frame", "Ctrl+7", Text("ViewBar", "Tool frame")),
     ("view.reach", "Ctrl+8", Text("ViewBar", "Workspace")),
     ("view.area", "Ctrl+Alt+A", Text("ViewBar", "Work area")),
+    ("view.frames", "Ctrl+Alt+F", Text("ViewBar", "User frames")),
     ("view.save", "Ctrl+Alt+S", Text("ViewBar", "Save picture…")),
     ("view.copy", "Ctrl+Alt+C", Text("ViewBar", "Copy picture")),
     ("view.handles", "Ctrl+Shift+D", Text("ViewBar", "Drag the target in the picture")),

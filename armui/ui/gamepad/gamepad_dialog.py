@@ -63,6 +63,7 @@ _MODES: Final[dict[JogMode, GamepadMode]] = {
     JogMode.JOINT: "joint",
     JogMode.BASE: "base",
     JogMode.TOOL: "tool",
+    JogMode.USER: "user",
 }
 _AXES: Final = range(6)
 _HEIGHT_PX: Final = 18

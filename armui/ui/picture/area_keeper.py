@@ -6,15 +6,19 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject
 
+from armui.cell.work_area import AreaBox
 from armui.viewport.area_picture import AreaPicture, AreaShape
 from armui.viewport.robot_shape import pose_rows
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from PySide6.QtGui import QAction
 
     from armui.arm.state import ArmState
     from armui.cell.held_objects import HeldObject
     from armui.control.arm_controller import ArmController
+    from armui.ui.picture.target_drag import ZoneTarget
     from armui.viewport.view import ArmView
 
 _NEAR_MM: Final = 50.0
@@ -29,27 +33,39 @@ class AreaKeeper(QObject):
         view: The picture.
         switch: Hides and shows it.
         parent: The parent object.
+        zone: Returns where a plane or box is typed, which is shown before it is applied.
     """
 
     def __init__(
-        self, controller: ArmController, view: ArmView, switch: QAction, parent: QObject
+        self,
+        controller: ArmController,
+        view: ArmView,
+        switch: QAction,
+        parent: QObject,
+        zone: Callable[[], ZoneTarget | None],
     ) -> None:
         super().__init__(parent)
         self._controller = controller
         self._view = view
         self._switch = switch
+        self._zone = zone
         switch.toggled.connect(self._show)
         controller.cell_changed.connect(self._show)
         controller.state_changed.connect(self._on_state)
         self._show()
 
     def _on_state(self, _state: ArmState) -> None:
-        if self._controller.area_guard.area is not None:
+        if self._controller.area_guard.area is not None or self._zone() is not None:
             self._show()
 
     def _show(self, _changed: object = None) -> None:
         area, cell = self._controller.area_guard.area, self._controller.cell.cell
+        zone = self._zone()
+        typed = None if zone is None else zone.typed_zone()
         held = held_picture(None if cell is None else cell.held_object)
+        if typed is not None and (cell is None or typed not in cell.area.zones):
+            size_mm = typed.size_mm if isinstance(typed, AreaBox) else None
+            held = (AreaShape(pose_rows(typed.pose), size_mm, near=True), *held)
         if area is None or not self._switch.isChecked():
             self._view.set_area(held)
             return

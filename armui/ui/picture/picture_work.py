@@ -26,9 +26,11 @@ from armui.control.run.progress import OVER
 from armui.system.atomic import write_whole
 from armui.ui.dialogs.files import FileExport
 from armui.ui.freshness import is_stale
+from armui.ui.panels.cell.cell_panel import CellPanel
 from armui.ui.panels.jogging.cartesian_panel import CartesianPanel
 from armui.ui.panels.jogging.motion_panel import JointRow, MotionPanel
 from armui.ui.picture.area_keeper import AreaKeeper
+from armui.ui.picture.frame_keeper import FrameKeeper
 from armui.ui.picture.note_place import freest, note_places
 from armui.ui.picture.target_drag import CartesianTarget, LedArm, MotionTarget, TargetDrag
 from armui.ui.picture.view_bar import ViewBar
@@ -47,7 +49,7 @@ if TYPE_CHECKING:
     from armui.control.operating_state import OperatingState
     from armui.settings import Settings, SettingsStore
     from armui.ui.background import Background
-    from armui.ui.picture.target_drag import DragTarget, HandGuide
+    from armui.ui.picture.target_drag import DragTarget, HandGuide, ZoneTarget
     from armui.ui.trajectory.preview.path_preview import PathPreview
     from armui.ui.trajectory.preview.preview_link import PreviewLink
     from armui.viewport.vectors import Vector
@@ -347,7 +349,9 @@ class PictureWork(QObject):
         self._export.said.connect(self.note.say)
         self._reach = self.bar.view_actions["reach"]
         self._reach.toggled.connect(self._show_reach)
-        self._area = AreaKeeper(controller, view, self.bar.view_actions["area"], self)
+        self._panel: Callable[[], QWidget | None] | None = None
+        self._area = AreaKeeper(controller, view, self.bar.view_actions["area"], self, self._zone)
+        self._frames = FrameKeeper(controller, view, self.bar.view_actions["frames"], self)
         self.bar.view_actions["save"].triggered.connect(self._export.save)
         self.bar.view_actions["copy"].triggered.connect(self._export.copy)
         controller.cell.use_own_tool(preferences.settings.tool)
@@ -363,10 +367,9 @@ class PictureWork(QObject):
         controller.state_changed.connect(self._on_state)
         self._shows_range = False
         self._link: PreviewLink | None = None
-        self._panel: Callable[[], QWidget | None] | None = None
         self._targets: dict[QWidget, DragTarget] = {}
         self._led_arm = LedArm(controller, hand)
-        self._drag = TargetDrag(controller, view, preview, self.note, self._target)
+        self._drag = TargetDrag(controller, view, preview, self.note, self._target, zone=self._zone)
         self.bar.handles_wanted.connect(self._drag.set_kind)
         preview.row_shown.connect(self._drag.look)
         application = QApplication.instance()
@@ -386,6 +389,11 @@ class PictureWork(QObject):
     def look(self) -> None:
         """Move ghost and handles to the present target."""
         self._drag.look()
+
+    def _zone(self) -> ZoneTarget | None:
+        """Return where a plane or box is typed, if that is seen; it can be dragged then."""
+        panel = None if self._panel is None else self._panel()
+        return panel.zone_target() if isinstance(panel, CellPanel) and panel.isVisible() else None
 
     def _target(self) -> DragTarget | None:
         """Return what can be dragged: a simulated arm that gives way, a point, or a target.

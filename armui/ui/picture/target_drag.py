@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Final, Protocol
@@ -20,9 +20,11 @@ from armui.kinematics.poses import flange_pose
 from armui.ui import words
 from armui.viewport.grips import GripKind, snapped
 from armui.viewport.handles import HandleKind, HandlePlace
+from armui.viewport.robot_shape import pose_rows
 
 if TYPE_CHECKING:
     from armui.arm.limits import JointLimits
+    from armui.cell.work_area import Zone
     from armui.control.arm_controller import ArmController
     from armui.kinematics.arm_kinematics import Kinematics
     from armui.ui.panels.jogging.cartesian_panel import CartesianPanel
@@ -98,18 +100,25 @@ def dragged_to(
     from armui.arm.reach import check_pose  # noqa: PLC0415 - scipy, loaded when needed
 
     tool_point = poses.tool_matrix(base.kinematics.matrix(base.angles_deg), base.tool)
-    own = base.kind is HandleKind.TOOL_FRAME
-    if grip.kind in steps:
-        begun_at = 0.0
-        if grip.kind is GripKind.AXIS and not own:
-            begun_at = float(tool_point[grip.number, 3])
-        amount = snapped(begun_at + amount, steps[grip.kind]) - begun_at
-    place = grip.number + (3 if grip.kind is GripKind.RING else 0)
-    frame = JogFrame.TOOL if own else JogFrame.BASE
-    target = poses.shifted(tool_point, place, amount, frame)
+    target = moved_to(tool_point, base.kind, dragged, steps)
     flange = poses.matrix_to_pose(poses.flange_matrix(target, base.tool))
     answer = check_pose(base.kinematics, flange, near_deg, base.limits)
     return answer if isinstance(answer, Refusal) else tuple(map(_rounded, answer))
+
+
+def moved_to(
+    begun: poses.Matrix, kind: HandleKind, dragged: Dragged, steps: Mapping[GripKind, float]
+) -> poses.Matrix:
+    """Return where a frame is with its handle dragged, from where it was at the beginning."""
+    grip, amount = dragged.grip, dragged.amount
+    own = kind is HandleKind.TOOL_FRAME
+    if grip.kind in steps:
+        begun_at = 0.0
+        if grip.kind is GripKind.AXIS and not own:
+            begun_at = float(begun[grip.number, 3])
+        amount = snapped(begun_at + amount, steps[grip.kind]) - begun_at
+    place = grip.number + (3 if grip.kind is GripKind.RING else 0)
+    return poses.shifted(begun, place, amount, JogFrame.TOOL if own else JogFrame.BASE)
 
 
 def _rounded(angle_deg: float) -> float:
@@ -144,6 +153,16 @@ class DragTarget(Protocol):
 
     def give_up(self, angles_deg: tuple[float, ...]) -> None:
         """Cancel the drag, and restore the target from before it."""
+
+
+class ZoneTarget(Protocol):
+    """A plane or box whose figures are typed, and can be dragged; a press applies them."""
+
+    def typed_zone(self) -> Zone | None:
+        """Return it as typed, or ``None`` while there is none to be seen."""
+
+    def take_pose(self, pose: Sequence[float]) -> object:
+        """Put a pose into the fields."""
 
 
 class MotionTarget:
@@ -351,6 +370,7 @@ class TargetDrag(QObject):
         preview: Shows the ghost.
         note: Shows the reason why something can't be reached.
         target: Returns the target that can be dragged now, or None.
+        zone: Returns the plane or box that can be dragged instead, or None.
     """
 
     def __init__(
@@ -360,6 +380,8 @@ class TargetDrag(QObject):
         preview: PathPreview,
         note: PictureNote,
         target: Callable[[], DragTarget | None],
+        *,
+        zone: Callable[[], ZoneTarget | None],
     ) -> None:
         super().__init__(view)
         self._controller = controller
@@ -367,6 +389,8 @@ class TargetDrag(QObject):
         self._preview = preview
         self._note = note
         self._target = target
+        self._zone = zone
+        self._zone_held: tuple[ZoneTarget, tuple[float, ...]] | None = None
         self._held: DragTarget | None = None
         self._base: DragBase | None = None
         self._last_deg: tuple[float, ...] = ()
@@ -395,7 +419,14 @@ class TargetDrag(QObject):
             if not self._is_as_begun(self._held):
                 self._view.give_up_drag()
             return
-        if not self._view.isVisible():
+        if not self._view.isVisible() or self._zone_held is not None:
+            return
+        zone = self._zone()
+        typed_zone = None if zone is None or self.kind is None else zone.typed_zone()
+        if typed_zone is not None:
+            frame = pose_rows(typed_zone.pose)
+            self._view.set_handles(HandlePlace((), self._zone_kind, frame))
+            self._preview.show_target(None)
             return
         target = self._target()
         typed = None if target is None else target.typed_deg()
@@ -414,6 +445,11 @@ class TargetDrag(QObject):
         else:
             is_preview = typed is not None and ghost_deg is not None
             self._tell(self._preview_text if is_preview else None)
+
+    @property
+    def _zone_kind(self) -> HandleKind:
+        """The handles of a plane or box: along the axes of the base, or its own."""
+        return HandleKind.TOOL if self.kind is HandleKind.TOOL else HandleKind.TOOL_FRAME
 
     def _kind_for(self, target: DragTarget | None) -> HandleKind | None:
         """Return the handles of a target; an arm that is led has some without being asked."""
@@ -452,6 +488,11 @@ class TargetDrag(QObject):
     # a drag -----------------------------------------------------------------------------------
 
     def _on_taken(self) -> None:
+        zone = self._zone()
+        typed_zone = None if zone is None else zone.typed_zone()
+        if zone is not None and typed_zone is not None:
+            self._zone_held = zone, tuple(typed_zone.pose)
+            return
         target = self._target()
         angles_deg = None if target is None else target.angles_deg()
         kind = self._kind_for(target)
@@ -480,6 +521,14 @@ class TargetDrag(QObject):
         return same_target and self._basis() == self._began_with
 
     def _on_moved(self, dragged: Dragged, coarse: bool, fine: bool) -> None:
+        if self._zone_held is not None:
+            zone, begun = self._zone_held
+            steps = COARSE if coarse else FINE if fine else {}
+            moved = moved_to(poses.pose_to_matrix(begun), self._zone_kind, dragged, steps)
+            pose = tuple(poses.matrix_to_pose(moved))
+            zone.take_pose(pose)
+            self._view.set_handles(HandlePlace((), self._zone_kind, pose_rows(pose)))
+            return
         held, base = self._held, self._base
         if held is None or base is None:
             return
@@ -497,6 +546,13 @@ class TargetDrag(QObject):
         self._view.set_handles(HandlePlace(answer, base.kind))
 
     def _on_left(self, given_up: bool) -> None:
+        if self._zone_held is not None:
+            zone, begun = self._zone_held
+            self._zone_held = None
+            if given_up:
+                zone.take_pose(begun)
+            self.look()
+            return
         held, base = self._held, self._base
         self._held = self._base = None
         if held is None or base is None:

@@ -44,11 +44,12 @@ _TIPS: Final = Texts("ViewBar") | {
         "Shows where the tool centre point can reach; orange outlines what it cannot reach within"
     ),
     "area": "Shows the planes and boxes of the cell's work area; those near the arm are lit",
+    "frames": "Shows the user frames of the cell; the one in force has coloured axes",
     "save": "Writes the picture with its figures to a file",
     "copy": "Puts the picture with its figures into the clipboard",
 }
 """The tooltip of each action; name and key are those of ``view.<action>`` in `SHORTCUTS`."""
-_SWITCHES: Final = ("follow", "orthographic", "tool_frame", "reach", "area")
+_SWITCHES: Final = ("follow", "orthographic", "tool_frame", "reach", "area", "frames")
 _HANDLES: Final = Texts("ViewBar") | {
     None: "No handles",
     HandleKind.TOOL: "Tool, along the axes of the base",
@@ -59,7 +60,7 @@ _STRIP: Final = ("front", "side", "top", "iso", "fit", "follow")
 _MENU: Final = (
     ("front", "side", "top", "iso", "below"),
     ("fit", "follow", "orthographic"),
-    ("tool_frame", "reach", "area", "trail"),
+    ("tool_frame", "reach", "area", "frames", "trail"),
     ("save", "copy"),
 )
 
@@ -215,6 +216,7 @@ class ViewBar(Translated, QFrame):
             actions[direction.value].triggered.connect(partial(self._look_from, direction))
         actions["fit"].triggered.connect(self._view.fit)
         actions["area"].setChecked(True)
+        actions["frames"].setChecked(True)
         actions["follow"].triggered.connect(lambda on: self._view.follow_tool(wanted=on))
         actions["orthographic"].triggered.connect(
             lambda on: self._preferences.change(picture_orthographic=on)

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from armui.arm.state import ArmState, GripperState
+    from armui.cell.user_frames import UserFrame
     from armui.control.arm_controller import ArmController
     from armui.control.operating_state import OperatingState
     from armui.viewport.view import ArmView
@@ -32,6 +33,7 @@ def show_in_view(
     tool: Sequence[float] = (),
     *,
     calibrated: Callable[[GripperState], float] | None = None,
+    frame: UserFrame | None = None,
 ) -> None:
     """Show angles and pose; stale values look so.
 
@@ -42,6 +44,7 @@ def show_in_view(
         tool: The tool centre point in the flange, mm and degrees, whose pose is shown; zeros or
             nothing for the flange.
         calibrated: Returns the gripper's opening by its table; by default as it is told.
+        frame: The user frame in which the pose is shown; by default the base.
     """
     joints_stale, pose_stale = (
         any(is_stale(heard, state, operating_state) for heard in six)
@@ -58,11 +61,13 @@ def show_in_view(
         view.set_joints(angles_deg, gripper_mm, stale=joints_stale)
     too_low = operating_state.below_base_mm is not None
     pose: Sequence[float] | None = state.end_pose()
-    if pose is not None and any(tool):
+    if pose is not None and (any(tool) or frame is not None):
         from armui.kinematics import poses  # noqa: PLC0415 - numpy, loaded when needed
 
-        pose = poses.tool_pose(pose, tool)
-    view.set_pose(pose, stale=pose_stale, too_low=too_low, of_tool=any(tool))
+        pose = poses.tool_pose(pose, tool) if any(tool) else pose
+        pose = pose if frame is None else poses.from_base(pose, frame.pose)
+    name = "" if frame is None else frame.name
+    view.set_pose(pose, stale=pose_stale, too_low=too_low, of_tool=any(tool), frame=name)
 
 
 class RobotInView(QObject):

@@ -50,6 +50,7 @@ _MODES: Final = Texts("GamepadMode") | {
     JogMode.JOINT: "Joints",
     JogMode.BASE: "Base frame",
     JogMode.TOOL: "Tool frame",
+    JogMode.USER: "User frame",
 }
 _ACTIONS: Final = Texts("GamepadAction") | {
     "dead_man": "Dead man (hold to move)",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Final
 
@@ -110,7 +110,7 @@ class AreaTab(CellTab):
         for field in (self._name, self._margin, *self._fields, *self._sizes):
             field.textEdited.connect(lambda _text: self._show_news())
         self._here.clicked.connect(self._on_here)
-        self._frames.triggered.connect(lambda action: self._take_pose(action.data()))
+        self._frames.triggered.connect(lambda action: self.take_pose(action.data()))
         self._apply.clicked.connect(self._on_apply)
         self._add_plane.clicked.connect(lambda: self._add(self._typed_plane()))
         self._add_box.clicked.connect(lambda: self._add(self._typed_box()))
@@ -191,9 +191,19 @@ class AreaTab(CellTab):
         """Fill in the tool's pose; a plane's allowed side is behind the tool."""
         pose = self._controller.cartesian.tool_pose(self._controller.state)
         if pose is not None:
-            self._take_pose(tuple(pose))
+            self.take_pose(pose)
 
-    def _take_pose(self, pose: tuple[float, ...]) -> None:
+    def typed_zone(self) -> Zone | None:
+        """Return the plane or box as typed while the tab is seen and one is chosen or named."""
+        named = self._zone is not None or self._name.text().strip()
+        nonsense = any(field.is_nonsense() for field in (*self._fields, *self._sizes))
+        if not self.isVisible() or not named or nonsense:
+            return None
+        is_plane = isinstance(self._zone, AreaPlane)
+        return self._typed_plane() if is_plane else self._typed_box()
+
+    def take_pose(self, pose: Sequence[float]) -> None:
+        """Fill in a pose; it is applied by a press."""
         for field, value in zip(self._fields, pose, strict=True):
             field.show_value(value)
         self._show_news()
@@ -309,7 +319,7 @@ class AreaTab(CellTab):
         if chosen:
             return self.tr("It is in force. Switch it off, or change its figures and press Apply.")
         return self.tr(
-            "Type a name and a pose, or take the present tool pose. A plane keeps the arm on the "
+            "Type a name and a pose in the base, or take the tool's. A plane keeps the arm on the "
             "side of its Z axis (all 0: above the table); a box keeps it out."
         )
 

@@ -25,6 +25,7 @@ from armui.ui.dialogs.confirm_dialog import confirm
 from armui.ui.dialogs.files import choose_file
 from armui.ui.panels.cell.area_tab import AreaTab
 from armui.ui.panels.cell.cell_tab import CellTab, CurrentStack
+from armui.ui.panels.cell.frames_tab import FramesTab
 from armui.ui.panels.cell.gripper_tab import GripperTab
 from armui.ui.panels.cell.held_tab import HeldTab
 from armui.ui.panels.cell.tools_tab import ToolsTab
@@ -45,7 +46,7 @@ if TYPE_CHECKING:
     from armui.control.operating_state import OperatingState
     from armui.settings import SettingsStore
 
-TABS: Final[tuple[type[CellTab], ...]] = (ToolsTab, AreaTab, HeldTab, GripperTab)
+TABS: Final[tuple[type[CellTab], ...]] = (ToolsTab, FramesTab, AreaTab, HeldTab, GripperTab)
 """The tabs from left to right."""
 _TALLEST_CARD_PX: Final = 560
 _NARROW_PX: Final = 60
@@ -120,11 +121,13 @@ class CellPanel(Panel):
             label.setBuddy(field)
             head.addWidget(label, row, 0)
             head.addWidget(field, row, 1)
-            head.addWidget(button, row, 2)
+            head.addWidget(button, row, 2, 1, 2 - row)
         head.addWidget(self._rename, 1, 3)
-        head.addWidget(self._compare, 0, 3)
         head.setColumnStretch(1, 1)
-        files = in_row((self._import, 1), (self._export, 1), (self._delete, 1), spacing=6)
+        files = in_row(
+            *((each, 1) for each in (self._import, self._export, self._compare, self._delete)),
+            spacing=6,
+        )
         choice = in_row(spacing=6)
         for place, tab in enumerate(self._tabs):
             tab_button = choice_button(f"cell_tab_{tab.key}")
@@ -153,6 +156,11 @@ class CellPanel(Panel):
             targets[f"cell.tab_{tab.key}"] = self._group.button(place)
             targets.update(tab.command_targets())
         return targets
+
+    def zone_target(self) -> AreaTab | None:
+        """Return the tab in which a plane or box of the work area is typed, while it is seen."""
+        tab = self._tabs[self._group.checkedId()]
+        return tab if isinstance(tab, AreaTab) else None
 
     # -- actions ------------------------------------------------------------------------------
 
@@ -367,7 +375,7 @@ class CellPanel(Panel):
         for label, field, text in zip(
             self._labels,
             (self._choice, self._name),
-            (self.tr("Cell in force"), self.tr("Name of a new one")),
+            (self.tr("Cell in force"), self.tr("Cell's name")),
             strict=True,
         ):
             label.setText(text)

@@ -32,7 +32,7 @@ from armui.ui.widgets.buttons import (
     show_primary,
 )
 from armui.ui.widgets.figure_field import FigureField
-from armui.ui.widgets.layouts import empty_grid, in_column, in_row
+from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.words.text import Text
 
@@ -127,7 +127,16 @@ class HeldTab(CellTab):
         buttons = (self._hold, self._touch, self._add, self._apply, self._delete, self._load)
         for each in (self._choice, self._name, self._mass, *self._sizes, *buttons):
             each.setMinimumWidth(_NARROW_PX)
-        parts = (self._next, grid, pose_grid(self._fields), self._size_label, sizes, changes, load)
+        parts = (
+            self._next,
+            grid,
+            pose_grid(self._fields),
+            self._size_label,
+            sizes,
+            changes,
+            load,
+            STRETCH,
+        )
         in_column(*parts, on=self, spacing=8, margins=0)
 
     def command_targets(self) -> Mapping[str, Target]:

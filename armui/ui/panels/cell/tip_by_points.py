@@ -194,7 +194,8 @@ class TipByPoints(Translated, QWidget):
         if chosen == _TWO_POINTS and first is not None and second is not None:
             return by_two_points(fit, first, second)
         if _AS_BEFORE < chosen < _TWO_POINTS and first is not None:
-            return along_axis(first, (chosen - 1) // 2, 1 if chosen % 2 else -1)
+            shown = self._controller.cartesian.in_frame(first)
+            return along_axis(shown, (chosen - 1) // 2, 1 if chosen % 2 else -1)
         return self._before[3:]
 
     @property
@@ -213,6 +214,7 @@ class TipByPoints(Translated, QWidget):
             why_not: Why the cell cannot be changed now; empty if it can.
         """
         self._before, self._why_not = before, why_not
+        self._name_axes()
         self._show()
 
     def show_live(self) -> None:
@@ -345,6 +347,15 @@ class TipByPoints(Translated, QWidget):
         was = self.tr("Found: {found}\nBefore: {before}")
         return f"{figures}\n" + was.format(found=_six(found), before=_six(self._before))
 
+    def _name_axes(self) -> None:
+        """Name the axes that the tool may point along: of the user frame in force, or the base."""
+        frame = self._controller.cartesian.frame
+        of_base = self.tr("it points along {axis} of the base")
+        text = of_base if frame is None else self.tr("it points along {axis} of “{name}”")
+        for place, axis in enumerate(_AXES, start=1):
+            name = "" if frame is None else frame.name
+            self._turn.setItemText(place, text.format(axis=axis, name=name))
+
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
         caption(self.take, self.tr("Take pose"))
@@ -360,8 +371,8 @@ class TipByPoints(Translated, QWidget):
         chosen = max(0, self._turn.currentIndex())
         self._turn.clear()
         self._turn.addItem(self.tr("as before"))
-        for axis in _AXES:
-            self._turn.addItem(self.tr("it points along {axis} of the base").format(axis=axis))
+        self._turn.addItems(_AXES)
+        self._name_axes()
         self._turn.addItem(self.tr("by two more points"))
         self._turn.setCurrentIndex(chosen)
         caption(self._turn_takes[1], self.tr("On the X side"))

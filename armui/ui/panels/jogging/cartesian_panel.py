@@ -6,16 +6,26 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Final
 
-from PySide6.QtWidgets import QAbstractButton, QButtonGroup, QFrame, QLabel, QSizePolicy, QWidget
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QButtonGroup,
+    QComboBox,
+    QFrame,
+    QLabel,
+    QSizePolicy,
+    QWidget,
+)
 
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
+from armui.cell.user_frames import UserFrame
 from armui.control.arm_controller import ArmController
-from armui.control.cell.cell_control import why_not_change
-from armui.control.motion.cartesian import POSE_UNKNOWN, Cartesian
-from armui.control.motion.jog_path import ToolJog
+from armui.control.cell.cell_control import CellControl, why_not_change
+from armui.control.motion.cartesian import FRAME_NOT_IN_FORCE, POSE_UNKNOWN, Cartesian
+from armui.control.motion.jog_path import MotionFrame, ToolJog
 from armui.control.operating_state import OperatingState
 from armui.control.operations.operation import operation_of
+from armui.control.operations.started import refusal_of
 from armui.kinematics.axes import AXES, LINEAR_AXES, JogFrame
 from armui.protocol.codes import ArmStatusCode, MoveMode
 from armui.settings import SettingsStore
@@ -69,6 +79,7 @@ _KEYS: Final = (
 _TALLEST_CARD_PX: Final = 640
 _WIDEST: Final = "-0000.000 mm"
 _NAME_PX: Final = 34
+_NARROW_PX: Final = 60
 
 
 class PoseRow(TargetRow):
@@ -94,15 +105,17 @@ class PoseRow(TargetRow):
         in_row(*parts, on=self, spacing=8, margins=0)
         self.retranslate_ui()
 
-    def name_curves(self, *, of_tool: bool) -> None:
+    def name_curves(self, *, of_tool: bool, in_base: bool) -> None:
         """Set the curves of the row; targets on the bus are those of the flange.
 
         Args:
             of_tool: True if the figures are those of the tool centre point, not of the flange.
+            in_base: False if they are in a user frame: curves are always in the base.
         """
         axis = self.name.lower()
         of_flange = (f"{source}.pose_{axis}" for source in ("arm", "own", "other"))
-        tell_quantities(self, *((f"arm.tool_{axis}",) if of_tool else of_flange))
+        curves = (f"arm.tool_{axis}",) if of_tool else of_flange
+        tell_quantities(self, *(curves if in_base else ()))
 
     def show_measured(self, value: float | None, *, stale: bool) -> None:
         """Show the measured value."""
@@ -128,15 +141,20 @@ class PoseRow(TargetRow):
 
 
 class FrameChoice(Translated, QWidget):
-    """A button for each frame, one of them chosen."""
+    """A button for each frame whose axes − and + follow, one of them chosen.
 
-    def __init__(self) -> None:
+    Args:
+        cartesian: Knows the user frame in force.
+    """
+
+    def __init__(self, cartesian: Cartesian) -> None:
         super().__init__()
+        self._cartesian = cartesian
         self._label = QLabel()
         self._buttons = QButtonGroup(self)
         layout = in_row(self._label, on=self, spacing=6, margins=0)
-        for number, frame in enumerate(JogFrame):
-            button = choice_button(f"frame_{frame.value}")
+        for number, frame in enumerate((*(each.value for each in JogFrame), "user")):
+            button = choice_button(f"frame_{frame}")
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
             self._buttons.addButton(button, number)
             layout.addWidget(button, 1)
@@ -149,18 +167,24 @@ class FrameChoice(Translated, QWidget):
         return self._buttons.buttons()
 
     @property
-    def frame(self) -> JogFrame:
-        """The chosen frame."""
-        return tuple(JogFrame)[self._buttons.checkedId()]
+    def frame(self) -> MotionFrame:
+        """The chosen frame; one without a name, which is refused, if none is in force."""
+        frames: tuple[MotionFrame, ...] = (*JogFrame, self._cartesian.frame or UserFrame(""))
+        return frames[self._buttons.checkedId()]
 
     def retranslate_ui(self) -> None:
-        """Set all texts in the operator's language."""
+        """Set all texts in the operator's language, and name the user frame in force."""
         self._label.setText(self.tr("− and + along"))
         for number, text in enumerate((self.tr("Base frame"), self.tr("Tool frame"))):
             caption(self._buttons.button(number), text)
+        button, frame, name = self.buttons[-1], self._cartesian.frame, self.tr("User frame")
+        none = words.refusal(FRAME_NOT_IN_FORCE()) if frame is None else ""
+        caption(button, name if frame is None else fmt.short(frame.name), whose=name)
+        enable_or_explain(button, none, "" if frame is None else frame.name)
 
 
 _TARGET: Final = Text("Action", "Target of")
+_CHANGE_CELL: Final = operation_of(CellControl.change)
 _MOVE: Final = operation_of(Cartesian.move)
 _MOVE_ARC: Final = operation_of(Cartesian.move_arc)
 
@@ -176,6 +200,10 @@ class CartesianPanel(JogPanel):
     commands = (
         Command("cartesian.base", Text("FrameChoice", "Base frame")),
         Command("cartesian.tool", Text("FrameChoice", "Tool frame")),
+        Command("cartesian.user", Text("FrameChoice", "User frame")),
+        Command(
+            "cartesian.shown_frame", Text("CartesianPanel", "Frame of the figures"), _CHANGE_CELL
+        ),
         Command("cartesian.load", Text("CartesianPanel", "Load"), needs=with_pose),
         Command("cartesian.move_p", Text("Action", "MOVE P: to the pose"), _MOVE),
         Command(
@@ -205,8 +233,10 @@ class CartesianPanel(JogPanel):
         self._preferences = preferences
         self._sent = False
         self._heard = False
-        self._shown_tool = controller.cartesian.tool
-        self._frame = FrameChoice()
+        self._shown_of = controller.cartesian.tool, controller.cartesian.frame
+        self._frame = FrameChoice(controller.cartesian)
+        self._shown_frame = named("shown_frame_box", QComboBox())
+        self._shown_frame.setMinimumWidth(_NARROW_PX)
         self._point = text_label("point_label", rank="muted")
         self._measured_head = text_label(rank="muted")
         self._rows: Sequence[PoseRow] = [
@@ -214,14 +244,15 @@ class CartesianPanel(JogPanel):
             for place, name in enumerate(AXES)
         ]
         self._tool = ToolBox()
-        self._arc = ArcBox()
+        self._arc = ArcBox(controller.cartesian.in_frame)
         self._load = push_button("load_pose_button")
         self._move_p = push_button("move_p_button")
         self._move_l = push_button("move_l_button")
         self._lay_out()
         self._connect()
         controller.cell_changed.connect(self._on_cell_changed)
-        self._use_tool(controller.cartesian.tool)
+        self._use_tool()
+        self._list_frames()
         self._on_step_chosen()
         self.retranslate_ui()
 
@@ -229,7 +260,7 @@ class CartesianPanel(JogPanel):
         card = QFrame()
         self._extras = PoseExtras(self._arc, self._tool)
         self._keys.toggled.connect(self._extras.setHidden)  # the keys need the room
-        head = in_row(self._point, STRETCH, self._measured_head)
+        head = in_row(self._point, (self._shown_frame, 1), self._measured_head, spacing=8)
         rows = in_column(head, *self._rows, spacing=4)
         parts = (rows, self._extras, STRETCH)
         in_column(*parts, on=card, spacing=10, margins=(16, 8, 16, 10))
@@ -242,18 +273,21 @@ class CartesianPanel(JogPanel):
         self._arc.capture_wanted.connect(self._on_capture)
         self._arc.start_wanted.connect(self._on_go_to_start)
         self._arc.send_wanted.connect(self._on_send_arc)
+        self._shown_frame.activated.connect(self._on_frame_chosen)
         self._load.clicked.connect(self._on_load)
         self._move_p.clicked.connect(lambda: self._send(MoveMode.MOVE_P))
         self._move_l.clicked.connect(lambda: self._send(MoveMode.MOVE_L))
 
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
-        base, tool = self._frame.buttons
+        base, tool, user = self._frame.buttons
         arc, tool_centre = self._extras.buttons
         start, middle, end = self._arc.captures
         return {
             "cartesian.base": base,
             "cartesian.tool": tool,
+            "cartesian.user": user,
+            "cartesian.shown_frame": self._shown_frame,
             "cartesian.load": self._load,
             "cartesian.move_p": self._move_p,
             "cartesian.move_l": self._move_l,
@@ -284,24 +318,65 @@ class CartesianPanel(JogPanel):
 
     def _on_cell_changed(self, _cell: object) -> None:
         self._tool.name_tool(self._controller.cell)
-        if self._controller.cartesian.tool != self._shown_tool:
-            self._use_tool(self._controller.cartesian.tool)
+        self._list_frames()
+        cartesian = self._controller.cartesian
+        if (cartesian.tool, cartesian.frame) != self._shown_of:
+            self._use_tool()
 
-    def _use_tool(self, tool: tuple[float, ...]) -> None:
-        """Poses of another point stand for nothing: they are taken anew."""
-        self._shown_tool = tool
+    def _use_tool(self) -> None:
+        """Poses of another point stand for nothing, and figures are of another frame."""
+        cartesian = self._controller.cartesian
+        other_tool = cartesian.tool != self._shown_of[0]
+        self._shown_of = cartesian.tool, cartesian.frame
         self._tool.name_tool(self._controller.cell)
-        self._tool.show_tool(tool)
+        self._tool.show_tool(cartesian.tool)
         for row in self._rows:
-            row.name_curves(of_tool=any(tool))
-        self._arc.clear()
+            row.name_curves(of_tool=any(cartesian.tool), in_base=cartesian.frame is None)
+        if other_tool:
+            self._arc.clear()
+        self._arc.retranslate_ui()
+        self._frame.retranslate_ui()
+        self._sent = False
+        self._fill(None)
         self._release()
         self._follow_arm()
         self._name_point()
         self._show_measured()
 
+    def _list_frames(self) -> None:
+        """List the frames that the figures can be in; the one in force is chosen."""
+        cell = self._controller.cell.in_force
+        box = self._shown_frame
+        box.clear()
+        box.addItem(self.tr("in the base frame"), "")
+        for frame in () if cell is None else cell.frames:
+            box.addItem(self.tr("in “{name}”").format(name=frame.name), frame.name)
+        box.setCurrentIndex(max(0, box.findData("" if cell is None else cell.frame)))
+
+    def _on_frame_chosen(self, place: int) -> None:
+        cell = self._controller.cell.cell
+        if cell is not None:
+            chosen = replace(cell, frame=self._shown_frame.itemData(place))
+            self._accepted(refusal_of(self._controller.cell.change(chosen)))
+        self._list_frames()
+
     def _pose(self) -> tuple[float, ...] | None:
+        """Return the measured pose of the tool in the base."""
         return self._controller.cartesian.tool_pose(self._controller.state)
+
+    def _shown_pose(self) -> tuple[float, ...] | None:
+        """Return it in the frame in which figures are shown and typed."""
+        pose = self._pose()
+        return None if pose is None else self._controller.cartesian.in_frame(pose)
+
+    def targets(self) -> tuple[float, ...] | None:
+        """Return the target in the fields as a pose of the base; ``None`` if one is invalid."""
+        shown = super().targets()
+        return None if shown is None else self._controller.cartesian.in_base(shown)
+
+    def take_targets(self, values: Sequence[float], given: Sequence[bool] | None = None) -> None:
+        """Set the fields to a pose of the base; see :meth:`JogPanel.take_targets`."""
+        super().take_targets(self._controller.cartesian.in_frame(values), given)
 
     # -- jogging ------------------------------------------------------------------------------
 
@@ -328,7 +403,7 @@ class CartesianPanel(JogPanel):
     # -- targets ------------------------------------------------------------------------------
 
     def _on_load(self) -> None:
-        pose = self._pose()
+        pose = self._shown_pose()
         if pose is not None:
             self._fill(pose)
             self._follow_arm()
@@ -390,7 +465,7 @@ class CartesianPanel(JogPanel):
 
     def _follow_arm(self) -> None:
         """Fields in which nothing was given show where the arm is."""
-        pose = None if self._operating_state.device is None else self._pose()
+        pose = None if self._operating_state.device is None else self._shown_pose()
         if pose is not None:
             self._follow(pose)
         if (pose is None) is self._heard:
@@ -400,13 +475,13 @@ class CartesianPanel(JogPanel):
 
     def _light_move(self) -> None:
         """Light MOVE P while a target was given that was not sent, and that the arm is not at."""
-        pose = None if self._sent else self._pose()
+        pose = None if self._sent else self._shown_pose()
         show_primary(self._move_p, wanted=pose is not None and self._differ_from(pose))
 
     def _show_measured(self) -> None:
         state = self._controller.state
         stale = any(is_stale(heard, state, self._operating_state) for heard in state.pose)
-        for row, value in zip(self._rows, self._pose() or (None,) * len(AXES), strict=True):
+        for row, value in zip(self._rows, self._shown_pose() or (None,) * len(AXES), strict=True):
             row.show_measured(value, stale=stale)
 
     def _forget_targets(self) -> None:
@@ -461,6 +536,8 @@ class CartesianPanel(JogPanel):
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
         self._name_point()
+        self._list_frames()
+        self._shown_frame.setAccessibleName(self.tr("Frame of the figures"))
         self._measured_head.setText(self.tr("Measured"))
         self._title.setText(self.tr("Tool control"))
         caption(self._load, self.tr("Load"))

@@ -11,8 +11,10 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QButtonGroup, QCheckBox, QFrame, QLabel, QSizePolicy, QWidget
 
 from armui.arm.refusal import Refusal
+from armui.cell.user_frames import UserFrame
 from armui.control.events import Event
-from armui.control.motion.jog_path import JointJog, ToolJog
+from armui.control.motion.cartesian import FRAME_NOT_IN_FORCE
+from armui.control.motion.jog_path import JointJog, MotionFrame, ToolJog
 from armui.control.motion.jogging import JOG_ENDED
 from armui.control.operations.started import refusal_of
 from armui.kinematics.axes import AXES, LINEAR_AXES, JogFrame
@@ -172,6 +174,7 @@ class JogKind(enum.Enum):
     JOINTS = "joints"
     BASE = "base"
     TOOL = "tool"
+    USER = "user"
     GRIPPER = "gripper"
     """The gripper's own buttons replace − and +: there is no room for both."""
 
@@ -208,6 +211,7 @@ class JogBox(Translated, QFrame):
         self._degrees = named("box_step_deg", StepBox(fmt.short_angle))
         self._lengths = named("box_step_mm", StepBox(lambda step: f"{step:g} mm / {step:g}°"))
         self._speed = text_label("box_speed", rank="muted")
+        self._frame = text_label("box_frame", rank="muted")
         full_px = self._speed.fontMetrics().horizontalAdvance("100 %")
         self._speed.setMinimumWidth(full_px)  # another speed moves no button
         self._cells = [JogCell(place) for place in range(len(AXES))]
@@ -220,7 +224,13 @@ class JogBox(Translated, QFrame):
 
     def _lay_out(self, more: Sequence[QWidget]) -> None:
         head = Flow()
-        for widget in (*self._choices.values(), self._degrees, self._lengths, self._speed):
+        for widget in (
+            *self._choices.values(),
+            self._degrees,
+            self._lengths,
+            self._speed,
+            self._frame,
+        ):
             head.addWidget(widget)
         for widget in more:
             head.push(widget)
@@ -243,6 +253,7 @@ class JogBox(Translated, QFrame):
         self._controller.state_changed.connect(self._on_state)
         self._controller.operating_state_changed.connect(self._on_operating_state)
         self._controller.noticed.connect(self._on_noticed)
+        self._controller.cell_changed.connect(self._on_cell_changed)
 
     @property
     def kind(self) -> JogKind:
@@ -257,7 +268,34 @@ class JogBox(Translated, QFrame):
         self._on_let_go()
         self._show_kind()
 
+    def _on_cell_changed(self, _cell: object) -> None:
+        self._name_frame()
+        self._show_measured()
+
+    def _name_frame(self) -> None:
+        """Name the user frame in force, whose figures stand in the cells."""
+        frame = self._controller.cartesian.frame
+        none = words.refusal(FRAME_NOT_IN_FORCE()) if frame is None else ""
+        enable_or_explain(self._choices[JogKind.USER], none, "" if frame is None else frame.name)
+        cell = self._controller.cell.cell  # also while it is to be confirmed: no button moves then
+        has_frames = cell is not None and bool(cell.frames)
+        self._choices[JogKind.USER].setVisible(has_frames or self.kind is JogKind.USER)
+        text = self.tr("figures in “{name}”")
+        if frame is None or self.kind in {JogKind.JOINTS, JogKind.GRIPPER}:
+            self._frame.setText("")
+        else:
+            self._frame.setText(text.format(name=fmt.short(frame.name)))
+        width_px = self._frame.sizeHint().width()  # a frame that goes by itself moves no button
+        self._frame.setMinimumWidth(max(self._frame.minimumWidth(), width_px))
+
+    @property
+    def _motion_frame(self) -> MotionFrame:
+        if self.kind is JogKind.USER:  # one without a name, which is refused, if none is in force
+            return self._controller.cartesian.frame or UserFrame("")
+        return _FRAMES[self.kind]
+
     def _show_kind(self) -> None:
+        self._name_frame()
         joints, gripper = self.kind is JogKind.JOINTS, self.kind is JogKind.GRIPPER
         self._degrees.setVisible(joints)
         self._lengths.setVisible(not joints and not gripper)
@@ -283,7 +321,7 @@ class JogBox(Translated, QFrame):
         if kind is JogKind.JOINTS:
             self.refused.emit(refusal_of(self._controller.motion.jog(place + 1, amount)))
         else:
-            answer = self._controller.cartesian.step(place, amount, _FRAMES[kind])
+            answer = self._controller.cartesian.step(place, amount, self._motion_frame)
             self.refused.emit(refusal_of(answer))
 
     def _on_repeated(self, place: int, direction: int) -> None:
@@ -301,7 +339,7 @@ class JogBox(Translated, QFrame):
         if kind is JogKind.JOINTS:
             answer = self._controller.jogging.start(JointJog(place + 1, direction))
         else:
-            answer = self._controller.jogging.start(ToolJog(place, direction, _FRAMES[kind]))
+            answer = self._controller.jogging.start(ToolJog(place, direction, self._motion_frame))
         refusal = refusal_of(answer)
         self._held = refusal is None
         self.refused.emit(refusal)
@@ -347,6 +385,8 @@ class JogBox(Translated, QFrame):
                 cell.show_measured(None if heard is None else heard.value, stale=stale(heard))
             return
         pose = self._controller.cartesian.tool_pose(state)
+        if pose is not None:
+            pose = self._controller.cartesian.in_frame(pose)
         old = any(stale(heard) for heard in state.pose)
         for cell, value in zip(self._cells, pose or (None,) * len(AXES), strict=True):
             cell.show_measured(value, stale=old)
@@ -365,9 +405,16 @@ class JogBox(Translated, QFrame):
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
-        texts = (self.tr("Joints"), self.tr("Base"), self.tr("Tool"), self.tr("Gripper"))
-        for button, text in zip(self._choices.values(), texts, strict=True):
-            caption(button, text)
+        texts = {
+            JogKind.JOINTS: self.tr("Joints"),
+            JogKind.BASE: self.tr("Base"),
+            JogKind.TOOL: self.tr("Tool"),
+            JogKind.USER: self.tr("Frame"),
+            JogKind.GRIPPER: self.tr("Gripper"),
+        }
+        for kind, text in texts.items():
+            caption(self._choices[kind], text)
+        self._name_frame()
         self._speed.setAccessibleName(self.tr("Speed"))
         self._speed.setToolTip(
             self.tr(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
@@ -101,7 +101,11 @@ class ToolBox(Translated, QWidget):
 
 
 class ArcBox(Translated, QWidget):
-    """Three poses, each captured from the arm, and the two buttons that use them."""
+    """Three poses, each captured from the arm, and the two buttons that use them.
+
+    Args:
+        shown: Returns a pose of the base as it is shown.
+    """
 
     capture_wanted = Signal(int)
     """Emitted to capture a pose from the arm, with its index 0–2."""
@@ -109,8 +113,9 @@ class ArcBox(Translated, QWidget):
     """Emitted to move to the start of the arc."""
     send_wanted = Signal()
 
-    def __init__(self) -> None:
+    def __init__(self, shown: Callable[[Pose], Pose]) -> None:
         super().__init__()
+        self._shown = shown
         self.poses: list[Pose | None] = [None, None, None]
         self.captures = [push_button(f"capture_{point}") for point in _POINTS]
         self._texts = [text_label(f"captured_{point}", rank="muted") for point in _POINTS]
@@ -167,8 +172,9 @@ class ArcBox(Translated, QWidget):
                 text.setText(fmt.NOTHING)
                 text.setToolTip("")
                 continue
-            x, y, z, rx, ry, rz = (fmt.number(value, 1) for value in pose)
-            text.setText(f"{' '.join(fmt.number(value, 0) for value in pose[:3])} mm")
+            shown = self._shown(pose)
+            x, y, z, rx, ry, rz = (fmt.number(value, 1) for value in shown)
+            text.setText(f"{' '.join(fmt.number(value, 0) for value in shown[:3])} mm")
             text.setToolTip(f"X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°")
 
     def retranslate_ui(self) -> None:

@@ -185,7 +185,7 @@ class EditorPage(Page):
             self._take_draft(draft)
         self._show_count()
         self.table.show_middle(wanted=_has_arcs(self.document.points))
-        self.table.show_names()
+        self.table.make_room()
         self.table.select_row(0)
         if not self.document.points:
             self._actions["jog"].trigger()
@@ -380,7 +380,7 @@ class EditorPage(Page):
         """What was found and planned was of other points."""
         if _has_arcs(change.added):
             self.table.show_middle(wanted=True)
-        self.table.show_names()
+        self.table.make_room()
         self._forget_check()
 
     def _on_cell_changed(self, cell: Cell | None) -> None:

@@ -37,8 +37,12 @@ _WIDTHS_PX: Final = {
     PointColumn.GRIPPER: 128,
     PointColumn.LIGHT: 96,
 }
-_NAMES_PX: Final = {PointColumn.MOVE: 170, PointColumn.GRIPPER: 220}
-"""The most that names of the cell's frames and objects take of the table by themselves."""
+_MOST_PX: Final = {
+    PointColumn.MOVE: 170,
+    **dict.fromkeys((PointColumn(place) for place in VALUES), 84),
+    PointColumn.GRIPPER: 220,
+}
+"""How wide columns become by themselves, for names of the cell and figures with three digits."""
 
 
 class PointsTable(QTableView):
@@ -94,6 +98,7 @@ class PointsTable(QTableView):
         down.setMinimumWidth(self.fontMetrics().horizontalAdvance("▶ 00000"))
         across = self.horizontalHeader()
         across.setHighlightSections(False)
+        across.setResizeContentsPrecision(0)  # only rows in sight are asked how wide they are
         across.setStretchLastSection(True)
         self.setMinimumHeight(_LEAST_ROWS * _ROW_PX + across.sizeHint().height())
         for column, width_px in _WIDTHS_PX.items():
@@ -113,9 +118,9 @@ class PointsTable(QTableView):
         """Show or hide the column of the arcs' middle poses."""
         self.setColumnHidden(PointColumn.MIDDLE, not wanted)
 
-    def show_names(self) -> None:
-        """Make room for the names of things of the cell that points belong to or hold."""
-        for column, most_px in _NAMES_PX.items():
+    def make_room(self) -> None:
+        """Widen columns for names of things of the cell, and for long figures."""
+        for column, most_px in _MOST_PX.items():
             wanted_px = min(self.sizeHintForColumn(column), most_px)
             if wanted_px > self.columnWidth(column):
                 self.setColumnWidth(column, wanted_px)

@@ -37,7 +37,6 @@ if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.kinematics.geometry import Geometry
     from armui.trajectory.planning.findings import Finding
-    from armui.trajectory.points.edits import Points
     from armui.trajectory.points.program import Waypoint
     from armui.ui.trajectory.editor.editor_page import EditorPage
     from armui.ui.trajectory.library.library_page import LibraryPage
@@ -108,7 +107,7 @@ check shows them.
 
 
 def marks_of(
-    points: Points, geometry: Geometry, tool: Sequence[float], frames: Frames
+    points: Sequence[Waypoint], geometry: Geometry, tool: Sequence[float], frames: Frames
 ) -> PathPicture | None:
     """Return the tool centre point at each point; None for none, or more than `MOST_POINTS`.
 
@@ -117,7 +116,7 @@ def marks_of(
     if not 0 < len(points) <= MOST_POINTS:
         return None
     rows = [row for row, point in enumerate(points) if not point.frame or point.frame in frames]
-    points = in_base(tuple(points[row] for row in rows), frames)
+    points = [points[row] for row in rows]
     if not points:
         return None
     targets = np.array([point.target for point in points], dtype=np.float64)
@@ -125,6 +124,9 @@ def marks_of(
     flanges = np.empty((len(points), 4, 4))
     flanges[joint] = flange_transforms(geometry, targets[joint])
     flanges[~joint] = pose_to_matrix(targets[~joint])
+    names = np.array([point.frame for point in points])
+    for name in set(names[names != ""].tolist()):
+        flanges[names == name] = pose_to_matrix(frames[name]) @ flanges[names == name]
     marks = tool_points(flanges, tool)
     return PathPicture(np.empty((0, 3)), np.empty(0), marks, tuple(rows))
 

@@ -82,7 +82,9 @@ class CheckBasis:
     def of(cls, controller: ArmController, options: RunOptions) -> CheckBasis:
         """Return the present conditions."""
         arm, altered = arm_model(controller), controller.transactions.alterations
-        return cls(controller.mark, arm, altered, options, controller.cell.cell)
+        cell = controller.cell.cell
+        shown_in_base = None if cell is None else replace(cell, frame="")  # which moves nothing
+        return cls(controller.mark, arm, altered, options, shown_in_base)
 
     def why_other(self, now: CheckBasis) -> Refusal | None:
         """Return why a check under these conditions is not valid under ``now``, or ``None``."""

@@ -1,0 +1,232 @@
+"""The guided capture of a user frame: its origin, a point on +X, one on the side of +Y."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from typing import Final
+
+from PySide6.QtCore import Signal
+from PySide6.QtGui import QHideEvent, QShowEvent
+from PySide6.QtWidgets import QWidget
+
+from armui.arm.refusal import Refusal
+from armui.cell.user_frames import LEAST_APART_MM, UserFrame, frame_from_points
+from armui.control.arm_controller import ArmController
+from armui.control.cell.cell_reasons import CELL_NONE
+from armui.kinematics.poses import pose_to_matrix, tool_pose
+from armui.ui import format as fmt
+from armui.ui import words
+from armui.ui.panels.cell.cell_tab import Answered
+from armui.ui.widgets.buttons import caption, enable_or_explain, push_button, show_primary
+from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row
+from armui.ui.widgets.text_label import text_label
+from armui.ui.widgets.translated import Translated
+
+Pose = tuple[float, ...]
+_POINTS: Final = 3
+_NARROW_PX: Final = 56
+
+
+class FrameByPoints(Translated, QWidget):
+    """Takes three places of the tool centre point at rest, and shows the frame that they give.
+
+    Nothing is taken over by itself; the frame is shown in the picture before.
+
+    Args:
+        controller: The controller; its `cell` takes measured poses.
+        answered: Shows an answer in the panel.
+
+    Signals:
+        applied: The pose of the frame, six figures; true for a new one, false for the chosen one.
+    """
+
+    applied = Signal(object, bool)
+
+    def __init__(self, controller: ArmController, answered: Answered) -> None:
+        super().__init__()
+        self._controller = controller
+        self._answered = answered
+        self._points: list[Pose | None] = [None] * _POINTS
+        self._tool = controller.cartesian.tool
+        self._chosen: UserFrame | None = None
+        self._why_not = ""
+        self._next = text_label("frame_points_next", wraps=True)
+        self._live = text_label("frame_points_live", rank="muted", wraps=True)
+        self._takes = [push_button(f"frame_take_{number}") for number in range(1, _POINTS + 1)]
+        self._places = [text_label(f"frame_place_{each}") for each in range(1, _POINTS + 1)]
+        self._result = text_label("frame_points_result", wraps=True)
+        self._add = push_button("frame_points_add")
+        self._apply = push_button("frame_points_apply")
+        self._restart = push_button("frame_points_restart")
+        grid = empty_grid(gaps=(8, 4), margins=0)
+        for place, (button, label) in enumerate(zip(self._takes, self._places, strict=True)):
+            button.clicked.connect(partial(self._on_take, place))
+            grid.addWidget(button, place, 0)
+            grid.addWidget(label, place, 1)
+        grid.setColumnStretch(1, 1)
+        for button in (self._add, self._apply, self._restart):
+            button.setMinimumWidth(_NARROW_PX)
+        ends = in_row((self._add, 1), (self._apply, 1), (self._restart, 1), spacing=6)
+        parts = (self._next, self._live, grid, self._result, ends, STRETCH)
+        in_column(*parts, on=self, spacing=6, margins=0)
+        self._add.clicked.connect(lambda: self._on_apply(anew=True))
+        self._apply.clicked.connect(lambda: self._on_apply(anew=False))
+        self._restart.clicked.connect(self.restart)
+        self.retranslate_ui()
+
+    # -- actions ------------------------------------------------------------------------------
+
+    def _on_take(self, place: int) -> None:
+        flange = self._controller.cell.capture()
+        if isinstance(flange, Refusal):
+            self._answered(flange)
+            return
+        self._answered(None)
+        self._points[place] = tuple(tool_pose(flange, self._controller.cartesian.tool))
+        self._show()
+
+    def _on_apply(self, *, anew: bool) -> None:
+        pose = self.found()
+        if isinstance(pose, tuple):
+            self.applied.emit(pose, anew)
+
+    def restart(self) -> None:
+        """Forget the points."""
+        self._points = [None] * _POINTS
+        self._show()
+
+    def found(self) -> Pose | Refusal | None:
+        """Return the frame that the points give, or why they give none; ``None``: some miss."""
+        points = [point for point in self._points if point is not None]
+        return frame_from_points(*points) if len(points) == _POINTS else None
+
+    # -- appearance ---------------------------------------------------------------------------
+
+    def show_frame(self, chosen: UserFrame | None, why_not: str) -> None:
+        """Show which frame the result can be put in the place of.
+
+        Args:
+            chosen: The chosen frame; ``None`` if there is none.
+            why_not: Why the cell cannot be changed now; empty if it can.
+        """
+        self._chosen, self._why_not = chosen, why_not
+        tool = self._controller.cartesian.tool
+        if tool != self._tool:  # places of another point give no frame with those of this one
+            self._tool, self._points = tool, [None] * _POINTS
+        self._show()
+
+    def show_live(self) -> None:
+        """Show how far the arm's present place is from the origin; called while it moves."""
+        refusal = self._controller.cell.why_not_capture()
+        use = self.tr("Takes the measured place of the tool; nothing moves.")
+        for button in self._takes:
+            enable_or_explain(button, words.why_not(refusal), use)
+        self._live.setText(self._live_text(refusal))
+
+    def _live_text(self, refusal: Refusal | None) -> str:
+        if refusal is not None:
+            return words.refusal(refusal)
+        pose, origin = self._controller.cartesian.tool_pose(self._controller.state), self._points[0]
+        if pose is None or origin is None or None not in self._points:
+            return ""
+        way = [one - other for one, other in zip(pose[:3], origin, strict=False)]
+        text = self.tr("{value} mm from the origin; {wanted} mm or more are wanted.")
+        value = fmt.number(sum(each * each for each in way) ** 0.5, 1)
+        return text.format(value=value, wanted=round(LEAST_APART_MM))
+
+    def _show(self) -> None:
+        found = self.found()
+        missing = next((place for place in range(_POINTS) if self._points[place] is None), _POINTS)
+        for place, (button, label) in enumerate(zip(self._takes, self._places, strict=True)):
+            show_primary(button, wanted=place == missing)
+            label.setText(self._place_text(self._points[place]))
+        reason = words.refusal(found) if isinstance(found, Refusal) else ""
+        reason = reason or ("" if found is not None else self.tr("Not all points are taken yet."))
+        self._result.setText(self._result_text(found) if isinstance(found, tuple) else "")
+        none = "" if self._chosen is not None else self.tr("No frame is chosen.")
+        use = self.tr("Adds the frame found under a new name, and chooses it.")
+        enable_or_explain(self._add, self._why_not or reason, use)
+        use = self.tr(
+            "Puts the frame found in the place of “{name}”. Points of trajectories that belong to "
+            "it move with it; their way is checked anew."
+        )
+        name = "" if self._chosen is None else self._chosen.name
+        enable_or_explain(self._apply, self._why_not or reason or none, use.format(name=name))
+        taken = self._is_taken(found)
+        show_primary(self._add, wanted=not reason and not taken and not self._why_not)
+        self._restart.setEnabled(any(self._points))
+        self._next.setText(self._next_step(found, missing))
+        self._propose(found)
+        self.show_live()
+
+    def _propose(self, found: Pose | Refusal | None) -> None:
+        """Have the frame found shown in the picture until it is taken, or this is hidden."""
+        shown = isinstance(found, tuple) and self.isVisible() and not self._is_taken(found)
+        pose = found if isinstance(found, tuple) else ()
+        self._controller.cell.propose(UserFrame(self.tr("New frame"), pose) if shown else None)
+
+    def _is_taken(self, found: Pose | Refusal | None) -> bool:
+        if self._chosen is None or not isinstance(found, tuple):
+            return False
+        return tuple(round(each, fmt.DECIMALS) for each in found) == self._chosen.pose
+
+    def _place_text(self, point: Pose | None) -> str:
+        if point is None:
+            return fmt.NOTHING
+        x, y, z = (fmt.number(value, 1) for value in point[:3])
+        return self.tr("X {x}  Y {y}  Z {z} mm in the base").format(x=x, y=y, z=z)
+
+    def _result_text(self, pose: Pose) -> str:
+        x, y, z, rx, ry, rz = (fmt.number(value, 2) for value in pose)
+        up = [fmt.number(value, 2) for value in pose_to_matrix(pose)[:3, 2].tolist()]
+        text = self.tr("Found, in the base: {frame}\nZ points along {direction}")
+        return text.format(
+            frame=f"X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°",
+            direction="X {}  Y {}  Z {}".format(*up),
+        )
+
+    def _next_step(self, found: Pose | Refusal | None, missing: int) -> str:
+        if self._controller.cell.cell is None:
+            return words.refusal(CELL_NONE())
+        if isinstance(found, Refusal):
+            return words.refusal(found)
+        if self._is_taken(found):
+            return self.tr(
+                "“{name}” is in force: jog along it in Tool control, by its button beside − and +."
+            ).format(name=self._chosen.name if self._chosen is not None else "")
+        steps: tuple[Callable[[], str], ...] = (
+            lambda: self.tr(
+                "Jog the tool's tip to what becomes the origin (Motion or Tool control, or lead "
+                "the arm by hand), come back and press Origin."
+            ),
+            lambda: self.tr(
+                "Jog the tip along what becomes the X axis, as far as you can; press On +X."
+            ),
+            lambda: self.tr("Jog the tip to the side where +Y is to be; press On the +Y side."),
+            lambda: self.tr(
+                "Look at the axes in the picture: is Z as you want it? Then press Add. If not, "
+                "take a point again."
+            ),
+        )
+        return steps[missing]()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Have the frame found shown in the picture again."""
+        super().showEvent(event)
+        self._show()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Have it shown no longer."""
+        super().hideEvent(event)
+        self._controller.cell.propose(None)
+
+    def retranslate_ui(self) -> None:
+        """Set all texts in the operator's language."""
+        points = (self.tr("Origin"), self.tr("On +X"), self.tr("On the +Y side"))
+        for button, text in zip(self._takes, points, strict=True):
+            caption(button, text)
+        caption(self._add, self.tr("Add"), whose=self.tr("Frame found"))
+        caption(self._apply, self.tr("Replace"), whose=self.tr("Frame found"))
+        caption(self._restart, self.tr("Start again"))
+        self._show()
