@@ -149,7 +149,7 @@ class AreaCheck:
         least_mm = self.margin_mm + SLACK_MM
         if self._nearest_gaps(poses, least_mm).min() >= least_mm:
             return None
-        gaps, capsules = self._gaps(poses)
+        gaps, capsules = self._gaps(poses, least_mm)
         ahead, now = np.split(gaps, 2)
         near = (ahead < least_mm) & (ahead < now - _SAME_MM)
         return self._why(near, ahead, now.min(initial=np.inf) < self.margin_mm, capsules)

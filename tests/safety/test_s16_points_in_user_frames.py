@@ -14,6 +14,7 @@ from armui.control.motion.point_frames import POINT_NOT_IN_BASE
 from armui.control.operating_state import RUN_UNDER_WAY
 from armui.control.parameters.arm_model import arm_model, start_deg
 from armui.control.run.progress import Run, RunPhase
+from armui.control.safety.other_command import OTHER_HOST
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codes import MoveMode
 from armui.trajectory import files
@@ -142,6 +143,23 @@ def test_nothing_runs_while_the_cell_is_not_confirmed(rig):
     assert (answer.reason, answer.params) == (CELL_NOT_CONFIRMED, {"name": "bench"})
     rig.run(0.3)
     assert [each for each in rig.heard() if each.arbitration_id in MOTION] == []
+
+
+def test_another_host_refuses_and_ends_a_run_as_ever(rig, other_host):
+    bend(rig)
+    accepted(rig.controller.cell.take(BENCH))
+    slowly = replace(TAUGHT, speed_percent=5)
+    assert Runner(rig.controller).start(checked(rig, slowly)) is None
+    rig.run(0.4)
+    other_host.move_to(rig.firmware.joints_deg, 5)
+    rig.run_until(lambda: not rig.controller.player.running)
+    assert rig.controller.player.progress.phase is RunPhase.FAILED
+    found = checked(rig, slowly)
+    assert found.errors == 0
+    rig.heard()
+    assert Runner(rig.controller).start(found).reason == OTHER_HOST
+    ours = [each for each in rig.heard() if each.arbitration_id in MOTION]
+    assert ours == []
 
 
 def test_a_point_whose_place_was_not_worked_out_is_never_sent(rig):
