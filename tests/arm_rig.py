@@ -269,7 +269,7 @@ class ArmRig:
     @property
     def _adrift(self) -> bool:
         """Whether there is no bus on which anything could be on its way."""
-        lost = self.controller.operating_state.link in {LinkState.NO_DEVICE, LinkState.LOST}
+        lost = self.controller.operating_state.link in (LinkState.NO_DEVICE, LinkState.LOST)
         return lost or self.broken is not None
 
     def run(self, seconds: float) -> None:

@@ -88,6 +88,8 @@ def raw_value(layout: MessageLayout, signal: SignalLayout, value: float | None) 
         EncodeError: The value is out of range, not finite, outside the table, a fraction where only
             whole numbers are legal, or None where nothing can be left unchanged.
     """
+    if signal.is_measured and type(value) is float and signal.minimum <= value <= signal.maximum:
+        return round(signal.to_steps(value))  # most figures of a moving arm
     if value is None:
         if signal.unchanged_raw is None:
             raise _refused(layout, signal, None, "it cannot be left unchanged: give a value")

@@ -116,6 +116,7 @@ class SignalLayout:
         first_bit: The signal's highest bit, counted from the payload's first and highest one.
         bits: Its length.
         is_signed: Two's complement.
+        is_measured: A figure with a unit or a scale, and no codes among its values.
         selection: The condition under which the signal is present, if its bits may hold another
             one; ``None`` if it is always present.
     """
@@ -134,6 +135,7 @@ class SignalLayout:
     first_bit: int
     bits: int
     is_signed: bool
+    is_measured: bool
     selection: Selection | None = None
 
     @property
@@ -332,6 +334,7 @@ def _signal_layout(signal: DbcSignal, message: DbcMessage) -> SignalLayout:
         first_bit=_first_bit(signal),
         bits=signal.length,
         is_signed=signal.is_signed,
+        is_measured=not words and bool(signal.unit or scale != 1.0 or offset),
         selection=_selection(signal, message),
     )
 

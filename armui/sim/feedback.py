@@ -34,12 +34,13 @@ class FrameCache:
     """Keeps frames of each message; a frame is encoded only if its values differ from all of them.
 
     Most of an arm's 3,000 frames a second repeat the ones before them or, like the noisy supply
-    voltage, one of a few.
+    voltage, one of a few. They are told apart by their values alone, which are hashed faster: a
+    message's signals come in the same order each time, or are more of them.
     """
 
     def __init__(self, codec: Codec) -> None:
         self._codec = codec
-        self._kept: dict[str, dict[tuple[tuple[str, float], ...], Frame]] = {}
+        self._kept: dict[str, dict[tuple[float, ...], Frame]] = {}
         self._known: dict[str, frozenset[str]] = {}
 
     def frame(self, name: str, **signals: float) -> Frame:
@@ -48,13 +49,13 @@ class FrameCache:
         if kept is None:
             kept = self._kept[name] = {}
             self._known[name] = frozenset(self._codec.signals(name))
-        said = tuple(signals.items())
+        said = tuple(signals.values())
         frame = kept.get(said)
         if frame is None:
             known = self._known[name]
-            frame = self._codec.encode(
-                name, **{signal: value for signal, value in said if signal in known}
-            )
+            if not signals.keys() <= known:
+                signals = {signal: signals[signal] for signal in signals if signal in known}
+            frame = self._codec.encode(name, **signals)
             if len(kept) == _MOST:
                 kept.clear()
             kept[said] = frame

@@ -210,13 +210,16 @@ class FakeMotion:
 class FakeCells:
     """No cell is chosen."""
 
-    cell = in_force = store = unconfirmed = None
+    cell = in_force = store = unconfirmed = candidate = None
     tool_name = ""
     cells: Mapping[str, object] = {}
     broken: Mapping[str, object] = {}
 
     def use_own_tool(self, tool: tuple[float, ...]) -> None:
         """The tool of the settings holds."""
+
+    def propose(self, _frame: object) -> None:
+        """Nothing is shown before it is taken."""
 
     def why_not_capture(self) -> Refusal | None:
         """Return no reason: a point may be taken."""
@@ -240,6 +243,12 @@ class FakeCartesian:
 
     def __init__(self) -> None:
         self.tool: tuple[float, ...] = (0.0,) * 6
+        self.frame = None
+
+    def in_frame(self, pose: Sequence[float]) -> tuple[float, ...]:
+        return tuple(pose)
+
+    in_base = in_frame
 
     def tool_pose(self, state: ArmState) -> tuple[float, ...] | None:
         return state.end_pose()

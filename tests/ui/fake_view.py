@@ -32,6 +32,7 @@ class FakeView(QWidget):
         self.resets = 0
         self.shape: Any = None
         self.area: Any = ()
+        self.frames: Any = ()
         self.mode = ViewMode.FIT
         self.looked_from: list[Any] = []
         self.is_current = False
@@ -46,9 +47,10 @@ class FakeView(QWidget):
     def set_joints_unknown(self) -> None:
         self.joints = None
 
-    def set_pose(
-        self, pose: Any, stale: bool = False, too_low: bool = False, of_tool: bool = False
-    ) -> None:
+    def set_frames(self, marks: Any) -> None:
+        self.frames = marks
+
+    def set_pose(self, pose: Any, stale: bool = False, **_more: Any) -> None:
         self.pose = (pose, stale)
 
     def set_theme(self, palette: Any) -> None:

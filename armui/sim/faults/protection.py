@@ -18,6 +18,7 @@ from armui.sim.mechanics.unpowered_joints import UnpoweredJoints
 from armui.sim.parameters.settings import ArmSettingsRecord
 
 _NS_PER_S: Final = 1_000_000_000
+_DRIVERS: Final = tuple(f"DriverSlow{joint}" for joint in JOINTS)
 LOWEST_V: Final = 20.0
 HOT_C: Final = 80.0
 COOL_C: Final = 75.0
@@ -77,11 +78,10 @@ class Protection:
         """
         self.watch_torques()
         self._drivers.measure(self._mechanics)
-        for joint in JOINTS:
-            name = f"DriverSlow{joint}"
+        for index, name in enumerate(_DRIVERS):
             if name in names:
-                self._drivers.warm(joint - 1, periods_ns[name] / _NS_PER_S)
-                self.watch_driver(joint - 1)
+                self._drivers.warm(index, periods_ns[name] / _NS_PER_S)
+                self.watch_driver(index)
 
     def watch_torques(self) -> None:
         """Checks for stalled joints and collisions."""

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
+from math import radians
 from typing import Final
-
-import numpy as np
 
 from armui.protocol.codes import EndLoad, Mounting
 from armui.sim.mechanics.rigid_body import DOWN, RigidBody, RigidLink, piper_links
@@ -43,11 +42,14 @@ class Weight:
     told_kg: float = 0.0
     down: tuple[float, float, float] = DOWN
     pushes_nm: tuple[float, ...] = (0.0,) * 6
+    _bodies: dict[float, RigidBody] = field(
+        default_factory=dict, init=False, repr=False, compare=False
+    )
 
     @property
     def body(self) -> RigidBody:
         """The arm with the load at its flange."""
-        return _body(self.links, self.payload_kg)
+        return self._body(self.payload_kg)
 
     def true_deg(self, joints_deg: Sequence[float]) -> list[float]:
         """Return joint angles counted from the factory's zeros."""
@@ -65,9 +67,15 @@ class Weight:
         return self._gravity_nm(self.told_kg, joints_deg)
 
     def _gravity_nm(self, payload_kg: float, joints_deg: Sequence[float]) -> tuple[float, ...]:
-        joints_rad = np.radians(self.true_deg(joints_deg))
-        body = _body(self.links, payload_kg)
-        return tuple(body.gravity_torques_nm(joints_rad, self.down).tolist())
+        joints_rad = tuple(map(radians, self.true_deg(joints_deg)))
+        return self._body(payload_kg).gravity_torques_nm(joints_rad, self.down)
+
+    def _body(self, payload_kg: float) -> RigidBody:
+        """Return the arm with a load; to hash its links takes as long as to find the torques."""
+        body = self._bodies.get(payload_kg)
+        if body is None:
+            body = self._bodies[payload_kg] = _body(self.links, payload_kg)
+        return body
 
 
 def gravity_torques_nm(joints_deg: Sequence[float], payload_kg: float = 0.0) -> tuple[float, ...]:

@@ -13,7 +13,7 @@ from its joint to the next. The rotor of each motor adds its own inertia, multip
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cache
 from typing import Final
@@ -50,6 +50,9 @@ _CROSS: Final = np.array(
     dtype=float,
 ).reshape(3, 9)
 """A tensor that turns a vector v into the matrix [v] with [v]·w = v × w."""
+
+
+_AXES: Final = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,19 +103,54 @@ class RigidBody:
         self._roots = np.linalg.cholesky(np.array(inertias))
         self._mass_roots = np.sqrt(self._masses)[:, None, None]
         self._moved = np.tril(np.ones((count, count)))[..., None]
+        self._rows = list(
+            zip(
+                *(each.tolist() for each in (self._thetas, cos, sin, self._masses)),
+                *(each[..., 0].tolist() for each in (self._steps, self._centres)),
+                strict=True,
+            )
+        )
 
-    def gravity_torques_nm(self, joints_rad: Values, down: Sequence[float] = DOWN) -> Values:
+    def gravity_torques_nm(
+        self, joints_rad: Iterable[float], down: Sequence[float] = DOWN
+    ) -> tuple[float, ...]:
         """Return the torque with which gravity turns each joint; positive towards larger angles.
+
+        It is asked for with each step of an arm that moves: 7 µs in plain numbers, 50 by arrays.
 
         Args:
             joints_rad: (6,) joint angles.
             down: The direction of gravity, a unit vector in the base frame.
         """
-        axes, places, _, _, centres = self._place(joints_rad)
-        weights = self._masses[:, None] * (G_M_S2 * np.asarray(down))
-        lever = self._levers(axes, places, centres)
-        torques: Values = np.einsum("ija,ia->j", lever, weights)
-        return torques
+        (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = _AXES  # of the link's frame, in the base's
+        x = y = z = 0.0
+        joints = []
+        for angle, row in zip(joints_rad, self._rows, strict=True):
+            theta, cos, sin, mass_kg, (sx, sy, sz), (cx, cy, cz) = row
+            x += sx * xx + sy * yx + sz * zx
+            y += sx * xy + sy * yy + sz * zy
+            z += sx * xz + sy * yz + sz * zz
+            c, s = math.cos(angle + theta), math.sin(angle + theta)
+            ux, uy, uz = cos * yx + sin * zx, cos * yy + sin * zy, cos * yz + sin * zz
+            zx, zy, zz = cos * zx - sin * yx, cos * zy - sin * yy, cos * zz - sin * yz
+            yx, yy, yz = c * ux - s * xx, c * uy - s * xy, c * uz - s * xz
+            xx, xy, xz = c * xx + s * ux, c * xy + s * uy, c * xz + s * uz
+            centre = (
+                x + cx * xx + cy * yx + cz * zx,
+                y + cx * xy + cy * yy + cz * zy,
+                z + cx * xz + cy * yz + cz * zz,
+            )
+            joints.append(((zx, zy, zz), (x, y, z), mass_kg, centre))
+        gx, gy, gz = (G_M_S2 * part for part in down)
+        torques = []
+        carried_kg = mx = my = mz = 0.0  # the mass beyond a joint, and its first moment
+        for (ax, ay, az), (x, y, z), mass_kg, (cx, cy, cz) in reversed(joints):
+            carried_kg += mass_kg
+            mx, my, mz = mx + mass_kg * cx, my + mass_kg * cy, mz + mass_kg * cz
+            rx, ry, rz = mx - carried_kg * x, my - carried_kg * y, mz - carried_kg * z
+            torque_nm = ax * (ry * gz - rz * gy) + ay * (rz * gx - rx * gz)
+            torques.append(torque_nm + az * (rx * gy - ry * gx))
+        return tuple(reversed(torques))
 
     def equation(
         self, joints_rad: Values, speeds_rad_s: Values, down: Sequence[float] = DOWN

@@ -87,8 +87,8 @@ def _in_pinyin(word: str, names: Sequence[tuple[str, ...]]) -> int:
     if not word.isascii() or not word.isalnum():
         return best
     for syllables in names:
-        for first in range(len(syllables)):
-            if _spells(word, syllables[first:]):
+        for first, syllable in enumerate(syllables):
+            if syllable[:1] == word[0] and _spells(word, syllables[first:]):
                 whole = first == 0 and len(word) >= len(syllables)
                 best = min(best, _INITIALS if whole else _START if first == 0 else _WORD)
                 break

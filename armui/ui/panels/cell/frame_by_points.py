@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import Final
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QWidget
 
@@ -52,6 +52,8 @@ class FrameByPoints(Translated, QWidget):
         self._chosen: UserFrame | None = None
         self._why_not = ""
         self._next = text_label("frame_points_next", wraps=True)
+        self._next.setMinimumHeight(2 * self._next.fontMetrics().lineSpacing())
+        self._next.setAlignment(Qt.AlignmentFlag.AlignTop)  # the buttons keep their places
         self._live = text_label("frame_points_live", rank="muted", wraps=True)
         self._takes = [push_button(f"frame_take_{number}") for number in range(1, _POINTS + 1)]
         self._places = [text_label(f"frame_place_{each}") for each in range(1, _POINTS + 1)]

@@ -20,7 +20,7 @@ from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.cell.user_frames import UserFrame
 from armui.control.arm_controller import ArmController
-from armui.control.cell.cell_control import CellControl, why_not_change
+from armui.control.cell.cell_control import why_not_change
 from armui.control.motion.cartesian import FRAME_NOT_IN_FORCE, POSE_UNKNOWN, Cartesian
 from armui.control.motion.jog_path import MotionFrame, ToolJog
 from armui.control.operating_state import OperatingState
@@ -184,7 +184,6 @@ class FrameChoice(Translated, QWidget):
 
 
 _TARGET: Final = Text("Action", "Target of")
-_CHANGE_CELL: Final = operation_of(CellControl.change)
 _MOVE: Final = operation_of(Cartesian.move)
 _MOVE_ARC: Final = operation_of(Cartesian.move_arc)
 
@@ -201,9 +200,7 @@ class CartesianPanel(JogPanel):
         Command("cartesian.base", Text("FrameChoice", "Base frame")),
         Command("cartesian.tool", Text("FrameChoice", "Tool frame")),
         Command("cartesian.user", Text("FrameChoice", "User frame")),
-        Command(
-            "cartesian.shown_frame", Text("CartesianPanel", "Frame of the figures"), _CHANGE_CELL
-        ),
+        Command("cartesian.shown_frame", Text("CartesianPanel", "Frame of the figures")),
         Command("cartesian.load", Text("CartesianPanel", "Load"), needs=with_pose),
         Command("cartesian.move_p", Text("Action", "MOVE P: to the pose"), _MOVE),
         Command(
