@@ -3885,16 +3885,20 @@
         <translation>“{value}”不是 ID；筛选保持不变。</translation>
     </message>
     <message>
+        <source>By ID</source>
+        <translation>按 ID</translation>
+    </message>
+    <message>
+        <source>By time</source>
+        <translation>按时间</translation>
+    </message>
+    <message>
         <source>Pause</source>
         <translation>暂停</translation>
     </message>
     <message>
-        <source>By identifier</source>
-        <translation>按 ID</translation>
-    </message>
-    <message>
-        <source>In order of time</source>
-        <translation>按时间</translation>
+        <source>Only unknown</source>
+        <translation>仅未知或异常的</translation>
     </message>
     <message>
         <source>Freezes the figures; frames that come meanwhile are still counted (Ctrl+P)</source>
@@ -3917,16 +3921,16 @@
         <translation>ID</translation>
     </message>
     <message>
+        <source>Frames that are not known, or not as they should be</source>
+        <translation>未知的报文，以及长度或内容不符的报文</translation>
+    </message>
+    <message>
         <source>Only changed</source>
         <translation>仅变化的</translation>
     </message>
     <message>
         <source>Frames of which a byte has changed since this was ticked</source>
         <translation>勾选以后有字节变化的帧</translation>
-    </message>
-    <message>
-        <source>Only unknown or malformed</source>
-        <translation>仅未知或异常的</translation>
     </message>
     <message>
         <source>All senders</source>
