@@ -166,6 +166,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
             *(self, self._workspace, self._trajectory_pages, self._watch, self._drawer),
             diagnosis=self._diagnosis,
         )
+        self._status_bar.add_mark(self.window_actions.language_button)
         self._status_bar.add_mark(self.window_actions.button)
         self._lay_out()
         self._connect()

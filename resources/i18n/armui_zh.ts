@@ -3877,16 +3877,20 @@
         <translation>“{value}”不是 ID；筛选保持不变。</translation>
     </message>
     <message>
+        <source>By ID</source>
+        <translation>按 ID</translation>
+    </message>
+    <message>
+        <source>By time</source>
+        <translation>按时间</translation>
+    </message>
+    <message>
         <source>Pause</source>
         <translation>暂停</translation>
     </message>
     <message>
-        <source>By identifier</source>
-        <translation>按 ID</translation>
-    </message>
-    <message>
-        <source>In order of time</source>
-        <translation>按时间</translation>
+        <source>Only unknown</source>
+        <translation>仅未知或异常的</translation>
     </message>
     <message>
         <source>Freezes the figures; frames that come meanwhile are still counted (Ctrl+P)</source>
@@ -3909,16 +3913,16 @@
         <translation>ID</translation>
     </message>
     <message>
+        <source>Frames that are not known, or not as they should be</source>
+        <translation>未知的报文，以及长度或内容不符的报文</translation>
+    </message>
+    <message>
         <source>Only changed</source>
         <translation>仅变化的</translation>
     </message>
     <message>
         <source>Frames of which a byte has changed since this was ticked</source>
         <translation>勾选以后有字节变化的帧</translation>
-    </message>
-    <message>
-        <source>Only unknown or malformed</source>
-        <translation>仅未知或异常的</translation>
     </message>
     <message>
         <source>All senders</source>
@@ -4070,8 +4074,8 @@
         <translation>末端速度将达 {value} mm/s，上限为 {maximum} mm/s，此处机械臂不会自行限速。请降低速度。</translation>
     </message>
     <message>
-        <source>The tool would be {value} mm below the plane the arm stands on. Accept this only if there is nothing.</source>
-        <translation>末端将低于机械臂安装平面 {value} mm。确认下方没有物体时才可接受。</translation>
+        <source>The tool or what is held would be {value} mm below the plane the arm stands on. Accept this only if there is nothing.</source>
+        <translation>末端或工件将低于机械臂安装平面 {value} mm。确认下方没有物体时才可接受。</translation>
     </message>
     <message>
         <source>The flange cannot get there: the point is {missing} mm too far. Move it nearer.</source>
@@ -11350,8 +11354,8 @@ The other program must have ended.</source>
         <translation>末端速度为 {value} mm/s，而显示的速度对应 {maximum} mm/s。请在下次运动前重新设置速度。</translation>
     </message>
     <message>
-        <source>The fingertip would come to {value} mm; jogs end at {minimum} mm, as chosen under Settings. Jog upwards.</source>
-        <translation>末端将到 {value} mm；按“设置”中的选择，点动止于 {minimum} mm。请向上点动。</translation>
+        <source>The hand or what it holds would come to {value} mm; jogs end at {minimum} mm, as chosen under Settings. Jog upwards.</source>
+        <translation>末端或工件将到 {value} mm；按“设置”中的选择，点动止于 {minimum} mm。请向上点动。</translation>
     </message>
     <message>
         <source>J{joint}: this step would go beyond its limit of {limit}°. Take a smaller step.</source>

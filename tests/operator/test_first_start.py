@@ -51,6 +51,18 @@ def press_what_is_lit(app_driver):
     return pressed
 
 
+def test_the_first_window_says_english_to_who_cannot_read_it(app_driver):
+    app_driver.store.change(language="zh")
+    app_driver.wait(lambda: app_driver.read("language_button") == "English")
+    assert app_driver.find("language_button").isVisible()
+    app_driver.click("language_button")
+    app_driver.wait(lambda: app_driver.read("language_button") == "中文")
+    assert app_driver.store.settings.language == "en"
+    assert app_driver.find("settings_button").text() == "Settings"
+    app_driver.connect()
+    assert not app_driver.find("language_button").isVisible()
+
+
 def test_pressing_what_is_lit_moves_the_arm(app_driver):
     pressed = press_what_is_lit(app_driver)
     assert pressed == ["recovery_button", "Connect", "recovery_button", "jog_plus_1"]

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 JOG_TOO_LOW = Reason(
     "jog_too_low",
-    "The fingertip would come to {value} mm; jogs end at {minimum} mm, as chosen under "
+    "The hand or what it holds would come to {value} mm; jogs end at {minimum} mm, as chosen under "
     "Settings. Jog upwards.",
 )
 

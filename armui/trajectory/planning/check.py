@@ -152,8 +152,8 @@ OTHER_ARM = FindingKind(
 )
 BELOW_FLOOR = FindingKind(
     "below_floor",
-    "The tool would be {value} mm below the plane the arm stands on. Accept this only if there is "
-    "nothing.",
+    "The tool or what is held would be {value} mm below the plane the arm stands on. Accept this "
+    "only if there is nothing.",
     Severity.WARNING,
 )
 

@@ -19,7 +19,9 @@ from armui.ui.actions.palette_items import Callback, PaletteItems, lead_to, use
 from armui.ui.actions.shortcut_list import ShortcutList
 from armui.ui.guide.place import section_of
 from armui.ui.theme import colors_of
+from armui.ui.translation import shown_language
 from armui.ui.widgets import icons
+from armui.ui.widgets.buttons import caption
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Text
 
@@ -110,6 +112,28 @@ class CommandsButton(Translated, QToolButton):
         self.setIcon(icons.icon("search", colors_of(self).muted))
 
 
+class LanguageButton(Translated, QToolButton):
+    """A button in the status bar with the name of the other language, before a device is open.
+
+    The first window is Chinese whatever the system speaks: this word is for who cannot read it.
+
+    Args:
+        controller: Tells whether a device is open.
+    """
+
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__()
+        self.setObjectName("language_button")
+        self.setMaximumHeight(_HIGHEST_PX)
+        self.setProperty("quiet", True)
+        controller.operating_state_changed.connect(lambda now: self.setVisible(now.device is None))
+        self.retranslate_ui()
+
+    def retranslate_ui(self) -> None:
+        """Show the name of the other language, in that language."""
+        caption(self, "English" if shown_language() == "zh" else "中文", tip="中文 / English")
+
+
 class WindowActions(QObject):
     """Opens the command palette, the list of shortcuts and the guide, from every window.
 
@@ -121,6 +145,7 @@ class WindowActions(QObject):
 
     Attributes:
         button: Opens the command palette.
+        language_button: Switches the language, before a device is open.
     """
 
     commands = _COMMANDS
@@ -140,6 +165,8 @@ class WindowActions(QObject):
         self._opened: dict[str, QDialog] = {}
         self.button = CommandsButton()
         self.button.clicked.connect(self.open_palette)
+        self.language_button = LanguageButton(controller)
+        self.language_button.clicked.connect(self._switch_language)
         openers: dict[str, Callback] = {
             "palette": self.open_palette,
             "guide": self.open_guide,

@@ -83,6 +83,11 @@ class Drawer(Translated, QWidget):
         """The page that is visible, or would be if the drawer were open."""
         return self._stack.current
 
+    @property
+    def open_key(self) -> str:
+        """The key of the page that is visible; "" if the drawer is closed."""
+        return "" if self.current is None or self.isHidden() else self.current.key
+
     def show_page(self, page: Page) -> None:
         """Open the drawer at a page."""
         self._stack.show_page(page)

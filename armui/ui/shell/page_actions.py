@@ -158,7 +158,7 @@ class PageActions(QObject):
         return self._page(key) or self._window.dialog(key) or self._diagnosis.dialog(key)
 
     def reopen(self) -> None:
-        """Open the windows that were open when the program ended, one in each turn of the loop.
+        """Open what was open when the program ended: windows, the drawer; one in each turn.
 
         The main window is visible and its modules are loaded by then, so that the start is not
         delayed.
@@ -172,7 +172,9 @@ class PageActions(QObject):
         if left.key == "editor":
             self._pages.open_editor(left.subject)
         elif left.key in MOVABLE:
+            focus = self._window.focusWidget() or self._window
             self._openers[left.key]()
+            focus.setFocus()  # nobody asked for the page just now
         QTimer.singleShot(0, self, self.reopen)
 
     def _why_not(self, place: str) -> str:

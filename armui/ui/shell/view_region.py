@@ -47,6 +47,7 @@ class ViewRegion(Translated, QWidget):
     def __init__(self, view: ArmView, bar: QWidget, work: PictureWork) -> None:
         super().__init__()
         self._view = view
+        self._below = bar
         self._strip = work.bar
         self._help = QPushButton()
         self._reset = QPushButton()
@@ -93,6 +94,13 @@ class ViewRegion(Translated, QWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Report the areas covered by buttons, beside which the arm is shown."""
         super().resizeEvent(event)
+        strip = self._strip.sizeHint()
+        self._row.setContentsMargins(_RIM_PX, _RIM_PX, _RIM_PX, _RIM_PX)
+        below_px = 0 if self._below.isHidden() else self._below.sizeHint().height()
+        room_px = event.size().height() - below_px - strip.height() - _RIM_PX
+        if self._row.sizeHint().height() > room_px:
+            beside_px = strip.width() + 2 * _RIM_PX  # a low picture: they would lie over its end
+            self._row.setContentsMargins(_RIM_PX, _RIM_PX, beside_px, _RIM_PX)
         self._tell_covered()
 
     def _tell_covered(self) -> None:

@@ -145,7 +145,7 @@ class WorkColumn(QSplitter):
         drawer: The drawer below them.
 
     Attributes:
-        area: As given.
+        area, drawer: As given.
         drawer_px: The height of the open drawer.
 
     Signals:
@@ -161,7 +161,7 @@ class WorkColumn(QSplitter):
         self.setChildrenCollapsible(False)
         self.area = area
         self.drawer_px = DRAWER_PX
-        self._drawer = drawer
+        self.drawer = drawer
         self.addWidget(area)
         self.addWidget(drawer)
         self.setStretchFactor(0, 1)
@@ -177,15 +177,15 @@ class WorkColumn(QSplitter):
 
     def fit(self, *_: object) -> None:
         """Apply the height of the drawer, as far as there is room."""
-        if self._drawer.isHidden():
+        if self.drawer.isHidden():
             return
         room = self.height() - self.handleWidth()
         least = max(_LEAST_WORK_PX, self.area.minimumSizeHint().height())
-        height = max(self._drawer.minimumHeight(), min(self.drawer_px, room - least))
+        height = max(self.drawer.minimumHeight(), min(self.drawer_px, room - least))
         self.setSizes([max(0, room - height), height])
 
     def _on_moved(self, *_: int) -> None:
-        self.drawer_px = self._drawer.height()
+        self.drawer_px = self.drawer.height()
         self.sized.emit()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -222,6 +222,7 @@ class WindowLayout(QObject):
         column.area.set_widths(layout.panel_px or PANEL_PX, layout.page_share or PAGE_SHARE)
         column.set_drawer(layout.drawer_px or DRAWER_PX)
         column.sized.connect(keeper.note)
+        column.drawer.turned.connect(keeper.note)
         keeper.collect_by(self._collect)
         window.installEventFilter(self)
 
@@ -240,4 +241,5 @@ class WindowLayout(QObject):
             panel_px=area.panel_px,
             page_share=round(area.page_share, 4),
             drawer_px=self._column.drawer_px,
+            drawer=self._column.drawer.open_key,
         )

@@ -164,6 +164,8 @@ class Workspace(QObject):
         self._out_for_now: set[Page] = set()
         known = keeper.layout.taken_out
         self._left_open = [each for each in keeper.layout.open_windows if each.key in known]
+        if keeper.layout.drawer:
+            self._left_open.append(OpenWindow(keeper.layout.drawer))
         self._ends = False
 
     def add(self, page: Page, home: PageHome) -> None:
@@ -253,7 +255,10 @@ class Workspace(QObject):
             self._let_go(page)
 
     def next_left_open(self) -> OpenWindow | None:
-        """Return the next page that was in a window when the program ended, or ``None``."""
+        """Return the next page that was open when the program ended, or ``None``.
+
+        Of those in the main window only that of the drawer is.
+        """
         return self._left_open.pop(0) if self._left_open else None
 
     def note_windows(self) -> None:

@@ -69,6 +69,7 @@ class WorkspaceLayout:
         panel_px: The width of the panels; 0 for the first one.
         page_share: The share of the width for pages; 0 for the first one.
         drawer_px: The height of the open drawer; 0 for the first one.
+        drawer: The key of the page that it showed when the program ended; "" if it was closed.
         taken_out: The place of each page's window, by the page's key.
         columns: The columns of each table by its name.
         open_windows: The pages that stood in windows of their own when the program ended.
@@ -79,6 +80,7 @@ class WorkspaceLayout:
     panel_px: int = 0
     page_share: float = 0.0
     drawer_px: int = 0
+    drawer: str = ""
     taken_out: Mapping[str, Place] = field(default_factory=dict)
     columns: Mapping[str, ColumnLayout] = field(default_factory=dict)
     open_windows: tuple[OpenWindow, ...] = ()
@@ -92,6 +94,7 @@ def to_text(layout: WorkspaceLayout) -> str:
         "panel_px": layout.panel_px,
         "page_share": round(layout.page_share, 4),
         "drawer_px": layout.drawer_px,
+        "drawer": layout.drawer,
         "taken_out": {key: _numbers(place) for key, place in layout.taken_out.items()},
         "columns": {
             name: {
@@ -121,6 +124,7 @@ def from_text(text: str) -> WorkspaceLayout:
         panel_px=_pixels(found.get("panel_px")),
         page_share=share if share is not None and 0.0 < share < 1.0 else 0.0,
         drawer_px=_pixels(found.get("drawer_px")),
+        drawer=str(found.get("drawer", "")),
         taken_out={
             key: place
             for key, entry in _entries(found.get("taken_out"))

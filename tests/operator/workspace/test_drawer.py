@@ -102,7 +102,9 @@ def test_the_help_of_the_picture_opens_below_it(pages):
     assert not page.isVisible()
 
 
-@pytest.mark.parametrize("key", ["joint_status", "sessions", "guide", "help"])
+@pytest.mark.parametrize(
+    "key", ["plots", "events", "bus", "joint_status", "sessions", "guide", "help"]
+)
 @pytest.mark.parametrize("language", ["en", "zh"])
 def test_the_drawer_of_a_small_window_scrolls_no_page_of_its_own(pages, key, language):
     """What is longer scrolls within the page: its list, its text."""
@@ -114,6 +116,17 @@ def test_the_drawer_of_a_small_window_scrolls_no_page_of_its_own(pages, key, lan
     pages.driver.run(0.1)
     assert area.verticalScrollBar().maximum() == 0
     assert area.horizontalScrollBar().maximum() == 0
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_three_frames_are_seen_in_the_bus_monitor_at_1280_800(pages, language):
+    pages.driver.connect()
+    pages.driver.store.change(language=language)
+    pages.driver.click("bus_button")
+    tree = pages.driver.find("bus_tree")
+    pages.driver.run_until(lambda: tree.model().rowCount() > 3)
+    third = tree.visualRect(tree.model().index(2, 0))
+    assert tree.viewport().rect().contains(third.center())
 
 
 def test_undo_is_for_where_the_keys_go(pages):

@@ -119,6 +119,22 @@ def test_so_does_every_page_of_the_drawer(started, key):
     assert window.geometry() == stood
 
 
+def test_the_drawer_opens_again_at_its_page(started):
+    pages = started()
+    pages.driver.click("events_button")
+    pages.driver.click("drawer_bus")
+    pages = started()
+    assert pages.driver.find("drawer").isHidden()
+    reopen(pages)
+    assert pages.driver.find("drawer").isVisible()
+    assert pages.driver.find("drawer_bus").isChecked()
+    assert not pages.windows()
+    pages.driver.click("drawer_fold")
+    pages = started()
+    reopen(pages)
+    assert pages.driver.find("drawer").isHidden()
+
+
 def reopen(pages):
     """As the program does once it has loaded the rest of itself."""
     pages.driver.window.page_actions.reopen()
@@ -218,6 +234,7 @@ def test_the_window_itself_opens_on_a_screen_there_is(started, tmp_path):
     [
         *("", "{", "[]", '{"window": [1, 2], "columns": 7, "page_share": "x"}'),
         '{"open_windows": [["plots"], 7, ["nothing", "x"], [1, 2]]}',
+        '{"drawer": ["bus"]}',
     ],
 )
 def test_no_file_keeps_the_program_from_starting(started, tmp_path, text):

@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QScrollArea, QWidget
 
 from armui.ui.translation import Translator
 from tests.app_driver import PANELS
+from tests.operator.workspace.actions import rect_in_window
 
 pytestmark = pytest.mark.styled
 
@@ -93,3 +94,17 @@ def test_every_joint_is_in_sight_in_a_low_window_and_above_the_legend_of_the_key
     pages.driver.run(0.1)
     assert pages.driver.find("jog_key_pad").isVisible()
     assert card.verticalScrollBar().maximum() == 0
+
+
+@pytest.mark.parametrize("size", [(1280, 800), (1280, 740), (1024, 720)])
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_no_button_over_a_low_picture_lies_over_another(pages, size, language):
+    pages.driver.store.change(language=language)
+    pages.driver.program.view.setVisible(True)
+    pages.driver.window.resize(*size)
+    pages.driver.click("events_button")
+    for _ in range(5):
+        QCoreApplication.processEvents()
+    over = ("help_button", "reset_view_button", "settings_button")
+    strip = rect_in_window(pages.driver.find("view_bar"))
+    assert not any(strip.intersects(rect_in_window(pages.driver.find(each))) for each in over)

@@ -338,12 +338,12 @@ class BusPage(Page):
     """
 
     commands = (
-        Command("bus.by_id", Text("FilterBar", "By identifier")),
-        Command("bus.in_order", Text("FilterBar", "In order of time")),
+        Command("bus.by_id", Text("FilterBar", "By ID")),
+        Command("bus.in_order", Text("FilterBar", "By time")),
         Command("bus.pause", Text("FilterBar", "Pause")),
         Command("bus.clear", Text("FilterBar", "Clear")),
         Command("bus.only_changed", Text("FilterBar", "Only changed")),
-        Command("bus.only_unknown", Text("FilterBar", "Only unknown or malformed")),
+        Command("bus.only_unknown", Text("FilterBar", "Only unknown")),
         Command("bus.unlock", Text("SendBox", "Hold to send frames by hand"), risky=True),
         Command("bus.send", Text("SendBox", "Send"), leads=True),
         Command("bus.lock", Text("SendBox", "Lock")),
@@ -392,7 +392,7 @@ class BusPage(Page):
         }
 
     def _lay_out(self) -> None:
-        self.body.setSpacing(8)
+        self.body.setSpacing(6)
         fill(self.body, self.summary, self.filter_bar, (self._views, 1), self.send_box)
 
     def _connect(self) -> None:

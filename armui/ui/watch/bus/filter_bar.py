@@ -19,18 +19,18 @@ from armui.ui.actions.keys import keys_of
 from armui.ui.watch.bus.frame_filter import FrameFilter, IdFilter, parse_ids
 from armui.ui.widgets.buttons import bar_button, drop_down, named
 from armui.ui.widgets.flow import in_flow
-from armui.ui.widgets.layouts import STRETCH, in_column, in_row
+from armui.ui.widgets.layouts import in_column
 from armui.ui.widgets.painting import repolish
 from armui.ui.widgets.translated import Translated
 from armui.ui.words import frames
 
-_IDS_PX: Final = 190
-_TEXT_PX: Final = 160
+_IDS_PX: Final = 140
+_TEXT_PX: Final = 130
 _BOLDER: Final = 1.15
 
 
 class FilterBar(Translated, QWidget):
-    """Two rows of controls.
+    """Controls in a row, which goes on below where the window is narrow.
 
     Args:
         now_s: Returns the present time by the frames' clock.
@@ -81,10 +81,9 @@ class FilterBar(Translated, QWidget):
         self.retranslate_ui()
 
     def _lay_out(self) -> None:
-        above = in_row(self.by_id, self.in_order, STRETCH, self.pause, self.clear, spacing=6)
-        only = (self.only_changed, self.only_unknown)
-        below = in_flow(self.text, self.ids, self.senders, *only, spacing_px=8)
-        in_column(above, below, on=self, spacing=6, margins=0)
+        wanted = (self.text, self.ids, self.senders, self.only_changed, self.only_unknown)
+        parts = (self.by_id, self.in_order, *wanted, self.pause, self.clear)
+        in_column(in_flow(*parts, spacing_px=6), on=self, margins=0)
 
     @property
     def wanted(self) -> FrameFilter:
@@ -137,8 +136,8 @@ class FilterBar(Translated, QWidget):
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
-        self.by_id.setText(self.tr("By identifier"))
-        self.in_order.setText(self.tr("In order of time"))
+        self.by_id.setText(self.tr("By ID"))
+        self.in_order.setText(self.tr("By time"))
         for button in (self.by_id, self.in_order):  # the chosen one is written bolder
             button.setMinimumWidth(round(_BOLDER * button.sizeHint().width()))
         self.pause.setToolTip(
@@ -156,7 +155,8 @@ class FilterBar(Translated, QWidget):
         self.only_changed.setToolTip(
             self.tr("Frames of which a byte has changed since this was ticked")
         )
-        self.only_unknown.setText(self.tr("Only unknown or malformed"))
+        self.only_unknown.setText(self.tr("Only unknown"))
+        self.only_unknown.setToolTip(self.tr("Frames that are not known, or not as they should be"))
         chosen = max(0, self.senders.currentIndex())
         with QSignalBlocker(self.senders):
             self.senders.clear()

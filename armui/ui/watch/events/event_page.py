@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from armui.ui.watch.events.event_filter import EventFilter
 
 _LOOK_MS: Final = 200
-_LEAST_PX: Final = 130
+_LEAST_PX: Final = 64
 """The least height of the table: its titles and three rows."""
 
 
@@ -73,6 +73,7 @@ class EventPage(Page):
         self.detail.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
         self._message = named("event_message", MessageLine())
         self._message.hide()
+        self.body.setSpacing(8)
         for widget, stretch in ((self.bar, 0), (self.table, 1), (self.detail, 0)):
             self.body.addWidget(widget, stretch)
         self.body.addWidget(self._message)
@@ -219,7 +220,7 @@ class EventPage(Page):
         self.table.setToolTip(self.tr("Double-click: show the moment in the curves"))
         self.model.retranslate()
         self.table.fit_columns()
-        self.detail.setMinimumHeight(4 * self.detail.fontMetrics().lineSpacing() + 8)
+        self.detail.setMinimumHeight(2 * self.detail.fontMetrics().lineSpacing() + 8)
         self._show_count()
         self._show_detail()
 
