@@ -280,6 +280,7 @@ class JogBox(Translated, QFrame):
         cell = self._controller.cell.cell  # also while it is to be confirmed: no button moves then
         has_frames = cell is not None and bool(cell.frames)
         self._choices[JogKind.USER].setVisible(has_frames or self.kind is JogKind.USER)
+        self._frame.setVisible(has_frames)
         text = self.tr("figures in “{name}”")
         if frame is None or self.kind in {JogKind.JOINTS, JogKind.GRIPPER}:
             self._frame.setText("")
