@@ -133,6 +133,10 @@ def open_bus(device: Device) -> can.BusABC:
     if device.interface == "gs_usb":
         _offer_libusb()
     with _quiet():
+        if device.interface == "udp_multicast":
+            from armui.bus.multicast import MulticastBus  # noqa: PLC0415 - takes a while
+
+            return MulticastBus(str(device.channel), **dict(device.options))
         bus = can.Bus(**arguments, **dict(device.options))
     _keep_kernel_queue_short(bus)
     return bus

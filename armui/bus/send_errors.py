@@ -48,7 +48,7 @@ _PROMPT_SENDERS: Final = frozenset(
     {
         "can.interfaces.socketcan.socketcan",
         "can.interfaces.virtual",
-        "can.interfaces.udp_multicast.bus",
+        "armui.bus.multicast",
     }
 )
 """Back-ends whose ``send`` waits by ``select`` or not at all, as python-can's sources show. The

@@ -974,6 +974,10 @@
         <translation>未打开文件；显示的是机械臂当前的值。</translation>
     </message>
     <message>
+        <source>Restored {count} parameters; reading them back gave the same values.</source>
+        <translation>已恢复 {count} 个参数，回读数值一致。</translation>
+    </message>
+    <message>
         <source>Stop reading</source>
         <translation>停止读取</translation>
     </message>
@@ -2251,6 +2255,10 @@
     <message>
         <source>Commands</source>
         <translation>命令</translation>
+    </message>
+    <message>
+        <source>Find every function by its name</source>
+        <translation>按名称查找任意功能</translation>
     </message>
 </context>
 <context>
@@ -6339,6 +6347,10 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>搜索</translation>
     </message>
     <message>
+        <source>Search in names and notes</source>
+        <translation>在名称和备注中搜索</translation>
+    </message>
+    <message>
         <source>Not saved yet. Open it and save it first</source>
         <translation>尚未保存，请先打开并保存</translation>
     </message>
@@ -7542,8 +7554,8 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>已发送初始化指令</translation>
     </message>
     <message>
-        <source>The arm has confirmed its factory values; they are read again.</source>
-        <translation>机械臂已应答恢复出厂值，正在重新读取。</translation>
+        <source>The arm has confirmed its factory values; the fields show what is read back.</source>
+        <translation>机械臂已应答恢复出厂值，输入框中为回读的数值。</translation>
     </message>
     <message>
         <source>Running “{name}”</source>
@@ -12257,6 +12269,10 @@ The other program must have ended.</source>
     <message>
         <source>Any CAN log, also of another program, is shown as if it were live.</source>
         <translation>任何 CAN 日志（包括其他程序的）都可以像实时一样显示。</translation>
+    </message>
+    <message>
+        <source>This computer opens no file manager. The folder is {folder}.</source>
+        <translation>本机无法打开文件管理器。文件夹是：{folder}。</translation>
     </message>
     <message>
         <source>Export…</source>

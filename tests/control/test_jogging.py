@@ -5,6 +5,7 @@ from contextlib import suppress
 
 import pytest
 
+from armui.arm.parameters import Parameter
 from armui.control.motion.jog_pace import REST_S, pace
 from armui.control.motion.jog_path import JOG_AT_LIMIT, JointJog, ToolJog
 from armui.control.motion.jog_stream import JOG_SINGULAR
@@ -317,6 +318,19 @@ def test_an_arm_that_does_not_follow_is_given_up(rig):
     hold(rig, 1.0)
     assert not controller.jogging.active
     assert rig.events[-1].params["reason"].code == "jog_not_following"
+
+
+def test_a_joint_beyond_its_limits_is_said_to_be_there(rig):
+    """It follows no jog back: the arm takes no target before the first within them."""
+    bend(rig, (100.0, *BENT_DEG[1:]))
+    accepted(rig.controller.settings.save({Parameter("max_angle_deg", 1): 50.0}))
+    rig.run_until(lambda: rig.controller.operating_state.limits[0].max_deg == 50.0)
+    accepted(rig.controller.jogging.start(JointJog(1, -1)))
+    hold(rig, 1.0)
+    assert not rig.controller.jogging.active
+    reason = rig.events[-1].params["reason"]
+    assert reason.code == "joint_out_of_limits"
+    assert (reason.params["joint"], reason.params["maximum"]) == (1, 50.0)
 
 
 def test_an_arm_in_motion_is_not_jogged(rig):

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import QWidget
 
 from armui.session.recording.recorded_session import RecordedSession
@@ -53,6 +54,12 @@ class Sessions:
 
     def said(self):
         return self.window._message.text()
+
+
+def test_where_no_file_manager_opens_the_folder_is_named(sessions, monkeypatch):
+    monkeypatch.setattr(QDesktopServices, "openUrl", lambda _url: False)
+    sessions.driver.click("session_show_folder")
+    assert str(sessions.folder) in sessions.said()
 
 
 @pytest.mark.styled

@@ -3,7 +3,14 @@
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QDialog, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QApplication,
+    QDialog,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
 
 from armui.ui.widgets.keeps_focus import KeepsFocus
 from armui.ui.widgets.press_button import PressButton
@@ -76,3 +83,15 @@ def test_a_dialog_that_opens_gives_halt_and_stop_no_keyboard(app_driver):
         app_driver.wait(dialog.isActiveWindow)
         assert not isinstance(dialog.focusWidget(), PressButton), open_it
         dialog.close()
+
+
+def test_a_panel_that_comes_gives_its_first_control_no_keyboard(app_driver):
+    """Qt's stack does, and the frame around 空载 looked like a choice beside the one made."""
+    app_driver.connect()
+    app_driver.find("target_field_1").setFocus()
+    app_driver.click("menu_end_load")
+    focused = QApplication.focusWidget()
+    assert focused is not None
+    assert not isinstance(focused, QAbstractButton), focused
+    QTest.keyClick(focused, Qt.Key.Key_Tab)
+    assert app_driver.find("load_empty").hasFocus()

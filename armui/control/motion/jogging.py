@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt, QTimer
 
-from armui.arm.limits import JOINTS
+from armui.arm.limits import JOINTS, check_joints
 from armui.arm.models import model_data
 from armui.arm.refusal import Reason, Refusal
 from armui.cell.user_frames import UserFrame
@@ -31,7 +31,7 @@ from armui.control.motion.jog_path import (
     ToolJogPath,
     axis_in,
 )
-from armui.control.motion.jog_stream import JogStream
+from armui.control.motion.jog_stream import JOG_NOT_FOLLOWING, JogStream
 from armui.control.motion.joint_motion import why_not_move
 from armui.control.motion.motion_command import CommandKind, MotionCommand
 from armui.control.motion.steered_path import SteeredJog, SteeredToolPath
@@ -330,6 +330,9 @@ class Jogging(ControllerPart):
             ),
         )
         reason = stream.advance_setpoint(measured_deg, dt_s, present)
+        if reason is not None and reason.reason == JOG_NOT_FOLLOWING:
+            # an arm beyond its limits follows no target before the first within them
+            reason = check_joints(stream.setpoint_deg, operating_state.limits) or reason
         target_deg = tuple(round(angle, 3) for angle in stream.setpoint_deg)
         refusal = self._send(hold, target_deg, present.arm_percent)
         if refusal is not None or reason is not None:

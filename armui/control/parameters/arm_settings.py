@@ -65,7 +65,7 @@ SETTINGS_RESET_SENT = Notice(
 )
 SETTINGS_RESET = Notice(
     "settings_reset",
-    "The arm has confirmed its factory values; they are read again.",
+    "The arm has confirmed its factory values; the fields show what is read back.",
     Level.DONE,
     EventKind.RESULT,
 )

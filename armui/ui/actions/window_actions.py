@@ -106,7 +106,8 @@ class CommandsButton(Translated, QToolButton):
         key = key_text("everywhere.palette")
         self.setText(key)
         self.setAccessibleName(self.tr("Commands"))
-        self.setToolTip(f"{self.tr('Find every function by its name')} ({key})")
+        text = self.tr("Find every function by its name")
+        self.setToolTip(f"{text} ({key})")
 
     def _recolor(self) -> None:
         self.setIcon(icons.icon("search", colors_of(self).muted))

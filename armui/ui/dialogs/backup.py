@@ -143,7 +143,7 @@ def restored_text(count: int, failed: Sequence[Refusal | None]) -> Said:
     """
     if not failed:
         text = QCoreApplication.translate(
-            "BackupDialog", ("Restored {count} parameters; reading them back gave the same values.")
+            "BackupDialog", "Restored {count} parameters; reading them back gave the same values."
         )
         return text.format(count=count), Level.DONE
     text = QCoreApplication.translate(

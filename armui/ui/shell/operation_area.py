@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Final, Protocol, runtime_checkable
 
-from PySide6.QtWidgets import QStackedWidget, QWidget
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication, QStackedWidget, QWidget
 
 from armui.ui.actions.command import CommandSource, also
 from armui.ui.panels.cell.cell_panel import CellPanel
@@ -180,7 +181,13 @@ class OperationArea(QStackedWidget):
             self.insertWidget(place, panel)
             self.removeWidget(empty)
             empty.deleteLater()
+        shown, focused = self.widget(place), QApplication.focusWidget()
+        had = focused is not None and self.isAncestorOf(focused)
+        new = shown is not None and shown.focusWidget() is None
         self.setCurrentIndex(place)
+        if had and new and shown is not None:
+            # Qt has given it to the first control, whose frame then looks like a choice
+            shown.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def focus_joint(self, joint: int) -> None:
         """Focus a joint in the visible panel, if it has controls for one."""

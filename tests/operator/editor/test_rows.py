@@ -1,10 +1,13 @@
 """Rows: inserted, moved, copied, dragged, converted; ten thousand of them without a stall."""
 
 import pytest
-from PySide6.QtCore import QEvent, QPointF, Qt
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QDropEvent, QGuiApplication
+from PySide6.QtWidgets import QApplication, QMenu
 
+from armui.trajectory.points.cells import PointColumn
 from tests.operator.editor.actions import ALT, BACK, CTRL, OUT, SHIFT, UP, Editor, notes, to
+from tests.operator.plots.actions import ask_for_menu, trigger
 
 pytestmark = pytest.mark.styled
 
@@ -29,6 +32,17 @@ def test_rows_are_inserted_duplicated_moved_and_deleted(editor):
         editor.click("editor_undo")
     assert notes(editor) == ["out", "back", "up"]
     assert not editor.child("editor_undo").isEnabled()
+
+
+def test_the_right_button_on_a_rows_number_acts_on_that_row(editor):
+    editor.choose(0)
+    numbers = editor.table.verticalHeader()
+    at = QPoint(4, editor.cell(1, PointColumn.SPEED).y())
+    ask_for_menu(numbers.viewport(), at)
+    menu = QApplication.activePopupWidget()
+    assert isinstance(menu, QMenu)
+    trigger(menu, "Delete")
+    assert notes(editor) == ["out", "up"]
 
 
 def test_several_rows_are_cut_and_pasted_elsewhere(editor):

@@ -4,9 +4,17 @@ from __future__ import annotations
 
 from typing import Final
 
-from PySide6.QtCore import QItemSelection, QItemSelectionModel, QModelIndex, QRect, Qt, Signal
+from PySide6.QtCore import (
+    QItemSelection,
+    QItemSelectionModel,
+    QModelIndex,
+    QPoint,
+    QRect,
+    Qt,
+    Signal,
+)
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
-from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QLabel, QTableView
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QLabel, QMenu, QTableView
 
 from armui.arm.refusal import Refusal
 from armui.trajectory.points.cells import VALUES, PointColumn
@@ -85,6 +93,8 @@ class PointsTable(QTableView):
         down.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         down.setDefaultSectionSize(_ROW_PX)
         down.setDefaultAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        down.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        down.customContextMenuRequested.connect(self._on_number_menu)
         down.setMinimumWidth(self.fontMetrics().horizontalAdvance("▶ 00000"))
         across = self.horizontalHeader()
         across.setHighlightSections(False)
@@ -93,6 +103,16 @@ class PointsTable(QTableView):
         self.setMinimumHeight(_LEAST_ROWS * _ROW_PX + across.sizeHint().height())
         for column, width_px in _WIDTHS_PX.items():
             self.setColumnWidth(column, width_px)
+
+    def _on_number_menu(self, at: QPoint) -> None:
+        """Show the same actions beside a row's number, for that row."""
+        numbers = self.verticalHeader()
+        if (row := numbers.logicalIndexAt(at)) not in self.rows():
+            self.select_row(row)
+        menu = QMenu(self)
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        menu.addActions(self.actions())
+        menu.popup(numbers.viewport().mapToGlobal(at))
 
     def show_middle(self, *, wanted: bool) -> None:
         """Show or hide the column of the arcs' middle poses."""

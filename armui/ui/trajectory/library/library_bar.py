@@ -148,8 +148,8 @@ class LibraryBar(QWidget):
             button.setText(_BUTTONS.text(name))
         self.search.setPlaceholderText(self.tr("Search"))
         self.search.setAccessibleName(self.tr("Search"))
-        shown = key_text("library.find")
-        self.search.setToolTip(f"{self.tr('Search in names and notes')} ({shown})")
+        text, key = self.tr("Search in names and notes"), key_text("library.find")
+        self.search.setToolTip(f"{text} ({key})")
         self._show_tips()
 
     def _show_tips(self) -> None:

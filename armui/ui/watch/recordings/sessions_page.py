@@ -532,7 +532,9 @@ class SessionsPage(Page):
 
     def _show_folder(self) -> None:
         folder = self._sessions.choices.folder
-        QDesktopServices.openUrl(QUrl.fromLocalFile(str(folder)))
+        if not QDesktopServices.openUrl(QUrl.fromLocalFile(str(folder))):
+            text = self.tr("This computer opens no file manager. The folder is {folder}.")
+            self._say(text.format(folder=folder), Level.WARNING)
 
     def _refuse(self, refusal: Refusal) -> None:
         self._say(partial(words.refusal, refusal), Level.WARNING)

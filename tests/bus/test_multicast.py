@@ -1,0 +1,72 @@
+"""The bus over UDP multicast: what comes back of ours is ours, what others say is theirs."""
+
+import socket
+
+import can
+import pytest
+
+from armui.arm.device import Device
+from armui.bus.adapters import open_bus
+from armui.bus.send_errors import obeys_its_timeout
+from armui.bus.worker import is_own_echo
+
+GROUP = "239.74.163.7"
+
+
+@pytest.fixture
+def buses():
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as free:
+        free.bind(("", 0))
+        port = free.getsockname()[1]
+    device = Device("udp_multicast", GROUP, None, options=(("port", port),))
+    with open_bus(device) as ours, can.Bus(GROUP, "udp_multicast", port=port) as other:
+        yield ours, other
+
+
+def frame(data: int) -> can.Message:
+    return can.Message(arbitration_id=0x151, data=[data], is_extended_id=False)
+
+
+def refuse(*_arguments) -> None:
+    raise can.CanOperationError("no buffer")
+
+
+def heard(bus: can.BusABC) -> tuple[int, bool]:
+    message = bus.recv(5.0)
+    assert message is not None
+    return message.data[0], is_own_echo(message, "udp_multicast")
+
+
+def test_frames_of_ours_come_back_as_ours_and_those_of_another_as_theirs(buses):
+    ours, other = buses
+    ours.send(frame(1))
+    assert heard(ours) == (1, True)
+    other.send(frame(1))
+    assert heard(ours) == (1, False)
+    ours.send(frame(2))
+    ours.send(frame(2))
+    other.send(frame(3))
+    assert [heard(ours) for _ in range(3)] == [(2, True), (2, True), (3, False)]
+    assert [heard(other)[0] for _ in range(5)] == [1, 1, 2, 2, 3]
+
+
+def test_what_the_system_did_not_take_is_not_expected_back(buses, monkeypatch):
+    ours, other = buses
+    with monkeypatch.context() as patched:
+        patched.setattr(ours._multicast, "send", refuse)
+        with pytest.raises(can.CanOperationError):
+            ours.send(frame(4))
+    other.send(frame(4))
+    assert heard(ours) == (4, False)
+
+
+def test_a_frame_that_was_lost_excuses_none_of_another_host_later(buses, monkeypatch):
+    ours, _other = buses
+    monkeypatch.setattr("armui.bus.multicast.time.time", lambda: 0.0)
+    ours.send(frame(5))
+    monkeypatch.undo()
+    assert heard(ours) == (5, False)
+
+
+def test_its_send_returns_in_time(buses):
+    assert obeys_its_timeout(buses[0])
