@@ -15,6 +15,7 @@ import pytest
 from can.interfaces.virtual import VirtualBus
 
 from armui.cell.cell import Cell
+from armui.cell.held_objects import HeldObject
 from armui.cell.tools import Tool
 from armui.control.sessions import mf4_converter
 from armui.control.sessions.choices import SessionChoices
@@ -26,7 +27,7 @@ from armui.control.sessions.session_recorder import (
     SESSION_RING_EMPTY,
 )
 from armui.protocol.frame import Frame, FrameFlag
-from armui.session.log_model import told_tool
+from armui.session.log_model import told_held, told_tool
 from armui.session.recording import mf4, writer
 from armui.session.recording.folder import RecordingEntry, list_recordings, rename
 from armui.session.recording.kinds import (
@@ -130,6 +131,14 @@ def test_a_recording_tells_arm_program_settings_and_what_happened(rig, sessions,
     stops = [mark for mark in session.marks if mark.kind is MarkKind.STOP]
     assert stops[0].entry["code"] == "stop_sent"
     assert session.start_s <= stops[0].at_s <= session.end_s
+
+
+def test_a_recording_keeps_what_the_hand_held(rig, sessions, wait_for):
+    rig.ready()
+    cube = HeldObject("cube", size_mm=(30.0, 40.0, 50.0))
+    accepted(rig.controller.cell.take(Cell("bench", held_objects=(cube,), held="cube")))
+    session = record(rig, sessions, wait_for)
+    assert told_held(session.lines) == cube
 
 
 def test_a_recording_keeps_the_tool_that_held(rig, sessions, wait_for):

@@ -5,9 +5,10 @@ from __future__ import annotations
 import pytest
 
 from armui.arm.device import RecordedArm
+from armui.cell.held_objects import HeldObject, to_entry
 from armui.control.log_replay import LogReplay
 from armui.protocol.generation import Generation, PiperModel
-from armui.session.log_model import told_model, told_tool
+from armui.session.log_model import told_held, told_model, told_tool
 from armui.session.survey import survey
 from armui.sim.firmware import Firmware
 from tests.family import MODELS
@@ -101,6 +102,16 @@ def test_the_tool_of_a_recording_is_the_one_that_held_all_through():
     assert told_tool([cell_line(z_mm=9000.0)]) == none
     assert told_tool([{"kind": "cell", "tool": 3}]) == none
     assert told_tool([]) == none
+
+
+def test_what_the_hand_held_is_told_if_it_held_it_all_through():
+    cube = HeldObject("cube", size_mm=(30.0, 40.0, 50.0))
+    holding = {**cell_line(), "held": {**to_entry(cube)}}
+    assert told_held([{"kind": "arm"}, holding, holding]) == cube
+    assert told_held([holding, cell_line()]) is None
+    assert told_held([cell_line()]) is None
+    assert told_held([{**cell_line(), "held": {**to_entry(cube), "size_x_mm": 9e9}}]) is None
+    assert told_held([{**cell_line(), "held": "cube"}]) is None
 
 
 def test_a_replay_shows_the_pose_of_the_tool_that_held(qapp, tmp_path):
