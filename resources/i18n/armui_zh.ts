@@ -10084,6 +10084,10 @@ The other program must have ended.</source>
         <translation>上次检查 {time}：所有关节相符</translation>
     </message>
     <message>
+        <source>; </source>
+        <translation>；</translation>
+    </message>
+    <message>
         <source>last checked {time}: {off} off</source>
         <translation>上次检查 {time}：{off} 偏差</translation>
     </message>

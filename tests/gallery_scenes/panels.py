@@ -8,6 +8,7 @@ from armui.cell.cell import Cell
 from armui.cell.held_objects import HeldObject
 from armui.cell.work_area import Area, AreaBox, AreaPlane
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
+from armui.ui.dialogs.reference_check import ReferenceDialog
 from armui.ui.panels.light_panel import ColorDialog
 from armui.ui.widgets.hold_button import HoldButton
 from armui.viewport.handles import HandleKind
@@ -209,3 +210,36 @@ def cell_tip(app_driver: AppDriver) -> None:
     actions.take(app_driver, 0, 1, 2, 3, 4)
     app_driver.click("tip_use_5")
     app_driver.step()
+
+
+def cell_gripper(app_driver: AppDriver) -> None:
+    """The gripper's table is measured, its figures typed and not applied yet."""
+    app_driver.ready()
+    app_driver.click("menu_cell")
+    app_driver.type_into("cell_name", "bench 2")
+    app_driver.click("cell_tab_gripper")
+    app_driver.type_into("cell_gripper_measured_1", "5")
+    app_driver.step()
+
+
+def reference_lost(app_driver: AppDriver) -> None:
+    """Joint 5 has lost its reference."""
+    app_driver.ready()
+    app_driver.run(1.5)
+    app_driver.firmware.lost_reference.begin(4)
+    app_driver.run(2.0)
+
+
+def reference_begin(app_driver: AppDriver) -> ReferenceDialog:
+    """The reference check, before its first step."""
+    app_driver.click("recovery_button")
+    return app_driver.dialog(ReferenceDialog)
+
+
+def reference_mark(app_driver: AppDriver) -> QDialog:
+    """The joint in doubt is to be led to its mark by hand."""
+    dialog = reference_begin(app_driver)
+    if dialog.begin_button.isVisible():
+        app_driver.click(dialog.begin_button)
+        app_driver.click(dialog.look_button)
+    return dialog

@@ -64,7 +64,7 @@ def test_moving_anyway_is_asked_about_and_held(lost):
 
 def test_from_the_first_click_to_the_result(lost):
     dialog = opened(lost)
-    assert "joint 5 in doubt since" in task(dialog)
+    assert "Joint 5 in doubt since" in task(dialog)
     lost.click(dialog.begin_button)
     assert "Look at the whole arm" in task(dialog)
     assert dialog._elsewhere[5].isChecked()
@@ -106,7 +106,7 @@ def test_a_check_where_all_fits_ends_the_doubt_and_is_dated(lost):
     lost.program.window.page_actions._openers["about_arm"]()
     about = lost.program.window._diagnosis.dialog("about_arm")
     row = next(each for each in about._rows if each.key == "reference")
-    assert row.value.startswith("last checked 20")
+    assert row.value.startswith("Last checked 20")
     assert row.value.endswith(": all joints fit")
 
 

@@ -26,7 +26,8 @@ def reference_text(record: ReferenceRecord) -> str:
         parts.append(text.format(time=_time(record.checked_at), off=off))
     else:
         parts.append(QCoreApplication.translate("Reference", "never checked"))
-    return "; ".join(parts)
+    text = QCoreApplication.translate("Reference", "; ").join(parts)
+    return text[:1].upper() + text[1:]
 
 
 def _time(stamp: str) -> str:

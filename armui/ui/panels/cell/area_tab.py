@@ -334,6 +334,7 @@ class AreaTab(CellTab):
             field.setAccessibleName(self.tr("Area {axis}").format(axis=axis))
         text = self.tr("Stop when a hand or another program enters")
         caption(self._stops, text)
+        self.show_state(self._controller.state)
         self._size_label.setText(self.tr("Box, edges"))
         for edge, field in zip(_EDGES, self._sizes, strict=True):
             field.setAccessibleName(self.tr("Edge of the box along {axis}").format(axis=edge))
