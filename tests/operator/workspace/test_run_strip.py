@@ -38,6 +38,13 @@ def test_it_says_what_runs_and_how_far_it_is(running):
     assert "left" in running.driver.read("run_text")
 
 
+@pytest.mark.styled
+def test_its_progress_stands_in_line_with_its_buttons(running):
+    running.driver.run(0.2)
+    bar, stop = (rect_in_window(running.driver.find(each)) for each in ("run_bar", "run_stop"))
+    assert abs(bar.center().y() - stop.center().y()) <= 2
+
+
 @pytest.mark.parametrize("panel", ["menu_motion", "menu_gripper", "menu_teaching"])
 def test_it_is_seen_from_every_panel(running, panel):
     running.driver.click(panel)
