@@ -289,7 +289,8 @@ class MainWindow(Translated, KeepsFocus, QWidget):
 
     # -- the arm in 3D ------------------------------------------------------------------------
 
-    def _on_operating_state_changed(self, _operating_state: OperatingState) -> None:
+    def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
+        self._library_button.show_recording(recording=operating_state.recording)
         self._show_in_view(self._controller.state)
 
     def _show_in_view(self, state: ArmState) -> None:

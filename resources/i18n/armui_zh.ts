@@ -6370,6 +6370,10 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>轨迹库</translation>
     </message>
     <message>
+        <source>Recording…</source>
+        <translation>录制中…</translation>
+    </message>
+    <message>
         <source>Make, check, run and record trajectories</source>
         <translation>编辑、检查、运行和录制轨迹</translation>
     </message>

@@ -16,6 +16,7 @@ from armui.ui.dialogs.confirm_dialog import LeaveQuestion, SaveQuestion
 from armui.ui.trajectory.library.library_page import LibraryPage
 from armui.ui.trajectory.recording.recorded_curves import drawn_curves
 from armui.ui.trajectory.recording.recording_page import RecordingPage
+from tests.accepted import accepted
 
 OUT = (20.0, 40.0, -40.0, 10.0, 20.0, 15.0)
 
@@ -301,3 +302,16 @@ def test_a_recording_is_replayed_from_the_list(operator):
     app_driver.run(0.2)
     app_driver.click("run_stop")
     app_driver.run_until(lambda: not app_driver.controller.replayer.running)
+
+
+def test_a_recording_is_seen_while_another_panel_is_shown(app_driver):
+    app_driver.ready()
+    button = app_driver.find("library_button")
+    assert button.text().strip() == "Trajectory library"
+    accepted(app_driver.controller.recorder.start())
+    app_driver.click("menu_motion")
+    app_driver.run(0.2)
+    assert button.text().strip() == button.accessibleName() == "Recording…"
+    app_driver.controller.recorder.finish("one")
+    app_driver.run(0.2)
+    assert button.text().strip() == "Trajectory library"

@@ -191,11 +191,12 @@ class WatchMenu(Translated, QWidget):
 
 
 class LibraryButton(Translated, QToolButton):
-    """An icon and the name of the page it opens."""
+    """An icon and the name of the page it opens; a red dot while a recording is under way there."""
 
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("library_button")
+        self._recording = False
         self.setCheckable(True)
         self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.setIconSize(QSize(20, 20))
@@ -203,14 +204,24 @@ class LibraryButton(Translated, QToolButton):
         self._recolor()
         self.retranslate_ui()
 
+    def show_recording(self, *, recording: bool) -> None:
+        """Show whether the motion of the arm is being recorded."""
+        if recording != self._recording:
+            self._recording = recording
+            self.retranslate_ui()
+            self._recolor()
+
     def retranslate_ui(self) -> None:
         """Set its name in the operator's language."""
-        self.setText(f" {self.tr('Trajectory library')}")
-        self.setAccessibleName(self.tr("Trajectory library"))
+        name = self.tr("Recording…") if self._recording else self.tr("Trajectory library")
+        self.setText(f" {name}")
+        self.setAccessibleName(name)
         self.setToolTip(self.tr("Make, check, run and record trajectories"))
 
     def _recolor(self) -> None:
-        self.setIcon(icons.icon("library", colors_of(self).accent))
+        colors = colors_of(self)
+        icon = ("record", colors.stop) if self._recording else ("library", colors.accent)
+        self.setIcon(icons.icon(*icon))
 
 
 @dataclass(frozen=True, slots=True)
