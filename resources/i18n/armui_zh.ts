@@ -5977,6 +5977,10 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>6 个关节的角度限位、速度和加速度都将恢复为出厂值。为现场设置的限位（包括更窄的限位）会丢失：如以后还需要，请先保存参数备份。</translation>
     </message>
     <message>
+        <source>J{joint} stands at {value}, beyond the limits entered: it can only be moved back between them then.</source>
+        <translation>J{joint} 当前为 {value}，超出所输入的限位：保存后只能向限位以内移动。</translation>
+    </message>
+    <message>
         <source>This arm&apos;s protocol (generation 1) has no command for it. Enter the values, or restore a backup.</source>
         <translation>该机械臂的协议（第 1 代）没有此指令。请手动输入数值，或从备份恢复。</translation>
     </message>

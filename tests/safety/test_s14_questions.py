@@ -31,7 +31,7 @@ ASKING = {
     "ui/dialogs/problem_report.py": {"choose_file": 1},
     "ui/dialogs/reference_check.py": {"HoldButton": 2, "choose_file": 1, "confirm": 2},
     "ui/dialogs/settings.py": {"choose_file": 1},
-    "ui/panels/cell/cell_panel.py": {"choose_file": 2, "confirm": 3},
+    "ui/panels/cell/cell_panel.py": {"choose_file": 2, "confirm": 4},
     "ui/panels/gripper_panel.py": {"_ask_to_hold": 2},
     "ui/panels/linkage_panel.py": {"confirm": 1},
     "ui/panels/motor_panel.py": {"_ask_to_hold": 2},
@@ -185,6 +185,21 @@ def delete_the_cell(driver):
     panel("cell", "cell_delete_button")(driver)
 
 
+def compare_the_cell(driver):
+    for name in ("bench", "table"):
+        accepted(driver.controller.cell.take(Cell(name)))
+    panel("cell")(driver)
+    menu = driver.find("cell_compare_button").menu()
+    menu.aboutToShow.emit()
+    menu.actions()[0].trigger()
+
+
+def limits_beside_the_arm(driver):
+    panel("joint_settings", "joint_settings_edit_button")(driver)
+    driver.type_into("min_angle_deg_2", "60")
+    driver.click("joint_settings_save_button")
+
+
 def motor_off_in_the_reference_check(driver):
     driver.run(1.5)
     driver.firmware.lost_reference.begin(4)
@@ -223,6 +238,8 @@ QUESTIONS = {
     "unsaved": unsaved,
     "restore": restore,
     "delete the cell": delete_the_cell,
+    "compare the cell": compare_the_cell,
+    "limits beside the arm": limits_beside_the_arm,
     "motor off in the reference check": motor_off_in_the_reference_check,
     "teach the reference": teach_the_reference,
 }

@@ -234,8 +234,18 @@ def test_an_arm_that_does_not_come_to_rest_keeps_no_window(app_driver):
 
 
 def test_the_stop_in_the_question_closes_nothing(app_driver):
-    question = moving(app_driver)
+    moving(app_driver)
     app_driver.controller.emergency_stop()
     app_driver.run(0.5)
-    app_driver.click(question.cancel_button)
+    assert not app_driver.window.findChildren(CloseQuestion)
     assert app_driver.window.isVisible()
+
+
+def test_the_question_goes_once_the_arm_has_arrived(app_driver):
+    moving(app_driver)
+    app_driver.run_until(lambda: not app_driver.controller.operating_state.moving, seconds=20.0)
+    app_driver.run(0.2)
+    assert not app_driver.window.findChildren(CloseQuestion)
+    assert app_driver.window.isVisible()
+    assert app_driver.window.close()
+    assert not app_driver.window.isVisible()

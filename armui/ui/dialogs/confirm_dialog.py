@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 
 from armui.arm.refusal import Reason
 from armui.control.arm_controller import ArmController
+from armui.control.operating_state import OperatingState
 from armui.control.operations.started import ARM_CHANGED
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.theme import colors_of
@@ -249,6 +250,8 @@ class LeaveQuestion(SaveQuestion):
 class CloseQuestion(ConfirmDialog):
     """A question with the choices to end the motion and close, let it finish and close, or stay.
 
+    It is withdrawn once nothing moves any more: it would say what is not so.
+
     Signals:
         let_finish: The program shall close and the arm go on to its target; `accepted` means that
             the motion is ended before.
@@ -257,7 +260,13 @@ class CloseQuestion(ConfirmDialog):
     let_finish = Signal()
 
     def __init__(self, controller: ArmController, parent: QWidget) -> None:
-        super().__init__(controller, parent, title="", text="", action_label="")
+        super().__init__(
+            *(controller, parent),
+            title="",
+            text="",
+            action_label="",
+            still=lambda: _under_way(controller.operating_state),
+        )
         self.set_title(self.tr("The arm is moving"))
         self.show_text(
             self.tr(
@@ -276,3 +285,7 @@ class CloseQuestion(ConfirmDialog):
         if self.holds():
             self.reject()
             self.let_finish.emit()
+
+
+def _under_way(now: OperatingState) -> bool:
+    return now.moving or now.running or bool(now.holds)

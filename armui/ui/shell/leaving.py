@@ -292,6 +292,7 @@ def close_unless_moving(
         ),
         action_label=QCoreApplication.translate("MainWindow", "Close anyway"),
         on_confirmed=close_now,
+        still=lambda: controller.operating_state.moving,
     )
 
 

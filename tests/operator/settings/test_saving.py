@@ -81,6 +81,23 @@ def asked(joints):
     return dialog
 
 
+def test_limits_that_leave_the_arm_outside_are_asked_about(joints):
+    joints.click("joint_settings_edit_button")
+    joints.type_into("min_angle_deg_2", "60")
+    joints.click("joint_settings_save_button")
+    stands = round(joints.controller.state.angles_deg()[1], 3)
+    assert f"J2 stands at {stands:.3f}°, beyond the limits entered" in asked(joints).text()
+    assert sent(joints) == []
+    joints.confirm()
+    settled(joints)
+    assert note(joints, "min_angle_deg_2") == "saved"
+    joints.click("joint_settings_edit_button")
+    joints.type_into("min_angle_deg_2", "0")
+    joints.click("joint_settings_save_button")
+    settled(joints)  # the arm is within these, so nothing is asked
+    assert note(joints, "min_angle_deg_2") == "saved"
+
+
 @pytest.mark.parametrize(
     ("field", "value", "note_", "said"),
     [

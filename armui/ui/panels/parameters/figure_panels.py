@@ -27,6 +27,7 @@ _FIELD_PX: Final = 132
 _TALLEST_CARD_PX: Final = 260
 _COLUMNS: Final = ("max_angle_deg", "min_angle_deg", "max_speed_deg_s", "max_acceleration_deg_s2")
 
+_ENDS: Final = ("min_angle_deg", "max_angle_deg")
 _JOINTS_CARD_PX: Final = 420
 
 
@@ -75,6 +76,20 @@ class JointSettingsPanel(ParameterPanel):
                 "too, are lost: save a backup first if you may need them again."
             ),
         )
+
+    def danger_of_saving(self) -> str:
+        """Return the dangers of saving; that a joint would stand beyond its limits is one."""
+        state, changes = self._controller.state, self._draft.changes()
+        lines = [super().danger_of_saving()]
+        for joint, angle in zip(JOINTS, state.angles_deg() or (), strict=False):
+            low, high = (changes.get(Parameter(name, joint)) for name in _ENDS)
+            if (low is not None and angle < low) or (high is not None and angle > high):
+                text = self.tr(
+                    "J{joint} stands at {value}, beyond the limits entered: it can only be moved "
+                    "back between them then."
+                )
+                lines.append(text.format(joint=joint, value=fmt.angle(angle)))
+        return "\n".join(filter(None, lines))
 
     def why_no_reset(self) -> str:
         """Return why 【初始化】 is missing: generation 1 has no command for it."""
