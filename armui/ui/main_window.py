@@ -253,9 +253,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._view.load_failed.connect(self._status_bar.show_problem)
         self._status_bar.event_wanted.connect(self._watch.show_events)
         self._controller.state_changed.connect(self._show_in_view)
-        self._controller.cell_changed.connect(
-            lambda _cell: self._show_in_view(self._controller.state)
-        )
+        self._controller.cell_changed.connect(self._on_cell_changed)
         self._controller.operating_state_changed.connect(self._on_operating_state_changed)
         self._unsubscribe = self._preferences.subscribe(self._on_settings_changed)
 
@@ -291,6 +289,9 @@ class MainWindow(Translated, KeepsFocus, QWidget):
 
     def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
         self._library_button.show_recording(recording=operating_state.recording)
+        self._show_in_view(self._controller.state)
+
+    def _on_cell_changed(self, _cell: object) -> None:
         self._show_in_view(self._controller.state)
 
     def _show_in_view(self, state: ArmState) -> None:

@@ -170,7 +170,7 @@ def test_a_frame_that_the_cell_has_not_is_kept_marked_and_said(editor):
     editor.click("run_send")
     assert "check has found errors (1)" in editor.message()
     found = editor.child("findings_list", QListWidget)
-    assert "user frame “Table”, which the cell has not" in found.item(0).text()
+    assert "user frame “Table”, which the cell does not have" in found.item(0).text()
     for name in ("go_to", "convert"):
         editor.choose(2)
         editor.act(name)
@@ -235,4 +235,4 @@ def test_what_the_cell_has_not_stays_chosen_and_is_said_by_the_check(editor):
     assert editor.points[0].holds == "Box"
     editor.click("editor_check")
     found = editor.child("findings_list", QListWidget)
-    assert "holds “Box”, which the cell has not" in found.item(0).text()
+    assert "holds “Box”, which the cell does not have" in found.item(0).text()
