@@ -1,4 +1,4 @@
-"""Finds the model of the arm in a log, by its sidecar or by the poses in it, and its tool."""
+"""Finds the model of the arm in a log, by its sidecar or by the poses in it, and its cell."""
 
 from __future__ import annotations
 
@@ -6,11 +6,8 @@ from typing import TYPE_CHECKING, Final, TypeVar
 
 import numpy as np
 
-from armui.arm.json_fields import FieldError, Fields
 from armui.arm.model_check import FittingArm, fitting_arms
-from armui.cell import held_objects
-from armui.cell.held_objects import HeldObject
-from armui.cell.tools import NO_TOOL, check_tool, from_entry
+from armui.cell.cell_in_force import CellInForce, all_through, from_entry
 from armui.protocol.addressing import Addressing
 from armui.protocol.codec import Codec, Message
 from armui.protocol.detect import GenerationDetector
@@ -90,37 +87,13 @@ def told_model(lines: Iterable[Mapping[str, Any]]) -> PiperModel | None:
     return known[-1] if known else None
 
 
-def told_tool(lines: Iterable[Mapping[str, Any]]) -> tuple[float, ...]:
-    """Return the tool centre point that held all through a recording, six figures, or zeros.
+def told_cell(lines: Iterable[Mapping[str, Any]]) -> CellInForce:
+    """Return what of a cell held all through a recording.
 
-    The lines do not tell since when another one held: of a recording in which it was changed the
-    flange is shown, and its events tell the change.
+    The lines do not tell since when another tool, object, area or frame held: of a recording in
+    which it was changed it is not shown, and its events tell the change.
     """
-    told = {_tool_in(line) for line in lines if line.get("kind") == "cell"}
-    return told.pop() if len(told) == 1 else NO_TOOL
-
-
-def told_held(lines: Iterable[Mapping[str, Any]]) -> HeldObject | None:
-    """Return what the hand held all through a recording, or ``None``; see :func:`told_tool`."""
-    told = {_held_in(line) for line in lines if line.get("kind") == "cell"}
-    return told.pop() if len(told) == 1 else None
-
-
-def _held_in(line: Mapping[str, Any]) -> HeldObject | None:
-    try:
-        read = held_objects.from_entry(Fields(line.get("held")))
-    except FieldError:
-        return None
-    return None if held_objects.check_held_object(read) is not None else read
-
-
-def _tool_in(line: Mapping[str, Any]) -> tuple[float, ...]:
-    tool = line.get("tool")
-    try:
-        read = from_entry(Fields(tool))
-    except FieldError:
-        return NO_TOOL
-    return NO_TOOL if check_tool(read) is not None else read.pose
+    return all_through([from_entry(line) for line in lines if line.get("kind") == "cell"])
 
 
 def told_firmware(lines: Iterable[Mapping[str, Any]]) -> str:

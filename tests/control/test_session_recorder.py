@@ -15,8 +15,11 @@ import pytest
 from can.interfaces.virtual import VirtualBus
 
 from armui.cell.cell import Cell
+from armui.cell.cell_in_force import CellInForce
 from armui.cell.held_objects import HeldObject
 from armui.cell.tools import Tool
+from armui.cell.user_frames import UserFrame
+from armui.cell.work_area import Area, AreaBox, AreaPlane
 from armui.control.sessions import mf4_converter
 from armui.control.sessions.choices import SessionChoices
 from armui.control.sessions.mf4_converter import SESSION_MF4_CALLED_OFF, Mf4Converter
@@ -27,7 +30,7 @@ from armui.control.sessions.session_recorder import (
     SESSION_RING_EMPTY,
 )
 from armui.protocol.frame import Frame, FrameFlag
-from armui.session.log_model import told_held, told_tool
+from armui.session.log_model import told_cell
 from armui.session.recording import mf4, writer
 from armui.session.recording.folder import RecordingEntry, list_recordings, rename
 from armui.session.recording.kinds import (
@@ -133,12 +136,18 @@ def test_a_recording_tells_arm_program_settings_and_what_happened(rig, sessions,
     assert session.start_s <= stops[0].at_s <= session.end_s
 
 
-def test_a_recording_keeps_what_the_hand_held(rig, sessions, wait_for):
+def test_a_recording_keeps_the_cell_that_held(rig, sessions, wait_for):
     rig.ready()
     cube = HeldObject("cube", size_mm=(30.0, 40.0, 50.0))
-    accepted(rig.controller.cell.take(Cell("bench", held_objects=(cube,), held="cube")))
+    tray = UserFrame("tray", (300.0, 100.0, 20.0, 0.0, 0.0, 30.0))
+    crate = AreaBox("crate", (900.0, 0.0, 50.0, 0.0, 0.0, 0.0))
+    area = Area((AreaPlane("wall", (-900.0, 0.0, 0.0, 0.0, 90.0, 0.0), on=False),), (crate,))
+    cell = Cell("bench", area=area, held_objects=(cube,), held="cube", frames=(tray,), frame="tray")
+    accepted(rig.controller.cell.take(cell))
     session = record(rig, sessions, wait_for)
-    assert told_held(session.lines) == cube
+    assert told_cell(session.lines) == CellInForce(
+        "bench", held=cube, area=Area((), (crate,)), frame=tray
+    )
 
 
 def test_a_recording_keeps_the_tool_that_held(rig, sessions, wait_for):
@@ -148,7 +157,7 @@ def test_a_recording_keeps_the_tool_that_held(rig, sessions, wait_for):
     session = record(rig, sessions, wait_for)
     (line,) = [each for each in session.lines if each["kind"] == "cell"]
     assert (line["cell"], line["tool"]["name"], line["tool"]["z_mm"]) == ("bench", "pen", 120.0)
-    assert told_tool(session.lines) == pen.pose
+    assert told_cell(session.lines).tool.pose == pen.pose
 
 
 def test_what_just_happened_is_saved_from_memory(rig, sessions, wait_for):

@@ -11,12 +11,19 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox
 
+from armui.cell.cell import Cell
+from armui.cell.cell_in_force import CellInForce, to_entry
+from armui.cell.held_objects import HeldObject
+from armui.cell.user_frames import UserFrame
+from armui.cell.work_area import Area, AreaBox
 from armui.protocol.generation import Generation
+from armui.session.foreign.indexed import IndexedLog
 from armui.session.frames import NotALogError
 from armui.sim.faults.schedule import Fault
 from armui.ui.watch.events.event_table import EventColumn
 from armui.ui.watch.replay import log_opening
 from armui.ui.watch.replay.replay_window import ReplayWindow
+from tests.accepted import accepted
 from tests.operator.replay_actions import Replay
 from tests.session.indexed import open_indexed
 from tests.session.recordings import START_S, frames, greeting, write
@@ -49,6 +56,23 @@ def test_a_log_is_shown_and_unmistakably_not_live(replay, log):
     assert replay.window.windowTitle() == "Replay – yesterday.blf"
     assert view.frame.clock.text().startswith("2026-09-21 ")
     assert view.transport.place.text() == "0:00.100 / 0:03.995"
+
+
+def test_it_shows_the_cell_that_held_and_not_the_present_one(replay, log, monkeypatch):
+    tray = UserFrame("tray", (0.0, 0.0, 200.0, 0.0, 0.0, 90.0))
+    crate = AreaBox("crate", (300.0, 0.0, 50.0, 0.0, 0.0, 20.0))
+    then = CellInForce("then", held=HeldObject("cube"), area=Area((), (crate,)), frame=tray)
+    now = Cell("now", frames=(UserFrame("table"),), frame="table")
+    accepted(replay.driver.controller.cell.take(now))
+    lines = [{"kind": "cell", **to_entry(then)}]
+    monkeypatch.setattr(IndexedLog, "lines", lines, raising=False)
+    replay.open(log)
+    view = replay.view.view
+    box, held = view.area
+    assert (box.size_mm, box.held, held.held) == (crate.size_mm, False, True)
+    assert [(each.name, each.lit) for each in view.frames] == [("tray", True)]
+    x, y, z, *_turn = replay.replay.controller.state.end_pose()
+    assert view.pose[0][:3] == pytest.approx((y, -x, z - 200.0), abs=1e-6)
 
 
 def test_next_fault_goes_from_one_to_the_next(replay, log):

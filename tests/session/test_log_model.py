@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+import json
+from typing import Any
+
 import pytest
 
 from armui.arm.device import RecordedArm
-from armui.cell.held_objects import HeldObject, to_entry
+from armui.cell.cell_in_force import CellInForce, to_entry
+from armui.cell.held_objects import HeldObject
+from armui.cell.user_frames import UserFrame
+from armui.cell.work_area import Area, AreaBox, AreaPlane
 from armui.control.log_replay import LogReplay
 from armui.protocol.generation import Generation, PiperModel
-from armui.session.log_model import told_held, told_model, told_tool
+from armui.session.log_model import told_cell, told_model
 from armui.session.survey import survey
 from armui.sim.firmware import Firmware
 from tests.family import MODELS
@@ -93,6 +99,10 @@ def cell_line(**changes):
     }
 
 
+def told_tool(lines):
+    return told_cell(lines).tool.pose
+
+
 def test_the_tool_of_a_recording_is_the_one_that_held_all_through():
     pen, none = (0.0, 0.0, 90.0, 0.0, 0.0, 0.0), (0.0,) * 6
     assert told_tool([{"kind": "arm"}, cell_line()]) == pen
@@ -104,14 +114,29 @@ def test_the_tool_of_a_recording_is_the_one_that_held_all_through():
     assert told_tool([]) == none
 
 
-def test_what_the_hand_held_is_told_if_it_held_it_all_through():
-    cube = HeldObject("cube", size_mm=(30.0, 40.0, 50.0))
-    holding = {**cell_line(), "held": {**to_entry(cube)}}
-    assert told_held([{"kind": "arm"}, holding, holding]) == cube
-    assert told_held([holding, cell_line()]) is None
-    assert told_held([cell_line()]) is None
-    assert told_held([{**cell_line(), "held": {**to_entry(cube), "size_x_mm": 9e9}}]) is None
-    assert told_held([{**cell_line(), "held": "cube"}]) is None
+PARTS: dict[str, Any] = {
+    "held": HeldObject("cube", size_mm=(30.0, 40.0, 50.0)),
+    "area": Area((AreaPlane("table"),), (AreaBox("crate", (300.0, 0.0, 50.0, 0.0, 0.0, 20.0)),)),
+    "frame": UserFrame("tray", (300.0, 100.0, 20.0, 0.0, 0.0, 30.0)),
+}
+
+
+@pytest.mark.parametrize("part", PARTS)
+def test_what_else_held_of_the_cell_is_told_if_it_held_all_through(part):
+    wanted, nothing = PARTS[part], getattr(CellInForce(), part)
+
+    def told(*lines):
+        return getattr(told_cell(lines), part)
+
+    line = {"kind": "cell", **to_entry(CellInForce("a", **{part: wanted}))}
+    assert told({"kind": "arm"}, line, line) == wanted
+    assert told_cell([line]) == CellInForce("a", **{part: wanted})
+    assert told(line, cell_line()) == nothing
+    assert told(cell_line()) == nothing
+    broken = json.loads(json.dumps(line[part]).replace(": 0.0", ": 9e9"))
+    assert told({**line, part: broken}) == nothing
+    assert told({**line, part: "cube"}) == nothing
+    assert told({**line, part: None}) == nothing
 
 
 def test_a_replay_shows_the_pose_of_the_tool_that_held(qapp, tmp_path):

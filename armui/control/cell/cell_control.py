@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
 from armui.cell.cell import Cell, check_cell
+from armui.cell.cell_in_force import CellInForce, cell_in_force
 from armui.cell.checks import CELL_NAME_TAKEN
 from armui.cell.tools import NO_TOOL, Tool
 from armui.control.cell.cell_reasons import (
@@ -37,7 +38,6 @@ if TYPE_CHECKING:
 
     from armui.arm.device import Device
     from armui.arm.held_shape import HeldShape
-    from armui.cell.held_objects import HeldObject
     from armui.cell.user_frames import UserFrame
     from armui.control.cell.cell_store import CellStore
     from armui.control.context import Context
@@ -147,12 +147,10 @@ class CellControl(ControllerPart):
             return CELL_HOLDING_NOT_CONFIRMED(name=self._name, held=self.cell.held)
         return None if self.cell.is_empty else CELL_NOT_CONFIRMED(name=self._name)
 
-    def holding(self) -> tuple[str, Tool, HeldObject | None]:
-        """Return the cell in force by name, "" for none, the tool, and what the hand holds."""
+    def holding(self) -> CellInForce:
+        """Return what of a cell is in force; without one the tool of the settings."""
         cell = self.in_force
-        if cell is None:
-            return "", Tool("", self._own_tool), None
-        return cell.name, cell.chosen_tool or Tool(""), cell.held_object
+        return CellInForce(tool=Tool("", self._own_tool)) if cell is None else cell_in_force(cell)
 
     @property
     def tool_name(self) -> str:
@@ -410,10 +408,10 @@ class CellControl(ControllerPart):
 
     def _take_effect(self) -> None:
         """Pass on the tool; a target of ours that was told with another one is none any more."""
-        _name, chosen, _held = self.holding()
-        tool = chosen.pose
-        self._cartesian.tool_radius_mm = chosen.radius_mm
-        self._cartesian.frame = None if self.in_force is None else self.in_force.chosen_frame
+        holding = self.holding()
+        tool = holding.tool.pose
+        self._cartesian.tool_radius_mm = holding.tool.radius_mm
+        self._cartesian.frame = holding.frame
         if tool != self._cartesian.tool:
             self._cartesian.tool = tool
             self._context.authority.end_command(End.TOOL_CHANGED)

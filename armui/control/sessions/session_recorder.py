@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from armui.arm.refusal import Reason, Refusal
+from armui.cell.cell_in_force import CellInForce
 from armui.control.events import Notice
 from armui.control.link.connection import CONNECTED, RECONNECTED
 from armui.control.operations.started import Ending, Started
@@ -21,7 +22,7 @@ from armui.control.sessions.choices import SessionChoices
 from armui.control.sessions.mf4_converter import Mf4Converter
 from armui.control.sessions.progress import SESSION_FRAMES_LOST, RecordingProgress, RingContent
 from armui.control.sessions.ring_saving import SaveAtFaults
-from armui.control.sessions.sidecar_lines import EventFeed, SidecarLines, no_tool
+from armui.control.sessions.sidecar_lines import EventFeed, SidecarLines
 from armui.session.recording.collector import Collector, FrameRing
 from armui.session.recording.kinds import MF4_SUFFIX, is_name, name_for, why_not_written
 from armui.session.recording.lane import FrameLane
@@ -32,8 +33,6 @@ from armui.telemetry.events import Asker, EventKind, Level
 
 if TYPE_CHECKING:
     from armui.bus.link import BusReport
-    from armui.cell.held_objects import HeldObject
-    from armui.cell.tools import Tool
     from armui.control.context import Context
     from armui.control.sessions.sidecar_lines import FedEvent
     from armui.session.recording.session_recording import SessionRecording
@@ -110,6 +109,8 @@ class SessionRecorder(QObject):
     Args:
         context: The context that the controller's parts share.
         events: The event log.
+        parent: The parent object.
+        cell: Returns what of a cell holds, which is recorded.
 
     Attributes:
         choices: The operator's choices.
@@ -126,12 +127,12 @@ class SessionRecorder(QObject):
         context: Context,
         events: EventLog,
         parent: QObject | None = None,
-        tool: Callable[[], tuple[str, Tool, HeldObject | None]] = no_tool,
+        cell: Callable[[], CellInForce] = CellInForce,
     ) -> None:
         super().__init__(parent)
         self._context = context
         self._feed = EventFeed(events)
-        self._facts = SidecarLines(context, tool)
+        self._facts = SidecarLines(context, cell)
         self._recent: deque[FedEvent] = deque(maxlen=_MOST_RECENT)
         self._lane = FrameLane()
         self._ring: FrameRing | None = None

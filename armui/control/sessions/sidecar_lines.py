@@ -9,9 +9,7 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.backup import parameter_row
 from armui.arm.parameters import all_batches, heard
-from armui.cell import held_objects
-from armui.cell.held_objects import HeldObject
-from armui.cell.tools import Tool, to_entry
+from armui.cell.cell_in_force import CellInForce, to_entry
 from armui.control.events import Level
 from armui.control.safety.stopping import (
     HALT_SENT,
@@ -88,26 +86,17 @@ def _mark_of(entry: EventEntry) -> MarkKind:
     return MarkKind.COMMAND if entry.kind is EventKind.COMMAND else MarkKind.NOTE
 
 
-def no_tool() -> tuple[str, Tool, HeldObject | None]:
-    """Return that there is no cell, no tool, and nothing in the hand."""
-    return "", Tool(""), None
-
-
 class SidecarLines:
     """Makes lines for the sidecar whenever there is something new.
 
     Args:
         context: The context that the controller's parts share.
-        tool: Returns the cell, the tool and what is held, as :meth:`CellControl.holding` does.
+        cell: Returns what of a cell holds.
     """
 
-    def __init__(
-        self,
-        context: Context,
-        tool: Callable[[], tuple[str, Tool, HeldObject | None]] = no_tool,
-    ) -> None:
+    def __init__(self, context: Context, cell: Callable[[], CellInForce] = CellInForce) -> None:
         self._context = context
-        self._tool = tool
+        self._cell = cell
         self._told: dict[str, Line] = {}
 
     def reset(self) -> None:
@@ -134,10 +123,9 @@ class SidecarLines:
                     "firmware": state.firmware,
                 }
             )
-        name, tool, held = self._tool()
-        if name or any(tool.pose) or "cell" in self._told:
-            holds = {} if held is None else {"held": dict(held_objects.to_entry(held))}
-            lines.append({"kind": "cell", "cell": name, "tool": dict(to_entry(tool)), **holds})
+        cell = self._cell()
+        if cell != CellInForce() or "cell" in self._told:
+            lines.append({"kind": "cell", **to_entry(cell)})
         values = settings_read(state)
         if values:
             lines.append({"kind": "settings", "values": values})

@@ -3,8 +3,8 @@
 Each line is a JSON object with its ``kind``; the first one is the ``session``. Lines are only ever
 added, so that a killed program damages at most the last one.
 
-Kinds: ``session`` (format, program, device, time base), ``arm``, ``cell`` (the tool, and what the
-hand held) and ``settings`` (as read while it was recorded), ``event`` (an entry of the program's
+Kinds: ``session`` (format, program, device, time base), ``arm``, ``cell`` (what of a
+cell held) and ``settings`` (as read while it was recorded), ``event`` (an entry of the program's
 events, its log time and its kind of mark), ``file`` (a file was begun; the log time from which it
 counts), ``lost`` (frames that are missing from here on), ``clock`` (the time of day was set
 meanwhile), ``end``, ``counted`` (the counts of its frames, if it has no events).

@@ -11,12 +11,13 @@ from armui.viewport.area_picture import AreaPicture, AreaShape
 from armui.viewport.robot_shape import pose_rows
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Collection
 
     from PySide6.QtGui import QAction
 
     from armui.arm.state import ArmState
     from armui.cell.held_objects import HeldObject
+    from armui.cell.work_area import Area
     from armui.control.arm_controller import ArmController
     from armui.ui.picture.target_drag import ZoneTarget
     from armui.viewport.view import ArmView
@@ -71,15 +72,21 @@ class AreaKeeper(QObject):
             return
         seen = self._controller.area_guard.look(self._controller.state)
         near = {each.zone.name for each in seen if each.gap_mm < area.margin_mm + _NEAR_MM}
-        on = area.in_force
-        shapes: AreaPicture = (
-            *(AreaShape(pose_rows(each.pose), None, each.name in near) for each in on.planes),
-            *(
-                AreaShape(pose_rows(each.pose), each.size_mm, each.name in near)
-                for each in on.boxes
-            ),
-        )
-        self._view.set_area((*shapes, *held))
+        self._view.set_area((*area_picture(area, near), *held))
+
+
+def area_picture(area: Area, near: Collection[str] = ()) -> AreaPicture:
+    """Return the planes and boxes that are switched on as the picture shows them.
+
+    Args:
+        area: The work area.
+        near: The names of those that are lit.
+    """
+    on = area.in_force
+    return (
+        *(AreaShape(pose_rows(each.pose), None, each.name in near) for each in on.planes),
+        *(AreaShape(pose_rows(each.pose), each.size_mm, each.name in near) for each in on.boxes),
+    )
 
 
 def held_picture(held: HeldObject | None) -> AreaPicture:

@@ -19,9 +19,9 @@ from PySide6.QtWidgets import (
 from armui.arm.joint_status import Item, Word
 from armui.control.devices.joint_monitor import JointMonitor
 from armui.protocol.generation import Generation
-from armui.session.log_model import told_held
+from armui.session.log_model import told_cell
 from armui.ui import words
-from armui.ui.picture.area_keeper import held_picture
+from armui.ui.picture.area_keeper import area_picture, held_picture
 from armui.ui.shell.robot_in_view import RobotInView, show_in_view
 from armui.ui.shell.status_bar import StatusBar
 from armui.ui.theme import DARK, colors_of, scaled_font
@@ -43,6 +43,8 @@ from armui.ui.widgets.seen_timer import SeenTimer
 from armui.ui.widgets.text_label import ElidedLabel, text_label
 from armui.ui.widgets.translated import Translated
 from armui.viewport import palette as scene_palette
+from armui.viewport.robot_shape import pose_rows
+from armui.viewport.strokes import FrameMark
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -222,7 +224,11 @@ class ReplayView(Translated, QWidget):
         self.replay = replay
         self.view = view
         view.set_tool(replay.controller.cartesian.tool)
-        view.set_area(held_picture(told_held(getattr(replay.session, "lines", ()))))
+        self._cell = told_cell(getattr(replay.session, "lines", ()))
+        view.set_area((*area_picture(self._cell.area), *held_picture(self._cell.held)))
+        frame = self._cell.frame
+        if frame is not None:
+            view.set_frames((FrameMark(frame.name, pose_rows(frame.pose), lit=True),))
         self.robot = RobotInView(view, replay.controller, urdf_path, self)
         self._controller = controller = replay.controller
         controller.telemetry.wall_time = wall_time
@@ -399,7 +405,8 @@ class ReplayView(Translated, QWidget):
         if self.isVisible():
             controller = self._controller
             tool = controller.cartesian.tool
-            show_in_view(self.view, controller.state, controller.operating_state, tool)
+            now = controller.state, controller.operating_state
+            show_in_view(self.view, *now, tool, frame=self._cell.frame)
 
     def _on_fault_wanted(self, way: int) -> None:
         at_s = self.replay.position_s

@@ -13,7 +13,7 @@ from armui.arm.device import RecordedArm
 from armui.arm.refusal import Refusal
 from armui.control.events import Level
 from armui.control.operating_state import LinkState
-from armui.session.log_model import told_tool
+from armui.session.log_model import told_cell
 from armui.session.reader import SUFFIXES
 from armui.session.session import KeepsCounts
 from armui.system.helper_process import HelperProcess
@@ -291,7 +291,7 @@ class ReplayWindow(ArmDialog):
             own.firmware,
             own.model,
             own.older_zeros,
-            told_tool(getattr(self._session, "lines", ())),
+            told_cell(getattr(self._session, "lines", ())).tool.pose,
         )
         replay = LogReplay(self._session, channel, arm, self._path.name, self)
         replay.failed.connect(self._on_failed)

@@ -1,0 +1,94 @@
+"""What holds of a cell at a moment, as a recording keeps it and a replay shows it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any, TypeVar
+
+from armui.arm.json_fields import FieldError, Fields
+from armui.arm.refusal import Refusal
+from armui.cell import held_objects, tools, user_frames, work_area
+from armui.cell.cell import Cell
+from armui.cell.held_objects import HeldObject, check_held_object
+from armui.cell.tools import Tool, check_tool
+from armui.cell.user_frames import UserFrame, check_user_frame
+from armui.cell.work_area import Area, check_area
+
+_Part = TypeVar("_Part")
+_Otherwise = TypeVar("_Otherwise")
+
+
+@dataclass(frozen=True, slots=True)
+class CellInForce:
+    """What holds of a cell.
+
+    Attributes:
+        name: Its name; "" without one.
+        tool: The tool on the flange.
+        held: What the hand holds, or ``None``.
+        area: The planes and boxes of the work area that are switched on.
+        frame: The user frame that poses are shown in, or ``None`` for the base.
+    """
+
+    name: str = ""
+    tool: Tool = field(default_factory=lambda: Tool(""))
+    held: HeldObject | None = None
+    area: Area = field(default_factory=Area)
+    frame: UserFrame | None = None
+
+
+def cell_in_force(cell: Cell) -> CellInForce:
+    """Return what holds of a cell."""
+    tool, area = cell.chosen_tool or Tool(""), cell.area.in_force
+    return CellInForce(cell.name, tool, cell.held_object, area, cell.chosen_frame)
+
+
+def to_entry(holding: CellInForce) -> dict[str, object]:
+    """Return it as a line of a recording's sidecar; what is not there is left out."""
+    entry: dict[str, object] = {"cell": holding.name, "tool": dict(tools.to_entry(holding.tool))}
+    if holding.held is not None:
+        entry["held"] = dict(held_objects.to_entry(holding.held))
+    if not holding.area.is_free:
+        entry["area"] = dict(work_area.to_entry(holding.area))
+    if holding.frame is not None:
+        entry["frame"] = dict(user_frames.to_entry(holding.frame))
+    return entry
+
+
+def from_entry(entry: Mapping[str, Any]) -> CellInForce:
+    """Return what a line of a sidecar tells; a part that is missing or no good is left out."""
+    name = entry.get("cell")
+    return CellInForce(
+        name if isinstance(name, str) else "",
+        _part(entry.get("tool"), tools.from_entry, check_tool, Tool("")),
+        _part(entry.get("held"), held_objects.from_entry, check_held_object, None),
+        _part(entry.get("area"), work_area.from_entry, check_area, Area()),
+        _part(entry.get("frame"), user_frames.from_entry, check_user_frame, None),
+    )
+
+
+def all_through(told: Sequence[CellInForce]) -> CellInForce:
+    """Return what held at each of some moments, part by part; what changed is left out."""
+    nothing = CellInForce()
+    tools_told = {each.tool.pose: each.tool for each in told}
+    parts = {
+        part: held.pop()
+        for part in ("name", "held", "area", "frame")
+        if len(held := {getattr(each, part) for each in told}) == 1
+    }
+    tool = nothing.tool if len(tools_told) != 1 else next(iter(tools_told.values()))
+    return replace(nothing, tool=tool, **parts)
+
+
+def _part(
+    entry: object,
+    read: Callable[[Fields], _Part],
+    check: Callable[[_Part], Refusal | None],
+    otherwise: _Otherwise,
+) -> _Part | _Otherwise:
+    try:
+        found = read(Fields(entry))
+    except FieldError:
+        return otherwise
+    return otherwise if check(found) is not None else found
