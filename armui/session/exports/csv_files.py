@@ -73,10 +73,14 @@ class CsvTable:
         """Do nothing: no file is held."""
 
     def _texts(self, record: RecordColumns, samples: Samples) -> list[str]:
-        """Return what stands in the columns of a message, for each of its samples."""
+        """Return what stands in the columns of a message, for each of its samples.
+
+        A figure that a sample does not have, as the angle of a gripper told by its opening, is
+        blank.
+        """
         template = self._templates[record.message]
         values = [column.values(samples).tolist() for column in record.columns]
-        return [template % figures for figures in zip(*values, strict=True)]
+        return [(template % figures).replace("nan", "") for figures in zip(*values, strict=True)]
 
 
 def _table_template(record: RecordColumns) -> str:

@@ -118,6 +118,13 @@ def test_the_columns_of_parquet_have_types_and_units(tmp_path):
     assert schema.metadata[b"arm"] == b"PiPER, generation 2, S-V1.8-5"
 
 
+@pytest.mark.parametrize("generation", list(Generation))
+def test_what_a_message_leaves_out_is_blank_in_csv(tmp_path, generation):
+    log = blf(tmp_path / "a.blf", session(0.6, generation))
+    export_log(ExportRequest(log, tmp_path / "a.csv", ExportFormat.CSV))
+    assert b"nan" not in (tmp_path / "a.csv").read_bytes()
+
+
 def test_encoder_pulses_are_no_angle(tmp_path):
     """Generation 1 tells a motor's position in pulses: there is no such column."""
     log = candump(tmp_path / "a.log", [(1.0, each) for each in ANGLES])
