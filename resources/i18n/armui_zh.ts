@@ -645,6 +645,10 @@
         <translation>机械臂尚未反馈位姿。</translation>
     </message>
     <message>
+        <source>Press Apply to put the new figures in force.</source>
+        <translation>请按“应用”使新数值生效。</translation>
+    </message>
+    <message>
         <source>Type a name and a pose in the base, or take the tool&apos;s. A plane keeps the arm on the side of its Z axis (all 0: above the table); a box keeps it out.</source>
         <translation>请输入名称和在基坐标系中的位姿，或取当前工具位姿。平面使机械臂留在其 Z 轴一侧（全 0：桌面以上）；长方体使机械臂不进入其中。</translation>
     </message>
@@ -1487,16 +1491,16 @@
         <translation>单元名称</translation>
     </message>
     <message>
+        <source>Chosen cell</source>
+        <translation>所选单元</translation>
+    </message>
+    <message>
         <source>New</source>
         <translation>新建</translation>
     </message>
     <message>
         <source>Export the cell</source>
         <translation>导出单元</translation>
-    </message>
-    <message>
-        <source>Cell in force</source>
-        <translation>生效的单元</translation>
     </message>
     <message>
         <source>Import a cell</source>
@@ -5465,6 +5469,10 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>边长</translation>
     </message>
     <message>
+        <source>Press Apply first: the figures typed are not in force.</source>
+        <translation>请先按“应用”：输入的数值尚未生效。</translation>
+    </message>
+    <message>
         <source>In the hand: {mass} kg. The arm carries {most} kg at most.</source>
         <translation>夹持：{mass} kg。机械臂最多承载 {most} kg。</translation>
     </message>
@@ -7578,6 +7586,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>从第 {row} 行继续执行</translation>
     </message>
     <message>
+        <source>Reference check left without a result: nothing has changed.</source>
+        <translation>零位基准检查未完成便已退出：没有任何改变。</translation>
+    </message>
+    <message>
         <source>Own home set: {angles}</source>
         <translation>原位已设定：{angles}</translation>
     </message>
@@ -7876,10 +7888,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Cell confirmed: {name}</source>
         <translation>单元已确认：{name}</translation>
-    </message>
-    <message>
-        <source>Reference check left without a result: what was in doubt stays so.</source>
-        <translation>零位基准检查未完成便已退出：存疑的关节仍然存疑。</translation>
     </message>
     <message>
         <source>Reference check finished: joint {joints} does not stand where it reports.</source>
@@ -10191,16 +10199,16 @@ The other program must have ended.</source>
         <translation>示教基准位姿</translation>
     </message>
     <message>
+        <source>Look at the whole arm beside the picture, which shows what it reports. Tick each joint that stands elsewhere than the picture shows. Nothing drives those joints; any that is in doubt is ticked already.</source>
+        <translation>对照画面查看整台机械臂，画面显示的是它上报的位置。勾选实际位置与画面不同的关节。这些关节不会被驱动；如有存疑的关节，则已勾选。</translation>
+    </message>
+    <message>
         <source>its place in the reference pose</source>
         <translation>基准位姿中的位置</translation>
     </message>
     <message>
         <source>Stands at its mark</source>
         <translation>已对准刻线</translation>
-    </message>
-    <message>
-        <source>Look at the whole arm beside the picture, which shows what it reports. Tick each joint that stands elsewhere than the picture shows. Nothing drives those joints; the ones in doubt are ticked.</source>
-        <translation>对照画面查看整台机械臂，画面显示的是它上报的位置。勾选实际位置与画面不同的关节。这些关节不会被驱动；存疑的关节已勾选。</translation>
     </message>
     <message>
         <source>in doubt</source>

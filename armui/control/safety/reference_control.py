@@ -73,7 +73,7 @@ REFERENCE_CHECK_BEGUN = Notice(
 )
 REFERENCE_CHECK_LEFT = Notice(
     "reference_check_left",
-    "Reference check left without a result: what was in doubt stays so.",
+    "Reference check left without a result: nothing has changed.",
     Level.WARNING,
     EventKind.RESULT,
 )

@@ -356,7 +356,7 @@ class ReferenceDialog(ArmDialog):
             return self.tr(
                 "Look at the whole arm beside the picture, which shows what it reports. Tick each "
                 "joint that stands elsewhere than the picture shows. Nothing drives those joints; "
-                "the ones in doubt are ticked."
+                "any that is in doubt is ticked already."
             )
         if step is None:
             if check.off_deg:

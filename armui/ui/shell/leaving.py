@@ -166,6 +166,7 @@ def end_motion_then(
         text=text,
         action_label=label,
         on_confirmed=proceed if stopping else end,
+        still=lambda: _question(controller.operating_state) == question,
     )
 
 

@@ -73,6 +73,7 @@ def test_a_corrupt_memory_is_flagged_and_mended(joints):
     joints.type_into("min_angle_deg_2", "1")
     joints.type_into("max_speed_deg_s_2", "90")
     joints.click("joint_settings_save_button")
+    joints.confirm()  # the joint stands at 0°, beyond the new min. angle
     settled(joints)
     assert (joints.firmware.settings.limits[1].max_deg, note(joints, "max_angle_deg_2")) == (
         170.0,

@@ -213,8 +213,7 @@ class AreaTab(CellTab):
         if zone is None:
             self._change(area, "")
             return
-        typed = self._typed_plane() if isinstance(zone, AreaPlane) else self._typed_box()
-        typed = replace(typed, on=zone.on)
+        typed = self._typed_like(zone)
         self._change(with_zone(area, typed, instead_of=zone.name), typed.name)
 
     def _add(self, zone: Zone) -> None:
@@ -230,6 +229,11 @@ class AreaTab(CellTab):
 
     def _typed_box(self) -> AreaBox:
         return AreaBox(self._name.text().strip(), figures(self._fields), figures(self._sizes))
+
+    def _typed_like(self, zone: Zone) -> Zone:
+        """Return what is typed in the place of a plane or a box."""
+        typed = self._typed_plane() if isinstance(zone, AreaPlane) else self._typed_box()
+        return replace(typed, on=zone.on)
 
     def _typed_margin(self) -> float:
         return figures([self._margin])[0]
@@ -309,13 +313,18 @@ class AreaTab(CellTab):
         new = bool(name) and self._area.named(name) is None
         for button in (self._add_plane, self._add_box):
             show_primary(button, wanted=button.isEnabled() and new)
-        self._next.setText(self._next_step(new=new, chosen=zone is not None))
+        moved = self._typed_margin() != self._area.margin_mm
+        changed = moved or (zone is not None and self._typed_like(zone) != zone)
+        show_primary(self._apply, wanted=self._apply.isEnabled() and changed and not new)
+        self._next.setText(self._next_step(new=new, changed=changed, chosen=zone is not None))
 
-    def _next_step(self, *, new: bool, chosen: bool) -> str:
+    def _next_step(self, *, new: bool, changed: bool, chosen: bool) -> str:
         if self._controller.cell.cell is None:
             return self.tr("There is no cell yet: type its name above and press New.")
         if new:
             return self.tr("Press Add plane or Add box: it holds for everything from then on.")
+        if changed:
+            return self.tr("Press Apply to put the new figures in force.")
         if chosen:
             return self.tr("It is in force. Switch it off, or change its figures and press Apply.")
         return self.tr(

@@ -375,7 +375,7 @@ class CellPanel(Panel):
         for label, field, text in zip(
             self._labels,
             (self._choice, self._name),
-            (self.tr("Cell in force"), self.tr("Cell's name")),
+            (self.tr("Chosen cell"), self.tr("Cell's name")),
             strict=True,
         ):
             label.setText(text)

@@ -153,8 +153,9 @@ class GripperTab(CellTab):
         self._why_not = why_not
         self._controller.gripper.learn_stroke()
         shown = self._cell.name, self._cell.gripper_table
-        if shown != self._shown:
-            self._shown = shown
+        before, self._shown = self._shown or ("", ()), shown
+        renamed = bool(before[0]) and before[0] not in self._controller.cell.cells
+        if shown[1] != before[1] or (shown != before and not renamed):
             for place in range(MOST_PAIRS):
                 known = place < len(shown[1])
                 self._asked[place].show_value(shown[1][place][0] if known else None)

@@ -78,6 +78,7 @@ class HeldTab(CellTab):
         self._shown: tuple[str, HeldObject | None] | None = None
         self._chosen = ""
         self._touched: frozenset[str] = frozenset()
+        self._hold_tip = ("", "")
         self._next = text_label("cell_held_next", wraps=True)
         self._choice = named("cell_held_box", QComboBox())
         self._hold = push_button("cell_held_hold")
@@ -221,11 +222,12 @@ class HeldTab(CellTab):
             now = self.tr(" (held)") if each.name == cell.held else ""
             self._choice.addItem(f"{each.name}{now}", each.name)
         chosen = self._object
-        if chosen is None:
-            self._chosen = ""
+        if chosen is None and not self._name.text():
+            chosen = cell.held_object
+        self._chosen = "" if chosen is None else chosen.name
         self._choice.setCurrentIndex(max(0, self._choice.findData(self._chosen)))
-        if (cell.name, chosen) != self._shown:
-            self._shown = (cell.name, chosen)
+        if (self._chosen, chosen) != self._shown:
+            self._shown = (self._chosen, chosen)
             self._show_object(chosen or self._new())
         self._choice.setEnabled(self._controller.cell.cell is not None)
         enable_or_explain(self._add, why_not, self.tr("Adds an object of this name."))
@@ -245,7 +247,7 @@ class HeldTab(CellTab):
             if held
             else self.tr("It counts in every check from now on. The gripper does not move.")
         )
-        enable_or_explain(self._hold, moving or ("" if held else none), use.format(name=held))
+        self._hold_tip = moving or ("" if held else none), use.format(name=held)
         self._show_news()
 
     def _new(self) -> HeldObject:
@@ -294,6 +296,11 @@ class HeldTab(CellTab):
         is_rod = typed.is_rod
         self._size_label.setText(
             self.tr("Diameter (X, Y), length (Z)") if is_rod else self.tr("Edges")
+        )
+        typing = self.tr("Press Apply first: the figures typed are not in force.")
+        why_not, use = self._hold_tip
+        enable_or_explain(
+            self._hold, why_not or (typing if changed and not self._cell.held else ""), use
         )
         free = self._hold.isEnabled() and chosen is not None and not self._cell.held
         show_primary(self._add, wanted=self._add.isEnabled() and new and chosen is None)

@@ -28,6 +28,8 @@ _TALLEST_CARD_PX: Final = 260
 _COLUMNS: Final = ("max_angle_deg", "min_angle_deg", "max_speed_deg_s", "max_acceleration_deg_s2")
 
 _ENDS: Final = ("min_angle_deg", "max_angle_deg")
+_AT_LIMIT_DEG: Final = 0.5
+"""A joint that stands this near beyond a limit stands at it: what is measured wavers."""
 _JOINTS_CARD_PX: Final = 420
 
 
@@ -83,7 +85,8 @@ class JointSettingsPanel(ParameterPanel):
         lines = [super().danger_of_saving()]
         for joint, angle in zip(JOINTS, state.angles_deg() or (), strict=False):
             low, high = (changes.get(Parameter(name, joint)) for name in _ENDS)
-            if (low is not None and angle < low) or (high is not None and angle > high):
+            below = low is not None and angle < low - _AT_LIMIT_DEG
+            if below or (high is not None and angle > high + _AT_LIMIT_DEG):
                 text = self.tr(
                     "J{joint} stands at {value}, beyond the limits entered: it can only be moved "
                     "back between them then."
