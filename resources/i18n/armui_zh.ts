@@ -14382,6 +14382,10 @@ Before: {before}</source>
         <translation>将画面连同数值复制到剪贴板</translation>
     </message>
     <message>
+        <source>Look from</source>
+        <translation>观察方向</translation>
+    </message>
+    <message>
         <source>Last {seconds} s of motion</source>
         <translation>最近 {seconds} 秒的运动</translation>
     </message>

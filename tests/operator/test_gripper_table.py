@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 import pytest
+from PySide6.QtTest import QTest
 
 from armui.cell.cell import Cell
 from armui.control.parameters.arm_model import arm_model
@@ -140,6 +141,19 @@ def test_from_the_first_click_to_the_calibrated_gripper(app_driver):
     assert cell.gripper_table == ((7, 5), (21, 18), (35, 30), (49, 43), (63, 55.5))
     assert cell.gripper_calibrated
     assert driver.read("cell_gripper_next").startswith("Calibrated:")
+
+
+def test_what_was_measured_and_not_applied_survives_a_new_name(bench):
+    bench.click("menu_cell")
+    bench.click("cell_tab_gripper")
+    bench.type_into("cell_gripper_measured_1", "23.5")
+    QTest.keyClicks(bench.find("cell_name"), "bench A")  # Enter would make another one
+    bench.click("cell_rename_button")
+    assert bench.controller.cell.cell.name == "bench A"
+    assert bench.find("cell_gripper_measured_1").value == 23.5
+    accepted(bench.controller.cell.take(Cell("other", gripper_table=PAIRS)))
+    bench.run(0.1)
+    assert bench.find("cell_gripper_measured_1").value == PAIRS[1][1]
 
 
 def test_what_does_not_rise_is_refused_in_the_panel(bench):

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import pytest
 
+from armui.cell.cell import Cell
 from armui.cell.cell_file import read_cell
 from armui.cell.held_objects import HeldObject
 from armui.cell.user_frames import UserFrame
@@ -53,6 +54,27 @@ def test_it_is_added_held_and_let_go_of_by_presses(panel):
     assert panel.find("cell_held_hold").text() == "Let go"
     panel.click("cell_held_hold")
     assert (cells.cell.held, cells.held_shape) == ("", None)
+
+
+def test_it_is_held_with_the_figures_that_are_in_force(panel):
+    add_cube(panel)
+    panel.type_into("cell_held_mass", "0.9")
+    assert "Press Apply" in panel.read("cell_held_next")
+    assert not panel.find("cell_held_hold").isEnabled()
+    assert "Press Apply first" in panel.find("cell_held_hold").toolTip()
+    panel.click("cell_held_apply")
+    panel.click("cell_held_hold")
+    assert panel.controller.cell.cell.held_object.mass_kg == 0.9
+
+
+def test_what_is_held_is_shown_first(app_driver):
+    app_driver.ready()
+    bench = Cell("bench", held_objects=(HeldObject("rod"), CUBE), held="cube")
+    accepted(app_driver.controller.cell.take(bench))
+    app_driver.click("menu_cell")
+    app_driver.click("cell_tab_held")
+    assert app_driver.find("cell_held_box").currentText() == "cube (held)"
+    assert app_driver.find("cell_held_mass").value == 0.6
 
 
 def test_its_figures_are_applied_by_a_press_also_while_it_is_held(panel):

@@ -57,12 +57,12 @@ _HANDLES: Final = Texts("ViewBar") | {
     HandleKind.JOINTS: "Joints",
 }
 _STRIP: Final = ("front", "side", "top", "iso", "fit", "follow")
+_VIEWS: Final = ("front", "side", "top", "iso", "below")
 _MENU: Final = (
-    ("front", "side", "top", "iso", "below"),
-    ("fit", "follow", "orthographic"),
-    ("tool_frame", "reach", "area", "frames", "trail"),
+    ("orthographic", "tool_frame", "reach", "area", "frames", "trail"),
     ("save", "copy"),
 )
+"""What has no button of its own; with all of it the menu would open over the stop."""
 
 
 _TRAILS: Final = {
@@ -118,6 +118,7 @@ class ViewBar(Translated, QFrame):
         self._handles_button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self._handles_button.setCheckable(True)
         self._last_handles = HandleKind.TOOL
+        self._views_menu = QMenu(self)
         self._menu = QMenu(self)
         self._fill_menu()
         self._more = named("view_more_button", QToolButton())
@@ -188,7 +189,9 @@ class ViewBar(Translated, QFrame):
         self.choose_handles(self._last_handles if off else None)
 
     def _fill_menu(self) -> None:
-        self._menu.addMenu(self._handles_menu)
+        self._menu.addMenu(self._views_menu)
+        for name in _VIEWS:
+            self._views_menu.addAction(self.view_actions[name])
         for names in _MENU:
             for name in names:
                 if name == "trail":
@@ -260,6 +263,7 @@ class ViewBar(Translated, QFrame):
         name, keys = self.tr("Drag the target in the picture"), SHORTCUTS["view.handles"].text()
         self._toggle_handles.setText(name)
         self._handles_menu.setTitle(name)
+        self._views_menu.setTitle(self.tr("Look from"))
         tip = self.tr(
             "Drags the target, or the chosen point, in the picture; the arm does not move. "
             "Ctrl: coarse steps, Shift: fine steps, Esc: give up"

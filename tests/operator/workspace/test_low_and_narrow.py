@@ -48,6 +48,19 @@ def test_no_page_of_the_drawer_scrolls_sideways(pages, page, language):
     assert pages.driver.window.size().toTuple() == (1024, 720)
 
 
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_the_menu_of_the_picture_opens_below_the_stop(app_driver, language):
+    app_driver.store.change(language=language)
+    app_driver.window.resize(1264, 756)
+    QCoreApplication.processEvents()
+    button, stop = app_driver.find("view_more_button"), app_driver.find("stop_button")
+    menu_px = button.menu().sizeHint().height()
+    lowest_px = rect_in_window(stop).bottom()
+    below_px = app_driver.window.height() - rect_in_window(button).bottom()
+    # it opens below the button, or above it where that is higher
+    assert menu_px <= below_px or menu_px <= rect_in_window(button).top() - lowest_px
+
+
 def free_below(panel):
     """How much room is left under the lowest part of a panel, in pixels."""
     parts = panel.findChildren(QWidget, options=Qt.FindChildOption.FindDirectChildrenOnly)
