@@ -8920,8 +8920,14 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>其位置以单元的用户坐标系“{name}”为基准。</translation>
     </message>
     <message>
-        <source>Motion</source>
-        <translation>运动方式</translation>
+        <source>Poses in the table are those of the flange, also while a tool is set. The figures over the picture name their own point.</source>
+        <translation>表中的位姿是法兰的位姿，设置了工具也是如此。画面上方的数值标有各自的点。</translation>
+    </message>
+    <message>
+        <source>Motion
+(flange)</source>
+        <translation>运动方式
+（法兰）</translation>
     </message>
     <message>
         <source>Middle pose</source>

@@ -166,7 +166,7 @@ def test_everything_is_said_in_the_language_chosen(editor):
     titles = [
         editor.table.model().headerData(column, Qt.Orientation.Horizontal) for column in PointColumn
     ]
-    assert titles[0] == "Motion"
+    assert titles[0] == "Motion\n(flange)"
     assert all(titles)
     assert editor.table.mapTo(editor.window, QPoint(0, 0)).x() >= 0
 

@@ -151,6 +151,11 @@ class PointsModel(TableModel):
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
     ) -> Any:
         """Return the titles of the columns, or a row's number and state."""
+        if role == Qt.ItemDataRole.ToolTipRole and orientation == Qt.Orientation.Horizontal:
+            return self.tr(
+                "Poses in the table are those of the flange, also while a tool is set. The figures "
+                "over the picture name their own point."
+            )
         if role != Qt.ItemDataRole.DisplayRole:
             return None
         if orientation == Qt.Orientation.Horizontal:
@@ -163,7 +168,7 @@ class PointsModel(TableModel):
     def titles(self) -> Sequence[str]:
         """Return the titles of :class:`PointColumn`."""
         return (
-            self.tr("Motion"),
+            self.tr("Motion\n(flange)"),
             *("J1 °\nX mm", "J2 °\nY mm", "J3 °\nZ mm"),
             *("J4 °\nRX °", "J5 °\nRY °", "J6 °\nRZ °"),
             self.tr("Middle pose"),
