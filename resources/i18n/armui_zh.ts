@@ -7586,8 +7586,8 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>从第 {row} 行继续执行</translation>
     </message>
     <message>
-        <source>Reference check left without a result: nothing has changed.</source>
-        <translation>零位基准检查未完成便已退出：没有任何改变。</translation>
+        <source>Reference check left without a result: it counts as not done.</source>
+        <translation>零位基准检查未完成便已退出，视为未检查。</translation>
     </message>
     <message>
         <source>Own home set: {angles}</source>

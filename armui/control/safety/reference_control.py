@@ -73,7 +73,7 @@ REFERENCE_CHECK_BEGUN = Notice(
 )
 REFERENCE_CHECK_LEFT = Notice(
     "reference_check_left",
-    "Reference check left without a result: nothing has changed.",
+    "Reference check left without a result: it counts as not done.",
     Level.WARNING,
     EventKind.RESULT,
 )
