@@ -14,7 +14,7 @@ from armui.control.devices.gripper_ranges import (
     figures_of,
 )
 from armui.control.operating_state import LINK_LOST, NOT_CONNECTED, OFFLINE
-from armui.control.operations.started import refusal_of
+from armui.control.operations.started import Ending, refusal_of
 from armui.control.safety.interlocks import OTHER_CONTROL, STOPPED
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
@@ -88,6 +88,18 @@ def test_an_error_is_told_and_cleared(arm2):
     arm2.run_until(lambda: told(arm2, "gripper_act_done"))
     assert sent(arm2) == [command("00000000 0000 02 00")]
     assert arm2.controller.state.gripper.value.faults == frozenset()
+
+
+def test_what_ends_as_it_is_told_is_not_sent(arm2):
+    """As a failure of a window that is told of it does."""
+    gripper = arm2.gripper
+    arm2.controller.noticed.connect(
+        lambda event: gripper.halt() if event.code == "gripper_act_sent" else None
+    )
+    started = accepted(gripper.clear_error())
+    arm2.run(0.5)
+    assert sent(arm2) == []
+    assert started.ending is Ending.CUT_OFF
 
 
 def test_its_zero(arm2):

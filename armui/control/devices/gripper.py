@@ -417,9 +417,10 @@ class GripperControl(ControllerPart):
         self._drop_request()
         self._action = action
         started = self._started = record_start(method)
-        self._request = Request(context, frames, shows)
+        request = self._request = Request(context, frames, shows)
         context.tell(GRIPPER_ACT_SENT, started, act=action)
-        self._request.advance()
+        if self._request is request:  # a failure in who is told ends what is under way
+            request.advance()
         return started
 
     def note_travel(self, target: float, effort: float) -> None:

@@ -396,10 +396,11 @@ class Recovery(ControllerPart):
         """Send until the arm is in another state, or time is up; ``shown`` tells of that state."""
         context = self._context
         kind = self._look().kind
-        self._request = Request(context, frames, lambda _state: self._look().kind is not kind)
-        self._started, self._shown = started, shown
+        request = Request(context, frames, lambda _state: self._look().kind is not kind)
+        self._request, self._started, self._shown = request, started, shown
         context.tell(notice, started)
-        self._request.advance()
+        if self._request is request:  # a failure in who is told ends what is under way
+            request.advance()
         return None
 
     def _outcome(self, notice: Notice | None) -> EventOutcome | None:
