@@ -10588,6 +10588,18 @@ The other program must have ended.</source>
         <translation>没有生效的用户坐标系，或已不是按下时的那个。请在“单元”中选择坐标系后再按，或沿基坐标系、工具坐标系移动。</translation>
     </message>
     <message>
+        <source>Joint {joint} moves at {value}°/s. {percent} % was told, that is {maximum}°/s at most; above {limit}°/s a motion is ended. Before the next one set the speed again: at the top, for a run in its points and below them.</source>
+        <translation>关节 {joint} 实测 {value}°/s；下达的 {percent} % 对应最高 {maximum}°/s，超过 {limit}°/s 即结束运动。请在下次运动前重新设定速度：一般在顶部，运行时在各点及其下方。</translation>
+    </message>
+    <message>
+        <source>The tool moves at {value} mm/s. {percent} % was told, that is {maximum} mm/s at most on this path; above {limit} mm/s a motion is ended. Before the next one set the speed again: at the top, for a run in its points and below them.</source>
+        <translation>工具移动实测 {value} mm/s；下达的 {percent} % 在此路径上对应最高 {maximum} mm/s，超过 {limit} mm/s 即结束运动。请在下次运动前重新设定速度：一般在顶部，运行时在各点及其下方。</translation>
+    </message>
+    <message>
+        <source>The tool turns at {value}°/s. {percent} % was told, that is {maximum}°/s at most on this path; above {limit}°/s a motion is ended. Before the next one set the speed again: at the top, for a run in its points and below them.</source>
+        <translation>工具转动实测 {value}°/s；下达的 {percent} % 在此路径上对应最高 {maximum}°/s，超过 {limit}°/s 即结束运动。请在下次运动前重新设定速度：一般在顶部，运行时在各点及其下方。</translation>
+    </message>
+    <message>
         <source>“{value}” is not an option of a point; use frame, speed, dwell, gripper, holds, light or note.</source>
         <translation>“{value}”不是有效的点选项，可用选项为 frame、speed、dwell、gripper、holds、light 和 note。</translation>
     </message>
@@ -11388,24 +11400,12 @@ The other program must have ended.</source>
         <translation>电脑即将休眠，或即将结束本程序：此前已命令机械臂结束运动。</translation>
     </message>
     <message>
-        <source>The tool moves at {value} mm/s, where {maximum} mm/s is shown. Set the speed again before the next motion.</source>
-        <translation>末端速度为 {value} mm/s，而显示的速度对应 {maximum} mm/s。请在下次运动前重新设置速度。</translation>
-    </message>
-    <message>
         <source>The hand or what it holds would come to {value} mm; jogs end at {minimum} mm, as chosen under Settings. Jog upwards.</source>
         <translation>末端或工件将到 {value} mm；按“设置”中的选择，点动止于 {minimum} mm。请向上点动。</translation>
     </message>
     <message>
         <source>J{joint}: this step would go beyond its limit of {limit}°. Take a smaller step.</source>
         <translation>J{joint}：这一步会越过限位 {limit}°，请减小步长。</translation>
-    </message>
-    <message>
-        <source>Joint {joint} moves at {value}°/s, where {maximum}°/s is shown. Set the speed again before the next motion.</source>
-        <translation>关节 {joint} 实测 {value}°/s，而显示的速度为 {maximum}°/s。下次运动前请重新设定速度。</translation>
-    </message>
-    <message>
-        <source>The tool turns at {value}°/s, where {maximum}°/s is shown. Set the speed again before the next motion.</source>
-        <translation>末端转动速度为 {value}°/s，而显示的速度对应 {maximum}°/s。请在下次运动前重新设置速度。</translation>
     </message>
     <message>
         <source>{device} needs the library libusb, which is not on this computer. Install it in a terminal: on Windows and macOS pip install libusb-package, on Debian and Ubuntu sudo apt install libusb-1.0-0</source>
@@ -12023,6 +12023,10 @@ The other program must have ended.</source>
     <message>
         <source>{time} left</source>
         <translation>剩余 {time}</translation>
+    </message>
+    <message>
+        <source>{percent}, tool ≤ {speed}</source>
+        <translation>{percent}，工具 ≤ {speed}</translation>
     </message>
     <message>
         <source>moving</source>
@@ -13536,8 +13540,8 @@ The other program must have ended.</source>
         <translation>机械臂反馈的速度百分比</translation>
     </message>
     <message>
-        <source>Speed of motions, 0–100 % of the arm&apos;s highest; 0 % means no motion.</source>
-        <translation>运动速度，为最大速度的 0～100 %；0 % 时不运动。</translation>
+        <source>Speed of motions, 0–100 % of the arm&apos;s highest; 0 % means no motion. A motion that is measured to be more than 1.5 times as fast as it was told is ended.</source>
+        <translation>运动速度：机械臂最高速度的 0–100 %；0 % 即不动。实测速度超过下达速度 1.5 倍时，运动会被结束。</translation>
     </message>
     <message>
         <source>Speed</source>
