@@ -4179,6 +4179,14 @@
         <translation>立即运行</translation>
     </message>
     <message>
+        <source>The cell “{name}” is not confirmed: its work area and what is held were counted, its tool was not. Confirm it, then check again.</source>
+        <translation>单元“{name}”尚未确认：检查计入了其工作区和夹持的工件，未计入其工具。请确认单元后再检查一次。</translation>
+    </message>
+    <message>
+        <source>The cell “{name}” could not be read: nothing of it was counted.</source>
+        <translation>单元“{name}”无法读取：检查未计入其任何内容。</translation>
+    </message>
+    <message>
         <source>Row {row}: {text}</source>
         <translation>第 {row} 行：{text}</translation>
     </message>
