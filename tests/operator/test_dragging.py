@@ -7,7 +7,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from armui.cell.cell import Cell, with_frame
+from armui.cell.cell import Cell, with_part
 from armui.cell.user_frames import UserFrame
 from armui.protocol.codes import MoveMode
 from armui.system.paths import URDF
@@ -299,7 +299,7 @@ def test_a_point_in_a_user_frame_is_dragged_there(app_driver, shape):
     place = (300.0, 0.0, 250.0, 0.0, 85.0, 0.0)
     there = Waypoint(MoveMode.MOVE_L, within(frame.pose, place), frame="Table")
     at = AtEditor(app_driver, shape, (Waypoint(MoveMode.MOVE_J, OUT), there))
-    accepted(app_driver.controller.cell.take(with_frame(Cell("bench"), frame)))
+    accepted(app_driver.controller.cell.take(with_part(Cell("bench"), frame)))
     at.editor.table.select_row(1)
     at.drag(at.grip(GripKind.AXIS, 2), (0.0, -25.0))
     changed = at.editor.document.points[1]
