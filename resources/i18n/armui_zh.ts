@@ -5429,10 +5429,6 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>工件可接触的物体，如桌面、托盘。</translation>
     </message>
     <message>
-        <source>Diameter (X, Y), length (Z)</source>
-        <translation>直径（X、Y），长度（Z）</translation>
-    </message>
-    <message>
         <source>Edges</source>
         <translation>边长</translation>
     </message>
@@ -5451,6 +5447,10 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>“{name}” no longer counts in any check. The gripper does not move.</source>
         <translation>“{name}”不再计入任何检查。夹爪不会动。</translation>
+    </message>
+    <message>
+        <source>Ø X, Y; length Z</source>
+        <translation>直径 X、Y，长 Z</translation>
     </message>
     <message>
         <source>Tells the arm its end load; the program never does so by itself.</source>

@@ -17,7 +17,6 @@ from armui.ui.actions.command import Command
 from armui.ui.panels.cell.cell_tab import NARROW_PX, Answered, change_command, figures
 from armui.ui.panels.cell.named_tab import EDGES, NamedTab, TabTexts, Thing
 from armui.ui.widgets.buttons import caption, enable_or_explain, give_menu, named, push_button
-from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.words.arm import part_name
 from armui.ui.words.text import Text
@@ -58,11 +57,9 @@ class AreaTab(NamedTab):
         give_menu(self._frame, self._frames)
         for button in (self._here, self._frame):
             button.setMinimumWidth(NARROW_PX)
-        taken = in_row((self._here, 1), (self._frame, 1), spacing=6)
         self._lay_out(
-            (self._margin_label, [self._margin]),
+            (self._margin_label, [self._margin, self._here, self._frame]),
             beside=([self._on], ()),
-            below=[taken],
             last=[self._stops, self._nearness],
         )
         self._on.clicked.connect(self._on_switched)

@@ -178,9 +178,7 @@ class HeldTab(NamedTab):
         super()._show_news()
         self._show_hold()
         is_rod = bool(self._form.currentIndex())
-        self._size_label.setText(
-            self.tr("Diameter (X, Y), length (Z)") if is_rod else self.tr("Edges")
-        )
+        self._size_label.setText(self.tr("Ø X, Y; length Z") if is_rod else self.tr("Edges"))
         held = self._cell.held_object
         mass = fmt.number(0.0 if held is None else held.mass_kg, 2)
         text = self.tr("In the hand: {mass} kg. The arm carries {most} kg at most.")

@@ -153,14 +153,17 @@ class NamedTab(CellTab):
             grid.addWidget(label, row, 0)
             grid.addLayout(in_row((field, 1), *more, spacing=6), row, 1)
         grid.setColumnStretch(1, 1)
-        buttons = (self._apply, *self._adds, self._delete)
-        for widget in (*buttons, *self._sizes):
+        for widget in (self._apply, *self._adds, self._delete, *self._sizes):
             widget.setMinimumWidth(NARROW_PX)
+        changes = [self._apply, self._delete]
+        adds = list(self._adds)
+        rows_of_buttons = [adds, changes] if len(adds) > 1 else [[self._apply, *adds, self._delete]]
+        ends = [in_row(*((each, 1) for each in row), spacing=6) for row in rows_of_buttons]
         sizes: list[Item] = []
         if self._sizes:
-            sizes = [self._size_label, in_row(*((each, 1) for each in self._sizes), spacing=6)]
-        ends = in_row(*((button, 1) for button in buttons), spacing=6)
-        parts = (self._next, grid, pose_grid(self._fields), *sizes, *below, ends, *last, STRETCH)
+            fields = ((each, 1) for each in self._sizes)
+            sizes = [in_row(self._size_label, *fields, spacing=6)]
+        parts = (self._next, grid, pose_grid(self._fields), *sizes, *below, *ends, *last, STRETCH)
         if self._search is None:
             in_column(*parts, on=self, spacing=8, margins=0)
             return
