@@ -76,7 +76,7 @@ def test_two_points_go_with_the_frame_that_is_moved_by_figures(driver):
     for axis, value in zip(("X", "Y", "Z", "RX", "RY", "RZ"), MOVED, strict=True):
         driver.type_into(f"cell_frame_{axis}", f"{value}")
     driver.click("cell_frame_apply")
-    assert driver.controller.cell.chosen_frame.pose == MOVED
+    assert driver.controller.cell.cell.chosen_frame.pose == MOVED
     driver.click("library_button")
     ends = run(driver, editor)
     assert editor.points == taught
