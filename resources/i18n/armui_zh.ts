@@ -3145,6 +3145,10 @@
         <translation>程序结束时这些更改未保存。请保存，或撤销。</translation>
     </message>
     <message>
+        <source>The tool has changed: the figure that was being typed is not taken.</source>
+        <translation>工具已更换：正在输入的数值未采用。</translation>
+    </message>
+    <message>
         <source>Ended at row {row}. {reason}</source>
         <translation>在第 {row} 行结束。{reason}</translation>
     </message>
@@ -3155,6 +3159,10 @@
     <message>
         <source>Not pasted. {reason}</source>
         <translation>未粘贴。{reason}</translation>
+    </message>
+    <message>
+        <source>Pasted as poses of {tool}, as the table shows them. Undo if they are of the flange or another tool.</source>
+        <translation>已按{tool}的位姿粘贴，与表中一致。如果它们是法兰或其他工具的位姿，请撤销。</translation>
     </message>
     <message>
         <source>What this trajectory is for</source>
@@ -8876,14 +8884,34 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>其位置以单元的用户坐标系“{name}”为基准。</translation>
     </message>
     <message>
-        <source>Poses in the table are those of the flange, also while a tool is set. The figures over the picture name their own point.</source>
-        <translation>表中的位姿是法兰的位姿，设置了工具也是如此。画面上方的数值标有各自的点。</translation>
+        <source>Poses in the table are those of the flange: no tool is in force.</source>
+        <translation>表中的位姿是法兰的位姿：没有生效的工具。</translation>
+    </message>
+    <message>
+        <source>Poses in the table are of the tool centre point of {tool}. A point keeps where the flange is: another tool changes these figures, not where the arm goes.</source>
+        <translation>表中的位姿是{tool}的工具中心点的位姿。点保存的是法兰的位姿：更换工具只改变这里的数值，不改变机械臂的去处。</translation>
+    </message>
+    <message>
+        <source>the tool “{name}”</source>
+        <translation>工具“{name}”</translation>
+    </message>
+    <message>
+        <source>the tool</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>flange</source>
+        <translation>法兰</translation>
     </message>
     <message>
         <source>Motion
-(flange)</source>
-        <translation>运动方式
-（法兰）</translation>
+({point})</source>
+        <translation>运动
+（{point}）</translation>
     </message>
     <message>
         <source>Middle pose</source>
@@ -10572,12 +10600,20 @@ The other program must have ended.</source>
         <translation>未执行：{name}：{text}。请检查轨迹库文件夹的访问权限。</translation>
     </message>
     <message>
+        <source>The arm does not reach X {x}  Y {y}  Z {z} mm with this orientation: no joint angles belong to it. Change the pose.</source>
+        <translation>机械臂以此姿态到不了 X {x}  Y {y}  Z {z} mm：没有对应的关节角度。请更改位姿。</translation>
+    </message>
+    <message>
         <source>Joint angles belong to no frame, and this point names “{name}”. Make it MOVE P, L or C, or take the frame away.</source>
         <translation>关节角度不属于任何坐标系，但该点写明了坐标系“{name}”。请改为 MOVE P、L 或 C，或去掉坐标系。</translation>
     </message>
     <message>
         <source>No home of your own is kept for this arm. Set it with the arrow beside.</source>
         <translation>尚未为此机械臂设定原位。请用旁边的箭头设定。</translation>
+    </message>
+    <message>
+        <source>These poses are of a tool, and none is in force. Choose that tool under Cell, then paste again.</source>
+        <translation>这些位姿属于某个工具，而当前没有生效的工具。请先在“单元”中选择该工具，再粘贴。</translation>
     </message>
     <message>
         <source>Robot description: the file {path} is not there. Choose another file, or use the built-in one.</source>
@@ -10966,10 +11002,6 @@ The other program must have ended.</source>
     <message>
         <source>An arc needs a middle pose, which no conversion can know. Enter it by hand.</source>
         <translation>圆弧需要中间位姿，无法由转换得到。请手动输入。</translation>
-    </message>
-    <message>
-        <source>The arm cannot bring its flange to X {x}  Y {y}  Z {z} mm with this orientation: no joint angles belong to it. Change the pose.</source>
-        <translation>机械臂法兰无法以此姿态到达 X {x}  Y {y}  Z {z} mm：没有对应的关节角。请修改位姿。</translation>
     </message>
     <message>
         <source>A trajectory needs a name. Enter one.</source>
