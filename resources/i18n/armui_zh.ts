@@ -641,6 +641,10 @@
         <translation>填入用户坐标系的位姿；它的 Z 轴就是平面的 Z 轴。</translation>
     </message>
     <message>
+        <source>Nearest: {part}, {value} mm from “{name}”</source>
+        <translation>最近：{part}，距“{name}” {value} mm</translation>
+    </message>
+    <message>
         <source>The arm has not reported its pose yet.</source>
         <translation>机械臂尚未反馈位姿。</translation>
     </message>
@@ -655,10 +659,6 @@
     <message>
         <source>From frame</source>
         <translation>取自坐标系</translation>
-    </message>
-    <message>
-        <source>Apply</source>
-        <translation>应用</translation>
     </message>
     <message>
         <source>Box</source>
@@ -677,20 +677,8 @@
         <translation>开启</translation>
     </message>
     <message>
-        <source>Nearest: “{name}”, {value} mm</source>
-        <translation>最近：“{name}”，{value} mm</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>删除</translation>
-    </message>
-    <message>
         <source>It is in force. Switch it off, or change its figures and press Apply.</source>
         <translation>它已生效。可以关闭，或更改数值后按“应用”。</translation>
-    </message>
-    <message>
-        <source>There is no cell yet: type its name above and press New.</source>
-        <translation>还没有单元：请在上方输入名称，再按“新建”。</translation>
     </message>
     <message>
         <source>Press Add plane or Add box: it holds for everything from then on.</source>
@@ -703,14 +691,6 @@
     <message>
         <source>— (a new one)</source>
         <translation>—（新建）</translation>
-    </message>
-    <message>
-        <source>Edge of the box along {axis}</source>
-        <translation>长方体沿 {axis} 的边长</translation>
-    </message>
-    <message>
-        <source>Area {axis}</source>
-        <translation>工作区 {axis}</translation>
     </message>
 </context>
 <context>
@@ -4726,10 +4706,6 @@ Z 轴指向 {direction}</translation>
         <translation>删除坐标系</translation>
     </message>
     <message>
-        <source>Frame {number}</source>
-        <translation>坐标系 {number}</translation>
-    </message>
-    <message>
         <source>The arm has not reported its pose yet.</source>
         <translation>机械臂尚未反馈位姿。</translation>
     </message>
@@ -4756,10 +4732,6 @@ Z 轴指向 {direction}</translation>
     <message>
         <source>No frame is chosen. Add one, or choose one above.</source>
         <translation>未选择坐标系。请添加，或在上方选择。</translation>
-    </message>
-    <message>
-        <source>There is no cell yet: type its name above and press New.</source>
-        <translation>还没有单元：请在上方输入名称并按“新建”。</translation>
     </message>
     <message>
         <source>Press By three points: the tool&apos;s tip shows where the frame is. Or type a name and the frame&apos;s pose in the base, then press Add.</source>
@@ -5356,10 +5328,6 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>将夹爪打开到校准表的下一个开度</translation>
     </message>
     <message>
-        <source>There is no cell yet: type its name above and press New.</source>
-        <translation>尚无单元：请在上方输入名称并按“新建”。</translation>
-    </message>
-    <message>
         <source>Propose widths</source>
         <translation>推荐开度</translation>
     </message>
@@ -5477,10 +5445,6 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>工件可接触的物体，如桌面、托盘。</translation>
     </message>
     <message>
-        <source>Diameter (X, Y), length (Z)</source>
-        <translation>直径（X、Y），长度（Z）</translation>
-    </message>
-    <message>
         <source>Edges</source>
         <translation>边长</translation>
     </message>
@@ -5501,12 +5465,12 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>“{name}”不再计入任何检查。夹爪不会动。</translation>
     </message>
     <message>
-        <source>Tells the arm its end load; the program never does so by itself.</source>
-        <translation>把末端负载告知机械臂。程序不会自动告知。</translation>
+        <source>Ø X, Y; length Z</source>
+        <translation>直径 X、Y，长 Z</translation>
     </message>
     <message>
-        <source>There is no cell yet: type its name above and press New.</source>
-        <translation>还没有单元：请在上方输入名称并按“新建”。</translation>
+        <source>Tells the arm its end load; the program never does so by itself.</source>
+        <translation>把末端负载告知机械臂。程序不会自动告知。</translation>
     </message>
     <message>
         <source>Press Apply to put the new figures in force.</source>
@@ -5551,26 +5515,6 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>Shape of the held object</source>
         <translation>工件形状</translation>
-    </message>
-    <message>
-        <source>Held object {axis}</source>
-        <translation>工件 {axis}</translation>
-    </message>
-    <message>
-        <source>Edge of the held object along {axis}</source>
-        <translation>工件沿 {axis} 的边长</translation>
-    </message>
-    <message>
-        <source>Add</source>
-        <translation>添加</translation>
-    </message>
-    <message>
-        <source>Apply</source>
-        <translation>应用</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>删除</translation>
     </message>
 </context>
 <context>
@@ -7258,6 +7202,18 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
 </context>
 <context>
     <name>NamedTab</name>
+    <message>
+        <source>Type a name first.</source>
+        <translation>请先输入名称。</translation>
+    </message>
+    <message>
+        <source>Nothing is changed.</source>
+        <translation>没有改动。</translation>
+    </message>
+    <message>
+        <source>{kind}: edge along {axis}</source>
+        <translation>{kind}：沿 {axis} 的边长</translation>
+    </message>
     <message>
         <source>Apply</source>
         <translation>应用</translation>
@@ -14100,10 +14056,6 @@ Before: {before}</source>
         <translation>手动输入</translation>
     </message>
     <message>
-        <source>Tool {number}</source>
-        <translation>工具 {number}</translation>
-    </message>
-    <message>
         <source>Tool on the flange</source>
         <translation>法兰上的工具</translation>
     </message>
@@ -14142,10 +14094,6 @@ Before: {before}</source>
     <message>
         <source>Press Add: the tool is chosen, and its tip is what moves from then on.</source>
         <translation>请按“添加”：工具即被选用，从此运动的是它的尖端。</translation>
-    </message>
-    <message>
-        <source>There is no cell yet: type its name above and press New.</source>
-        <translation>还没有单元：请在上方输入名称，再按“新建”。</translation>
     </message>
     <message>
         <source>Find the tip by points</source>
