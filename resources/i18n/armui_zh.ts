@@ -641,6 +641,10 @@
         <translation>填入用户坐标系的位姿；它的 Z 轴就是平面的 Z 轴。</translation>
     </message>
     <message>
+        <source>Nearest: {part}, {value} mm from “{name}”</source>
+        <translation>最近：{part}，距“{name}” {value} mm</translation>
+    </message>
+    <message>
         <source>The arm has not reported its pose yet.</source>
         <translation>机械臂尚未反馈位姿。</translation>
     </message>
@@ -655,10 +659,6 @@
     <message>
         <source>From frame</source>
         <translation>取自坐标系</translation>
-    </message>
-    <message>
-        <source>Apply</source>
-        <translation>应用</translation>
     </message>
     <message>
         <source>Box</source>
@@ -677,20 +677,8 @@
         <translation>开启</translation>
     </message>
     <message>
-        <source>Nearest: “{name}”, {value} mm</source>
-        <translation>最近：“{name}”，{value} mm</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>删除</translation>
-    </message>
-    <message>
         <source>It is in force. Switch it off, or change its figures and press Apply.</source>
         <translation>它已生效。可以关闭，或更改数值后按“应用”。</translation>
-    </message>
-    <message>
-        <source>There is no cell yet: type its name above and press New.</source>
-        <translation>还没有单元：请在上方输入名称，再按“新建”。</translation>
     </message>
     <message>
         <source>Press Add plane or Add box: it holds for everything from then on.</source>
@@ -703,14 +691,6 @@
     <message>
         <source>— (a new one)</source>
         <translation>—（新建）</translation>
-    </message>
-    <message>
-        <source>Edge of the box along {axis}</source>
-        <translation>长方体沿 {axis} 的边长</translation>
-    </message>
-    <message>
-        <source>Area {axis}</source>
-        <translation>工作区 {axis}</translation>
     </message>
 </context>
 <context>
@@ -3165,6 +3145,10 @@
         <translation>程序结束时这些更改未保存。请保存，或撤销。</translation>
     </message>
     <message>
+        <source>The tool has changed: the figure that was being typed is not taken.</source>
+        <translation>工具已更换：正在输入的数值未采用。</translation>
+    </message>
+    <message>
         <source>Ended at row {row}. {reason}</source>
         <translation>在第 {row} 行结束。{reason}</translation>
     </message>
@@ -3175,6 +3159,10 @@
     <message>
         <source>Not pasted. {reason}</source>
         <translation>未粘贴。{reason}</translation>
+    </message>
+    <message>
+        <source>Pasted as poses of {tool}, as the table shows them. Undo if they are of the flange or another tool.</source>
+        <translation>已按{tool}的位姿粘贴，与表中一致。如果它们是法兰或其他工具的位姿，请撤销。</translation>
     </message>
     <message>
         <source>What this trajectory is for</source>
@@ -4710,10 +4698,6 @@ Z 轴指向 {direction}</translation>
         <translation>删除坐标系</translation>
     </message>
     <message>
-        <source>Frame {number}</source>
-        <translation>坐标系 {number}</translation>
-    </message>
-    <message>
         <source>The arm has not reported its pose yet.</source>
         <translation>机械臂尚未反馈位姿。</translation>
     </message>
@@ -4740,10 +4724,6 @@ Z 轴指向 {direction}</translation>
     <message>
         <source>No frame is chosen. Add one, or choose one above.</source>
         <translation>未选择坐标系。请添加，或在上方选择。</translation>
-    </message>
-    <message>
-        <source>There is no cell yet: type its name above and press New.</source>
-        <translation>还没有单元：请在上方输入名称并按“新建”。</translation>
     </message>
     <message>
         <source>Press By three points: the tool&apos;s tip shows where the frame is. Or type a name and the frame&apos;s pose in the base, then press Add.</source>
@@ -5340,10 +5320,6 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>将夹爪打开到校准表的下一个开度</translation>
     </message>
     <message>
-        <source>There is no cell yet: type its name above and press New.</source>
-        <translation>尚无单元：请在上方输入名称并按“新建”。</translation>
-    </message>
-    <message>
         <source>Propose widths</source>
         <translation>推荐开度</translation>
     </message>
@@ -5461,10 +5437,6 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>工件可接触的物体，如桌面、托盘。</translation>
     </message>
     <message>
-        <source>Diameter (X, Y), length (Z)</source>
-        <translation>直径（X、Y），长度（Z）</translation>
-    </message>
-    <message>
         <source>Edges</source>
         <translation>边长</translation>
     </message>
@@ -5485,12 +5457,12 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>“{name}”不再计入任何检查。夹爪不会动。</translation>
     </message>
     <message>
-        <source>Tells the arm its end load; the program never does so by itself.</source>
-        <translation>把末端负载告知机械臂。程序不会自动告知。</translation>
+        <source>Ø X, Y; length Z</source>
+        <translation>直径 X、Y，长 Z</translation>
     </message>
     <message>
-        <source>There is no cell yet: type its name above and press New.</source>
-        <translation>还没有单元：请在上方输入名称并按“新建”。</translation>
+        <source>Tells the arm its end load; the program never does so by itself.</source>
+        <translation>把末端负载告知机械臂。程序不会自动告知。</translation>
     </message>
     <message>
         <source>Press Apply to put the new figures in force.</source>
@@ -5535,26 +5507,6 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>Shape of the held object</source>
         <translation>工件形状</translation>
-    </message>
-    <message>
-        <source>Held object {axis}</source>
-        <translation>工件 {axis}</translation>
-    </message>
-    <message>
-        <source>Edge of the held object along {axis}</source>
-        <translation>工件沿 {axis} 的边长</translation>
-    </message>
-    <message>
-        <source>Add</source>
-        <translation>添加</translation>
-    </message>
-    <message>
-        <source>Apply</source>
-        <translation>应用</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>删除</translation>
     </message>
 </context>
 <context>
@@ -7243,6 +7195,18 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
 <context>
     <name>NamedTab</name>
     <message>
+        <source>Type a name first.</source>
+        <translation>请先输入名称。</translation>
+    </message>
+    <message>
+        <source>Nothing is changed.</source>
+        <translation>没有改动。</translation>
+    </message>
+    <message>
+        <source>{kind}: edge along {axis}</source>
+        <translation>{kind}：沿 {axis} 的边长</translation>
+    </message>
+    <message>
         <source>Apply</source>
         <translation>应用</translation>
     </message>
@@ -8920,14 +8884,34 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>其位置以单元的用户坐标系“{name}”为基准。</translation>
     </message>
     <message>
-        <source>Poses in the table are those of the flange, also while a tool is set. The figures over the picture name their own point.</source>
-        <translation>表中的位姿是法兰的位姿，设置了工具也是如此。画面上方的数值标有各自的点。</translation>
+        <source>Poses in the table are those of the flange: no tool is in force.</source>
+        <translation>表中的位姿是法兰的位姿：没有生效的工具。</translation>
+    </message>
+    <message>
+        <source>Poses in the table are of the tool centre point of {tool}. A point keeps where the flange is: another tool changes these figures, not where the arm goes.</source>
+        <translation>表中的位姿是{tool}的工具中心点的位姿。点保存的是法兰的位姿：更换工具只改变这里的数值，不改变机械臂的去处。</translation>
+    </message>
+    <message>
+        <source>the tool “{name}”</source>
+        <translation>工具“{name}”</translation>
+    </message>
+    <message>
+        <source>the tool</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>flange</source>
+        <translation>法兰</translation>
     </message>
     <message>
         <source>Motion
-(flange)</source>
-        <translation>运动方式
-（法兰）</translation>
+({point})</source>
+        <translation>运动
+（{point}）</translation>
     </message>
     <message>
         <source>Middle pose</source>
@@ -10616,12 +10600,20 @@ The other program must have ended.</source>
         <translation>未执行：{name}：{text}。请检查轨迹库文件夹的访问权限。</translation>
     </message>
     <message>
+        <source>The arm does not reach X {x}  Y {y}  Z {z} mm with this orientation: no joint angles belong to it. Change the pose.</source>
+        <translation>机械臂以此姿态到不了 X {x}  Y {y}  Z {z} mm：没有对应的关节角度。请更改位姿。</translation>
+    </message>
+    <message>
         <source>Joint angles belong to no frame, and this point names “{name}”. Make it MOVE P, L or C, or take the frame away.</source>
         <translation>关节角度不属于任何坐标系，但该点写明了坐标系“{name}”。请改为 MOVE P、L 或 C，或去掉坐标系。</translation>
     </message>
     <message>
         <source>No home of your own is kept for this arm. Set it with the arrow beside.</source>
         <translation>尚未为此机械臂设定原位。请用旁边的箭头设定。</translation>
+    </message>
+    <message>
+        <source>These poses are of a tool, and none is in force. Choose that tool under Cell, then paste again.</source>
+        <translation>这些位姿属于某个工具，而当前没有生效的工具。请先在“单元”中选择该工具，再粘贴。</translation>
     </message>
     <message>
         <source>Robot description: the file {path} is not there. Choose another file, or use the built-in one.</source>
@@ -11010,10 +11002,6 @@ The other program must have ended.</source>
     <message>
         <source>An arc needs a middle pose, which no conversion can know. Enter it by hand.</source>
         <translation>圆弧需要中间位姿，无法由转换得到。请手动输入。</translation>
-    </message>
-    <message>
-        <source>The arm cannot bring its flange to X {x}  Y {y}  Z {z} mm with this orientation: no joint angles belong to it. Change the pose.</source>
-        <translation>机械臂法兰无法以此姿态到达 X {x}  Y {y}  Z {z} mm：没有对应的关节角。请修改位姿。</translation>
     </message>
     <message>
         <source>A trajectory needs a name. Enter one.</source>
@@ -14056,10 +14044,6 @@ Before: {before}</source>
         <translation>手动输入</translation>
     </message>
     <message>
-        <source>Tool {number}</source>
-        <translation>工具 {number}</translation>
-    </message>
-    <message>
         <source>Tool on the flange</source>
         <translation>法兰上的工具</translation>
     </message>
@@ -14098,10 +14082,6 @@ Before: {before}</source>
     <message>
         <source>Press Add: the tool is chosen, and its tip is what moves from then on.</source>
         <translation>请按“添加”：工具即被选用，从此运动的是它的尖端。</translation>
-    </message>
-    <message>
-        <source>There is no cell yet: type its name above and press New.</source>
-        <translation>还没有单元：请在上方输入名称，再按“新建”。</translation>
     </message>
     <message>
         <source>Find the tip by points</source>

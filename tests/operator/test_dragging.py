@@ -7,7 +7,8 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from armui.cell.cell import Cell, with_frame
+from armui.cell.cell import Cell, with_part
+from armui.cell.tools import Tool
 from armui.cell.user_frames import UserFrame
 from armui.protocol.codes import MoveMode
 from armui.system.paths import URDF
@@ -299,7 +300,7 @@ def test_a_point_in_a_user_frame_is_dragged_there(app_driver, shape):
     place = (300.0, 0.0, 250.0, 0.0, 85.0, 0.0)
     there = Waypoint(MoveMode.MOVE_L, within(frame.pose, place), frame="Table")
     at = AtEditor(app_driver, shape, (Waypoint(MoveMode.MOVE_J, OUT), there))
-    accepted(app_driver.controller.cell.take(with_frame(Cell("bench"), frame)))
+    accepted(app_driver.controller.cell.take(with_part(Cell("bench"), frame)))
     at.editor.table.select_row(1)
     at.drag(at.grip(GripKind.AXIS, 2), (0.0, -25.0))
     changed = at.editor.document.points[1]
@@ -309,6 +310,22 @@ def test_a_point_in_a_user_frame_is_dragged_there(app_driver, shape):
     assert apart(flange, ghost)[0] < 0.002
     assert flange[2] > place[2] + 3.0
     assert flange[:2] == pytest.approx(place[:2], abs=0.05)
+
+
+def test_a_point_is_dragged_to_round_figures_of_the_tool(app_driver, shape):
+    pen = Tool("pen", (10.0, -5.0, 100.0, 15.0, -25.0, 40.0))
+    place = (300.0, 0.0, 250.0, 0.0, 85.0, 0.0)
+    at = AtEditor(app_driver, shape, (Waypoint(MoveMode.MOVE_L, place),))
+    accepted(app_driver.controller.cell.take(with_part(Cell("bench"), pen)))
+    at.drag(at.grip(GripKind.AXIS, 2), (0.0, -25.0))
+    changed = at.editor.document.points[0].target
+    ghost = app_driver.controller.cartesian.kinematics().forward(at.ghost)
+    assert apart(changed, ghost)[0] < 0.002
+    assert changed[2] > place[2] + 3.0
+    model = at.editor.table.model()
+    exact = [model.index(0, column).data(Qt.ItemDataRole.EditRole) for column in range(1, 7)]
+    assert [float(text) for text in exact] == pytest.approx(carried(changed, pen.pose), abs=1e-6)
+    assert all(len(text.partition(".")[2]) <= 3 for text in exact)
 
 
 def test_the_ghost_goes_with_the_slider_until_a_row_is_chosen(at_editor):

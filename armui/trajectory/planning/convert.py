@@ -18,8 +18,8 @@ CONVERT_NEEDS_MIDDLE = Reason(
 )
 CONVERT_OUT_OF_REACH = Reason(
     "convert_out_of_reach",
-    "The arm cannot bring its flange to X {x}  Y {y}  Z {z} mm with this orientation: no joint "
-    "angles belong to it. Change the pose.",
+    "The arm does not reach X {x}  Y {y}  Z {z} mm with this orientation: no joint angles belong "
+    "to it. Change the pose.",
 )
 
 

@@ -30,12 +30,21 @@ _MOVES: Final = {
     **LETTERS,
 }
 _NO_POSE: Final = (0.0,) * VALUE_COUNT
+_OF_TOOL: Final = "TCP "
+"""It stands before a row whose pose is a tool's; a program that knows of none refuses the row."""
 
 
-def to_text(points: Sequence[Waypoint]) -> str:
-    """Return the text of points for a spreadsheet: a row for each, with tabs between its cells."""
+def to_text(points: Sequence[Waypoint], *, of_tool: bool = False) -> str:
+    """Return the text of points for a spreadsheet: a row for each, with tabs between its cells.
+
+    Args:
+        points: The points.
+        of_tool: True if their poses are those of a tool: each row says so, before its motion.
+    """
     return "\n".join(
-        "\t".join(_one_line(text_of(point, column)) for column in PointColumn) for point in points
+        (_OF_TOOL if of_tool and not point.is_joint else "")
+        + "\t".join(_one_line(text_of(point, column)) for column in PointColumn)
+        for point in points
     )
 
 
@@ -46,10 +55,14 @@ class PastedPoints:
     Attributes:
         points: All of them.
         taught_on: The arm they were taught on, if a file says so; "" if not known.
+        is_file: True if the text is a whole file, which says by itself what its poses are of.
+        of_tool: True if rows say that their poses are those of a tool.
     """
 
     points: tuple[Waypoint, ...]
     taught_on: str = ""
+    is_file: bool = False
+    of_tool: bool = False
 
 
 def from_text(text: str, like: MoveMode = MoveMode.MOVE_J) -> tuple[Waypoint, ...]:
@@ -74,7 +87,7 @@ def pasted(text: str, like: MoveMode = MoveMode.MOVE_J) -> PastedPoints:
     if log_file.is_log(text) or json_file.is_json(text) or csv_file.is_csv(text):
         content = files.read_text(text, "clipboard")
         if isinstance(content, Trajectory):
-            return PastedPoints(content.points, content.taught_on)
+            return PastedPoints(content.points, content.taught_on, is_file=True)
         raise broken(FILE_KIND_UNKNOWN, 1)
     # not splitlines: it would part a note at signs that end no line in a spreadsheet
     numbered = enumerate(text.replace("\r\n", "\n").split("\n"), 1)
@@ -83,7 +96,9 @@ def pasted(text: str, like: MoveMode = MoveMode.MOVE_J) -> PastedPoints:
         raise broken(FILE_EMPTY)
     if not _has_figure(lines[0][1]) and len(lines) > 1:
         lines = lines[1:]
-    return PastedPoints(tuple(_read_row(line, number, like) for number, line in lines))
+    of_tool = any(line.startswith(_OF_TOOL) for _, line in lines)
+    rows = ((line.removeprefix(_OF_TOOL), number) for number, line in lines)
+    return PastedPoints(tuple(_read_row(*row, like) for row in rows), of_tool=of_tool)
 
 
 def _one_line(text: str) -> str:

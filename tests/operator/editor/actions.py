@@ -1,6 +1,6 @@
 """The editor of points in the operator's hands: keys, clicks, menu."""
 
-from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLineEdit, QWidget
 
@@ -69,6 +69,7 @@ class Editor:
     def edit(self, row, column):
         """Double click into a cell; the editor that opens."""
         viewport, place = self.table.viewport(), self.cell(row, column)
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)  # the one before
         QTest.mouseClick(viewport, Qt.MouseButton.LeftButton, pos=place)
         QTest.mouseDClick(viewport, Qt.MouseButton.LeftButton, pos=place)
         editors = [each for each in viewport.children() if isinstance(each, CellEditor)]

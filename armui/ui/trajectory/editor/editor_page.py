@@ -19,7 +19,7 @@ from armui.trajectory.files.errors import TrajectoryFileError
 from armui.trajectory.library.folders import shown_folder
 from armui.trajectory.planning.findings import Severity
 from armui.trajectory.points.edits import Change
-from armui.trajectory.points.program import Trajectory, Waypoint, speeds_of
+from armui.trajectory.points.program import Trajectory, Values, Waypoint, speeds_of
 from armui.ui import words
 from armui.ui.actions.command import Command, Target
 from armui.ui.dialogs.confirm_dialog import LeaveQuestion
@@ -29,7 +29,7 @@ from armui.ui.trajectory.editor.editor_actions import NAMES, EditorActions, Edit
 from armui.ui.trajectory.editor.find_bar import FindBar, Finder
 from armui.ui.trajectory.editor.findings_pane import FindingsPane
 from armui.ui.trajectory.editor.other_arm_line import OtherArmLine
-from armui.ui.trajectory.editor.point_edits import OfOtherArm, Outcome, PointEdits
+from armui.ui.trajectory.editor.point_edits import OfOtherArm, OfShownTool, Outcome, PointEdits
 from armui.ui.trajectory.editor.points_model import PointsModel
 from armui.ui.trajectory.editor.points_table import PointsTable
 from armui.ui.trajectory.running.run_bar import RunBar, RunChoices, run_commands
@@ -155,6 +155,8 @@ class EditorPage(Page):
         self.table = PointsTable(self.model)
         self._cell = controller.cell.cell
         self.model.show_cell(self._cell)
+        self._tool = _tool_shown(controller)
+        self.model.show_tool(*self._tool)
         self._edits = PointEdits(controller, self.document, self.table)
         self._drafts = DraftKeeper(self.document, work)
         self._find_bar = FindBar()
@@ -385,6 +387,9 @@ class EditorPage(Page):
 
     def _on_cell_changed(self, cell: Cell | None) -> None:
         """What was found of points that name something of the cell was found with another one."""
+        tool = _tool_shown(self._controller)
+        if tool != self._tool:
+            self._show_tool(*tool)
         before, self._cell = self._cell, cell
         if _named_by_points(cell) == _named_by_points(before):
             return
@@ -392,6 +397,18 @@ class EditorPage(Page):
         if any(point.frame or point.holds is not None for point in self.document.points):
             self.model.show_faults({})
             self._forget_check()
+
+    def _show_tool(self, tool: Values, name: str) -> None:
+        """Show poses for the tool in force; what was typed for the one before counts no more."""
+        dropped = self.table.drop_figures()
+        if tool != self._tool[0]:
+            self._forget_check()
+        self._tool = tool, name
+        self.model.show_tool(tool, name)
+        self.table.make_room()
+        if dropped:
+            text = self.tr("The tool has changed: the figure that was being typed is not taken.")
+            self._say(text, Level.WARNING)
 
     def _forget_check(self) -> None:
         self._findings.clear()
@@ -545,6 +562,12 @@ class EditorPage(Page):
             )
             kinds = {"pasted": words.arm_kind(outcome.pasted), "here": words.arm_kind(outcome.here)}
             self._say(text.format(**kinds), Level.WARNING)
+        elif isinstance(outcome, OfShownTool):
+            text = self.tr(
+                "Pasted as poses of {tool}, as the table shows them. Undo if they are of the "
+                "flange or another tool."
+            )
+            self._say(text.format(tool=outcome.tool), Level.WARNING)
         else:
             self._say(partial(words.refusal, outcome), Level.WARNING)
 
@@ -586,6 +609,10 @@ class EditorPage(Page):
 def _height_of(part: QWidget, width_px: int) -> int:
     layout = part.layout()
     return 0 if layout is None else layout.totalHeightForWidth(width_px)
+
+
+def _tool_shown(controller: ArmController) -> tuple[Values, str]:
+    return controller.cartesian.tool, controller.cell.tool_name
 
 
 def _named_by_points(cell: Cell | None) -> tuple[object, ...]:

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QComboBox, QLineEdit, QWidget
 from armui.arm.refusal import Refusal
 from armui.trajectory.points import edits
 from armui.trajectory.points.cells import figure
-from armui.trajectory.points.program import JOINT_NAMES, POSE_NAMES, Waypoint
+from armui.trajectory.points.program import JOINT_NAMES, POSE_NAMES, Waypoint, check_point
 from armui.ui import words
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.flow import in_flow
@@ -20,6 +20,7 @@ from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
+    from armui.trajectory.planning.tool_points import ToolPoints
     from armui.ui.trajectory.editor.document import Document
     from armui.ui.trajectory.editor.points_table import PointsTable
 
@@ -82,15 +83,18 @@ class FindBar(Translated, QWidget):
 
     # The search -------------------------------------------------------------------------------
 
-    def found(self, points: Sequence[Waypoint]) -> list[int] | Refusal:
-        """Return the rows that match, or why nothing can be searched."""
+    def found(self, points: Sequence[Waypoint], tool: ToolPoints) -> list[int] | Refusal:
+        """Return the rows that match as they are shown, or why nothing can be searched."""
         field, text = str(self._field.currentData()), self._wanted.text()
         if field == _NOTE:
             return list(edits.find_text(points, text, match_case=True)) if text else []
         value = figure(field, text)
         if isinstance(value, Refusal):
             return value
-        return list(edits.find_figure(points, edits.FigureQuery(field, value)))
+        query = edits.FigureQuery(field, value)
+        if field in POSE_NAMES and not tool.is_flange:
+            return tool.rows_showing(points, query)
+        return list(edits.find_figure(points, query))
 
     def replaced(self, point: Waypoint) -> Waypoint | Refusal:
         """Return a matching point with its text or figure replaced, or why not."""
@@ -149,7 +153,7 @@ class Finder(QObject):
         bar.replace_wanted.connect(self._replace)
 
     def _find(self, by: int) -> None:
-        rows = self._bar.found(self._document.points)
+        rows = self._bar.found(self._document.points, self._table.points.tool)
         if isinstance(rows, Refusal):
             self._bar.show_refusal(rows)
             return
@@ -166,16 +170,21 @@ class Finder(QObject):
 
     def _replace(self, everywhere: bool) -> None:
         points = self._document.points
-        rows = self._bar.found(points)
+        tool = self._table.points.tool
+        rows = self._bar.found(points, tool)
         if not isinstance(rows, Refusal) and not everywhere:
             rows = [row for row in rows if row == self._table.current_row()]
         changed: dict[int, Waypoint] = {}
-        for row in [] if isinstance(rows, Refusal) else rows:
-            point = self._bar.replaced(points[row])
-            if isinstance(point, Refusal):
-                rows = point
-                break
-            changed[row] = point
+        if not isinstance(rows, Refusal):
+            before = [points[row] for row in rows]
+            shown = list(map(self._bar.replaced, tool.all_shown(before)))
+            kept = tool.all_kept([each for each in shown if isinstance(each, Waypoint)], before)
+            refusals = (
+                *(each for each in shown if isinstance(each, Refusal)),
+                *map(check_point, kept),
+            )
+            changed = dict(zip(rows, kept, strict=False))
+            rows = next(filter(None, refusals), rows)
         if isinstance(rows, Refusal):
             self._bar.show_refusal(rows)
             return

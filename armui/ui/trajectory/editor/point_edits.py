@@ -11,14 +11,24 @@ from PySide6.QtCore import QMimeData, QObject
 from PySide6.QtGui import QGuiApplication
 
 from armui.arm.refusal import Reason, Refusal
+from armui.cell.checks import check_pose
 from armui.control.devices.gripper import GRIPPER_SILENT
 from armui.control.operations.started import refusal_of
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.kinematics.poses import tool_pose
 from armui.protocol.codes import MoveMode
 from armui.protocol.generation import Generation
+from armui.setting_checks import TOOL_LONGEST_MM
 from armui.trajectory.files.errors import TrajectoryFileError
-from armui.trajectory.planning.convert import joints_above, pose_of, to_joints, to_move, to_pose
+from armui.trajectory.planning.convert import (
+    CONVERT_OUT_OF_REACH,
+    joints_above,
+    pose_of,
+    to_joints,
+    to_move,
+    to_pose,
+)
+from armui.trajectory.planning.tool_points import ToolPoints
 from armui.trajectory.planning.user_frames import (
     Frames,
     frames_of,
@@ -27,13 +37,15 @@ from armui.trajectory.planning.user_frames import (
     why_unknown,
 )
 from armui.trajectory.points import edits
-from armui.trajectory.points.clipboard import pasted, to_text
+from armui.trajectory.points.clipboard import PastedPoints, pasted, to_text
 from armui.trajectory.points.program import (
     VALUE_COUNT,
     GripperAction,
     GripperAngle,
     GripperOpening,
+    Values,
     Waypoint,
+    check_point,
     check_text,
 )
 
@@ -47,6 +59,11 @@ GRIPPER_TELLS_ANGLE = Reason(
     "The gripper tells an angle now, and a point keeps an opening. Move it by an opening in "
     "Gripper control first.",
 )
+PASTED_OF_TOOL = Reason(
+    "pasted_of_tool",
+    "These poses are of a tool, and none is in force. Choose that tool under Cell, then paste "
+    "again.",
+)
 NO_ROWS_CHOSEN = Reason("no_rows_chosen", "No row is chosen. Click one in the table first.")
 
 
@@ -54,6 +71,8 @@ _ZERO: Final = (0.0,) * VALUE_COUNT
 
 _TAUGHT_ON: Final = "application/x-armui-taught-on"
 """The format, beside the text in the clipboard, with the arm the points were taught on."""
+_TOOL: Final = "application/x-armui-tool"
+"""That with the tool whose poses the text has, as six figures; zeros for the flange."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,8 +87,19 @@ class OfOtherArm:
     here: str
 
 
-Outcome = Refusal | TrajectoryFileError | OfOtherArm | None
-"""The result of an edit: ``None`` if it is done; `OfOtherArm` if it is done, with a warning."""
+@dataclass(frozen=True, slots=True)
+class OfShownTool:
+    """The warning that pasted poses do not say what they are of, and count as the table's do.
+
+    Attributes:
+        tool: The tool, as a sentence names it.
+    """
+
+    tool: str
+
+
+Outcome = Refusal | TrajectoryFileError | OfOtherArm | OfShownTool | None
+"""The result of an edit: ``None`` if it is done; if it is done with a warning, that."""
 
 
 class PointEdits(QObject):
@@ -224,7 +254,7 @@ class PointEdits(QObject):
                 else to_joints(point, model, near_deg, self._controller.operating_state.limits)
             )
             if isinstance(result, Refusal):
-                return result
+                return self._as_shown(result, points[row])
             placed = self._in_frame(result, self._chosen_frame())
             if isinstance(placed, Refusal):
                 return placed
@@ -248,9 +278,16 @@ class PointEdits(QObject):
         before = pose_of(above, model) if row else model.forward(measured_deg)
         result = to_move(based, move, model, near_deg, before)
         if isinstance(result, Refusal):
-            return result
+            return self._as_shown(result, points[row])
         frame = self._chosen_frame() if points[row].is_joint else points[row].frame
         return self._in_frame(result, frame)
+
+    def _as_shown(self, refusal: Refusal, point: Waypoint) -> Refusal:
+        """Return a refusal with the place of the point as the table shows it."""
+        if refusal.reason != CONVERT_OUT_OF_REACH:
+            return refusal
+        x, y, z = self._table.points.tool.shown(point).target[:3]
+        return CONVERT_OUT_OF_REACH(x=x, y=y, z=z)
 
     def set_frame(self, name: str) -> Outcome:
         """Have the selected points count from another frame; each keeps its place.
@@ -303,7 +340,10 @@ class PointEdits(QObject):
         if not rows:
             return _no_rows()
         data = QMimeData()
-        data.setText(to_text(edits.chosen(self._document.points, rows)))
+        tool = self._table.points.tool
+        points = tool.all_shown(edits.chosen(self._document.points, rows))
+        data.setText(to_text(points, of_tool=not tool.is_flange))
+        data.setData(_TOOL, " ".join(map(repr, tool.tool)).encode())
         if self._document.taught_on:
             data.setData(_TAUGHT_ON, self._document.taught_on.encode())
         QGuiApplication.clipboard().setMimeData(data)
@@ -322,12 +362,30 @@ class PointEdits(QObject):
             new = pasted(QGuiApplication.clipboard().text(), like)
         except TrajectoryFileError as error:
             return error
+        points = new.points if new.is_file else self._kept(new)
+        if isinstance(points, Refusal):
+            return points
         arm, here = new.taught_on or _arm_in_clipboard(), self._document.taught_on
-        self._insert(self._below(), new.points)
+        self._insert(self._below(), points)
         if arm and here and arm != here:
             return OfOtherArm(arm, here)
-        self._document.note_taught(arm, len(new.points))
-        return None
+        self._document.note_taught(arm, len(points))
+        shown = self._table.points
+        unsaid = not new.is_file and not shown.tool.is_flange and _tool_in_clipboard() is None
+        poses = unsaid and not all(point.is_joint for point in points)
+        return OfShownTool(shown.named_tool) if poses else None
+
+    def _kept(self, new: PastedPoints) -> Sequence[Waypoint] | Refusal:
+        """Return pasted rows as they are kept.
+
+        Their poses are of the tool that is shown, unless the clipboard says of which.
+        """
+        shown, told = self._table.points.tool, _tool_in_clipboard()
+        if new.of_tool and told is None and shown.is_flange:
+            return PASTED_OF_TOOL()
+        tool = shown if told is None or told == tuple(shown.tool) else ToolPoints(told)
+        points = tool.all_kept(new.points)
+        return next(filter(None, map(check_point, points)), points)
 
     # The arm ----------------------------------------------------------------------------------
 
@@ -362,6 +420,18 @@ def _arm_in_clipboard() -> str:
     kept = b"" if data is None else bytes(data.data(_TAUGHT_ON).data())
     name = kept.decode(errors="replace")
     return "" if check_text("taught_on", name, lines=1) else name
+
+
+def _tool_in_clipboard() -> Values | None:
+    """Return the tool whose poses are in the clipboard; ``None`` if nothing says so."""
+    data = QGuiApplication.clipboard().mimeData()
+    kept = b"" if data is None else bytes(data.data(_TOOL).data())
+    try:
+        tool = tuple(map(float, kept.split()))
+    except ValueError:
+        return None
+    possible = len(tool) == VALUE_COUNT and check_pose("", tool, TOOL_LONGEST_MM) is None
+    return tool if possible else None
 
 
 def _no_rows() -> Refusal:

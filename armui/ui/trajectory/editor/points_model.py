@@ -18,6 +18,7 @@ from armui.arm.refusal import Refusal
 from armui.protocol.codes import ALL_LAMPS, MoveMode
 from armui.trajectory.files.log_points import LETTERS
 from armui.trajectory.files.text import number
+from armui.trajectory.planning.tool_points import ToolPoints
 from armui.trajectory.planning.user_frames import Frames, frames_of, why_unknown
 from armui.trajectory.points import edits
 from armui.trajectory.points.cells import (
@@ -35,7 +36,9 @@ from armui.trajectory.points.program import (
     GripperAction,
     GripperOpening,
     LightAction,
+    Values,
     Waypoint,
+    check_point,
 )
 from armui.ui import format as fmt
 from armui.ui import words
@@ -50,6 +53,8 @@ ROWS_MIME: Final = "application/x-armui-rows"
 ToMove = Callable[[int, MoveMode], Waypoint | Refusal]
 """Returns the point of a row with another kind of motion, or why not."""
 
+POSES: Final = frozenset({*VALUES, PointColumn.MIDDLE})
+"""The columns whose figures may be those of a tool."""
 _FIGURES: Final = frozenset({*VALUES, PointColumn.SPEED, PointColumn.DWELL})
 _COLUMNS: Final = tuple(PointColumn)
 
@@ -75,6 +80,10 @@ class PointsModel(TableModel):
         document: The document with the points.
         to_move: Converts a point when its kind of motion is changed.
 
+    Attributes:
+        tool: Shows poses for the tool in force; what a point keeps is the pose of the flange.
+        held_names: The names of what the hand may hold.
+
     Signals:
         refused: An index and the :class:`Refusal` of the entry.
         moved: The first row, and how many, after rows were dragged elsewhere.
@@ -90,6 +99,8 @@ class PointsModel(TableModel):
         self._to_move = to_move
         self._frames: Frames = {}
         self.held_names: Sequence[str] = ()
+        self.tool = ToolPoints()
+        self._tool_name = ""
         self._points = document.points
         self._current = -1
         self._faults: Mapping[int, bool] = {}
@@ -113,6 +124,8 @@ class PointsModel(TableModel):
         if role == _ALIGNED:
             return RIGHT if column in _FIGURES else LEFT
         point = self._points[index.row()]
+        if column in POSES:
+            point = self.tool.shown(point)
         if role == _DECORATED:
             return _swatch(point.light) if column is PointColumn.LIGHT else None
         if role == _EXACT:
@@ -152,10 +165,7 @@ class PointsModel(TableModel):
     ) -> Any:
         """Return the titles of the columns, or a row's number and state."""
         if role == Qt.ItemDataRole.ToolTipRole and orientation == Qt.Orientation.Horizontal:
-            return self.tr(
-                "Poses in the table are those of the flange, also while a tool is set. The figures "
-                "over the picture name their own point."
-            )
+            return self._explained()
         if role != Qt.ItemDataRole.DisplayRole:
             return None
         if orientation == Qt.Orientation.Horizontal:
@@ -165,10 +175,27 @@ class PointsModel(TableModel):
         sign = {None: "", False: "! ", True: "✕ "}[self._faults.get(section)]
         return f"{sign}{section + 1}"
 
+    def _explained(self) -> str:
+        if self.tool.is_flange:
+            return self.tr("Poses in the table are those of the flange: no tool is in force.")
+        text = self.tr(
+            "Poses in the table are of the tool centre point of {tool}. A point keeps where "
+            "the flange is: another tool changes these figures, not where the arm goes."
+        )
+        return text.format(tool=self.named_tool)
+
+    @property
+    def named_tool(self) -> str:
+        """The tool whose poses are shown, as a sentence names it."""
+        name = self._tool_name
+        return self.tr("the tool “{name}”").format(name=name) if name else self.tr("the tool")
+
     def titles(self) -> Sequence[str]:
         """Return the titles of :class:`PointColumn`."""
+        name = fmt.short(self._tool_name) or self.tr("tool")
+        point = self.tr("flange") if self.tool.is_flange else name
         return (
-            self.tr("Motion\n(flange)"),
+            self.tr("Motion\n({point})").format(point=point),
             *("J1 °\nX mm", "J2 °\nY mm", "J3 °\nZ mm"),
             *("J4 °\nRX °", "J5 °\nRY °", "J6 °\nRZ °"),
             self.tr("Middle pose"),
@@ -207,8 +234,15 @@ class PointsModel(TableModel):
         return point if isinstance(point, Refusal) else None
 
     def _entered(self, row: int, column: PointColumn, text: str) -> Waypoint | Refusal:
+        point = self._points[row]
+        if column in POSES:
+            typed = edited(self.tool.shown(point), column, text)
+            if isinstance(typed, Refusal):
+                return typed
+            kept = self.tool.kept(typed, point)
+            return check_point(kept) or kept
         if column is not PointColumn.MOVE:
-            return edited(self._points[row], column, text)
+            return edited(point, column, text)
         move = LETTERS.get(text.partition(IN_FRAME)[0][-1:])
         if move is None:
             return POINT_MOVE_UNKNOWN(value=text)
@@ -306,6 +340,14 @@ class PointsModel(TableModel):
         self._frames = frames_of(cell)
         self.held_names = () if cell is None else [each.name for each in cell.held_objects]
         self._redraw((0, len(self._points) - 1))
+
+    def show_tool(self, tool: Values, name: str) -> None:
+        """Show poses for another tool; no point changes."""
+        self.tool, self._tool_name = ToolPoints(tool), name
+        if self._points:  # no more is told, or the text of a note being typed would be lost
+            last = self.index(len(self._points) - 1, PointColumn.MIDDLE)
+            self.dataChanged.emit(self.index(0, PointColumn.VALUE_1), last)
+        self.retranslate()
 
     def retranslate(self) -> None:
         """Update the titles after a change of language."""

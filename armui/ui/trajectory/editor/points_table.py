@@ -20,8 +20,8 @@ from armui.arm.refusal import Refusal
 from armui.trajectory.points.cells import VALUES, PointColumn
 from armui.ui import words
 from armui.ui.theme import colors_of
-from armui.ui.trajectory.editor.point_delegate import PointDelegate
-from armui.ui.trajectory.editor.points_model import PointsModel
+from armui.ui.trajectory.editor.point_delegate import PointDelegate, TextEditor
+from armui.ui.trajectory.editor.points_model import POSES, PointsModel
 
 _ROW_PX: Final = 32
 _LEAST_ROWS: Final = 3
@@ -48,6 +48,9 @@ _MOST_PX: Final = {
 class PointsTable(QTableView):
     """Shows a :class:`PointsModel`.
 
+    Attributes:
+        points: The model.
+
     Signals:
         row_chosen: The current row, −1 if there is none.
     """
@@ -58,7 +61,7 @@ class PointsTable(QTableView):
         super().__init__()
         self.setObjectName("points_table")
         self.setModel(model)
-        self._model = model
+        self.points = model
         delegate = PointDelegate(self)
         self.setItemDelegate(delegate)
         self._note = QLabel(self.viewport())
@@ -125,6 +128,15 @@ class PointsTable(QTableView):
             if wanted_px > self.columnWidth(column):
                 self.setColumnWidth(column, wanted_px)
 
+    def drop_figures(self) -> bool:
+        """Close a pose that is being typed, untaken; return whether there was one."""
+        editors = self.viewport().findChildren(TextEditor)
+        if self.state() != self.State.EditingState or self.currentIndex().column() not in POSES:
+            return False
+        for editor in editors:
+            self.closeEditor(editor, PointDelegate.EndEditHint.RevertModelCache)
+        return bool(editors)
+
     # Rows -------------------------------------------------------------------------------------
 
     def rows(self) -> list[int]:
@@ -137,19 +149,19 @@ class PointsTable(QTableView):
 
     def select_row(self, row: int) -> None:
         """Select one row, and scroll to it."""
-        if 0 <= row < self._model.rowCount():
+        if 0 <= row < self.points.rowCount():
             self.select_rows(row, 1)
 
     def select_rows(self, first: int, count: int) -> None:
         """Select consecutive rows, and scroll to the first of them."""
-        top = self._model.index(first, 0)
-        bottom = self._model.index(first + count - 1, len(PointColumn) - 1)
+        top = self.points.index(first, 0)
+        bottom = self.points.index(first + count - 1, len(PointColumn) - 1)
         column = max(0, self.currentIndex().column())
         flag = QItemSelectionModel.SelectionFlag
         models = self.selectionModel()
-        models.setCurrentIndex(self._model.index(first, column), flag.NoUpdate)
+        models.setCurrentIndex(self.points.index(first, column), flag.NoUpdate)
         models.select(QItemSelection(top, bottom), flag.ClearAndSelect | flag.Rows)
-        self.scrollTo(self._model.index(first, column))
+        self.scrollTo(self.points.index(first, column))
 
     def _on_current(self, current: QModelIndex, _previous: QModelIndex) -> None:
         self.row_chosen.emit(current.row())
@@ -159,10 +171,10 @@ class PointsTable(QTableView):
     def paintEvent(self, event: QPaintEvent) -> None:
         """Draw the cells between the colours of their rows and the marks of the current ones."""
         colors = colors_of(self)
-        lit = self._model.current
+        lit = self.points.current
         painter = QPainter(self.viewport())
         for row in self._rows_within(event.rect().top(), event.rect().bottom()):
-            fault = self._model.fault(row)
+            fault = self.points.fault(row)
             if row == lit:
                 painter.fillRect(self._band(row), QColor(colors.accent_pale))
             elif fault is not None:
@@ -184,7 +196,7 @@ class PointsTable(QTableView):
         first, last = self.rowAt(top_px), self.rowAt(bottom_px)
         if first < 0:
             return range(0)
-        return range(first, self._model.rowCount() if last < 0 else last + 1)
+        return range(first, self.points.rowCount() if last < 0 else last + 1)
 
     def _band(self, row: int) -> QRect:
         """Return where a row is seen, from edge to edge."""

@@ -231,7 +231,10 @@ class PointTarget:
         else:
             pose = self._controller.cartesian.kinematics().forward(angles_deg)
             values = pose_in_frame(pose, point.frame, frames_of(self._controller.cell.cell))
-        changed = replace(point, target=tuple(round(value, _DECIMALS) for value in values))
+        tool = self.editor.model.tool
+        shown = tool.shown(replace(point, target=tuple(values)))
+        rounded = tuple(round(value, _DECIMALS) for value in shown.target)
+        changed = tool.kept(replace(shown, target=rounded), point)
         refusal = check_point(changed)
         if refusal is None:
             label = QCoreApplication.translate("PointTarget", "Drag in the picture")

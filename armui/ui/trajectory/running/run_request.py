@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Reason, Refusal
 from armui.cell.held_shape import held_shape
+from armui.cell.parts import part_named
 from armui.control.operations.started import ARM_CHANGED
 from armui.control.parameters.arm_model import arm_model, start_deg
 from armui.system.clock import steady_s
@@ -163,7 +164,7 @@ def carried_by(controller: ArmController, content: Content) -> dict[str, Carried
     points, cell = () if isinstance(content, Recording) else content.points, controller.cell.cell
     found = {}
     for name in {point.holds for point in points if point.holds is not None}:
-        held = None if cell is None else cell.object_named(name)
+        held = None if cell is None else part_named(cell.held_objects, name)
         if held is not None or not name:
             shape = None if held is None else held_shape(held)
             found[name] = Carried(shape, controller.area_guard.check_holding(name))
