@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from typing import Any, Final
 
 from armui.arm.refusal import Reason, Refusal
 from armui.cell.checks import check_name, check_names
 from armui.cell.gripper_table import GripperTable, Pairs, check_gripper_table
 from armui.cell.held_objects import HeldObject, check_held_object
+from armui.cell.parts import part_named, put, without
 from armui.cell.tools import Tool, check_tool
 from armui.cell.user_frames import UserFrame, check_user_frame
 from armui.cell.work_area import Area, check_area
@@ -54,84 +56,56 @@ class Cell:
     @property
     def chosen_tool(self) -> Tool | None:
         """The chosen tool, or ``None`` for the bare flange."""
-        return self.tool_named(self.tool)
+        return part_named(self.tools, self.tool)
 
     @property
     def chosen_frame(self) -> UserFrame | None:
         """The chosen user frame, or ``None`` for the base."""
-        return self.frame_named(self.frame)
+        return part_named(self.frames, self.frame)
 
     @property
     def held_object(self) -> HeldObject | None:
         """What the hand holds now, or ``None``."""
-        return self.object_named(self.held)
+        return part_named(self.held_objects, self.held)
 
     @property
     def gripper(self) -> GripperTable | None:
         """The gripper's table while it is applied, or ``None``."""
         return GripperTable(self.gripper_table) if self.gripper_calibrated else None
 
-    def tool_named(self, name: str) -> Tool | None:
-        """Return a tool by its name, or ``None``."""
-        return next((tool for tool in self.tools if tool.name == name), None)
 
-    def object_named(self, name: str) -> HeldObject | None:
-        """Return something that the hand may hold by its name, or ``None``."""
-        return next((each for each in self.held_objects if each.name == name), None)
-
-    def frame_named(self, name: str) -> UserFrame | None:
-        """Return a user frame by its name, or ``None``."""
-        return next((frame for frame in self.frames if frame.name == name), None)
+Part = Tool | UserFrame | HeldObject
+_LISTS: Final[dict[type[Any], tuple[str, str]]] = {
+    Tool: ("tools", "tool"),
+    UserFrame: ("frames", "frame"),
+    HeldObject: ("held_objects", "held"),
+}
+"""The list of each kind of part, and the name of the one of it that is in force."""
 
 
-def with_tool(cell: Cell, tool: Tool, *, instead_of: str = "") -> Cell:
-    """Return a cell with a further tool, or with a tool in the place of another.
+def with_part(cell: Cell, part: Part, *, instead_of: str = "") -> Cell:
+    """Return a cell with a further part, or with one in the place of another of its kind.
 
     Args:
         cell: The cell.
-        tool: The tool; it is chosen if it is new, or if the one it replaces was.
-        instead_of: The name of the tool that it replaces; "" adds it.
+        part: The part. It is in force if the one it replaces was; a new tool or frame is, too.
+        instead_of: The name of the one that it replaces; "" adds it.
     """
-    if not instead_of:
-        return replace(cell, tools=(*cell.tools, tool), tool=tool.name)
-    tools = tuple(tool if each.name == instead_of else each for each in cell.tools)
-    return replace(cell, tools=tools, tool=tool.name if cell.tool == instead_of else cell.tool)
+    parts, chosen = _LISTS[type(part)]
+    now = getattr(cell, chosen)
+    if now == instead_of if instead_of else not isinstance(part, HeldObject):
+        now = part.name
+    changed: dict[str, Any] = {parts: put(getattr(cell, parts), part, instead_of), chosen: now}
+    return replace(cell, **changed)
 
 
-def without_tool(cell: Cell, name: str) -> Cell:
-    """Return a cell without a tool; if it was the chosen one, the bare flange is chosen."""
-    tools = tuple(each for each in cell.tools if each.name != name)
-    return replace(cell, tools=tools, tool="" if cell.tool == name else cell.tool)
-
-
-def with_held_object(cell: Cell, held: HeldObject, *, instead_of: str = "") -> Cell:
-    """Return a cell with a further object to hold, or with one in the place of another."""
-    if not instead_of:
-        return replace(cell, held_objects=(*cell.held_objects, held))
-    objects = tuple(held if each.name == instead_of else each for each in cell.held_objects)
-    now = held.name if cell.held == instead_of else cell.held
-    return replace(cell, held_objects=objects, held=now)
-
-
-def with_frame(cell: Cell, frame: UserFrame, *, instead_of: str = "") -> Cell:
-    """Return a cell with a further user frame, or with one in the place of another.
-
-    Args:
-        cell: The cell.
-        frame: The frame; it is chosen if it is new, or if the one it replaces was.
-        instead_of: The name of the frame that it replaces; "" adds it.
-    """
-    if not instead_of:
-        return replace(cell, frames=(*cell.frames, frame), frame=frame.name)
-    frames = tuple(frame if each.name == instead_of else each for each in cell.frames)
-    chosen = frame.name if cell.frame == instead_of else cell.frame
-    return replace(cell, frames=frames, frame=chosen)
-
-
-def without_frame(cell: Cell, name: str) -> Cell:
-    """Return a cell without a user frame; if it was the chosen one, the base is chosen."""
-    frames = tuple(each for each in cell.frames if each.name != name)
-    return replace(cell, frames=frames, frame="" if cell.frame == name else cell.frame)
+def without_part(cell: Cell, kind: type[Part], name: str) -> Cell:
+    """Return a cell without a part of a kind; if it was in force, none of the kind is."""
+    parts, chosen = _LISTS[kind]
+    now = getattr(cell, chosen)
+    changed: dict[str, Any] = {parts: without(getattr(cell, parts), name)}
+    changed[chosen] = "" if now == name else now
+    return replace(cell, **changed)
 
 
 def check_cell(cell: Cell) -> Refusal | None:

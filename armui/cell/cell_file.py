@@ -15,8 +15,12 @@ from typing import Final
 
 from armui.arm.json_fields import FieldError, FieldProblem, Fields
 from armui.arm.refusal import Reason, Refusal
-from armui.cell import gripper_table, held_objects, tools, user_frames, work_area
+from armui.cell import gripper_table
 from armui.cell.cell import Cell, check_cell
+from armui.cell.held_objects import HeldObject
+from armui.cell.parts import Part, from_entry, to_entry
+from armui.cell.tools import Tool
+from armui.cell.user_frames import UserFrame
 from armui.cell.work_area import Area
 from armui.system.atomic import write_whole
 from armui.system.files import error_text, read_file
@@ -176,14 +180,14 @@ def differences(before: Cell, after: Cell) -> tuple[Difference, ...]:
 
 def _entries(cell: Cell) -> dict[str, object]:
     return {
-        "tools": [tools.to_entry(tool) for tool in cell.tools],
+        "tools": list(map(to_entry, cell.tools)),
         "tool": cell.tool,
         "gripper_table": gripper_table.to_entries(cell.gripper_table),
         "gripper_calibrated": int(cell.gripper_calibrated),
-        "area": work_area.to_entry(cell.area),
-        "held_objects": [held_objects.to_entry(held) for held in cell.held_objects],
+        "area": to_entry(cell.area),
+        "held_objects": list(map(to_entry, cell.held_objects)),
         "held": cell.held,
-        "frames": [user_frames.to_entry(frame) for frame in cell.frames],
+        "frames": list(map(to_entry, cell.frames)),
         "frame": cell.frame,
     }
 
@@ -200,14 +204,14 @@ def _cell(fields: Fields, name: str) -> Cell:
         raise fields.wrong("version", CELL_VERSION(version=version, known=VERSION))
     cell = Cell(
         name,
-        tools=tuple(map(tools.from_entry, _objects(fields, "tools"))),
+        tools=_parts(Tool, fields, "tools"),
         tool=fields.text("tool", ""),
         gripper_table=gripper_table.from_entries(_objects(fields, "gripper_table")),
         gripper_calibrated=bool(fields.whole("gripper_calibrated", 0, (0, 1))),
-        area=work_area.from_entry(fields.object("area")) if "area" in fields else Area(),
-        held_objects=tuple(map(held_objects.from_entry, _objects(fields, "held_objects"))),
+        area=from_entry(Area, fields.object("area")) if "area" in fields else Area(),
+        held_objects=_parts(HeldObject, fields, "held_objects"),
         held=fields.text("held", ""),
-        frames=tuple(map(user_frames.from_entry, _objects(fields, "frames"))),
+        frames=_parts(UserFrame, fields, "frames"),
         frame=fields.text("frame", ""),
     )
     fields.nothing_else()
@@ -215,6 +219,10 @@ def _cell(fields: Fields, name: str) -> Cell:
     if refusal is not None:
         raise FieldError(FieldProblem.BAD, (), refusal=refusal)
     return cell
+
+
+def _parts(kind: type[Part], fields: Fields, name: str) -> tuple[Part, ...]:
+    return tuple(from_entry(kind, each) for each in _objects(fields, name))
 
 
 def _objects(fields: Fields, name: str) -> Sequence[Fields]:

@@ -8,7 +8,7 @@ from typing import Any, TypeVar
 
 from armui.arm.json_fields import FieldError, Fields
 from armui.arm.refusal import Refusal
-from armui.cell import held_objects, tools, user_frames, work_area
+from armui.cell import parts
 from armui.cell.cell import Cell
 from armui.cell.held_objects import HeldObject, check_held_object
 from armui.cell.tools import Tool, check_tool
@@ -46,13 +46,13 @@ def cell_in_force(cell: Cell) -> CellInForce:
 
 def to_entry(holding: CellInForce) -> dict[str, object]:
     """Return it as a line of a recording's sidecar; what is not there is left out."""
-    entry: dict[str, object] = {"cell": holding.name, "tool": dict(tools.to_entry(holding.tool))}
+    entry: dict[str, object] = {"cell": holding.name, "tool": parts.to_entry(holding.tool)}
     if holding.held is not None:
-        entry["held"] = dict(held_objects.to_entry(holding.held))
+        entry["held"] = parts.to_entry(holding.held)
     if not holding.area.is_free:
-        entry["area"] = dict(work_area.to_entry(holding.area))
+        entry["area"] = parts.to_entry(holding.area)
     if holding.frame is not None:
-        entry["frame"] = dict(user_frames.to_entry(holding.frame))
+        entry["frame"] = parts.to_entry(holding.frame)
     return entry
 
 
@@ -61,10 +61,10 @@ def from_entry(entry: Mapping[str, Any]) -> CellInForce:
     name = entry.get("cell")
     return CellInForce(
         name if isinstance(name, str) else "",
-        _part(entry.get("tool"), tools.from_entry, check_tool, Tool("")),
-        _part(entry.get("held"), held_objects.from_entry, check_held_object, None),
-        _part(entry.get("area"), work_area.from_entry, check_area, Area()),
-        _part(entry.get("frame"), user_frames.from_entry, check_user_frame, None),
+        _part(entry.get("tool"), Tool, check_tool, Tool("")),
+        _part(entry.get("held"), HeldObject, check_held_object, None),
+        _part(entry.get("area"), Area, check_area, Area()),
+        _part(entry.get("frame"), UserFrame, check_user_frame, None),
     )
 
 
@@ -72,23 +72,23 @@ def all_through(told: Sequence[CellInForce]) -> CellInForce:
     """Return what held at each of some moments, part by part; what changed is left out."""
     nothing = CellInForce()
     tools_told = {each.tool.pose: each.tool for each in told}
-    parts = {
+    same = {
         part: held.pop()
         for part in ("name", "held", "area", "frame")
         if len(held := {getattr(each, part) for each in told}) == 1
     }
     tool = nothing.tool if len(tools_told) != 1 else next(iter(tools_told.values()))
-    return replace(nothing, tool=tool, **parts)
+    return replace(nothing, tool=tool, **same)
 
 
 def _part(
     entry: object,
-    read: Callable[[Fields], _Part],
+    kind: type[_Part],
     check: Callable[[_Part], Refusal | None],
     otherwise: _Otherwise,
 ) -> _Part | _Otherwise:
     try:
-        found = read(Fields(entry))
+        found = parts.from_entry(kind, Fields(entry))
     except FieldError:
         return otherwise
     return otherwise if check(found) is not None else found

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
-from armui.arm.json_fields import Fields
 from armui.arm.refusal import Refusal
-from armui.cell.checks import FIGURES, check_figure, check_names, check_pose
+from armui.cell.checks import check_figure, check_names, check_pose
+from armui.cell.parts import SIZES
 from armui.cell.tools import NO_TOOL
 from armui.protocol.codes import EndLoad
 from armui.setting_checks import TOOL_LONGEST_MM
@@ -18,7 +17,6 @@ PAYLOAD_KG: Final = 1.5
 HEAVIEST_KG: Final = 5.0
 _SMALLEST_MM: Final = 1.0
 _LARGEST_MM: Final = 1000.0
-SIZES: Final = ("size_x_mm", "size_y_mm", "size_z_mm")
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,33 +60,3 @@ def check_held_object(held: HeldObject) -> Refusal | None:
         check_names(held.may_touch),
     ]
     return next((each for each in refusals if each is not None), None)
-
-
-def to_entry(held: HeldObject) -> Mapping[str, object]:
-    """Return an object as one of a cell's file."""
-    return {
-        "name": held.name,
-        **dict(zip(FIGURES, held.pose, strict=True)),
-        **dict(zip(SIZES, held.size_mm, strict=True)),
-        "is_rod": held.is_rod,
-        "mass_kg": held.mass_kg,
-        "may_touch": list(held.may_touch),
-    }
-
-
-def from_entry(fields: Fields) -> HeldObject:
-    """Return the object in one of a cell's file.
-
-    Raises:
-        FieldError: A field is missing, unknown or of another type.
-    """
-    held = HeldObject(
-        fields.text("name"),
-        tuple(map(fields.number, FIGURES)),
-        tuple(map(fields.number, SIZES)),
-        fields.flag("is_rod"),
-        fields.number("mass_kg"),
-        fields.texts("may_touch"),
-    )
-    fields.nothing_else()
-    return held

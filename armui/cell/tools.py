@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
-from armui.arm.json_fields import Fields
 from armui.arm.refusal import Refusal
-from armui.cell.checks import FIGURES, check_figure, check_pose
+from armui.cell.checks import check_figure, check_pose
 from armui.setting_checks import TOOL_LONGEST_MM
 
 _THICKEST_MM: Final = 200.0
@@ -41,22 +39,3 @@ def check_tool(tool: Tool) -> Refusal | None:
     """Return why the figures of a tool are not possible, or ``None``."""
     refusal = check_pose(tool.name, tool.pose, TOOL_LONGEST_MM)
     return refusal or check_figure(tool.name, "radius_mm", tool.radius_mm, 0.0, _THICKEST_MM)
-
-
-def to_entry(tool: Tool) -> Mapping[str, object]:
-    """Return a tool as an object of a cell's file."""
-    figures = dict(zip(FIGURES, tool.pose, strict=True))
-    return {"name": tool.name, **figures, "radius_mm": tool.radius_mm}
-
-
-def from_entry(fields: Fields) -> Tool:
-    """Return the tool in an object of a cell's file.
-
-    Raises:
-        FieldError: A field is missing, unknown or of another type.
-    """
-    name = fields.text("name")
-    pose = tuple(fields.number(figure) for figure in FIGURES)
-    tool = Tool(name, pose, fields.number("radius_mm"))
-    fields.nothing_else()
-    return tool

@@ -7,13 +7,12 @@ the side of +Y. The right hand tells Z.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from armui.arm.json_fields import Fields
 from armui.arm.refusal import Reason, Refusal
-from armui.cell.checks import FIGURES, check_pose
+from armui.cell.checks import check_pose
 
 FRAME_POINTS_NEAR = Reason(
     "frame_points_near",
@@ -83,19 +82,3 @@ def frame_from_points(
     matrix = np.eye(4)
     matrix[:3] = np.column_stack((x, np.cross(z, x), z, places[0]))
     return tuple(matrix_to_pose(matrix))
-
-
-def to_entry(frame: UserFrame) -> Mapping[str, object]:
-    """Return a frame as an object of a cell's file."""
-    return {"name": frame.name, **dict(zip(FIGURES, frame.pose, strict=True))}
-
-
-def from_entry(fields: Fields) -> UserFrame:
-    """Return the frame in an object of a cell's file.
-
-    Raises:
-        FieldError: A field is missing, unknown or of another type.
-    """
-    frame = UserFrame(fields.text("name"), tuple(map(fields.number, FIGURES)))
-    fields.nothing_else()
-    return frame

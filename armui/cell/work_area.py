@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Final, TypeVar
 
-from armui.arm.json_fields import Fields
 from armui.arm.refusal import Reason, Refusal
-from armui.cell.checks import FIGURES, check_figure, check_names, check_pose
+from armui.cell.checks import check_figure, check_names, check_pose
+from armui.cell.parts import SIZES, part_named, put, without
 
 AREA_TOO_MANY = Reason(
     "area_too_many",
@@ -24,7 +23,6 @@ _SMALLEST_MM: Final = 1.0
 _LEAST_MARGIN_MM: Final = 2.0
 """Ways are looked at in steps that are too short to hide 1 mm: with this margin nothing touches."""
 _LARGEST_MARGIN_MM: Final = 200.0
-_SIZES: Final = ("size_x_mm", "size_y_mm", "size_z_mm")
 _NOWHERE: Final = (0.0,) * 6
 
 
@@ -98,7 +96,7 @@ class Area:
 
     def named(self, name: str) -> Zone | None:
         """Return a plane or box by its name, or ``None``."""
-        return next((zone for zone in self.zones if zone.name == name), None)
+        return part_named(self.zones, name)
 
 
 def with_zone(area: Area, zone: Zone, *, instead_of: str = "") -> Area:
@@ -109,10 +107,7 @@ def with_zone(area: Area, zone: Zone, *, instead_of: str = "") -> Area:
         zone: The plane or box.
         instead_of: The name of the one it replaces; "" adds it.
     """
-    before = area.named(instead_of) if instead_of else None
-    zones: list[Zone] = [zone if each is before else each for each in area.zones]
-    if before is None:
-        zones.append(zone)
+    zones = put(area.zones, zone, instead_of)
     planes = tuple(each for each in zones if isinstance(each, AreaPlane))
     boxes = tuple(each for each in zones if isinstance(each, AreaBox))
     return replace(area, planes=planes, boxes=boxes)
@@ -120,11 +115,7 @@ def with_zone(area: Area, zone: Zone, *, instead_of: str = "") -> Area:
 
 def without_zone(area: Area, name: str) -> Area:
     """Return an area without the plane or box of a name."""
-    return replace(
-        area,
-        planes=tuple(each for each in area.planes if each.name != name),
-        boxes=tuple(each for each in area.boxes if each.name != name),
-    )
+    return replace(area, planes=without(area.planes, name), boxes=without(area.boxes, name))
 
 
 def check_area(area: Area) -> Refusal | None:
@@ -142,61 +133,11 @@ def check_area(area: Area) -> Refusal | None:
 def _check_zone(zone: Zone) -> Refusal | None:
     refusal = check_pose(zone.name, zone.pose, _FURTHEST_MM)
     if refusal is None and isinstance(zone, AreaBox):
-        for field, value in zip(_SIZES, zone.size_mm, strict=True):
+        for field, value in zip(SIZES, zone.size_mm, strict=True):
             refusal = check_figure(zone.name, field, value, _SMALLEST_MM, _FURTHEST_MM)
             if refusal is not None:
                 return refusal
     return refusal
-
-
-def to_entry(area: Area) -> Mapping[str, object]:
-    """Return a work area as an object of a cell's file."""
-    return {
-        "margin_mm": area.margin_mm,
-        "stops_others": area.stops_others,
-        "planes": [_zone_entry(plane) for plane in area.planes],
-        "boxes": [
-            {**_zone_entry(box), **dict(zip(_SIZES, box.size_mm, strict=True))}
-            for box in area.boxes
-        ],
-    }
-
-
-def from_entry(fields: Fields) -> Area:
-    """Return the work area in an object of a cell's file.
-
-    Raises:
-        FieldError: A field is missing, unknown or wrong.
-    """
-    area = Area(
-        tuple(map(_plane, fields.objects("planes"))),
-        tuple(map(_box, fields.objects("boxes"))),
-        fields.number("margin_mm"),
-        fields.flag("stops_others"),
-    )
-    fields.nothing_else()
-    return area
-
-
-def _zone_entry(zone: Zone) -> dict[str, object]:
-    return {"name": zone.name, "on": zone.on, **dict(zip(FIGURES, zone.pose, strict=True))}
-
-
-def _plane(fields: Fields) -> AreaPlane:
-    plane = AreaPlane(fields.text("name"), _numbers(fields, FIGURES), fields.flag("on"))
-    fields.nothing_else()
-    return plane
-
-
-def _box(fields: Fields) -> AreaBox:
-    pose, size = _numbers(fields, FIGURES), _numbers(fields, _SIZES)
-    box = AreaBox(fields.text("name"), pose, size, fields.flag("on"))
-    fields.nothing_else()
-    return box
-
-
-def _numbers(fields: Fields, names: Iterable[str]) -> tuple[float, ...]:
-    return tuple(map(fields.number, names))
 
 
 def _on(zones: tuple[_AnyZone, ...]) -> tuple[_AnyZone, ...]:

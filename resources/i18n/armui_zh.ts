@@ -641,6 +641,10 @@
         <translation>填入用户坐标系的位姿；它的 Z 轴就是平面的 Z 轴。</translation>
     </message>
     <message>
+        <source>Nearest: {part}, {value} mm from “{name}”</source>
+        <translation>最近：{part}，距“{name}” {value} mm</translation>
+    </message>
+    <message>
         <source>The arm has not reported its pose yet.</source>
         <translation>机械臂尚未反馈位姿。</translation>
     </message>
@@ -655,10 +659,6 @@
     <message>
         <source>From frame</source>
         <translation>取自坐标系</translation>
-    </message>
-    <message>
-        <source>Apply</source>
-        <translation>应用</translation>
     </message>
     <message>
         <source>Box</source>
@@ -677,20 +677,8 @@
         <translation>开启</translation>
     </message>
     <message>
-        <source>Nearest: “{name}”, {value} mm</source>
-        <translation>最近：“{name}”，{value} mm</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>删除</translation>
-    </message>
-    <message>
         <source>It is in force. Switch it off, or change its figures and press Apply.</source>
         <translation>它已生效。可以关闭，或更改数值后按“应用”。</translation>
-    </message>
-    <message>
-        <source>There is no cell yet: type its name above and press New.</source>
-        <translation>还没有单元：请在上方输入名称，再按“新建”。</translation>
     </message>
     <message>
         <source>Press Add plane or Add box: it holds for everything from then on.</source>
@@ -703,14 +691,6 @@
     <message>
         <source>— (a new one)</source>
         <translation>—（新建）</translation>
-    </message>
-    <message>
-        <source>Edge of the box along {axis}</source>
-        <translation>长方体沿 {axis} 的边长</translation>
-    </message>
-    <message>
-        <source>Area {axis}</source>
-        <translation>工作区 {axis}</translation>
     </message>
 </context>
 <context>
@@ -4215,6 +4195,14 @@
         <translation>立即运行</translation>
     </message>
     <message>
+        <source>The cell “{name}” is not confirmed: its work area and what is held were counted, its tool was not. Confirm it, then check again.</source>
+        <translation>单元“{name}”尚未确认：检查计入了其工作区和夹持的工件，未计入其工具。请确认单元后再检查一次。</translation>
+    </message>
+    <message>
+        <source>The cell “{name}” could not be read: nothing of it was counted.</source>
+        <translation>单元“{name}”无法读取：检查未计入其任何内容。</translation>
+    </message>
+    <message>
         <source>Row {row}: {text}</source>
         <translation>第 {row} 行：{text}</translation>
     </message>
@@ -4746,10 +4734,6 @@ Z 轴指向 {direction}</translation>
         <translation>删除坐标系</translation>
     </message>
     <message>
-        <source>Frame {number}</source>
-        <translation>坐标系 {number}</translation>
-    </message>
-    <message>
         <source>The arm has not reported its pose yet.</source>
         <translation>机械臂尚未反馈位姿。</translation>
     </message>
@@ -4776,10 +4760,6 @@ Z 轴指向 {direction}</translation>
     <message>
         <source>No frame is chosen. Add one, or choose one above.</source>
         <translation>未选择坐标系。请添加，或在上方选择。</translation>
-    </message>
-    <message>
-        <source>There is no cell yet: type its name above and press New.</source>
-        <translation>还没有单元：请在上方输入名称并按“新建”。</translation>
     </message>
     <message>
         <source>Press By three points: the tool&apos;s tip shows where the frame is. Or type a name and the frame&apos;s pose in the base, then press Add.</source>
@@ -5376,10 +5356,6 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>将夹爪打开到校准表的下一个开度</translation>
     </message>
     <message>
-        <source>There is no cell yet: type its name above and press New.</source>
-        <translation>尚无单元：请在上方输入名称并按“新建”。</translation>
-    </message>
-    <message>
         <source>Propose widths</source>
         <translation>推荐开度</translation>
     </message>
@@ -5497,10 +5473,6 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>工件可接触的物体，如桌面、托盘。</translation>
     </message>
     <message>
-        <source>Diameter (X, Y), length (Z)</source>
-        <translation>直径（X、Y），长度（Z）</translation>
-    </message>
-    <message>
         <source>Edges</source>
         <translation>边长</translation>
     </message>
@@ -5521,12 +5493,12 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>“{name}”不再计入任何检查。夹爪不会动。</translation>
     </message>
     <message>
-        <source>Tells the arm its end load; the program never does so by itself.</source>
-        <translation>把末端负载告知机械臂。程序不会自动告知。</translation>
+        <source>Ø X, Y; length Z</source>
+        <translation>直径 X、Y，长 Z</translation>
     </message>
     <message>
-        <source>There is no cell yet: type its name above and press New.</source>
-        <translation>还没有单元：请在上方输入名称并按“新建”。</translation>
+        <source>Tells the arm its end load; the program never does so by itself.</source>
+        <translation>把末端负载告知机械臂。程序不会自动告知。</translation>
     </message>
     <message>
         <source>Press Apply to put the new figures in force.</source>
@@ -5571,26 +5543,6 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>Shape of the held object</source>
         <translation>工件形状</translation>
-    </message>
-    <message>
-        <source>Held object {axis}</source>
-        <translation>工件 {axis}</translation>
-    </message>
-    <message>
-        <source>Edge of the held object along {axis}</source>
-        <translation>工件沿 {axis} 的边长</translation>
-    </message>
-    <message>
-        <source>Add</source>
-        <translation>添加</translation>
-    </message>
-    <message>
-        <source>Apply</source>
-        <translation>应用</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>删除</translation>
     </message>
 </context>
 <context>
@@ -7294,6 +7246,18 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
 </context>
 <context>
     <name>NamedTab</name>
+    <message>
+        <source>Type a name first.</source>
+        <translation>请先输入名称。</translation>
+    </message>
+    <message>
+        <source>Nothing is changed.</source>
+        <translation>没有改动。</translation>
+    </message>
+    <message>
+        <source>{kind}: edge along {axis}</source>
+        <translation>{kind}：沿 {axis} 的边长</translation>
+    </message>
     <message>
         <source>Apply</source>
         <translation>应用</translation>
@@ -10660,6 +10624,18 @@ The other program must have ended.</source>
         <translation>没有生效的用户坐标系，或已不是按下时的那个。请在“单元”中选择坐标系后再按，或沿基坐标系、工具坐标系移动。</translation>
     </message>
     <message>
+        <source>Joint {joint} moves at {value}°/s. {percent} % was told, that is {maximum}°/s at most; above {limit}°/s a motion is ended. Before the next one set the speed again: at the top, for a run in its points and below them.</source>
+        <translation>关节 {joint} 实测 {value}°/s；下达的 {percent} % 对应最高 {maximum}°/s，超过 {limit}°/s 即结束运动。请在下次运动前重新设定速度：一般在顶部，运行时在各点及其下方。</translation>
+    </message>
+    <message>
+        <source>The tool moves at {value} mm/s. {percent} % was told, that is {maximum} mm/s at most on this path; above {limit} mm/s a motion is ended. Before the next one set the speed again: at the top, for a run in its points and below them.</source>
+        <translation>工具移动实测 {value} mm/s；下达的 {percent} % 在此路径上对应最高 {maximum} mm/s，超过 {limit} mm/s 即结束运动。请在下次运动前重新设定速度：一般在顶部，运行时在各点及其下方。</translation>
+    </message>
+    <message>
+        <source>The tool turns at {value}°/s. {percent} % was told, that is {maximum}°/s at most on this path; above {limit}°/s a motion is ended. Before the next one set the speed again: at the top, for a run in its points and below them.</source>
+        <translation>工具转动实测 {value}°/s；下达的 {percent} % 在此路径上对应最高 {maximum}°/s，超过 {limit}°/s 即结束运动。请在下次运动前重新设定速度：一般在顶部，运行时在各点及其下方。</translation>
+    </message>
+    <message>
         <source>The titles of the poses and the row “#tool” belong together: titles with tcp_ are of the tool in that row, those without are of the flange. Export the file again.</source>
         <translation>位姿的列标题与“#tool”行须一致：带 tcp_ 的标题是该行工具的位姿，不带的是法兰的位姿。请重新导出该文件。</translation>
     </message>
@@ -11484,24 +11460,12 @@ The other program must have ended.</source>
         <translation>电脑即将休眠，或即将结束本程序：此前已命令机械臂结束运动。</translation>
     </message>
     <message>
-        <source>The tool moves at {value} mm/s, where {maximum} mm/s is shown. Set the speed again before the next motion.</source>
-        <translation>末端速度为 {value} mm/s，而显示的速度对应 {maximum} mm/s。请在下次运动前重新设置速度。</translation>
-    </message>
-    <message>
         <source>The hand or what it holds would come to {value} mm; jogs end at {minimum} mm, as chosen under Settings. Jog upwards.</source>
         <translation>末端或工件将到 {value} mm；按“设置”中的选择，点动止于 {minimum} mm。请向上点动。</translation>
     </message>
     <message>
         <source>J{joint}: this step would go beyond its limit of {limit}°. Take a smaller step.</source>
         <translation>J{joint}：这一步会越过限位 {limit}°，请减小步长。</translation>
-    </message>
-    <message>
-        <source>Joint {joint} moves at {value}°/s, where {maximum}°/s is shown. Set the speed again before the next motion.</source>
-        <translation>关节 {joint} 实测 {value}°/s，而显示的速度为 {maximum}°/s。下次运动前请重新设定速度。</translation>
-    </message>
-    <message>
-        <source>The tool turns at {value}°/s, where {maximum}°/s is shown. Set the speed again before the next motion.</source>
-        <translation>末端转动速度为 {value}°/s，而显示的速度对应 {maximum}°/s。请在下次运动前重新设置速度。</translation>
     </message>
     <message>
         <source>{device} needs the library libusb, which is not on this computer. Install it in a terminal: on Windows and macOS pip install libusb-package, on Debian and Ubuntu sudo apt install libusb-1.0-0</source>
@@ -12119,6 +12083,10 @@ The other program must have ended.</source>
     <message>
         <source>{time} left</source>
         <translation>剩余 {time}</translation>
+    </message>
+    <message>
+        <source>{percent}, tool ≤ {speed}</source>
+        <translation>{percent}，工具 ≤ {speed}</translation>
     </message>
     <message>
         <source>moving</source>
@@ -13632,8 +13600,8 @@ The other program must have ended.</source>
         <translation>机械臂反馈的速度百分比</translation>
     </message>
     <message>
-        <source>Speed of motions, 0–100 % of the arm&apos;s highest; 0 % means no motion.</source>
-        <translation>运动速度，为最大速度的 0～100 %；0 % 时不运动。</translation>
+        <source>Speed of motions, 0–100 % of the arm&apos;s highest; 0 % means no motion. A motion that is measured to be more than 1.5 times as fast as it was told is ended.</source>
+        <translation>运动速度：机械臂最高速度的 0–100 %；0 % 即不动。实测速度超过下达速度 1.5 倍时，运动会被结束。</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -14152,10 +14120,6 @@ Before: {before}</source>
         <translation>手动输入</translation>
     </message>
     <message>
-        <source>Tool {number}</source>
-        <translation>工具 {number}</translation>
-    </message>
-    <message>
         <source>Tool on the flange</source>
         <translation>法兰上的工具</translation>
     </message>
@@ -14194,10 +14158,6 @@ Before: {before}</source>
     <message>
         <source>Press Add: the tool is chosen, and its tip is what moves from then on.</source>
         <translation>请按“添加”：工具即被选用，从此运动的是它的尖端。</translation>
-    </message>
-    <message>
-        <source>There is no cell yet: type its name above and press New.</source>
-        <translation>还没有单元：请在上方输入名称，再按“新建”。</translation>
     </message>
     <message>
         <source>Find the tip by points</source>

@@ -5,7 +5,7 @@ import json
 import pytest
 
 from armui.arm.refusal import Refusal
-from armui.cell.cell import Cell, with_tool, without_tool
+from armui.cell.cell import Cell, with_part, without_part
 from armui.cell.cell_file import (
     CELL_CHANGED_ELSEWHERE,
     CELL_FIELD_BAD,
@@ -115,10 +115,10 @@ def test_a_folder_is_read_with_what_is_broken_in_it(tmp_path):
 def test_what_another_program_wrote_is_not_overwritten(tmp_path):
     path = tmp_path / "bench.armui-cell"
     assert save_cell(path, BENCH, None) is None
-    assert save_cell(path, without_tool(BENCH, "hook"), BENCH) is None
+    assert save_cell(path, without_part(BENCH, Tool, "hook"), BENCH) is None
     other = save_cell(path, BENCH, BENCH)
     assert other.reason == CELL_CHANGED_ELSEWHERE
-    assert read_cell(path) == without_tool(BENCH, "hook")
+    assert read_cell(path) == without_part(BENCH, Tool, "hook")
 
 
 def test_names_are_those_that_every_file_system_takes():
@@ -134,22 +134,22 @@ def test_names_are_those_that_every_file_system_takes():
 
 
 def test_differences_name_the_parameter():
-    raised = with_tool(
+    raised = with_part(
         BENCH, Tool("pen", (1.0, -2.5, 130.0, 0.0, 90.0, -180.0), 12.5), instead_of="pen"
     )
     assert differences(BENCH, raised) == (Difference("tools.pen.z_mm", 120.0, 130.0),)
-    gone = differences(BENCH, without_tool(BENCH, "pen"))
+    gone = differences(BENCH, without_part(BENCH, Tool, "pen"))
     assert Difference("tool", "pen", "") in gone
     assert Difference("tools.pen.radius_mm", 12.5, None) in gone
     assert differences(BENCH, BENCH) == ()
 
 
 def test_a_new_tool_is_chosen_and_a_renamed_one_stays_so():
-    cell = with_tool(Cell("a"), HOOK)
+    cell = with_part(Cell("a"), HOOK)
     assert (cell.tool, cell.tools) == ("hook", (HOOK,))
-    cell = with_tool(cell, Tool("claw", HOOK.pose), instead_of="hook")
+    cell = with_part(cell, Tool("claw", HOOK.pose), instead_of="hook")
     assert (cell.tool, cell.chosen_tool.name) == ("claw", "claw")
-    assert without_tool(cell, "claw") == Cell("a")
+    assert without_part(cell, Tool, "claw") == Cell("a")
 
 
 def test_the_capsule_is_as_long_as_the_tip_is_far():

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from armui.cell.area_check import AreaCheck, carried_body
-from armui.cell.cell import CELL_CHOICE_BAD, Cell, check_cell, with_held_object
+from armui.cell.cell import CELL_CHOICE_BAD, Cell, check_cell, with_part
 from armui.cell.cell_file import from_text, to_text
 from armui.cell.checks import CELL_FIGURE_BAD, CELL_NAME_TAKEN
 from armui.cell.held_objects import HeldObject
@@ -176,7 +176,7 @@ def test_impossible_objects_are_refused():
 
 def test_renamed_it_is_still_held():
     cell = Cell("c", held_objects=(CUBE,), held="cube")
-    renamed = with_held_object(cell, HeldObject("box"), instead_of="cube")
+    renamed = with_part(cell, HeldObject("box"), instead_of="cube")
     assert (renamed.held, renamed.held_object) == ("box", HeldObject("box"))
 
 

@@ -7,7 +7,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from armui.arm.refusal import Refusal
-from armui.cell.cell import CELL_CHOICE_BAD, Cell, check_cell, with_frame, without_frame
+from armui.cell.cell import CELL_CHOICE_BAD, Cell, check_cell, with_part, without_part
 from armui.cell.cell_file import CELL_FIELD_BAD, from_text, to_text
 from armui.cell.checks import CELL_FIGURE_BAD, CELL_NAME_TAKEN
 from armui.cell.user_frames import (
@@ -87,19 +87,19 @@ def test_points_that_give_no_frame_are_refused_with_their_figures():
 
 
 def test_a_new_frame_is_chosen_and_a_renamed_one_stays_so():
-    cell = with_frame(Cell("bench"), TABLE)
+    cell = with_part(Cell("bench"), TABLE)
     assert (cell.frame, cell.chosen_frame, cell.frames) == ("table", TABLE, (TABLE,))
-    cell = with_frame(cell, RAMP)
-    assert with_frame(cell, UserFrame("desk"), instead_of="table").frame == "ramp"
-    cell = with_frame(cell, UserFrame("slope", RAMP.pose), instead_of="ramp")
-    assert (cell.frame, cell.frame_named("slope").pose) == ("slope", RAMP.pose)
-    cell = without_frame(cell, "slope")
+    cell = with_part(cell, RAMP)
+    assert with_part(cell, UserFrame("desk"), instead_of="table").frame == "ramp"
+    cell = with_part(cell, UserFrame("slope", RAMP.pose), instead_of="ramp")
+    assert (cell.frame, cell.chosen_frame.pose) == ("slope", RAMP.pose)
+    cell = without_part(cell, UserFrame, "slope")
     assert (cell.frame, cell.chosen_frame, cell.frames) == ("", None, (TABLE,))
     assert not cell.is_empty
 
 
 def test_frames_are_kept_in_the_file_and_older_files_have_none():
-    cell = with_frame(with_frame(Cell("bench"), TABLE), RAMP)
+    cell = with_part(with_part(Cell("bench"), TABLE), RAMP)
     assert from_text(to_text(cell), "bench") == cell
     entries = json.loads(to_text(cell))
     assert entries["version"] == 1
@@ -120,7 +120,7 @@ def test_frames_are_kept_in_the_file_and_older_files_have_none():
     ],
 )
 def test_frames_that_are_broken_are_refused_whole(change, reason):
-    entries = {**json.loads(to_text(with_frame(Cell("bench"), TABLE))), **change}
+    entries = {**json.loads(to_text(with_part(Cell("bench"), TABLE))), **change}
     assert from_text(json.dumps(entries), "bench").reason == reason
 
 

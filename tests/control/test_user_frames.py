@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from armui.cell.cell import Cell, with_frame, with_tool
+from armui.cell.cell import Cell, with_part
 from armui.cell.tools import Tool
 from armui.cell.user_frames import UserFrame
 from armui.control.motion.jog_path import ToolJog
@@ -23,7 +23,7 @@ TOOL = (10.0, -20.0, 80.0, 0.0, 30.0, 0.0)
 RAMP = UserFrame("ramp", (240.0, 30.0, 90.0, 25.0, -35.0, 130.0))
 
 
-BENCH = with_frame(with_tool(Cell("bench"), Tool("tip", TOOL)), RAMP)
+BENCH = with_part(with_part(Cell("bench"), Tool("tip", TOOL)), RAMP)
 
 
 def in_force(rig):
@@ -76,7 +76,7 @@ def test_random_frames_step_where_scipy_has_it(rig):
         pose = (*random.uniform(-400.0, 400.0, 3), *random.uniform(-85.0, 85.0, 3))
         frame = UserFrame(f"f{number}", tuple(round(float(each), 3) for each in pose))
         cell = rig.controller.cell.cell
-        accepted(rig.controller.cell.change(with_frame(cell, frame)))
+        accepted(rig.controller.cell.change(with_part(cell, frame)))
         before_mm, _before = tip(rig)
         accepted(rig.controller.cartesian.step(0, 10.0, frame))
         settle(rig)

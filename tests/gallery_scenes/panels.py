@@ -186,7 +186,7 @@ def cell_held(app_driver: AppDriver) -> None:
     accepted(app_driver.controller.cell.take(cell))
     app_driver.click("menu_cell")
     app_driver.click("cell_tab_held")
-    box = app_driver.find("cell_held_box")
+    box = app_driver.find("cell_held_object")
     box.setCurrentIndex(1)
     box.activated.emit(1)
     app_driver.step()
@@ -196,7 +196,7 @@ def cell_area(app_driver: AppDriver) -> None:
     """A box of the work area is dragged: handles at it, and where it would be."""
     cell_held(app_driver)
     app_driver.click("cell_tab_area")
-    box = app_driver.find("cell_area_box")
+    box = app_driver.find("cell_area_zone")
     box.setCurrentIndex(2)
     box.activated.emit(2)
     app_driver.find("view_bar").choose_handles(HandleKind.TOOL_FRAME)

@@ -11,7 +11,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QWidget
 
 from armui.arm.model_check import ModelFit
-from armui.cell.cell import Cell, with_frame
+from armui.cell.cell import Cell, with_part
 from armui.cell.held_objects import HeldObject
 from armui.cell.user_frames import UserFrame
 from armui.control.parameters.arm_model import arm_model
@@ -64,7 +64,7 @@ def editor_of_the_cell(app_driver: AppDriver) -> EditorPage:
     app_driver.ready()
     table = UserFrame("工作台 Table", (150.0, -120.0, 40.0, 0.0, 0.0, 20.0))
     cube = HeldObject("Cube", (0.0, 0.0, 150.0, 0.0, 0.0, 0.0))
-    cell = replace(with_frame(Cell("bench"), table), held_objects=(cube,))
+    cell = replace(with_part(Cell("bench"), table), held_objects=(cube,))
     app_driver.controller.cell.take(cell)
     corners = ((90.0, 140.0), (130.0, 140.0), (130.0, 80.0), (90.0, 80.0))
     line = Waypoint(MoveMode.MOVE_L, (0.0,) * 6, frame=table.name)

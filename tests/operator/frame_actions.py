@@ -1,6 +1,6 @@
 """The hands of an operator who makes a user frame by three points with a tool's tip."""
 
-from armui.cell.cell import Cell, with_tool
+from armui.cell.cell import Cell, with_part
 from armui.cell.tools import Tool
 from armui.kinematics.poses import to_base
 from armui.protocol.codes import MoveMode
@@ -17,7 +17,7 @@ PLACES = ((0.0, 0.0, 0.0), (60.0, 0.0, 0.0), (25.0, 45.0, 0.0))
 def at_frames(app_driver):
     """A cell with a pen; the arm is bent, the tab of the frames is open."""
     bend(app_driver)
-    accepted(app_driver.controller.cell.take(with_tool(Cell("bench"), PEN)))
+    accepted(app_driver.controller.cell.take(with_part(Cell("bench"), PEN)))
     app_driver.click("menu_cell")
     app_driver.click("cell_tab_frames")
     app_driver.run(0.3)

@@ -63,9 +63,9 @@ def test_the_figures_are_applied_by_a_press_and_no_sooner(panel):
 def test_the_bare_flange_and_another_tool_are_chosen_in_the_list(panel):
     panel.type_into("cell_name", "bench")
     add_pen(panel)
-    choose(panel, "cell_tool_box", 0)
+    choose(panel, "cell_tool", 0)
     assert panel.controller.cartesian.tool == (0.0,) * 6
-    choose(panel, "cell_tool_box", 1)
+    choose(panel, "cell_tool", 1)
     assert panel.controller.cartesian.tool == PEN.pose
     panel.click("cell_tool_delete")
     assert panel.controller.cell.cell == Cell("bench")

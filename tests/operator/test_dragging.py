@@ -7,7 +7,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from armui.cell.cell import Cell, with_frame, with_tool
+from armui.cell.cell import Cell, with_part
 from armui.cell.tools import Tool
 from armui.cell.user_frames import UserFrame
 from armui.protocol.codes import MoveMode
@@ -300,7 +300,7 @@ def test_a_point_in_a_user_frame_is_dragged_there(app_driver, shape):
     place = (300.0, 0.0, 250.0, 0.0, 85.0, 0.0)
     there = Waypoint(MoveMode.MOVE_L, within(frame.pose, place), frame="Table")
     at = AtEditor(app_driver, shape, (Waypoint(MoveMode.MOVE_J, OUT), there))
-    accepted(app_driver.controller.cell.take(with_frame(Cell("bench"), frame)))
+    accepted(app_driver.controller.cell.take(with_part(Cell("bench"), frame)))
     at.editor.table.select_row(1)
     at.drag(at.grip(GripKind.AXIS, 2), (0.0, -25.0))
     changed = at.editor.document.points[1]
@@ -316,7 +316,7 @@ def test_a_point_is_dragged_to_round_figures_of_the_tool(app_driver, shape):
     pen = Tool("pen", (10.0, -5.0, 100.0, 15.0, -25.0, 40.0))
     place = (300.0, 0.0, 250.0, 0.0, 85.0, 0.0)
     at = AtEditor(app_driver, shape, (Waypoint(MoveMode.MOVE_L, place),))
-    accepted(app_driver.controller.cell.take(with_tool(Cell("bench"), pen)))
+    accepted(app_driver.controller.cell.take(with_part(Cell("bench"), pen)))
     at.drag(at.grip(GripKind.AXIS, 2), (0.0, -25.0))
     changed = at.editor.document.points[0].target
     ghost = app_driver.controller.cartesian.kinematics().forward(at.ghost)

@@ -31,7 +31,7 @@ def hand(app_driver, shape):
     accepted(app_driver.controller.cell.take(Cell("bench", area=area_of(CRATE))))
     app_driver.click("menu_cell")
     app_driver.click("cell_tab_area")
-    box = app_driver.find("cell_area_box")
+    box = app_driver.find("cell_area_zone")
     box.setCurrentIndex(1)
     box.activated.emit(1)
     return found

@@ -40,8 +40,8 @@ def test_it_is_added_held_and_let_go_of_by_presses(panel):
     add_cube(panel)
     cells = panel.controller.cell
     assert (cells.cell.held_objects, cells.held_shape) == ((CUBE,), None)
-    assert panel.find("cell_held_hold").text() == "It is held"
-    panel.click("cell_held_hold")
+    assert panel.find("cell_hold").text() == "It is held"
+    panel.click("cell_hold")
     assert cells.cell.held == "cube"
     assert cells.held_shape is not None
     assert "counts in every check" in panel.read("cell_held_next")
@@ -51,8 +51,8 @@ def test_it_is_added_held_and_let_go_of_by_presses(panel):
     panel.click("cell_held_delete")
     assert "“cube” is marked as held" in panel.read("cell_message")
     assert cells.cell.held_object == CUBE
-    assert panel.find("cell_held_hold").text() == "Let go"
-    panel.click("cell_held_hold")
+    assert panel.find("cell_hold").text() == "Let go"
+    panel.click("cell_hold")
     assert (cells.cell.held, cells.held_shape) == ("", None)
 
 
@@ -60,10 +60,10 @@ def test_it_is_held_with_the_figures_that_are_in_force(panel):
     add_cube(panel)
     panel.type_into("cell_held_mass", "0.9")
     assert "Press Apply" in panel.read("cell_held_next")
-    assert not panel.find("cell_held_hold").isEnabled()
-    assert "Press Apply first" in panel.find("cell_held_hold").toolTip()
+    assert not panel.find("cell_hold").isEnabled()
+    assert "Press Apply first" in panel.find("cell_hold").toolTip()
     panel.click("cell_held_apply")
-    panel.click("cell_held_hold")
+    panel.click("cell_hold")
     assert panel.controller.cell.cell.held_object.mass_kg == 0.9
 
 
@@ -73,13 +73,13 @@ def test_what_is_held_is_shown_first(app_driver):
     accepted(app_driver.controller.cell.take(bench))
     app_driver.click("menu_cell")
     app_driver.click("cell_tab_held")
-    assert app_driver.find("cell_held_box").currentText() == "cube (held)"
+    assert app_driver.find("cell_held_object").currentText() == "cube (held)"
     assert app_driver.find("cell_held_mass").value == 0.6
 
 
 def test_its_figures_are_applied_by_a_press_also_while_it_is_held(panel):
     add_cube(panel)
-    panel.click("cell_held_hold")
+    panel.click("cell_hold")
     panel.type_into("cell_held_size_Y", "wide")
     panel.click("cell_held_apply")
     assert "“cube”, size_y_mm: wide is not possible" in panel.read("cell_message")
@@ -102,7 +102,7 @@ def test_what_it_may_touch_is_chosen_in_a_list(panel):
 def test_the_load_is_proposed_and_told_by_a_press_alone(panel):
     panel.ear = HardOfHearing(panel.firmware)
     add_cube(panel)
-    panel.click("cell_held_hold")
+    panel.click("cell_hold")
     panel.run(0.3)
     assert loads(panel) == []
     assert panel.find("cell_held_load").text() == "Tell: Half load"
@@ -126,7 +126,7 @@ def test_after_a_restart_it_is_asked_for_with_the_cell(make_driver):
         first.type_into("cell_name", "bench")
         first.click("cell_tab_held")
         add_cube(first)
-        first.click("cell_held_hold")
+        first.click("cell_hold")
     finally:
         first.close()
     later = make_driver(Generation.TWO)
@@ -138,7 +138,7 @@ def test_after_a_restart_it_is_asked_for_with_the_cell(make_driver):
         assert later.controller.cell.held_shape is not None
         later.click("menu_cell")
         later.click("cell_tab_held")
-        later.click("cell_held_hold")
+        later.click("cell_hold")
         later.run(0.1)
         assert "holding" not in later.read("recovery_text")
         assert later.controller.operating_state.cannot_move is not None
@@ -157,5 +157,5 @@ def test_a_plane_is_taken_from_a_user_frame(panel):
     fixture.trigger()
     assert cells.cell.area.planes == ()
     panel.type_into("cell_area_name", "top")
-    panel.click("cell_area_add_plane")
+    panel.click("cell_area_plane")
     assert cells.cell.area.planes == (AreaPlane("top", pose),)

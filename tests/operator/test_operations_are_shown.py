@@ -123,7 +123,7 @@ SHOWN = {
     "cell.change": Shown("cell", "cell_tool_apply", "cell", "**Apply**", "**应用**"),
     "cell.delete": Shown("cell", "cell_delete_button", "cell", "**Delete**", "**删除**"),
     "cell.rename": Shown("cell", "cell_rename_button", "cell", "**Rename**", "**改名**"),
-    "cell.hold": Shown("cell_held", "cell_held_hold", "cell", "**It is held**", "**已夹住**"),
+    "cell.hold": Shown("cell_held", "cell_hold", "cell", "**It is held**", "**已夹住**"),
     "recorder.start": Shown("recording", "record", "recording", "Records what", "记录手拖动"),
 }
 

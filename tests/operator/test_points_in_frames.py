@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtWidgets import QWidget
 
-from armui.cell.cell import Cell, with_frame
+from armui.cell.cell import Cell, with_part
 from armui.cell.user_frames import UserFrame
 from armui.control.run.progress import RunPhase
 from armui.kinematics.arm_kinematics import Kinematics
@@ -25,7 +25,7 @@ MODEL = Kinematics(PIPER)
 def driver(app_driver):
     """The arm ready, a cell with the table's frame, which is chosen."""
     app_driver.ready()
-    cell = with_frame(Cell("bench"), UserFrame("Table", TABLE))
+    cell = with_part(Cell("bench"), UserFrame("Table", TABLE))
     accepted(app_driver.controller.cell.take(cell))
     return app_driver
 
@@ -76,7 +76,7 @@ def test_two_points_go_with_the_frame_that_is_moved_by_figures(driver):
     for axis, value in zip(("X", "Y", "Z", "RX", "RY", "RZ"), MOVED, strict=True):
         driver.type_into(f"cell_frame_{axis}", f"{value}")
     driver.click("cell_frame_apply")
-    assert driver.controller.cell.cell.frame_named("Table").pose == MOVED
+    assert driver.controller.cell.cell.chosen_frame.pose == MOVED
     driver.click("library_button")
     ends = run(driver, editor)
     assert editor.points == taught

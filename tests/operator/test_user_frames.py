@@ -124,7 +124,7 @@ def test_a_point_is_not_taken_while_the_arm_moves(app_driver):
 def test_points_of_another_tool_are_forgotten(app_driver):
     by_points(app_driver)
     app_driver.click("cell_tab_tools")
-    choose(app_driver, "cell_tool_box", 0)
+    choose(app_driver, "cell_tool", 0)
     app_driver.click("cell_tab_frames")
     assert "what becomes the origin" in app_driver.read("frame_points_next")
     assert app_driver.read("frame_place_1") == "—"

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from armui.cell.area_check import AREA_IN_THE_WAY
-from armui.cell.cell import Cell, with_frame
+from armui.cell.cell import Cell, with_part
 from armui.cell.user_frames import UserFrame
 from armui.control.cell.cell_reasons import CELL_NOT_CONFIRMED
 from armui.control.motion.cartesian import FRAME_NOT_IN_FORCE
@@ -25,7 +25,7 @@ TURNED = UserFrame("turned", (100.0, 0.0, 50.0, 0.0, 0.0, 90.0))
 """Its −Y is the base's X, its X the base's Y."""
 FLIPPED = UserFrame("flipped", (0.0, 0.0, 0.0, 180.0, 0.0, 0.0))
 OTHER = UserFrame("other", (0.0, 0.0, 0.0, 0.0, 0.0, 45.0))
-BENCH = with_frame(Cell("bench", frames=(OTHER, FLIPPED)), TURNED)
+BENCH = with_part(Cell("bench", frames=(OTHER, FLIPPED)), TURNED)
 UP_X = ToolJog(1, -1, TURNED)
 PAD_X = SteeredJog((0.0, -1.0, 0.0, 0.0, 0.0, 0.0), TURNED, "pad")
 

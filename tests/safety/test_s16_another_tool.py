@@ -2,7 +2,7 @@
 
 import pytest
 
-from armui.cell.cell import Cell, with_tool
+from armui.cell.cell import Cell, with_part
 from armui.cell.tools import Tool
 from armui.control.parameters.arm_model import arm_model, start_deg
 from armui.trajectory.library.run_options import RunOptions
@@ -19,7 +19,7 @@ BENCH = Cell("bench", (PEN,), "pen")
 
 def with_pen(x_mm, z_mm, radius_mm):
     pen = Tool("pen", (x_mm, 0.0, z_mm, 0.0, 0.0, 0.0), radius_mm)
-    return with_tool(BENCH, pen, instead_of="pen")
+    return with_part(BENCH, pen, instead_of="pen")
 
 
 OTHERS = {

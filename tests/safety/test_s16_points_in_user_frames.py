@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from armui.cell.cell import Cell, with_frame, without_frame
+from armui.cell.cell import Cell, with_part, without_part
 from armui.cell.tools import Tool
 from armui.cell.user_frames import UserFrame
 from armui.control.cell.cell_reasons import CELL_NOT_CONFIRMED
@@ -34,7 +34,7 @@ from tests.trajectory.frame_oracle import apart, carried, within
 POSE = (300.0, 0.0, 250.0, 0.0, 85.0, 0.0)
 TABLE = UserFrame("Table", (250.0, -80.0, 40.0, 10.0, -20.0, 35.0))
 MOVED = UserFrame("Table", (270.0, -70.0, 55.0, 6.0, -16.0, 39.0))
-BENCH = with_frame(Cell("bench"), TABLE)
+BENCH = with_part(Cell("bench"), TABLE)
 TAUGHT = Waypoint(MoveMode.MOVE_P, within(TABLE.pose, POSE), None, 100, frame="Table")
 OPTIONS = RunOptions()
 
@@ -65,7 +65,7 @@ def test_the_frame_moved_and_turned_moves_the_end_of_the_run(rig):
     accepted(rig.controller.cell.take(BENCH))
     run(rig, TAUGHT)
     assert apart(end_of(rig), POSE)[0] < 0.01
-    accepted(rig.controller.cell.change(with_frame(BENCH, MOVED, instead_of="Table")))
+    accepted(rig.controller.cell.change(with_part(BENCH, MOVED, instead_of="Table")))
     run(rig, TAUGHT)
     off_mm, off_deg = apart(end_of(rig), carried(MOVED.pose, TAUGHT.target))
     assert off_mm < 0.01
@@ -83,7 +83,7 @@ def test_random_frames_and_points_end_where_the_oracle_says(rig):
         frame += tuple(told.uniform(-180.0, 180.0) for _ in range(3))
         goal = tuple(value + told.uniform(-12.0, 12.0) for value in POSE)
         there = replace(TAUGHT, target=within(frame, goal))
-        cell = with_frame(BENCH, UserFrame("Table", frame), instead_of="Table")
+        cell = with_part(BENCH, UserFrame("Table", frame), instead_of="Table")
         accepted(rig.controller.cell.change(cell))
         run(rig, there)
         off_mm, off_deg = apart(end_of(rig), carried(frame, there.target))
@@ -92,9 +92,9 @@ def test_random_frames_and_points_end_where_the_oracle_says(rig):
 
 
 OTHERS = {
-    "moved": with_frame(BENCH, MOVED, instead_of="Table"),
-    "renamed": with_frame(BENCH, UserFrame("Desk", TABLE.pose), instead_of="Table"),
-    "deleted": without_frame(BENCH, "Table"),
+    "moved": with_part(BENCH, MOVED, instead_of="Table"),
+    "renamed": with_part(BENCH, UserFrame("Desk", TABLE.pose), instead_of="Table"),
+    "deleted": without_part(BENCH, UserFrame, "Table"),
 }
 
 
@@ -113,7 +113,7 @@ def test_a_check_made_with_another_frame_is_outdated(rig, other):
 def test_another_cell_between_check_and_run_outdates_the_check(rig):
     bend(rig)
     control = rig.controller.cell
-    accepted(control.take(with_frame(Cell("other"), MOVED)))
+    accepted(control.take(with_part(Cell("other"), MOVED)))
     accepted(control.take(BENCH))
     found = checked(rig, TAUGHT)
     accepted(control.choose("other"))

@@ -2,7 +2,7 @@
 
 import pytest
 
-from armui.cell.cell import Cell, with_tool
+from armui.cell.cell import Cell, with_part
 from armui.cell.tools import Tool
 from armui.protocol.codes import MoveMode
 from armui.trajectory.files import TrajectoryFileError
@@ -13,10 +13,10 @@ from tests.operator.editor.actions import Editor
 
 PEN = Tool("pen", (10.0, -5.0, 100.0, 15.0, -25.0, 40.0), 10.0)
 LONG = Tool("pen", (10.0, -5.0, 130.0, 15.0, -25.0, 40.0), 10.0)
-BENCH = with_tool(Cell("bench"), PEN)
+BENCH = with_part(Cell("bench"), PEN)
 OTHERS = {
     "the same": BENCH,
-    "a longer one": with_tool(BENCH, LONG, instead_of="pen"),
+    "a longer one": with_part(BENCH, LONG, instead_of="pen"),
     "none": Cell("bench", (PEN,)),
 }
 POINT = Waypoint(MoveMode.MOVE_P, (300.0, 0.0, 250.0, 0.0, 85.0, 0.0), None, 100)

@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import QApplication, QMenu
 
-from armui.cell.cell import Cell, with_frame
+from armui.cell.cell import Cell, with_part
 from armui.cell.user_frames import UserFrame
 from armui.control.gamepad.pilot import GAMEPAD_NOT_IN_FRONT
 from armui.control.motion.cartesian import FRAME_NOT_IN_FORCE
@@ -281,7 +281,7 @@ def test_the_mode_of_the_user_frame_is_left_out_without_one(ready, pads):
 
 def test_it_goes_along_the_user_frame_in_force(ready, pads):
     turned = UserFrame("turned", (0.0, 0.0, 0.0, 0.0, 0.0, 90.0))  # its −Y is the base's X
-    accepted(ready.controller.cell.take(with_frame(Cell("bench"), turned)))
+    accepted(ready.controller.cell.take(with_part(Cell("bench"), turned)))
     assert [next_mode(ready, pads) for _press in range(3)][-1] is JogMode.USER
     pads.release("left_shoulder")
     pass_time(ready, 0.02)

@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from armui.arm.device import Device
     from armui.arm.held_shape import HeldShape
     from armui.cell.user_frames import UserFrame
-    from armui.control.cell.cell_store import CellStore
+    from armui.control.cell.cell_keeper import CellKeeper
     from armui.control.context import Context
     from armui.control.motion.cartesian import Cartesian
     from armui.control.operating_state import OperatingState
@@ -106,7 +106,7 @@ class CellControl(ControllerPart):
         self._own_tool: tuple[float, ...] = NO_TOOL
         self._least_mm: float | None = None
         self._opened = False
-        self.store: CellStore | None = None
+        self.store: CellKeeper | None = None
         self.candidate: UserFrame | None = None
 
     # What is known --------------------------------------------------------------------------

@@ -18,7 +18,6 @@ from armui.cell.cell_file import (
     save_cell,
     write_cell,
 )
-from armui.control.cell.cell_store import CellStore
 from armui.system.files import error_text
 
 if TYPE_CHECKING:
@@ -48,7 +47,7 @@ class _Relay(QObject):
         then(result)
 
 
-class CellKeeper(CellStore):
+class CellKeeper:
     """Reads and writes cells by the file thread; nobody waits for a disk.
 
     Args:

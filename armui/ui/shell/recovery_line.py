@@ -100,8 +100,7 @@ class RecoveryLine(Translated, QWidget):
         self._hold_button.setMinimumWidth(_BUTTON_PX)
         self._other_button = named("recovery_other_button", StepButton())
         layout = QHBoxLayout(self)
-        side = _MARGIN_PX + _GAP_PX
-        layout.setContentsMargins(side, _TOP_PX + _PADDING_PX, side, _PADDING_PX)
+        self._row = layout
         layout.setSpacing(_GAP_PX)
         layout.addWidget(self._icon)
         layout.addWidget(self._text, 1)
@@ -203,6 +202,10 @@ class RecoveryLine(Translated, QWidget):
             text = self.tr(
                 "“{name}” has not started: the check has warnings. Answer them on its page."
             ).format(name=self._asking)
+        side = _MARGIN_PX + _GAP_PX
+        confirms = step.action is Action.CONFIRM_CELL  # not where Enable is: two presses are two
+        right = side + (_BUTTON_PX + _GAP_PX if confirms else 0)
+        self._row.setContentsMargins(side, _TOP_PX + _PADDING_PX, right, _PADDING_PX)
         self._text.setText(text)
         self._text.setProperty("rank", "muted" if self._is_calm else None)
         repolish(self._text)

@@ -10,7 +10,7 @@ from PySide6.QtCore import QMimeData, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 
-from armui.cell.cell import Cell, with_frame, with_tool
+from armui.cell.cell import Cell, with_part
 from armui.cell.tools import Tool
 from armui.cell.user_frames import UserFrame
 from armui.kinematics.arm_kinematics import Kinematics
@@ -25,7 +25,7 @@ from tests.trajectory.frame_oracle import apart, carried, turn, within
 PEN = Tool("pen", (10.0, -5.0, 100.0, 15.0, -25.0, 40.0), 10.0)
 LONG = Tool("pen", (10.0, -5.0, 130.0, 15.0, -25.0, 40.0), 10.0)
 TABLE = UserFrame("Table", (250.0, -80.0, 40.0, 10.0, -20.0, 35.0))
-BARE = replace(with_frame(with_tool(Cell("bench"), PEN), TABLE), frame="", tool="")
+BARE = replace(with_part(with_part(Cell("bench"), PEN), TABLE), frame="", tool="")
 BENCH = replace(BARE, tool="pen")
 PLACE = (300.0, 0.0, 250.0, 0.0, 85.0, 0.0)
 OVER = (300.0, 60.0, 230.0, 0.0, 85.0, 0.0)
@@ -296,7 +296,7 @@ def test_the_frames_of_a_typed_pose_are_those_of_the_flange(app_driver):
     """The rod is 100 mm: the flange is at X 400 − 100·sin 85°, Z 250 − 100·cos 85°."""
     app_driver.ready()
     straight = Tool("rod", (0.0, 0.0, 100.0, 0.0, 0.0, 0.0), 5.0)
-    accepted(app_driver.controller.cell.take(with_tool(Cell("bench"), straight)))
+    accepted(app_driver.controller.cell.take(with_part(Cell("bench"), straight)))
     editor = Editor(app_driver, Waypoint(MoveMode.MOVE_P, PLACE, None, 100))
     for column, text in zip(POSE, ("400", "0", "250", "0", "85", "0"), strict=True):
         editor.type_into(0, column, text)

@@ -8,7 +8,7 @@ from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QListWidget, QMenu
 
-from armui.cell.cell import Cell, with_frame, without_frame
+from armui.cell.cell import Cell, with_part, without_part
 from armui.cell.held_objects import HeldObject
 from armui.cell.user_frames import UserFrame
 from armui.kinematics.arm_kinematics import Kinematics
@@ -22,7 +22,7 @@ from tests.trajectory.frame_oracle import apart, carried, within
 
 TABLE = UserFrame("Table", (250.0, -80.0, 40.0, 10.0, -20.0, 35.0))
 MOVED = UserFrame("Table", (270.0, -70.0, 55.0, 6.0, -16.0, 39.0))
-BENCH = with_frame(Cell("bench"), TABLE)
+BENCH = with_part(Cell("bench"), TABLE)
 PLACE = (300.0, 0.0, 250.0, 0.0, 85.0, 0.0)
 OVER = (300.0, 60.0, 230.0, 0.0, 85.0, 0.0)
 ARC = Waypoint(MoveMode.MOVE_C, within(TABLE.pose, OVER), within(TABLE.pose, PLACE), frame="Table")
@@ -123,7 +123,7 @@ def test_the_current_pose_is_inserted_in_the_chosen_frame(editor):
 
 def test_the_arm_goes_to_a_point_where_its_frame_is(editor):
     driver = editor.app_driver
-    accepted(driver.controller.cell.change(with_frame(BENCH, MOVED, instead_of="Table")))
+    accepted(driver.controller.cell.change(with_part(BENCH, MOVED, instead_of="Table")))
     editor.choose(2)
     editor.act("go_to")
     goal = carried(MOVED.pose, ARC.target)
@@ -148,7 +148,7 @@ def test_the_picture_shows_the_points_where_the_frame_is(editor):
     assert shown(editor).path.marks_mm[2] == pytest.approx(OVER[:3], abs=1e-3)
     assert apart(MODEL.forward(shown(editor).ghost_deg), OVER)[0] < 0.01
     control = editor.app_driver.controller.cell
-    accepted(control.change(with_frame(BENCH, MOVED, instead_of="Table")))
+    accepted(control.change(with_part(BENCH, MOVED, instead_of="Table")))
     goal = carried(MOVED.pose, ARC.target)
     assert shown(editor).path.marks_mm[2] == pytest.approx(goal[:3], abs=1e-3)
     assert apart(MODEL.forward(shown(editor).ghost_deg), goal)[0] < 0.01
@@ -157,12 +157,12 @@ def test_the_picture_shows_the_points_where_the_frame_is(editor):
 def test_a_frame_that_moves_takes_the_check_away(editor):
     editor.click("editor_check")
     assert len(shown(editor).path.places_mm)
-    accepted(editor.app_driver.controller.cell.change(with_frame(BENCH, MOVED, instead_of="Table")))
+    accepted(editor.app_driver.controller.cell.change(with_part(BENCH, MOVED, instead_of="Table")))
     assert not len(shown(editor).path.places_mm)
 
 
 def test_a_frame_that_the_cell_has_not_is_kept_marked_and_said(editor):
-    accepted(editor.app_driver.controller.cell.change(without_frame(BENCH, "Table")))
+    accepted(editor.app_driver.controller.cell.change(without_part(BENCH, UserFrame, "Table")))
     assert editor.text(2, PointColumn.MOVE) == "MOVE C · Table ?"
     assert editor.points[2] == ARC
     assert shown(editor).path.rows == (0, 1)
@@ -187,7 +187,7 @@ def test_the_run_ends_where_the_frame_is(app_driver):
     taught = within(TABLE.pose, (x + 30.0, y - 40.0, *rest))
     editor = Editor(app_driver, to(OUT), Waypoint(MoveMode.MOVE_L, taught, frame="Table"))
     for frame in (TABLE, MOVED):
-        accepted(app_driver.controller.cell.change(with_frame(BENCH, frame, instead_of="Table")))
+        accepted(app_driver.controller.cell.change(with_part(BENCH, frame, instead_of="Table")))
         editor.click("run_send")
         accept = editor.child("accept_warnings")
         if accept.isVisible():

@@ -17,6 +17,7 @@ from armui.cell.tools import Tool
 from armui.control.arm_controller import ArmController
 from armui.control.cell.cell_control import CellControl, why_not_change
 from armui.control.cell.cell_reasons import CELL_NONE
+from armui.control.events import Event, Level
 from armui.control.operations.operation import operation_of
 from armui.ui import format as fmt
 from armui.ui import words
@@ -39,7 +40,7 @@ from armui.ui.widgets.buttons import (
     push_button,
     show_primary,
 )
-from armui.ui.widgets.layouts import empty_grid, in_column, in_row, scrolled
+from armui.ui.widgets.layouts import in_column, in_row, scrolled
 from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
@@ -93,7 +94,8 @@ class CellPanel(Panel):
         self._import = push_button("cell_import_button")
         self._export = push_button("cell_export_button")
         self._delete = push_button("cell_delete_button")
-        self._labels = (QLabel(), QLabel())
+        self._name_label = QLabel()
+        self._name_label.setBuddy(self._name)
         self._group = QButtonGroup(self)
         self._stack_of_tabs = CurrentStack()
         self._tabs = [tab(controller, self._accepted) for tab in TABS]
@@ -114,16 +116,10 @@ class CellPanel(Panel):
         self.retranslate_ui()
 
     def _lay_out(self) -> None:
-        head = empty_grid(gaps=(8, 6), margins=0)
-        for row, (label, field, button) in enumerate(
-            zip(self._labels, (self._choice, self._name), (self._confirm, self._new), strict=True)
-        ):
-            label.setBuddy(field)
-            head.addWidget(label, row, 0)
-            head.addWidget(field, row, 1)
-            head.addWidget(button, row, 2, 1, 2 - row)
-        head.addWidget(self._rename, 1, 3)
-        head.setColumnStretch(1, 1)
+        for button in (self._confirm, self._new, self._rename):
+            button.setMinimumWidth(_NARROW_PX)
+        head = in_row(self._title, (self._choice, 1), self._confirm, spacing=8)
+        names = in_row(self._name_label, (self._name, 1), self._new, self._rename, spacing=6)
         files = in_row(
             *((each, 1) for each in (self._import, self._export, self._compare, self._delete)),
             spacing=6,
@@ -138,7 +134,8 @@ class CellPanel(Panel):
         self._group.idClicked.connect(self._show_tab)
         card = QFrame()
         in_column(self._stack_of_tabs, on=card, spacing=8, margins=(16, 12, 16, 12))
-        self._stack(head, files, choice, scrolled(card, _TALLEST_CARD_PX))
+        self._card = scrolled(card, _TALLEST_CARD_PX)
+        self._stack(names, files, choice, self._card, head=head, gap_px=8)
 
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
@@ -303,6 +300,8 @@ class CellPanel(Panel):
 
     def _show_tab(self, place: int) -> None:
         self._stack_of_tabs.setCurrentIndex(place)
+        self._card.verticalScrollBar().setValue(0)
+        self._refusal = self._event = None
         self._show_all()
 
     def _show_state(self, state: ArmState) -> None:
@@ -363,6 +362,13 @@ class CellPanel(Panel):
         use = self.tr("Asks first, then deletes the cell and its file.")
         enable_or_explain(self._delete, why_not or none, use)
 
+    def _on_noticed(self, event: Event) -> None:
+        """Leave what went well to the status bar: the tab says what holds."""
+        super()._on_noticed(event)
+        if self._event is event and event.level is Level.INFO:
+            self._event = None
+            self._show_message()
+
     def _show_message(self) -> None:
         refusal = self._refusal
         if refusal is None and self._event is None:
@@ -372,14 +378,9 @@ class CellPanel(Panel):
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
         self._title.setText(self.tr("Cell"))
-        for label, field, text in zip(
-            self._labels,
-            (self._choice, self._name),
-            (self.tr("Chosen cell"), self.tr("Cell's name")),
-            strict=True,
-        ):
-            label.setText(text)
-            field.setAccessibleName(text)
+        self._choice.setAccessibleName(self.tr("Chosen cell"))
+        self._name_label.setText(self.tr("Cell's name"))
+        self._name.setAccessibleName(self.tr("Cell's name"))
         caption(self._confirm, self.tr("Confirm"), whose=self._title.text())
         caption(self._new, self.tr("New"), whose=self._title.text())
         caption(self._rename, self.tr("Rename"), whose=self._title.text())

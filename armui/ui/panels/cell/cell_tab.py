@@ -3,19 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import ClassVar, Final
+from typing import ClassVar, Final, cast
 
-from PySide6.QtCore import QSize
+from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QGridLayout, QLabel, QStackedWidget, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
+from armui.cell.cell import Cell
 from armui.control.arm_controller import ArmController
+from armui.control.cell.cell_control import CellControl
+from armui.control.operations.operation import operation_of
 from armui.control.operations.started import Started
 from armui.kinematics.axes import AXES, LINEAR_AXES
 from armui.ui.actions.command import Command, Target
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import empty_grid
+from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Text
 
@@ -23,7 +27,22 @@ Answered = Callable[[Started | Refusal | None], bool]
 """Shows an answer in the panel, and returns whether it was a yes."""
 
 
-_NARROW_PX: Final = 56
+NARROW_PX: Final = 56
+"""The least width of fields and buttons that share a row."""
+_HINT_LINES: Final = 2
+
+
+def change_command(name: str, title: Text, *, risky: bool = False) -> Command:
+    """Return a command of the palette that changes the cell."""
+    return Command(name, title, operation_of(CellControl.change), leads=True, risky=risky)
+
+
+def hint_label(name: str) -> QLabel:
+    """Return a label for the next step; what stands below it keeps its place."""
+    label = text_label(name, wraps=True)
+    label.setMinimumHeight(_HINT_LINES * label.fontMetrics().lineSpacing())
+    label.setAlignment(Qt.AlignmentFlag.AlignTop)
+    return label
 
 
 class CurrentStack(QStackedWidget):
@@ -59,7 +78,7 @@ def pose_grid(fields: Sequence[FigureField]) -> QGridLayout:
     grid = empty_grid(gaps=(6, 4), margins=0)
     for place, (axis, field) in enumerate(zip(AXES, fields, strict=True)):
         row, column = place // LINEAR_AXES, 2 * (place % LINEAR_AXES)
-        field.setMinimumWidth(_NARROW_PX)
+        field.setMinimumWidth(NARROW_PX)
         grid.addWidget(QLabel(axis), row, column)
         grid.addWidget(field, row, column + 1)
         grid.setColumnStretch(column + 1, 1)
@@ -108,5 +127,10 @@ class CellTab(Translated, QWidget):
         """Show what the arm says."""
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return the target of each of its commands, by the command's name."""
-        return {}
+        """Return the target of each of its commands: the widget that has the command's name."""
+        widgets = ((each.name, each.name.replace(".", "_")) for each in self.commands)
+        return {name: cast("QWidget", self.findChild(QWidget, each)) for name, each in widgets}
+
+    @property
+    def _cell(self) -> Cell:
+        return self._controller.cell.cell or Cell("")

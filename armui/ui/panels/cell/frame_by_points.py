@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
-from typing import Final
+from typing import Any, Final
 
-from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QHideEvent, QShowEvent
-from PySide6.QtWidgets import QWidget
 
 from armui.arm.refusal import Refusal
 from armui.cell.user_frames import LEAST_APART_MM, UserFrame, frame_from_points
@@ -17,81 +15,49 @@ from armui.control.cell.cell_reasons import CELL_NONE
 from armui.kinematics.poses import pose_to_matrix, tool_pose
 from armui.ui import format as fmt
 from armui.ui import words
-from armui.ui.panels.cell.cell_tab import Answered
+from armui.ui.panels.cell.cell_tab import NARROW_PX, Answered
+from armui.ui.panels.cell.point_search import PointSearch, Pose
 from armui.ui.widgets.buttons import caption, enable_or_explain, push_button, show_primary
 from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row
 from armui.ui.widgets.text_label import text_label
-from armui.ui.widgets.translated import Translated
 
-Pose = tuple[float, ...]
 _POINTS: Final = 3
-_NARROW_PX: Final = 56
 
 
-class FrameByPoints(Translated, QWidget):
+class FrameByPoints(PointSearch):
     """Takes three places of the tool centre point at rest, and shows the frame that they give.
 
-    Nothing is taken over by itself; the frame is shown in the picture before.
-
-    Args:
-        controller: The controller; its `cell` takes measured poses.
-        answered: Shows an answer in the panel.
-
-    Signals:
-        applied: The pose of the frame, six figures; true for a new one, false for the chosen one.
+    The frame is shown in the picture before it is taken; see :class:`PointSearch`.
     """
 
-    applied = Signal(object, bool)
-
     def __init__(self, controller: ArmController, answered: Answered) -> None:
-        super().__init__()
-        self._controller = controller
-        self._answered = answered
+        super().__init__(controller, answered, "frame_points")
         self._points: list[Pose | None] = [None] * _POINTS
         self._tool = controller.cartesian.tool
         self._chosen: UserFrame | None = None
-        self._why_not = ""
-        self._next = text_label("frame_points_next", wraps=True)
-        self._next.setMinimumHeight(2 * self._next.fontMetrics().lineSpacing())
-        self._next.setAlignment(Qt.AlignmentFlag.AlignTop)  # the buttons keep their places
-        self._live = text_label("frame_points_live", rank="muted", wraps=True)
         self._takes = [push_button(f"frame_take_{number}") for number in range(1, _POINTS + 1)]
         self._places = [text_label(f"frame_place_{each}") for each in range(1, _POINTS + 1)]
-        self._result = text_label("frame_points_result", wraps=True)
         self._add = push_button("frame_points_add")
-        self._apply = push_button("frame_points_apply")
-        self._restart = push_button("frame_points_restart")
         grid = empty_grid(gaps=(8, 4), margins=0)
         for place, (button, label) in enumerate(zip(self._takes, self._places, strict=True)):
             button.clicked.connect(partial(self._on_take, place))
             grid.addWidget(button, place, 0)
             grid.addWidget(label, place, 1)
         grid.setColumnStretch(1, 1)
-        for button in (self._add, self._apply, self._restart):
-            button.setMinimumWidth(_NARROW_PX)
+        self._add.setMinimumWidth(NARROW_PX)
         ends = in_row((self._add, 1), (self._apply, 1), (self._restart, 1), spacing=6)
         parts = (self._next, self._live, grid, self._result, ends, STRETCH)
         in_column(*parts, on=self, spacing=6, margins=0)
         self._add.clicked.connect(lambda: self._on_apply(anew=True))
-        self._apply.clicked.connect(lambda: self._on_apply(anew=False))
-        self._restart.clicked.connect(self.restart)
         self.retranslate_ui()
 
     # -- actions ------------------------------------------------------------------------------
 
     def _on_take(self, place: int) -> None:
-        flange = self._controller.cell.capture()
-        if isinstance(flange, Refusal):
-            self._answered(flange)
-            return
-        self._answered(None)
-        self._points[place] = tuple(tool_pose(flange, self._controller.cartesian.tool))
-        self._show()
+        def keep(flange: Pose) -> None:
+            self._points[place] = tuple(tool_pose(flange, self._controller.cartesian.tool))
 
-    def _on_apply(self, *, anew: bool) -> None:
-        pose = self.found()
-        if isinstance(pose, tuple):
-            self.applied.emit(pose, anew)
+        self._captured(keep)
 
     def restart(self) -> None:
         """Forget the points."""
@@ -105,13 +71,8 @@ class FrameByPoints(Translated, QWidget):
 
     # -- appearance ---------------------------------------------------------------------------
 
-    def show_frame(self, chosen: UserFrame | None, why_not: str) -> None:
-        """Show which frame the result can be put in the place of.
-
-        Args:
-            chosen: The chosen frame; ``None`` if there is none.
-            why_not: Why the cell cannot be changed now; empty if it can.
-        """
+    def show_chosen(self, chosen: Any, why_not: str) -> None:
+        """Show which frame the result can be put in the place of."""
         self._chosen, self._why_not = chosen, why_not
         tool = self._controller.cartesian.tool
         if tool != self._tool:  # places of another point give no frame with those of this one

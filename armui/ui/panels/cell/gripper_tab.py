@@ -2,30 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import replace
 from typing import Final
 
 from PySide6.QtWidgets import QCheckBox, QLabel
 
 from armui.arm.state import ArmState
-from armui.cell.cell import Cell
 from armui.cell.gripper_table import MOST_PAIRS, Pairs
 from armui.control.arm_controller import ArmController
-from armui.control.cell.cell_control import CellControl
+from armui.control.cell.cell_reasons import CELL_NONE
 from armui.control.devices.gripper import GripperControl, why_not_move_gripper
 from armui.control.operations.operation import operation_of
 from armui.ui import format as fmt
 from armui.ui import words
-from armui.ui.actions.command import Command, Target
-from armui.ui.panels.cell.cell_tab import Answered, CellTab
+from armui.ui.actions.command import Command
+from armui.ui.panels.cell.cell_tab import Answered, CellTab, change_command, hint_label
 from armui.ui.widgets.buttons import caption, enable_or_explain, named, push_button, show_primary
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row
-from armui.ui.widgets.text_label import text_label
 from armui.ui.words.text import Text
 
-_CHANGE: Final = operation_of(CellControl.change)
 _SHARES: Final = (0.1, 0.3, 0.5, 0.7, 0.9)
 """The widths that are proposed, as parts of the stroke: away from its ends, where fingers press."""
 _GENTLE_NM: Final = 1.0
@@ -37,11 +33,8 @@ class GripperTab(CellTab):
     key = "gripper"
     title = Text("CellPanel", "Gripper")
     commands = (
-        Command(
-            "cell.gripper_on",
-            Text("GripperTab", "Show and command calibrated openings"),
-            _CHANGE,
-            leads=True,
+        change_command(
+            "cell.gripper_on", Text("GripperTab", "Show and command calibrated openings")
         ),
         Command("cell.gripper_widths", Text("GripperTab", "Propose widths for the gripper table")),
         Command(
@@ -50,16 +43,14 @@ class GripperTab(CellTab):
             operation_of(GripperControl.move),
             leads=True,
         ),
-        Command(
-            "cell.gripper_apply", Text("GripperTab", "Apply the gripper table"), _CHANGE, leads=True
-        ),
+        change_command("cell.gripper_apply", Text("GripperTab", "Apply the gripper table")),
     )
 
     def __init__(self, controller: ArmController, answered: Answered) -> None:
         super().__init__(controller, answered)
         self._why_not = ""
         self._shown: tuple[str, Pairs] | None = None
-        self._next = text_label("cell_gripper_next", wraps=True)
+        self._next = hint_label("cell_gripper_next")
         self._on = named("cell_gripper_on", QCheckBox())
         self._heads = (QLabel(), QLabel())
         self._asked = [named(f"cell_gripper_asked_{n}", self._field()) for n in range(MOST_PAIRS)]
@@ -90,20 +81,7 @@ class GripperTab(CellTab):
         field.textEdited.connect(lambda _text: self._show_news())
         return field
 
-    def command_targets(self) -> Mapping[str, Target]:
-        """Return the target of each command, by the command's name."""
-        return {
-            "cell.gripper_on": self._on,
-            "cell.gripper_widths": self._widths,
-            "cell.gripper_open": self._open,
-            "cell.gripper_apply": self._apply,
-        }
-
     # -- actions ------------------------------------------------------------------------------
-
-    @property
-    def _cell(self) -> Cell:
-        return self._controller.cell.cell or Cell("")
 
     def typed(self) -> Pairs:
         """Return the pairs that have both figures, by what is asked for."""
@@ -199,7 +177,7 @@ class GripperTab(CellTab):
 
     def _next_step(self, *, changed: bool) -> str:
         if self._controller.cell.cell is None:
-            return self.tr("There is no cell yet: type its name above and press New.")
+            return words.refusal(CELL_NONE())
         if self._row is not None:
             return self.tr(
                 "Row {row}: press Open, wait until the gripper stands, measure between the fingers "

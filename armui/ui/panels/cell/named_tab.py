@@ -1,24 +1,36 @@
-"""The base of the tabs of tools and user frames: a list of poses with names, one of them chosen."""
+"""The base of the tabs of tools, frames, areas and held objects: a list of poses with names."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from itertools import count
-from typing import ClassVar, Final
+from typing import Any, ClassVar, Final
 
 from PySide6.QtWidgets import QButtonGroup, QComboBox, QLabel, QLineEdit, QWidget
 
 from armui.arm.state import ArmState
-from armui.cell.cell import Cell
-from armui.cell.checks import LONGEST_NAME
-from armui.cell.tools import NO_TOOL, Tool
+from armui.cell.cell import Cell, with_part, without_part
+from armui.cell.checks import CELL_NAME_TAKEN, LONGEST_NAME
+from armui.cell.held_objects import HeldObject
+from armui.cell.parts import part_named
+from armui.cell.tools import Tool
 from armui.cell.user_frames import UserFrame
+from armui.cell.work_area import Zone
 from armui.control.arm_controller import ArmController
+from armui.control.cell.cell_reasons import CELL_NONE
 from armui.kinematics.axes import AXES
 from armui.ui import format as fmt
-from armui.ui.actions.command import Target
-from armui.ui.panels.cell.cell_tab import Answered, CellTab, CurrentStack, pose_grid
+from armui.ui import words
+from armui.ui.panels.cell.cell_tab import (
+    NARROW_PX,
+    Answered,
+    CellTab,
+    CurrentStack,
+    hint_label,
+    pose_grid,
+)
+from armui.ui.panels.cell.point_search import PointSearch
 from armui.ui.widgets.buttons import (
     caption,
     choice_button,
@@ -28,236 +40,343 @@ from armui.ui.widgets.buttons import (
     show_primary,
 )
 from armui.ui.widgets.figure_field import FigureField
-from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row
-from armui.ui.widgets.text_label import text_label
+from armui.ui.widgets.layouts import STRETCH, Item, empty_grid, in_column, in_row
 
-NARROW_PX: Final = 60
-Thing = Tool | UserFrame
+Thing = Tool | UserFrame | HeldObject | Zone
+EDGES: Final = "XYZ"
+
+
+@dataclass(frozen=True, slots=True)
+class TabTexts:
+    """The words of a tab in the present language.
+
+    Attributes:
+        kind: What one of its things is called.
+        choice: The list.
+        name: The name's field.
+        none: The entry for none of them.
+        missing: That none is chosen.
+        apply: What Apply does.
+        add: What each button that adds does.
+        delete: What Delete does.
+    """
+
+    kind: str
+    choice: str
+    name: str
+    none: str
+    missing: str
+    apply: str
+    add: Sequence[str]
+    delete: str
 
 
 class NamedTab(CellTab):
-    """A list, one chosen, its name and figures, and a guided search by points.
+    """A list, one chosen, its name and figures, and perhaps a guided search by points.
 
     Args:
         controller: The controller of the arm; changes go through its `cell`.
         answered: Shows an answer in the panel.
-        by_points: The widget of the search.
+        search: The widget of the search.
     """
 
     part: ClassVar[str]
-    """The part of the widgets' and commands' names: ``tool`` or ``frame``."""
+    """The part of the widgets' and commands' names: ``tool``, ``frame``, ``area`` or ``held``."""
+    listed: ClassVar[str] = ""
+    """The name of the list's widget where it differs from that."""
+    kind: ClassVar[type[Any]]
+    """The kind of the things."""
+    adds: ClassVar[Sequence[str]] = ("add",)
+    """The buttons that add one."""
 
-    def __init__(self, controller: ArmController, answered: Answered, by_points: QWidget) -> None:
+    def __init__(
+        self, controller: ArmController, answered: Answered, search: PointSearch | None = None
+    ) -> None:
         super().__init__(controller, answered)
         name = f"cell_{self.part}"
-        self._shown: Thing | None = None
-        self._next = text_label(f"{name}_next", wraps=True)
-        self._choice_label = QLabel()
-        self._choice = named(f"{name}_box", QComboBox())
-        self._choice_label.setBuddy(self._choice)
-        self._name_label = QLabel()
+        self._why_not = ""
+        self._local = ""
+        self._shown: tuple[Thing | None, ...] = ()
+        self._next = hint_label(f"{name}_next")
+        self._choice_label, self._name_label, self._size_label = QLabel(), QLabel(), QLabel()
+        self._choice = named(self.listed or name, QComboBox())
         self._name = named(f"{name}_name", QLineEdit())
         self._name.setMaxLength(LONGEST_NAME)
-        self._name_label.setBuddy(self._name)
-        self._fields = [named(f"{name}_{axis}", FigureField(fmt.DECIMALS)) for axis in AXES]
+        self._figures: list[FigureField] = []
+        self._fields = [self._figure(axis, fmt.DECIMALS) for axis in AXES]
+        self._sizes: list[FigureField] = []
         self._apply = push_button(f"{name}_apply")
-        self._add = push_button(f"{name}_add")
+        self._adds = [push_button(f"{name}_{each}") for each in self.adds]
         self._delete = push_button(f"{name}_delete")
-        self._points = by_points
+        self._search = search
         self._ways = CurrentStack()
         self._way = QButtonGroup(self)
-        for place, way in enumerate((f"{name}_typed", f"{name}_by_points")):
-            self._way.addButton(choice_button(way), place)
-        self._way.button(0).setChecked(True)
-        self._way.idClicked.connect(self._on_way_chosen)
-        self._choice.activated.connect(self._on_chosen)
-        for field in (self._name, *self._fields):
-            field.textEdited.connect(lambda _text: self._show_news())
+        self._choice.activated.connect(
+            lambda place: self._choose(self._choice.itemData(place) or "")
+        )
+        self._name.textEdited.connect(lambda _text: self._show_news())
         self._apply.clicked.connect(self._on_apply)
-        self._add.clicked.connect(lambda: self._change(self._put(self.typed())))
         self._delete.clicked.connect(self._on_delete)
+        for place, button in enumerate(self._adds):
+            button.clicked.connect(lambda _down, place=place: self._on_add(place))
+
+    def _figure(self, name: str, decimals: int, unit: str = "") -> FigureField:
+        """Return a field for a figure of the thing."""
+        field = named(f"cell_{self.part}_{name}", FigureField(decimals, unit))
+        field.textEdited.connect(lambda _text: self._show_news())
+        self._figures.append(field)
+        return field
 
     def _lay_out(
-        self, rows: Sequence[tuple[QLabel, QWidget]] = (), below: Sequence[QWidget] = ()
+        self,
+        *rows: tuple[QLabel, Sequence[QWidget]],
+        beside: tuple[Sequence[QWidget], Sequence[QWidget]] = ((), ()),
+        below: Sequence[Item] = (),
+        last: Sequence[Item] = (),
     ) -> None:
         """Lay out the tab.
 
         Args:
-            rows: What else has a label, below the name.
+            rows: What else has a label, below the name: its field, and what stands beside that.
+            beside: What stands beside the list, and beside the name.
             below: What stands below the figures.
+            last: What stands below the buttons.
         """
         grid = empty_grid(gaps=(8, 6), margins=0)
-        first = ((self._choice_label, self._choice), (self._name_label, self._name))
-        for row, pair in enumerate((*first, *rows)):
-            for column, widget in enumerate(pair):
-                grid.addWidget(widget, row, column)
+        first = (
+            (self._choice_label, (self._choice, *beside[0])),
+            (self._name_label, (self._name, *beside[1])),
+        )
+        for row, (label, (field, *more)) in enumerate((*first, *rows)):
+            label.setBuddy(field)
+            field.setMinimumWidth(NARROW_PX)
+            grid.addWidget(label, row, 0)
+            grid.addLayout(in_row((field, 1), *more, spacing=6), row, 1)
         grid.setColumnStretch(1, 1)
-        for widget in (self._choice, self._apply, self._add, self._delete):
+        for widget in (self._apply, *self._adds, self._delete, *self._sizes):
             widget.setMinimumWidth(NARROW_PX)
-        buttons = in_row((self._apply, 1), (self._add, 1), (self._delete, 1), spacing=6)
+        changes = [self._apply, self._delete]
+        adds = list(self._adds)
+        rows_of_buttons = [adds, changes] if len(adds) > 1 else [[self._apply, *adds, self._delete]]
+        ends = [in_row(*((each, 1) for each in row), spacing=6) for row in rows_of_buttons]
+        sizes: list[Item] = []
+        if self._sizes:
+            fields = ((each, 1) for each in self._sizes)
+            sizes = [in_row(self._size_label, *fields, spacing=6)]
+        parts = (self._next, grid, pose_grid(self._fields), *sizes, *below, *ends, *last, STRETCH)
+        if self._search is None:
+            in_column(*parts, on=self, spacing=8, margins=0)
+            return
         typed = QWidget()
-        parts = (self._next, grid, pose_grid(self._fields), *below, buttons, STRETCH)
         in_column(*parts, on=typed, spacing=8, margins=0)
-        self._ways.addWidget(typed)
-        self._ways.addWidget(self._points)
+        for place, (way, widget) in enumerate(
+            ((f"cell_{self.part}_typed", typed), (f"cell_{self.part}_by_points", self._search))
+        ):
+            self._way.addButton(choice_button(way), place)
+            self._ways.addWidget(widget)
+        self._way.button(0).setChecked(True)
+        self._way.idClicked.connect(self._on_way_chosen)
+        self._search.applied.connect(self._take_found)
         ways = in_row(*((button, 1) for button in self._way.buttons()), spacing=6)
         in_column(ways, self._ways, on=self, spacing=8, margins=0)
 
-    def command_targets(self) -> Mapping[str, Target]:
-        """Return the target of each command, by the command's name."""
-        return {
-            f"cell.{self.part}": self._choice,
-            f"cell.{self.part}_apply": self._apply,
-            f"cell.{self.part}_add": self._add,
-            f"cell.{self.part}_delete": self._delete,
-            f"cell.{self.part}_by_points": self._way.button(1),
-        }
-
     # What is of one kind alone ---------------------------------------------------------------
 
-    @property
-    def _things(self) -> Sequence[Thing]:
+    def _texts(self) -> TabTexts:
+        """Return the words of the tab."""
         raise NotImplementedError
 
-    @property
-    def _chosen(self) -> Thing | None:
-        raise NotImplementedError
-
-    def _choosing(self, name: str) -> Cell:
-        """Return the cell with another one chosen; "" for none."""
-        raise NotImplementedError
-
-    def _put(self, thing: Thing, instead_of: str = "") -> Cell:
-        """Return the cell with a further one, or with one in the place of another."""
-        raise NotImplementedError
-
-    def _without(self, name: str) -> Cell:
-        """Return the cell without one."""
-        raise NotImplementedError
-
-    def typed(self) -> Thing:
+    def typed(self) -> Any:
         """Return what is typed; an empty field counts as 0, a text as itself."""
         raise NotImplementedError
 
     def _next_step(self, *, new: bool, changed: bool) -> str:
         raise NotImplementedError
 
+    @property
+    def _things(self) -> Sequence[Thing]:
+        raise NotImplementedError
+
+    @property
+    def _chosen(self) -> str:
+        """The name of the chosen one; "" for none."""
+        return self._local
+
+    def _choose(self, name: str) -> None:
+        """Choose another one to look at; "" for none."""
+        self._local = name
+        self.show_cell(self._why_not)
+
+    def _put(self, thing: Any, instead_of: str = "") -> Cell:
+        """Return the cell with a further one, or with one in the place of another."""
+        return with_part(self._cell, thing, instead_of=instead_of)
+
+    def _without(self, name: str) -> Cell:
+        """Return the cell without one."""
+        return without_part(self._cell, self.kind, name)
+
+    def _entry(self, thing: Thing) -> str:
+        """Return how the list names one."""
+        return thing.name
+
+    def _proposed(self) -> Thing | None:
+        """Return what the fields show while none is chosen; ``None`` empties them."""
+        return None
+
+    def _is_changed(self, typed: Thing) -> bool:
+        """Return whether Apply has something to do."""
+        return self._thing is not None and typed != self._thing
+
     # Actions ---------------------------------------------------------------------------------
 
     @property
-    def _cell(self) -> Cell:
-        return self._controller.cell.cell or Cell("")
+    def _thing(self) -> Any:
+        return part_named(self._things, self._chosen)
 
-    def _change(self, cell: Cell) -> None:
+    def _change(self, cell: Cell, chosen: str) -> None:
+        before, self._local = self._local, chosen
         if not self._answered(self._controller.cell.change(cell)):
-            self._show_thing(force=False)
-
-    def _on_chosen(self, place: int) -> None:
-        self._change(self._choosing(self._choice.itemData(place) or ""))
+            self._local = before
+            self.show_cell(self._why_not)
 
     def _on_apply(self) -> None:
-        if self._shown is not None:
-            self._change(self._put(self.typed(), self._shown.name))
+        typed = self.typed()
+        self._change(self._put(typed, self._chosen), typed.name)
+
+    def _on_add(self, _place: int) -> None:
+        typed = self.typed()
+        self._change(self._put(typed), typed.name)
 
     def _on_delete(self) -> None:
-        if self._shown is not None:
-            self._change(self._without(self._shown.name))
+        self._change(self._without(self._chosen), "")
 
     def _on_way_chosen(self, place: int) -> None:
         self._ways.setCurrentIndex(place)
-        self._live()
+        self.show_state(self._controller.state)
 
-    def _live(self) -> None:
-        raise NotImplementedError
+    def take_pose(self, pose: Sequence[float]) -> None:
+        """Fill in a pose; it is applied by a press."""
+        for field, value in zip(self._fields, pose, strict=True):
+            field.show_value(value)
+        self._show_news()
 
-    def _take_found(self, pose: tuple[float, ...], pattern: str, *, anew: bool) -> None:
+    def _take_found(self, pose: tuple[float, ...], anew: bool) -> None:
         """Put a pose that was found into the chosen one, or into a new one.
 
         Args:
             pose: Six figures.
-            pattern: The name of a new one, with {number}.
             anew: True for a new one though one is chosen.
         """
         rounded = tuple(round(each, fmt.DECIMALS) for each in pose)
-        chosen = self._chosen
+        chosen = self._thing
         if chosen is not None and not anew:
-            self._change(self._put(replace(chosen, pose=rounded), chosen.name))
+            self._change(self._put(replace(chosen, pose=rounded), chosen.name), chosen.name)
             return
         names = {thing.name.casefold() for thing in self._things}
-        numbered = (pattern.format(number=number) for number in count(1))
+        numbered = (f"{self._texts().kind} {number}" for number in count(1))
         name = next(each for each in numbered if each.casefold() not in names)
-        self._change(self._put(type(self.typed())(name, rounded)))
-
-    def show_state(self, _state: ArmState) -> None:
-        """Show what the present pose would tell in the search."""
-        if self._points.isVisible():
-            self._live()
+        self._change(self._put(self.kind(name, rounded)), name)
 
     # Appearance ------------------------------------------------------------------------------
 
-    def _list_things(self, none: str, why_not: str) -> None:
-        """List all, with the words for none of them."""
+    def show_cell(self, why_not: str) -> None:
+        """Show the chosen cell; what is typed stays while the same one is chosen."""
+        self._why_not = why_not
         self._choice.clear()
-        self._choice.addItem(none, "")
-        for thing in self._things:
-            self._choice.addItem(thing.name, thing.name)
-        self._show_thing(force=self._shown != self._chosen)
-        self._choice.setEnabled(self._controller.cell.cell is not None and not why_not)
+        self._choice.addItem(self._texts().none, "")
+        for each in self._things:
+            self._choice.addItem(self._entry(each), each.name)
+        thing = self._thing
+        if thing is None:
+            self._local = ""
+        self._choice.setCurrentIndex(max(0, self._choice.findData(self._chosen)))
+        self._choice.setEnabled(self._controller.cell.cell is not None)
+        if (thing,) != self._shown:
+            self._shown = (thing,)
+            self._fill(thing or self._proposed())
+        if self._search is not None:
+            self._search.show_chosen(thing, why_not)
+        self.show_state(self._controller.state)
+        self._show_news()
 
-    def _show_thing(self, *, force: bool) -> None:
-        """Fill the fields with the chosen one; what is typed stays while it is the same one."""
-        chosen = self._chosen
-        name = "" if chosen is None else chosen.name
-        self._choice.setCurrentIndex(max(0, self._choice.findData(name)))
-        if force:
-            self._shown = chosen
-            self._name.setText(name)
-            for field, value in zip(
-                self._fields, NO_TOOL if chosen is None else chosen.pose, strict=True
-            ):
-                field.show_value(None if chosen is None else value)
+    def _fill(self, thing: Any) -> None:
+        """Fill the fields with a thing, or empty them for ``None``."""
+        self._name.setText("" if thing is None else thing.name)
+        figures = () if thing is None else (*thing.pose, *getattr(thing, "size_mm", ()))
+        fields = (*self._fields, *self._sizes)
+        for field, value in zip(fields, figures or (None,) * len(fields), strict=False):
+            field.show_value(value)
 
-    def _allow(self, why_not: str, none: str, uses: tuple[str, str, str]) -> None:
-        """Enable the buttons or say why not.
-
-        Args:
-            why_not: Why nothing can be changed now; empty if it can.
-            none: That none is chosen.
-            uses: What each of Apply, Add and Delete does.
-        """
-        missing = none if self._shown is None else ""
-        enable_or_explain(self._apply, why_not or missing, uses[0])
-        enable_or_explain(self._add, why_not, uses[1])
-        enable_or_explain(self._delete, why_not or missing, uses[2])
+    def show_state(self, _state: ArmState) -> None:
+        """Show what the present pose would tell in the search."""
+        if self._search is not None and self._search.isVisible():
+            self._search.show_live()
 
     def _show_news(self) -> None:
-        """Say what is to be done next, and light its button."""
-        typed, shown = self.typed(), self._shown
-        for field in self._fields:
+        """Say what is to be done next, light its button, and say why the others have no use."""
+        for field in self._figures:
             field.show_attention(wanted=field.is_nonsense())
-        new = bool(typed.name) and typed.name not in {thing.name for thing in self._things}
-        show_primary(self._add, wanted=self._add.isEnabled() and new)
-        changed = shown is not None and typed != shown
-        show_primary(self._apply, wanted=self._apply.isEnabled() and changed and not new)
-        self._next.setText(self._next_step(new=new, changed=changed))
+        texts, typed = self._texts(), self.typed()
+        names = {thing.name.casefold() for thing in self._things}
+        new = bool(typed.name) and typed.name.casefold() not in names
+        changed = self._is_changed(typed)
+        unnamed = "" if typed.name else self.tr("Type a name first.")
+        taken = "" if new else words.refusal(CELL_NAME_TAKEN(value=typed.name))
+        for button, use in zip(self._adds, texts.add, strict=True):
+            enable_or_explain(button, self._why_not or unnamed or taken, use)
+            show_primary(button, wanted=button.isEnabled() and len(self._adds) == 1)
+        missing = "" if self._thing is not None else texts.missing
+        same = "" if changed else missing or self.tr("Nothing is changed.")
+        enable_or_explain(self._apply, self._why_not or same, texts.apply)
+        enable_or_explain(self._delete, self._why_not or missing, texts.delete)
+        show_primary(self._apply, wanted=self._apply.isEnabled() and not new)
+        none = words.refusal(CELL_NONE()) if self._controller.cell.cell is None else ""
+        self._next.setText(none or self._next_step(new=new, changed=changed))
 
-    def _caption(self, texts: tuple[str, str], ways: tuple[str, str], thing: str) -> None:
-        """Name the parts for the eye and for a screen reader.
-
-        Args:
-            texts: The list's, and the name's.
-            ways: The two ways.
-            thing: The kind, before the axes and buttons.
-        """
-        for label, field, text in zip(
-            (self._choice_label, self._name_label), (self._choice, self._name), texts, strict=True
+    def retranslate_ui(self) -> None:
+        """Set all texts in the operator's language."""
+        texts = self._texts()
+        for label, field, text in (
+            (self._choice_label, self._choice, texts.choice),
+            (self._name_label, self._name, texts.name),
         ):
             label.setText(text)
             field.setAccessibleName(text)
         for axis, figure in zip(AXES, self._fields, strict=True):
-            figure.setAccessibleName(f"{thing} {axis}")
-        for button, text in zip(self._way.buttons(), ways, strict=True):
+            figure.setAccessibleName(f"{texts.kind} {axis}")
+        for edge, figure in zip(EDGES, self._sizes, strict=False):
+            text = self.tr("{kind}: edge along {axis}")
+            figure.setAccessibleName(text.format(kind=texts.kind, axis=edge))
+        for button, text in (
+            (self._apply, self.tr("Apply")),
+            (self._adds[0], self.tr("Add")),
+            (self._delete, self.tr("Delete")),
+        ):
+            caption(button, text, whose=texts.kind)
+        self.show_cell(self._why_not)
+
+
+class ForceTab(NamedTab):
+    """A list of which the one that is chosen is in force: of tools, of user frames."""
+
+    @property
+    def _things(self) -> Sequence[Thing]:
+        return getattr(self._cell, f"{self.part}s")  # type: ignore[no-any-return]
+
+    @property
+    def _chosen(self) -> str:
+        return getattr(self._cell, self.part)  # type: ignore[no-any-return]
+
+    def _choose(self, name: str) -> None:
+        changed: dict[str, Any] = {self.part: name}
+        self._change(replace(self._cell, **changed), "")
+
+    def show_cell(self, why_not: str) -> None:
+        """Show the chosen cell; another one is chosen only while it may be changed."""
+        super().show_cell(why_not)
+        self._choice.setEnabled(self._choice.isEnabled() and not why_not)
+
+    def _name_ways(self, typed: str, by_points: str) -> None:
+        """Name the two ways to a pose."""
+        for button, text in zip(self._way.buttons(), (typed, by_points), strict=True):
             caption(button, text)
-        caption(self._apply, self.tr("Apply"), whose=thing)
-        caption(self._add, self.tr("Add"), whose=thing)
-        caption(self._delete, self.tr("Delete"), whose=thing)

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import partial
-from typing import Final
+from typing import Any, Final
 
-from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QLabel, QPushButton
 
 from armui.arm.refusal import Refusal
 from armui.cell.tool_calibration import (
@@ -22,11 +20,13 @@ from armui.cell.tool_calibration import (
     spread,
     turned_from_deg,
 )
+from armui.cell.tools import NO_TOOL
 from armui.control.arm_controller import ArmController
 from armui.control.cell.cell_reasons import CELL_NONE
 from armui.ui import format as fmt
 from armui.ui import words
-from armui.ui.panels.cell.cell_tab import Answered
+from armui.ui.panels.cell.cell_tab import NARROW_PX, Answered
+from armui.ui.panels.cell.point_search import PointSearch, Pose
 from armui.ui.widgets.buttons import (
     caption,
     describe,
@@ -38,39 +38,21 @@ from armui.ui.widgets.buttons import (
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row
 from armui.ui.widgets.text_label import text_label
-from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import listed
 
-Pose = tuple[float, ...]
 _AXES: Final = ("+X", "−X", "+Y", "−Y", "+Z", "−Z")
 _AS_BEFORE: Final = 0
 _TWO_POINTS: Final = 1 + len(_AXES)
-_NARROW_PX: Final = 56
 
 
-class TipByPoints(Translated, QWidget):
-    """Takes poses of the arm at rest, and shows what they tell; nothing is applied by itself.
-
-    Args:
-        controller: The controller; its `cell` takes measured poses.
-        answered: Shows an answer in the panel.
-
-    Signals:
-        applied: The pose of the tool that was found, six figures, as the operator has pressed.
-    """
-
-    applied = Signal(object)
+class TipByPoints(PointSearch):
+    """Finds a tool's tip from poses that touch one point; see :class:`PointSearch`."""
 
     def __init__(self, controller: ArmController, answered: Answered) -> None:
-        super().__init__()
-        self._controller = controller
-        self._answered = answered
+        super().__init__(controller, answered, "tip")
         self._poses: list[Pose] = []
-        self._before: Pose = (0.0,) * 6
-        self._why_not = ""
+        self._before: Pose = NO_TOOL
         self._turn_poses: list[Pose | None] = [None, None]
-        self._next = text_label("tip_next", wraps=True)
-        self._live = text_label("tip_live", rank="muted", wraps=True)
         self.take = push_button("tip_take")
         self._rows: list[tuple[QCheckBox, QLabel, QPushButton]] = []
         self._grid = empty_grid(gaps=(8, 2), margins=0)
@@ -78,22 +60,17 @@ class TipByPoints(Translated, QWidget):
         self._limit = named("tip_limit", FigureField(2, "mm"))
         self._limit.show_value(DEFAULT_LIMIT_MM)
         self._limit_label.setBuddy(self._limit)
-        self._result = text_label("tip_result", wraps=True)
         self._turn_label = QLabel()
         self._turn = named("tip_orientation", QComboBox())
-        self._turn.setMinimumWidth(_NARROW_PX)
+        self._turn.setMinimumWidth(NARROW_PX)
         self._turn_takes = [push_button(f"tip_turn_{number}") for number in (1, 2)]
         self._note = text_label("tip_note", rank="muted", wraps=True)
-        self._apply = push_button("tip_apply")
-        self._restart = push_button("tip_restart")
         self._lay_out()
         self.take.clicked.connect(self._on_take)
         self._limit.value_edited.connect(self._show)
         self._turn.activated.connect(self._on_turn_chosen)
         for place, button in enumerate(self._turn_takes):
             button.clicked.connect(partial(self._on_turn_taken, place))
-        self._apply.clicked.connect(self._on_apply)
-        self._restart.clicked.connect(self.restart)
         self.retranslate_ui()
 
     def _lay_out(self) -> None:
@@ -110,8 +87,8 @@ class TipByPoints(Translated, QWidget):
                 widget.hide()
             self._rows.append((used, residual, again))
         self._grid.setColumnStretch(1, 1)
-        for button in (*self._turn_takes, self.take, self._apply, self._restart):
-            button.setMinimumWidth(_NARROW_PX)
+        for button in (*self._turn_takes, self.take):
+            button.setMinimumWidth(NARROW_PX)
         limit = in_row(self._limit_label, STRETCH, self._limit)
         turn = in_row(self._turn_label, (self._turn, 1))
         turn_takes = in_row(*((button, 1) for button in self._turn_takes), spacing=6)
@@ -121,15 +98,6 @@ class TipByPoints(Translated, QWidget):
         in_column(*first, rows, turn, limit, self._note, STRETCH, on=self, spacing=6, margins=0)
 
     # -- actions ------------------------------------------------------------------------------
-
-    def _captured(self, then: Callable[[Pose], object]) -> None:
-        pose = self._controller.cell.capture()
-        if isinstance(pose, Refusal):
-            self._answered(pose)
-            return
-        self._answered(None)
-        then(pose)
-        self._show()
 
     def _on_take(self) -> None:
         self._captured(self._poses.append)
@@ -149,11 +117,6 @@ class TipByPoints(Translated, QWidget):
     def _on_turn_chosen(self) -> None:
         self._turn_poses = [None, None]
         self._show()
-
-    def _on_apply(self) -> None:
-        found = self.found()
-        if not isinstance(found, Refusal):
-            self.applied.emit(found)
 
     def restart(self) -> None:
         """Forget the poses."""
@@ -206,14 +169,9 @@ class TipByPoints(Translated, QWidget):
 
     # -- appearance ---------------------------------------------------------------------------
 
-    def show_tool(self, before: Pose, why_not: str) -> None:
-        """Show for which tool it is.
-
-        Args:
-            before: Its figures in force.
-            why_not: Why the cell cannot be changed now; empty if it can.
-        """
-        self._before, self._why_not = before, why_not
+    def show_chosen(self, chosen: Any, why_not: str) -> None:
+        """Show for which tool it is."""
+        self._before, self._why_not = NO_TOOL if chosen is None else chosen.pose, why_not
         self._name_axes()
         self._show()
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Reason, Refusal
 from armui.cell.held_shape import held_shape
+from armui.cell.parts import part_named
 from armui.control.operations.started import ARM_CHANGED
 from armui.control.parameters.arm_model import arm_model, start_deg
 from armui.system.clock import steady_s
@@ -70,6 +71,7 @@ class CheckBasis:
         alterations: The number of settings that this program had made by then, loads included.
         options: The operator's options.
         cell: The cell: its work area, and what the arm carries.
+        unconfirmed: Why the cell is not in force; its tool is none of the arm's then.
     """
 
     mark: ArmMark
@@ -77,6 +79,7 @@ class CheckBasis:
     alterations: int
     options: RunOptions
     cell: Cell | None
+    unconfirmed: Refusal | None = None
 
     @classmethod
     def of(cls, controller: ArmController, options: RunOptions) -> CheckBasis:
@@ -84,7 +87,8 @@ class CheckBasis:
         arm, altered = arm_model(controller), controller.transactions.alterations
         cell = controller.cell.cell
         shown_in_base = None if cell is None else replace(cell, frame="")  # which moves nothing
-        return cls(controller.mark, arm, altered, options, shown_in_base)
+        waits = controller.cell.unconfirmed
+        return cls(controller.mark, arm, altered, options, shown_in_base, waits)
 
     def why_other(self, now: CheckBasis) -> Refusal | None:
         """Return why a check under these conditions is not valid under ``now``, or ``None``."""
@@ -163,7 +167,7 @@ def carried_by(controller: ArmController, content: Content) -> dict[str, Carried
     points, cell = () if isinstance(content, Recording) else content.points, controller.cell.cell
     found = {}
     for name in {point.holds for point in points if point.holds is not None}:
-        held = None if cell is None else cell.object_named(name)
+        held = None if cell is None else part_named(cell.held_objects, name)
         if held is not None or not name:
             shape = None if held is None else held_shape(held)
             found[name] = Carried(shape, controller.area_guard.check_holding(name))
