@@ -5,7 +5,7 @@ import math
 
 import pytest
 
-from armui.cell.cell import Cell, with_frame, with_tool
+from armui.cell.cell import Cell, with_part
 from armui.cell.tools import Tool
 from armui.cell.user_frames import UserFrame
 from armui.protocol.codes import MoveMode
@@ -150,15 +150,15 @@ def test_put_into_the_librarys_folder_it_is_the_flanges(suffix, tmp_path):
     assert (tmp_path / "t.log").read_text().startswith("armui trajectory 2\n")
 
 
-BENCH = with_frame(with_tool(Cell("bench"), PEN), TABLE)
+BENCH = with_part(with_part(Cell("bench"), PEN), TABLE)
 LONG = Tool("pen", (10.0, -5.0, 130.0, 15.0, -25.0, 40.0))
 MOVED = UserFrame("Table", (250.0, -80.0, 52.0, 10.0, -20.0, 35.0))
 HERE = {
     "the same": (BENCH, []),
-    "another in force": (with_tool(BENCH, Tool("rod", (0, 0, 50.0, 0, 0, 0))), []),
+    "another in force": (with_part(BENCH, Tool("rod", (0, 0, 50.0, 0, 0, 0))), []),
     "no cell": (None, ["tool_not_here", "frame_not_here"]),
-    "re-measured": (with_tool(BENCH, LONG, instead_of="pen"), ["tool_otherwise"]),
-    "frame moved": (with_frame(BENCH, MOVED, instead_of="Table"), ["frame_elsewhere"]),
+    "re-measured": (with_part(BENCH, LONG, instead_of="pen"), ["tool_otherwise"]),
+    "frame moved": (with_part(BENCH, MOVED, instead_of="Table"), ["frame_elsewhere"]),
     "neither": (Cell("bench"), ["tool_not_here", "frame_not_here"]),
 }
 

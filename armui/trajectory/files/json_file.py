@@ -12,8 +12,9 @@ import numpy as np
 
 from armui.arm.json_fields import FieldError, FieldProblem, Fields, Path
 from armui.arm.refusal import Reason
+from armui.cell.parts import from_entry, to_entry
 from armui.cell.tools import Tool
-from armui.cell.user_frames import UserFrame, from_entry, to_entry
+from armui.cell.user_frames import UserFrame
 from armui.trajectory.files.errors import FILE_VERSION, TrajectoryFileError, broken, field_refusal
 from armui.trajectory.files.log_points import LETTER_OF, LETTERS
 from armui.trajectory.files.model import (
@@ -75,7 +76,7 @@ def write(content: Content) -> str:
     if isinstance(content, Trajectory):
         tool, frames = content.poses_of.tool, content.poses_of.frames
         if tool is not None:
-            head["tool"] = to_entry(UserFrame(tool.name, tool.pose))
+            head["tool"] = to_entry(tool)
         if frames:
             head["frames"] = list(map(to_entry, frames))
         head["closing_comments"] = list(content.closing)
@@ -152,10 +153,10 @@ def _content(whole: Fields, name: str) -> Content:
         points = tuple(_point(item) for item in whole.objects("points"))
         closing = whole.texts("closing_comments")
         tool = whole.maybe_object("tool")
-        of_tool = None if tool is None else from_entry(tool)
+        frames = whole.objects("frames") if "frames" in whole else ()
         of = PosesOf(
-            None if of_tool is None else Tool(of_tool.name, of_tool.pose),
-            tuple(map(from_entry, whole.objects("frames"))) if "frames" in whole else (),
+            None if tool is None else from_entry(Tool, tool),
+            tuple(from_entry(UserFrame, each) for each in frames),
         )
         whole.nothing_else()
         return verified(Trajectory(points=points, closing=closing, poses_of=of, **common))  # type: ignore[arg-type]  # the three fields of both kinds

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from armui.arm.refusal import Reason, Refusal
+from armui.cell.parts import part_named
 from armui.kinematics.poses import Pose, apart
 from armui.trajectory import columns, files
 from armui.trajectory.files import TrajectoryFileError
@@ -75,7 +76,7 @@ class Imported:
         found: list[Refusal] = []
         theirs = self.poses_of.tool
         if theirs is not None:
-            here = None if cell is None else cell.tool_named(theirs.name)
+            here = None if cell is None else part_named(cell.tools, theirs.name)
             pose = tool if here is None and not theirs.name else None if here is None else here.pose
             if pose is None:
                 found.append(TOOL_NOT_HERE(file=self.path.name, name=theirs.name))
@@ -84,7 +85,7 @@ class Imported:
                 found.append(TOOL_OTHERWISE(file=self.path.name, name=name))
         stood = {frame.name: frame.pose for frame in self.poses_of.frames}
         for name in self.frames:
-            frame = None if cell is None else cell.frame_named(name)
+            frame = None if cell is None else part_named(cell.frames, name)
             if frame is None:
                 found.append(FRAME_NOT_HERE(file=self.path.name, name=name))
             elif name in stood and stood[name] != frame.pose:

@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 
-from armui.cell.cell import Cell, with_frame, with_tool
+from armui.cell.cell import Cell, with_part
 from armui.cell.tools import Tool
 from armui.cell.user_frames import UserFrame
 from armui.protocol.codes import MoveMode
@@ -320,7 +320,7 @@ TOLD = (300.0, 0.0, 250.0, 0.0, 85.0, 0.0)
 
 def test_poses_are_of_the_tool_and_frame_in_force_unless_said_otherwise(operator):
     cell = operator.app_driver.controller.cell
-    accepted(cell.take(with_frame(with_tool(Cell("bench"), PEN), TABLE)))
+    accepted(cell.take(with_part(with_part(Cell("bench"), PEN), TABLE)))
     operator.open(poses=POSES)
     assert operator.child("of").currentText() == "the tool “pen”"
     assert operator.child("in").currentText() == "in “Table”"
@@ -334,7 +334,7 @@ def test_poses_are_of_the_tool_and_frame_in_force_unless_said_otherwise(operator
 
 def test_poses_of_the_flange_in_the_base_stay_so_whatever_changes(operator):
     cell = operator.app_driver.controller.cell
-    accepted(cell.take(with_frame(with_tool(Cell("bench"), PEN), TABLE)))
+    accepted(cell.take(with_part(with_part(Cell("bench"), PEN), TABLE)))
     operator.open(poses=POSES)
     operator.choose(operator.child("of"), "the flange")
     operator.choose(operator.child("in"), "in the base frame")
@@ -353,6 +353,6 @@ def test_joint_angles_and_a_bare_arm_ask_for_no_tool(operator):
     assert not operator.child("of").isVisible()
     operator.take()
     assert operator.library.load("poses").points[0].target == TOLD
-    accepted(operator.app_driver.controller.cell.take(with_tool(Cell("bench"), PEN)))
+    accepted(operator.app_driver.controller.cell.take(with_part(Cell("bench"), PEN)))
     operator.open(line=TITLED)
     assert not operator.child("of").isVisible()

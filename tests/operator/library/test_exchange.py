@@ -7,7 +7,7 @@ from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QApplication, QFileDialog, QTableWidget, QWidget
 
-from armui.cell.cell import Cell, with_frame, with_tool
+from armui.cell.cell import Cell, with_part
 from armui.cell.tools import Tool
 from armui.cell.user_frames import UserFrame
 from armui.control.run.progress import RunPhase
@@ -257,7 +257,7 @@ TABLE = UserFrame("Table", (250.0, -80.0, 40.0, 10.0, -20.0, 35.0))
 
 def test_poses_leave_and_come_as_those_of_the_tool_and_what_differs_is_told(driver, tmp_path):
     cell = driver.app_driver.controller.cell
-    bench = with_frame(with_tool(Cell("bench"), PEN), TABLE)
+    bench = with_part(with_part(Cell("bench"), PEN), TABLE)
     accepted(cell.take(bench))
     points = (POSE, replace(POSE, frame="Table"))
     driver.library.save(Trajectory("poses", points=points))
@@ -272,7 +272,7 @@ def test_poses_leave_and_come_as_those_of_the_tool_and_what_differs_is_told(driv
     assert "#tool,pen,10,-5,100,15,-25,40" in (tmp_path / "x.csv").read_text()
     brought(driver, tmp_path / "x.csv")
     assert driver.message().splitlines()[-1].startswith("Their names were taken")
-    accepted(cell.change(with_tool(bench, LONG, instead_of="pen")))
+    accepted(cell.change(with_part(bench, LONG, instead_of="pen")))
     brought(driver, tmp_path / "x.csv")
     assert driver.message().splitlines()[-1] == (
         "x.csv has poses of the tool “pen”, whose figures are others here. The flange goes where "
