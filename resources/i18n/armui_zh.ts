@@ -404,8 +404,8 @@
         <translation>末端轨迹：最近 60 秒运动</translation>
     </message>
     <message>
-        <source>Handles at the tool, along the axes of the base</source>
-        <translation>末端手柄：沿基座坐标轴</translation>
+        <source>Handles at the tool, along the axes of base or user frame</source>
+        <translation>末端手柄：沿基坐标系或用户坐标系各轴</translation>
     </message>
     <message>
         <source>Handles at the tool, along its own axes</source>
@@ -3187,6 +3187,18 @@
     <message>
         <source>Not pasted. {reason}</source>
         <translation>未粘贴。{reason}</translation>
+    </message>
+    <message>
+        <source>the base</source>
+        <translation>基坐标系</translation>
+    </message>
+    <message>
+        <source>“{lost}” is not known: the figures stayed, and count from {frame} now. The points are elsewhere then: check them, or undo.</source>
+        <translation>“{lost}”的位置未知：数值保持不变，现在以{frame}为基准。点的位置因此改变：请检查，或撤销。</translation>
+    </message>
+    <message>
+        <source>The points stay where they are; their figures are in {frame} now.</source>
+        <translation>点的位置保持不变；数值现在以{frame}为基准。</translation>
     </message>
     <message>
         <source>Pasted as poses of {tool}, as the table shows them. Undo if they are of the flange or another tool.</source>
@@ -14476,8 +14488,8 @@ Before: {before}</source>
         <translation>显示单元的用户坐标系；生效的坐标系以彩色轴显示</translation>
     </message>
     <message>
-        <source>Tool, along the axes of the base</source>
-        <translation>末端，沿基坐标系各轴</translation>
+        <source>Tool, along the axes of its figures: base or user frame</source>
+        <translation>末端，沿数值所在的坐标系（基坐标系或用户坐标系）各轴</translation>
     </message>
     <message>
         <source>Tool, along its own axes</source>
