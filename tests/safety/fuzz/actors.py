@@ -244,7 +244,7 @@ class Actors:
         cells = self._controller.cell
         cell = cells.cell or Cell("fuzz")
         if pose:
-            known = _USER if cell.frame_named(_USER) else ""
+            known = _USER if any(each.name == _USER for each in cell.frames) else ""
             made = with_part(cell, UserFrame(_USER, pose), instead_of=known)
             changed = replace(made, frame=_USER)
         else:
