@@ -14,7 +14,7 @@ from armui.kinematics.poses import Pose, apart
 from armui.trajectory import columns, files
 from armui.trajectory.files import TrajectoryFileError
 from armui.trajectory.library.store import Library, LibraryError
-from armui.trajectory.points.program import OF_FLANGE, PosesOf, Trajectory, Values
+from armui.trajectory.points.program import OF_FLANGE, PosesOf, Trajectory, Values, frames_in
 
 if TYPE_CHECKING:
     from armui.cell.cell import Cell
@@ -141,5 +141,4 @@ def _import_file(library: Library, path: Path) -> Imported:
     except LibraryError as error:
         return Imported(path, requested=content.name, error=error)
     points = content.points if isinstance(content, Trajectory) else ()
-    frames = tuple(dict.fromkeys(point.frame for point in points if point.frame))
-    return Imported(path, name, content.name, poses_of=poses_of, frames=frames)
+    return Imported(path, name, content.name, poses_of=poses_of, frames=frames_in(points))
