@@ -338,6 +338,12 @@ class ArmView(QWidget):
         if area != self._state.area:
             self._show(replace(self._state, area=area))
 
+    def set_placement(self, pose: Sequence[float]) -> None:
+        """Stand the arm in the room: the base in it, X, Y, Z in mm, RX, RY, RZ in degrees."""
+        self._viewpoint.set_placement(pose_rows(pose))
+        if self._viewpoint.camera.placement != self._state.camera.placement:
+            self._show(replace(self._state, camera=self._viewpoint.camera))
+
     def set_tool(self, tool: Sequence[float]) -> None:
         """Set the tool centre point in the flange: X, Y, Z in mm, RX, RY, RZ in degrees."""
         self._tool = pose_rows(tool)

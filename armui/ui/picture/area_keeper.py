@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject
 
+from armui.cell.user_frames import NO_FRAME
 from armui.cell.work_area import AreaBox
 from armui.viewport.area_picture import AreaPicture, AreaShape
 from armui.viewport.robot_shape import pose_rows
@@ -61,6 +62,7 @@ class AreaKeeper(QObject):
 
     def _show(self, _changed: object = None) -> None:
         area, cell = self._controller.area_guard.area, self._controller.cell.cell
+        self._view.set_placement(NO_FRAME if cell is None else cell.placement.pose)
         zone = self._zone()
         typed = None if zone is None else zone.typed_zone()
         held = held_picture(None if cell is None else cell.held_object)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import ClassVar, Final, cast
+from typing import TYPE_CHECKING, ClassVar, Final, cast
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QGridLayout, QLabel, QStackedWidget, QWidget
@@ -22,6 +22,9 @@ from armui.ui.widgets.layouts import empty_grid
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Text
+
+if TYPE_CHECKING:
+    from armui.settings import SettingsStore
 
 Answered = Callable[[Started | Refusal | None], bool]
 """Shows an answer in the panel, and returns whether it was a yes."""
@@ -104,6 +107,7 @@ class CellTab(Translated, QWidget):
         key: Its stable name.
         title: The title of its button.
         commands: Its commands for the command palette, of the panel's key.
+        preferences: The settings; ``None`` until the panel has given them.
     """
 
     key: ClassVar[str] = ""
@@ -114,6 +118,7 @@ class CellTab(Translated, QWidget):
         super().__init__()
         self._controller = controller
         self._answered = answered
+        self.preferences: SettingsStore | None = None
 
     def show_cell(self, why_not: str) -> None:
         """Show the chosen cell.

@@ -616,7 +616,7 @@ def _tool_shown(controller: ArmController) -> tuple[Values, str]:
 
 
 def _named_by_points(cell: Cell | None) -> tuple[object, ...]:
-    return () if cell is None else (cell.frames, cell.held_objects)
+    return () if cell is None else (cell.all_frames, cell.held_objects)
 
 
 def _has_arcs(points: Iterable[Waypoint]) -> bool:
