@@ -1603,6 +1603,13 @@
     </message>
 </context>
 <context>
+    <name>CellTab</name>
+    <message>
+        <source>Not in force until the cell is confirmed; the picture shows it pale.</source>
+        <translation>确认单元之前不生效；画面中以淡色线框显示。</translation>
+    </message>
+</context>
+<context>
     <name>CloseButton</name>
     <message>
         <source>Close</source>
@@ -4322,6 +4329,10 @@
     <message>
         <source>{value} mm from the origin; at least {wanted} mm are needed.</source>
         <translation>距原点 {value} mm；至少需要 {wanted} mm。</translation>
+    </message>
+    <message>
+        <source>{value} mm and {angle}° off the X axis; at least {wanted}° are needed.</source>
+        <translation>偏离 X 轴 {value} mm、{angle}°；至少需要 {wanted}°。</translation>
     </message>
     <message>
         <source>Not all points are taken yet.</source>

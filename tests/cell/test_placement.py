@@ -96,7 +96,7 @@ def test_it_is_kept_in_the_file_and_raises_its_version_only_then():
     )
 
 
-BROKEN = {
+BROKEN: dict[str, tuple[dict[str, object], object]] = {
     "a figure missing": ({"x_mm": 1.0}, CELL_FIELD_BAD),
     "too far": ({"x_mm": 5000.1}, CELL_FIGURE_BAD),
     "a text": ({"z_mm": "high"}, CELL_FIELD_BAD),

@@ -9,7 +9,6 @@ from PySide6.QtWidgets import QLabel
 from armui.cell.cell import placed
 from armui.cell.placement import WORLD, Placement
 from armui.control.arm_controller import ArmController
-from armui.control.cell.cell_reasons import CELL_NONE
 from armui.kinematics.axes import AXES
 from armui.protocol.codes import Mounting
 from armui.ui import format as fmt
@@ -96,8 +95,8 @@ class BaseTab(CellTab):
         show_primary(self._apply, wanted=self._apply.isEnabled())
         told = words.mounting_check(typed.mounting, self._told()) if not any(nonsense) else ""
         self._mounting.setText(told if typed.is_set else "")
-        if self._controller.cell.cell is None:
-            self._next.setText(words.refusal(CELL_NONE()))
+        if none := self._no_step():
+            self._next.setText(none)
         elif changed:
             self._next.setText(self.tr("Press Apply: the floor is then where the room has it."))
         elif placement == _NONE:

@@ -13,9 +13,11 @@ from armui.arm.state import ArmState
 from armui.cell.cell import Cell
 from armui.control.arm_controller import ArmController
 from armui.control.cell.cell_control import CellControl
+from armui.control.cell.cell_reasons import CELL_NONE
 from armui.control.operations.operation import operation_of
 from armui.control.operations.started import Started
 from armui.kinematics.axes import AXES, LINEAR_AXES
+from armui.ui import words
 from armui.ui.actions.command import Command, Target
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import empty_grid
@@ -135,6 +137,15 @@ class CellTab(Translated, QWidget):
         """Return the target of each of its commands: the widget that has the command's name."""
         widgets = ((each.name, each.name.replace(".", "_")) for each in self.commands)
         return {name: cast("QWidget", self.findChild(QWidget, each)) for name, each in widgets}
+
+    def _no_step(self) -> str:
+        """Return why nothing of the cell can be in force: there is none, or it is not confirmed."""
+        cells = self._controller.cell
+        if cells.cell is None:
+            return words.refusal(CELL_NONE())
+        if cells.unconfirmed is None:
+            return ""
+        return self.tr("Not in force until the cell is confirmed; the picture shows it pale.")
 
     @property
     def _cell(self) -> Cell:

@@ -18,7 +18,6 @@ from armui.cell.tools import Tool
 from armui.cell.user_frames import UserFrame
 from armui.cell.work_area import Zone
 from armui.control.arm_controller import ArmController
-from armui.control.cell.cell_reasons import CELL_NONE
 from armui.kinematics.axes import AXES
 from armui.ui import format as fmt
 from armui.ui import words
@@ -335,8 +334,7 @@ class NamedTab(CellTab):
         enable_or_explain(self._apply, why_not or same, texts.apply)
         enable_or_explain(self._delete, why_not or missing, texts.delete)
         show_primary(self._apply, wanted=self._apply.isEnabled() and not new)
-        none = words.refusal(CELL_NONE()) if self._controller.cell.cell is None else ""
-        self._next.setText(none or self._next_step(new=new, changed=changed))
+        self._next.setText(self._no_step() or self._next_step(new=new, changed=changed))
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
