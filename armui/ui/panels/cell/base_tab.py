@@ -49,7 +49,7 @@ class BaseTab(CellTab):
         self._heading = QLabel()
         self._fields = [named(f"cell_base_{axis}", FigureField(fmt.DECIMALS)) for axis in AXES]
         self._apply = push_button("cell_base_apply")
-        self._mounting = text_label("cell_base_mounting", wraps=True)
+        self._mounting = text_label("cell_base_mounting", rank="warning", wraps=True)
         self._note = text_label(rank="muted", wraps=True)
         grid = pose_grid(self._fields)
         parts = (self._next, self._heading, grid, self._apply, self._mounting, self._note, STRETCH)
