@@ -12,7 +12,7 @@ from typing import Final
 
 from armui import __version__
 from armui.system.command_line import CommandParser, add_device, has_display, list_names
-from armui.system.end_signals import end_at_once_on_ctrl_c, interrupting
+from armui.system.end_signals import end_at_once_on_ctrl_c, ignore_from_now_on, interrupting
 from armui.system.files import open_file
 
 _SIGNALLED: Final = 128
@@ -42,7 +42,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         end_at_once_on_ctrl_c()
     words = list(sys.argv[1:] if arguments is None else arguments)
     if words and words[0] in _COMMANDS:
-        return _run_command(words[0], words[1:])
+        code = _run_command(words[0], words[1:])
+        if arguments is None:
+            ignore_from_now_on()
+        return code
     parser = _parser()
     if words and words[0] == "replay":
         parser = _replay_parser()

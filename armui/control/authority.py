@@ -90,6 +90,7 @@ class Authority:
         self._limits: tuple[JointLimits | None, ...] = ()
         self._braking: tuple[float, int] | None = None
         self._stood = False
+        self._left_by_another = True
         self.other = OtherCommand()
         self.command: MotionCommand | None = None
         self.ended: End | None = None
@@ -111,6 +112,7 @@ class Authority:
         if self.other.observe(seen.traffic, seen.offsets, state, now_s, at_rest=self.at_rest):
             self.arm_percent = self._mode_sent = None
             self.holds = frozenset()
+            self._left_by_another = True
         end = self._what_ends(seen)
         if end is not None:
             self._end(end)
@@ -203,6 +205,17 @@ class Authority:
     def held_target_deg(self) -> tuple[float, ...] | None:
         """The six target angles of the motion held back; ``None`` if none is, or if unknown."""
         return self.command.joints_deg if self.holds and self.command is not None else None
+
+    @property
+    def may_hold_another(self) -> bool:
+        """True if the arm stands short of a target that is not ours: 0x151 may set it going.
+
+        Another host has paused it, or its word to go on, which was heard here, has not reached the
+        arm; or it was held back before this program came.
+        """
+        status = None if self._seen is None else self._seen.state.status
+        short = status is None or not status.value.reached
+        return self._left_by_another and self.command is None and short
 
     def joint_base_deg(self) -> tuple[float, ...] | None:
         """Return the six angles that a step or jog of a joint starts from; ``None``: unknown.
@@ -300,6 +313,7 @@ class Authority:
         )
         self.arm_percent, self._mode_sent = speed_percent, (move_mode, now_s)
         self._cancelled_s, self.cancel_unheeded = None, False
+        self._left_by_another = False
         self._limits = (None,) * 6
         self._overspeed.change_speed()
         return self.command
@@ -357,6 +371,7 @@ class Authority:
         """Note that the arm was told to end its motion: an earlier command never comes back."""
         self._end(End.CANCELLED)
         self.holds = frozenset()
+        self._left_by_another = False
         self._cancelled_s, self.cancel_unheeded = now_s, False
 
     def end_command(self, reason: End) -> None:
@@ -398,6 +413,7 @@ class Authority:
         self.other.reconnected()
         self.arm_percent = self._mode_sent = None
         self._rest.reset()
+        self._left_by_another = True
         self._seen, self._silent = None, NOT_CONNECTED()
 
     @property

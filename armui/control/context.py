@@ -22,7 +22,7 @@ from armui.control.operations.started import (
 from armui.control.parameters.arm_model import planning_model
 from armui.control.safety.overspeed import tool_pace
 from armui.protocol import commands
-from armui.protocol.codes import ControlMode
+from armui.protocol.codes import ControlMode, TrajectoryCommand
 from armui.telemetry.events import EventKind, Level
 
 if TYPE_CHECKING:
@@ -136,7 +136,7 @@ class Context:
         if refusal is not None:
             started.close(Ending.REFUSED)
             return refusal
-        lead = self.lead_frames(speed_percent)
+        lead = [*self.cancel_frames(), *self.lead_frames(speed_percent)]
         command = self.authority.begin(
             kind,
             started=started,
@@ -187,6 +187,15 @@ class Context:
             return LINK_LOST()
         return further
 
+    def cancel_frames(self) -> list[Frame]:
+        """Return what drops another host's motion that the arm may hold back (0x150 byte 1 = 6).
+
+        It precedes each 0x151 that would set such a motion going.
+        """
+        if not self.authority.may_hold_another:
+            return []
+        return commands.trajectory_command(self.connection.codec, TrajectoryCommand.ABORT)
+
     def lead_frames(self, speed_percent: int) -> list[Frame]:
         """Return 0x151 to precede a target slower than the last, so that none starts too fast."""
         mode = self.authority.mode_in_force()
@@ -199,12 +208,14 @@ class Context:
     def tell_percent(self, percent: int) -> bool:
         """Send another speed percentage in the arm's present mode; return false if impossible.
 
-        While a motion is held back only 0 % is sent: any other value would set it going.
+        While a motion is held back, or may be, only 0 % is sent: any other value would set it
+        going.
         """
         self.observe()
         authority = self.authority
         refusal = authority.why_not() if percent else authority.why_not_ours()
-        mode = None if refusal is not None else authority.mode_in_force()
+        waits = refusal is not None or (percent > 0 and authority.may_hold_another)
+        mode = None if waits else authority.mode_in_force()
         if mode is None or not self.connection.send(self.speed_frames(mode, percent)):
             return False
         self.authority.told_percent(percent)

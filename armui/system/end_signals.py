@@ -14,7 +14,7 @@ from typing import Any, Final
 
 _NAMES: Final = ("SIGTERM", "SIGHUP", "SIGINT", "SIGBREAK")
 
-Handler = Callable[[int, FrameType | None], Any]
+Handler = Callable[[int, FrameType | None], Any] | signal.Handlers
 
 
 def take_over(handler: Handler) -> dict[int, Any]:
@@ -61,6 +61,11 @@ def interrupting() -> Iterator[list[int]]:
 
     with handled_by(interrupt):
         yield heard
+
+
+def ignore_from_now_on() -> None:
+    """Ignore these signals, because the work is done: the exit code is to tell of it."""
+    take_over(signal.SIG_IGN)
 
 
 def end_at_once_on_ctrl_c() -> None:

@@ -1738,6 +1738,14 @@
         <translation>轨迹点，{move}</translation>
     </message>
     <message>
+        <source>Poses of</source>
+        <translation>位姿属于</translation>
+    </message>
+    <message>
+        <source>Frame of the poses</source>
+        <translation>位姿的坐标系</translation>
+    </message>
+    <message>
         <source>Speed</source>
         <translation>速度</translation>
     </message>
@@ -1764,6 +1772,26 @@
     <message>
         <source>Columns {columns} may be radians or degrees: choose which.</source>
         <translation>第 {columns} 列可能是弧度，也可能是度：请选择。</translation>
+    </message>
+    <message>
+        <source>the tool “{name}”</source>
+        <translation>工具“{name}”</translation>
+    </message>
+    <message>
+        <source>the tool</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>the flange</source>
+        <translation>法兰</translation>
+    </message>
+    <message>
+        <source>in the base frame</source>
+        <translation>在基坐标系中</translation>
+    </message>
+    <message>
+        <source>in “{name}”</source>
+        <translation>在“{name}”中</translation>
     </message>
     <message>
         <source>Or choose “{choice}” under “{becomes}”: the columns suffice for that.</source>
@@ -4221,6 +4249,14 @@
         <translation>立即运行</translation>
     </message>
     <message>
+        <source>The cell “{name}” is not confirmed: its work area and what is held were counted, its tool was not. Confirm it, then check again.</source>
+        <translation>单元“{name}”尚未确认：检查计入了其工作区和夹持的工件，未计入其工具。请确认单元后再检查一次。</translation>
+    </message>
+    <message>
+        <source>The cell “{name}” could not be read: nothing of it was counted.</source>
+        <translation>单元“{name}”无法读取：检查未计入其任何内容。</translation>
+    </message>
+    <message>
         <source>Row {row}: {text}</source>
         <translation>第 {row} 行：{text}</translation>
     </message>
@@ -6419,6 +6455,10 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>名称已被占用，已改名：{names}</translation>
     </message>
     <message>
+        <source>And {count} more. See the results.</source>
+        <translation>另有 {count} 条，请看结果。</translation>
+    </message>
+    <message>
         <source>Not imported. {reason}</source>
         <translation>未导入。{reason}</translation>
     </message>
@@ -6429,6 +6469,18 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>Not imported yet: {names}</source>
         <translation>尚未导入：{names}</translation>
+    </message>
+    <message>
+        <source>the tool “{name}”</source>
+        <translation>工具“{name}”</translation>
+    </message>
+    <message>
+        <source>Poses in it are those of {tool}, as the editor shows them.</source>
+        <translation>其中的位姿是{tool}的位姿，与编辑器中显示的一致。</translation>
+    </message>
+    <message>
+        <source>the tool</source>
+        <translation>工具</translation>
     </message>
     <message>
         <source>Not exported. {reason}</source>
@@ -10646,6 +10698,22 @@ The other program must have ended.</source>
         <translation>没有生效的用户坐标系，或已不是按下时的那个。请在“单元”中选择坐标系后再按，或沿基坐标系、工具坐标系移动。</translation>
     </message>
     <message>
+        <source>Joint {joint} moves at {value}°/s. {percent} % was told, that is {maximum}°/s at most; above {limit}°/s a motion is ended. Before the next one set the speed again: at the top, for a run in its points and below them.</source>
+        <translation>关节 {joint} 实测 {value}°/s；下达的 {percent} % 对应最高 {maximum}°/s，超过 {limit}°/s 即结束运动。请在下次运动前重新设定速度：一般在顶部，运行时在各点及其下方。</translation>
+    </message>
+    <message>
+        <source>The tool moves at {value} mm/s. {percent} % was told, that is {maximum} mm/s at most on this path; above {limit} mm/s a motion is ended. Before the next one set the speed again: at the top, for a run in its points and below them.</source>
+        <translation>工具移动实测 {value} mm/s；下达的 {percent} % 在此路径上对应最高 {maximum} mm/s，超过 {limit} mm/s 即结束运动。请在下次运动前重新设定速度：一般在顶部，运行时在各点及其下方。</translation>
+    </message>
+    <message>
+        <source>The tool turns at {value}°/s. {percent} % was told, that is {maximum}°/s at most on this path; above {limit}°/s a motion is ended. Before the next one set the speed again: at the top, for a run in its points and below them.</source>
+        <translation>工具转动实测 {value}°/s；下达的 {percent} % 在此路径上对应最高 {maximum}°/s，超过 {limit}°/s 即结束运动。请在下次运动前重新设定速度：一般在顶部，运行时在各点及其下方。</translation>
+    </message>
+    <message>
+        <source>The titles of the poses and the row “#tool” belong together: titles with tcp_ are of the tool in that row, those without are of the flange. Export the file again.</source>
+        <translation>位姿的列标题与“#tool”行须一致：带 tcp_ 的标题是该行工具的位姿，不带的是法兰的位姿。请重新导出该文件。</translation>
+    </message>
+    <message>
         <source>“{value}” is not an option of a point; use frame, speed, dwell, gripper, holds, light or note.</source>
         <translation>“{value}”不是有效的点选项，可用选项为 frame、speed、dwell、gripper、holds、light 和 note。</translation>
     </message>
@@ -10672,6 +10740,22 @@ The other program must have ended.</source>
     <message>
         <source>Not done: {name}: {text}. Check the rights to the library&apos;s folder.</source>
         <translation>未执行：{name}：{text}。请检查轨迹库文件夹的访问权限。</translation>
+    </message>
+    <message>
+        <source>{file} has poses of the tool “{name}”, which the cell does not have. The flange goes where it did there; the table shows the figures of the tool in force.</source>
+        <translation>{file} 中是工具“{name}”的位姿，而单元中没有该工具。法兰仍去文件中的位置；表中显示的是当前生效工具的数值。</translation>
+    </message>
+    <message>
+        <source>{file} has poses of the tool “{name}”, whose figures are others here. The flange goes where it did there, the tip elsewhere.</source>
+        <translation>{file} 中是工具“{name}”的位姿，而该工具在这里的数值不同。法兰仍去文件中的位置，工具尖端则到别处。</translation>
+    </message>
+    <message>
+        <source>{file} has points in the user frame “{name}”, which the cell does not have. They do not run until it is there, or they are given another frame.</source>
+        <translation>{file} 中有点属于用户坐标系“{name}”，而单元中没有该坐标系。补上它，或为这些点改用其他坐标系之前，不能运行。</translation>
+    </message>
+    <message>
+        <source>{file} has points in the user frame “{name}”, which stands elsewhere here, by {distance} mm and {turned}°. The points go with it.</source>
+        <translation>{file} 中有点属于用户坐标系“{name}”，而它在这里的位置不同，相差 {distance} mm、{turned}°。这些点随坐标系移动。</translation>
     </message>
     <message>
         <source>The arm does not reach X {x}  Y {y}  Z {z} mm with this orientation: no joint angles belong to it. Change the pose.</source>
@@ -11450,24 +11534,12 @@ The other program must have ended.</source>
         <translation>电脑即将休眠，或即将结束本程序：此前已命令机械臂结束运动。</translation>
     </message>
     <message>
-        <source>The tool moves at {value} mm/s, where {maximum} mm/s is shown. Set the speed again before the next motion.</source>
-        <translation>末端速度为 {value} mm/s，而显示的速度对应 {maximum} mm/s。请在下次运动前重新设置速度。</translation>
-    </message>
-    <message>
         <source>The hand or what it holds would come to {value} mm; jogs end at {minimum} mm, as chosen under Settings. Jog upwards.</source>
         <translation>末端或工件将到 {value} mm；按“设置”中的选择，点动止于 {minimum} mm。请向上点动。</translation>
     </message>
     <message>
         <source>J{joint}: this step would go beyond its limit of {limit}°. Take a smaller step.</source>
         <translation>J{joint}：这一步会越过限位 {limit}°，请减小步长。</translation>
-    </message>
-    <message>
-        <source>Joint {joint} moves at {value}°/s, where {maximum}°/s is shown. Set the speed again before the next motion.</source>
-        <translation>关节 {joint} 实测 {value}°/s，而显示的速度为 {maximum}°/s。下次运动前请重新设定速度。</translation>
-    </message>
-    <message>
-        <source>The tool turns at {value}°/s, where {maximum}°/s is shown. Set the speed again before the next motion.</source>
-        <translation>末端转动速度为 {value}°/s，而显示的速度对应 {maximum}°/s。请在下次运动前重新设置速度。</translation>
     </message>
     <message>
         <source>{device} needs the library libusb, which is not on this computer. Install it in a terminal: on Windows and macOS pip install libusb-package, on Debian and Ubuntu sudo apt install libusb-1.0-0</source>
@@ -12085,6 +12157,10 @@ The other program must have ended.</source>
     <message>
         <source>{time} left</source>
         <translation>剩余 {time}</translation>
+    </message>
+    <message>
+        <source>{percent}, tool ≤ {speed}</source>
+        <translation>{percent}，工具 ≤ {speed}</translation>
     </message>
     <message>
         <source>moving</source>
@@ -13598,8 +13674,8 @@ The other program must have ended.</source>
         <translation>机械臂反馈的速度百分比</translation>
     </message>
     <message>
-        <source>Speed of motions, 0–100 % of the arm&apos;s highest; 0 % means no motion.</source>
-        <translation>运动速度，为最大速度的 0～100 %；0 % 时不运动。</translation>
+        <source>Speed of motions, 0–100 % of the arm&apos;s highest; 0 % means no motion. A motion that is measured to be more than 1.5 times as fast as it was told is ended.</source>
+        <translation>运动速度：机械臂最高速度的 0–100 %；0 % 即不动。实测速度超过下达速度 1.5 倍时，运动会被结束。</translation>
     </message>
     <message>
         <source>Speed</source>

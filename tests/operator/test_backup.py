@@ -391,3 +391,46 @@ def test_without_an_arm_a_file_can_still_be_read(any_driver, tmp_path):
     open_file(any_driver, path)
     assert list(rows(any_driver)) == ["J1 Max. angle"]
     assert not any_driver.box.restore_button.isEnabled()
+
+
+def switched_off_at_the_question(arm, path):
+    save(arm, path)
+    arm.firmware.settings.collision_levels = [3, 3, 3, 3, 3, 3]
+    arm.click(arm.box.read_button)
+    settled(arm)
+    open_file(arm, path)
+    arm.click(arm.box.restore_button)
+    arm.powered = False
+    arm.run_until(lambda: arm.controller.operating_state.link is LinkState.OFFLINE)
+
+
+@ONE_IS_ENOUGH
+def test_a_question_that_goes_with_the_arm_says_so_in_this_window(arm, tmp_path):
+    switched_off_at_the_question(arm, tmp_path / "mine.json")
+    assert not [each for each in arm.box.findChildren(ConfirmDialog) if each.isVisible()]
+    assert said(arm).startswith("“Restore parameters” was withdrawn. The arm was silent")
+
+
+@ONE_IS_ENOUGH
+def test_an_arm_that_is_back_is_read_again(arm):
+    arm.powered = False
+    arm.run_until(lambda: arm.controller.operating_state.link is LinkState.OFFLINE)
+    arm.powered = True
+    arm.run_until(lambda: arm.controller.operating_state.link is LinkState.ONLINE)
+    arm.run(1.0)
+    settled(arm)
+    assert {each[2] for each in rows(arm).values()} == {"only in the arm"}
+    assert said(arm) == ""
+
+
+@ONE_IS_ENOUGH
+def test_an_arm_that_comes_while_the_window_is_open_is_read(any_driver):
+    any_driver.click("menu_end_limits")
+    any_driver.click("end_limits_backup_button")
+    any_driver.box = any_driver.dialog(BackupDialog)
+    assert "No arm is connected" in said(any_driver)
+    any_driver.connect()
+    any_driver.run(1.0)
+    settled(any_driver)
+    assert {each[2] for each in rows(any_driver).values()} == {"only in the arm"}
+    assert said(any_driver) == ""

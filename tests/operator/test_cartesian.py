@@ -8,6 +8,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
+from armui.control.operating_state import LinkState
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.kinematics.axes import AXES
 from armui.kinematics.poses import Pose, pose_to_matrix, tool_pose
@@ -297,3 +298,25 @@ def test_the_fields_go_along_with_a_step_until_something_is_typed(bent):
     bent.type_into("pose_field_Z", "250")
     bent.run(0.2)
     assert bent.read("pose_field_Z") == "250.000"
+
+
+@ONE_IS_ENOUGH
+def test_a_pose_that_is_no_longer_heard_is_not_captured(bent):
+    bent.powered = False
+    bent.run_until(lambda: bent.controller.operating_state.link is LinkState.OFFLINE)
+    for name in ("capture_start", "load_pose_button"):
+        assert not bent.find(name).isEnabled()
+        assert "nothing is heard from the arm" in bent.find(name).toolTip()
+    bent.click("menu_motion")
+    assert not bent.find("load_button").isEnabled()
+    bent.powered = True
+    bent.run_until(lambda: bent.find("load_button").isEnabled())
+
+
+@ONE_IS_ENOUGH
+def test_a_pose_of_an_arm_that_says_the_rest_is_not_captured(bent):
+    bent.node.link.lose_to_bus(0x2A3, 1000)
+    bent.run(1.0)
+    bent.click("capture_start")
+    assert "The pose is not heard any more" in bent.read("pose_message")
+    assert bent.read("captured_start") == "—"

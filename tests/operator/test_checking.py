@@ -6,6 +6,8 @@ from typing import Any
 import pytest
 from PySide6.QtWidgets import QListWidget, QPushButton, QWidget
 
+from armui.cell.cell import Cell
+from armui.cell.tools import Tool
 from armui.protocol.codes import MoveMode
 from armui.protocol.generation import Generation
 from armui.system.helper_process import HelperProcess
@@ -113,6 +115,25 @@ def test_a_stopped_arm_hinders_no_check(operator):
     operator.app_driver.run(0.5)
     operator.workers.work()
     assert operator.text("findings_title") == "Check: nothing found."
+
+
+def test_a_check_says_that_the_cell_waits_for_its_confirmation(operator):
+    cell = operator.app_driver.controller.cell
+    operator.app_driver.run(1.0)
+    pen = Tool("pen", (0.0, 0.0, 100.0, 0.0, 0.0, 0.0), 10.0)
+    accepted(cell.take(Cell("bench", (pen,), "pen")))
+    cell.forget_arm()
+    operator.app_driver.run(0.1)
+    operator.click("editor_check")
+    operator.workers.work()
+    title = operator.text("findings_title")
+    assert title.startswith("Check: nothing found. The cell “bench” is not confirmed")
+    assert "tool was not" in title
+    accepted(cell.confirm())
+    operator.app_driver.run(0.1)
+    operator.click("editor_check")
+    operator.workers.work()
+    assert "bench" not in operator.text("findings_title")
 
 
 def test_an_edit_makes_the_check_worthless(operator):

@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import replace
+from itertools import pairwise
 
 import pytest
 from PySide6.QtCore import Qt
@@ -16,6 +17,7 @@ from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.library.library_page import LibraryPage
 from tests.accepted import accepted
 from tests.generations import ONE_IS_ENOUGH
+from tests.trajectory.arms import ARM
 
 OUT = (20.0, 40.0, -40.0, 10.0, 20.0, 15.0)
 BACK = (-15.0, 30.0, -30.0, -10.0, 30.0, -20.0)
@@ -154,9 +156,27 @@ def test_a_pause_holds_the_arm(any_driver):
     assert QToolTip.text() == "Hold it for 1 s, with the mouse or the space bar."
     operator.app_driver.hold_button("run_continue")
     operator.app_driver.run(0.2)
-    assert operator.text("run_text").endswith("moving")
+    assert operator.text("run_text").endswith("moving · 100 %")
     operator.until_over()
     assert operator.visits(BACK) == 1
+
+
+def test_a_line_says_how_fast_the_tool_may_be(app_driver):
+    """What a run is ended for when it is measured to be faster stands where it is seen to run."""
+    tool = ARM.kinematics.forward(UP)
+    line = Waypoint(MoveMode.MOVE_L, (*tool[:1], tool[1] + 150.0, *tool[2:]), speed_percent=20)
+    operator = Operator(app_driver, to(UP), line)
+    operator.send()
+    operator.until(lambda: operator.progress.index == 1)
+    told = operator.text("run_text").rpartition(" · ")[2]
+    assert told.startswith("20 %, tool ≤ ")
+    places = [ARM.kinematics.forward(operator.path[-1])[:3]]
+    for _ in range(200):
+        app_driver.run(0.1)
+        places.append(ARM.kinematics.forward(app_driver.firmware.joints_deg)[:3])
+    fastest_mm_s = max(math.dist(a, b) / 0.1 for a, b in pairwise(places))
+    shown_mm_s = float(told.removeprefix("20 %, tool ≤ ").removesuffix(" mm/s"))
+    assert shown_mm_s == pytest.approx(fastest_mm_s, rel=0.02)
 
 
 def test_step_by_step_from_the_second_row(app_driver):

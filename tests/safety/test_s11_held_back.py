@@ -6,8 +6,11 @@ from armui.arm.refusal import Refusal
 from armui.control.motion.motion_command import Hold
 from armui.control.safety.interlocks import SPEED_ZERO
 from armui.control.safety.recovery_steps import Action, StepKind
-from armui.protocol.codes import TrajectoryCommand
+from armui.protocol.codes import MotionState, Mounting, TrajectoryCommand
+from armui.protocol.generation import Generation
 from tests.accepted import accepted
+from tests.company import OtherHost
+from tests.sim.talk import mode
 
 FAR = (80.0, 40.0, -40.0, 0.0, 0.0, 0.0)
 
@@ -154,3 +157,99 @@ def test_a_pause_that_was_gone_on_with_or_dropped_is_not_told_again(any_rig):
         assert len(pauses) <= 1  # an end drops what still waits
         rig.controller.planned_motion.command(TrajectoryCommand.ABORT)
         rig.run(1.0)
+
+
+BEGIN = (30.0, 20.0, -20.0, 0.0, 0.0, 0.0)
+
+
+@pytest.fixture(params=["zero percent", "pause", "lost word to go on", "before this program"])
+def left_by_another(any_rig, request):
+    """An arm that holds back a motion that is not this program's; nobody says so."""
+    rig = any_rig
+    other = OtherHost(rig)
+    rig.ready()
+    rig.run(0.5)
+    if request.param == "lost word to go on":  # of our own motion: heard here, not by the arm
+        accepted(rig.controller.motion.send_joints(FAR))
+        rig.run(0.6)
+        rig.controller.motion.set_speed_percent(0)
+        rig.run(0.5)
+        rig.node.link.lose_to_arm(0x150)
+        other.resume()
+    else:
+        other.move_to(FAR, 30)
+        rig.run(0.6)
+        other.say("150#0001000000000000" if request.param == "pause" else mode(0))
+    if request.param == "before this program":
+        rig.controller.disconnect_device()
+        rig.run(3.0)
+        rig.connect()
+    rig.run(3.0)
+    if request.param == "lost word to go on":
+        rig.controller.motion.set_speed_percent(50)
+        rig.run(1.0)
+    assert rig.controller.operating_state.cannot_move is None
+    assert not rig.firmware.mechanics.moving
+    assert rig.firmware.condition.motion_state is not MotionState.REACHED
+    rig.heard()
+    yield rig
+    other.close()
+
+
+def test_what_another_host_left_held_back_is_cancelled_before_a_step(left_by_another):
+    rig, controller = left_by_another, left_by_another.controller
+    stood_deg = rig.firmware.mechanics.positions_deg
+    accepted(controller.motion.jog(6, 1.0))
+    gone_deg = 0.0
+    for _ in range(50):
+        rig.run(0.02)
+        gone_deg = max(
+            gone_deg, *(abs(now - stood) for now, stood in _five(rig.firmware, stood_deg))
+        )
+
+    sent = [(one.arbitration_id, one.data[1]) for one in rig.heard()]
+    assert sent[0] == (0x150, 6)
+    assert gone_deg < 0.02
+    assert rig.firmware.mechanics.positions_deg[5] == pytest.approx(stood_deg[5] + 1.0, abs=0.02)
+
+
+def _five(firmware, stood_deg):
+    return zip(firmware.mechanics.positions_deg[:5], stood_deg[:5], strict=True)
+
+
+def test_another_speed_does_not_set_going_what_another_host_left(left_by_another):
+    rig, controller = left_by_another, left_by_another.controller
+    stood_deg = rig.firmware.mechanics.positions_deg
+    for percent in (0, 60):
+        controller.motion.set_speed_percent(percent)
+        rig.run(1.0)
+    assert rig.firmware.mechanics.positions_deg == pytest.approx(stood_deg, abs=0.01)
+
+    accepted(controller.motion.send_joints(BEGIN))
+    rig.run(6.0)
+    assert rig.firmware.mechanics.positions_deg == pytest.approx(BEGIN, abs=0.02)
+    assert rig.firmware.condition.speed_percent == 60
+
+
+def test_a_mounting_does_not_set_going_what_another_host_left(left_by_another):
+    rig, controller = left_by_another, left_by_another.controller
+    if rig.firmware.generation is Generation.ONE:
+        assert isinstance(controller.mounting.tell(Mounting.ON_THE_LEFT_SIDE), Refusal)
+        return
+    stood_deg = rig.firmware.mechanics.positions_deg
+    accepted(controller.mounting.tell(Mounting.ON_THE_LEFT_SIDE))
+    rig.run(1.0)
+    assert rig.firmware.mechanics.positions_deg == pytest.approx(stood_deg, abs=0.02)
+
+
+def test_an_arm_that_has_arrived_is_told_nothing_more_before_a_step(any_rig):
+    rig = any_rig
+    other = OtherHost(rig)
+    rig.ready()
+    other.move_to(BEGIN, 100)
+    rig.run(6.0)
+    rig.heard()
+    accepted(rig.controller.motion.jog(6, 1.0))
+    rig.run(0.1)
+    assert 0x150 not in {one.arbitration_id for one in rig.heard()}
+    other.close()

@@ -17,6 +17,7 @@ from armui.protocol.generation import Generation, PiperModel
 from armui.trajectory.planning.check import CheckRequest, check
 from armui.trajectory.planning.findings import Severity
 from armui.trajectory.points.program import Waypoint
+from armui.ui.words import refusal
 from tests.accepted import accepted
 from tests.family import MODELS
 from tests.safety.speeds import fastest_deg_s, ready_at
@@ -232,7 +233,10 @@ def test_a_line_or_an_arc_whose_mode_words_are_lost_is_ended(percent, direction,
         assert reason is None
     if fast and reason.code == "tool_too_fast":
         assert reason.params["maximum"] == pytest.approx(shown_mm_s, abs=0.1)
-        assert 1.5 * shown_mm_s < reason.params["value"] <= fast[-1] + 0.1
+        assert reason.params["limit"] == pytest.approx(1.5 * shown_mm_s + 3.0, abs=0.1)
+        assert reason.params["limit"] <= reason.params["value"] <= fast[-1] + 0.1
+        told = f"{percent} % was told, that is {reason.params['maximum']:.3f} mm/s"
+        assert told in refusal(reason)
 
 
 @pytest.mark.usefixtures("qapp")

@@ -149,8 +149,8 @@ def recording(folder: Path, *words: str, code: str = "") -> Program:
 
 @pytest.mark.parametrize(("by", "times"), sample([(by, n) for by in SIGNALS for n in (1, 2)], 3))
 def test_a_recording_is_finished(tmp_path, by, times):
-    code, out, _err = recording(tmp_path).end(by, times, COUNTED_S)
-    assert code == 0
+    code, out, err = recording(tmp_path).end(by, times, COUNTED_S)
+    assert code == 0, err
     assert "run.blf" in out
     session = RecordedSession(tmp_path / "run.blf")
     assert session.frames > 0

@@ -84,7 +84,7 @@ class MountingControl:
             speed_percent=percent,
             mounting=mounting,
         )
-        if not context.connection.send(frames):
+        if not context.connection.send([*context.cancel_frames(), *frames]):
             return context.refuse(LINK_LOST())
         context.authority.told_percent(percent)
         started = record_start(self.tell)

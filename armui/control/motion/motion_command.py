@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import enum
+import math
 from collections.abc import Collection
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -122,6 +123,11 @@ class MotionCommand:
     leads_away: bool = False
     pace: ToolPace | None = None
     started: Started | None = None
+
+    @property
+    def tool_mm_s(self) -> float:
+        """The tool's highest speed along a line or an arc; infinite for any other motion."""
+        return math.inf if self.pace is None else self.pace.linear_mm_s * self.speed_percent / 100.0
 
 
 @dataclass(frozen=True, slots=True)

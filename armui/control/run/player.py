@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import astuple, replace
 from typing import Final
@@ -370,6 +371,7 @@ class Player(Execution):
             return Progress()
         over = self._phase is RunPhase.DONE
         elapsed_s = self._elapsed_s(run)
+        command = self._context.authority.command if self._phase is RunPhase.MOVING else None
         return Progress(
             phase=self._phase,
             name=run.name,
@@ -384,6 +386,8 @@ class Player(Execution):
             if over
             else schedule.remaining_s(self._index, self._cycle, elapsed_s, self._share),
             refusal=reason,
+            percent=None if command is None else command.speed_percent,
+            tool_mm_s=math.inf if command is None else command.tool_mm_s,
         )
 
     def _elapsed_s(self, run: Run) -> float:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import enum
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import accumulate
@@ -82,6 +83,8 @@ class Progress:
         remaining_s: The time left of the whole run at the present override; ``None`` if it has no
             end, or is held back at 0 %.
         refusal: The reason of its failure.
+        percent: The speed that the arm was told for the point under way; ``None``: none.
+        tool_mm_s: What that is at most for the tool, along a line or an arc.
     """
 
     phase: RunPhase = RunPhase.IDLE
@@ -93,6 +96,8 @@ class Progress:
     done: float = 0.0
     remaining_s: float | None = None
     refusal: Refusal | None = None
+    percent: int | None = None
+    tool_mm_s: float = math.inf
 
 
 class RunSchedule:

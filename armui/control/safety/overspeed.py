@@ -19,18 +19,21 @@ if TYPE_CHECKING:
 
 TOO_FAST = Reason(
     "too_fast",
-    "Joint {joint} moves at {value}°/s, where {maximum}°/s is shown. Set the speed again "
-    "before the next motion.",
+    "Joint {joint} moves at {value}°/s. {percent} % was told, that is {maximum}°/s at most; above "
+    "{limit}°/s a motion is ended. Before the next one set the speed again: at the top, for a run "
+    "in its points and below them.",
 )
 TOOL_TOO_FAST = Reason(
     "tool_too_fast",
-    "The tool moves at {value} mm/s, where {maximum} mm/s is shown. Set the speed again before "
-    "the next motion.",
+    "The tool moves at {value} mm/s. {percent} % was told, that is {maximum} mm/s at most on this "
+    "path; above {limit} mm/s a motion is ended. Before the next one set the speed again: at the "
+    "top, for a run in its points and below them.",
 )
 TOOL_TURNS_TOO_FAST = Reason(
     "tool_turns_too_fast",
-    "The tool turns at {value}°/s, where {maximum}°/s is shown. Set the speed again before "
-    "the next motion.",
+    "The tool turns at {value}°/s. {percent} % was told, that is {maximum}°/s at most on this "
+    "path; above {limit}°/s a motion is ended. Before the next one set the speed again: at the "
+    "top, for a run in its points and below them.",
 )
 
 
@@ -171,9 +174,9 @@ class OverspeedWatch:
             return None
         middle = next(each for each in samples if each.at_s >= newest.at_s - _HALF_S)
         window = _Window(first, middle, newest)
-        refusal = _joint_too_fast(window, shown_deg_s, allowed_deg_s)
+        refusal = _joint_too_fast(window, percent, shown_deg_s, allowed_deg_s)
         if refusal is None and pace is not None:
-            refusal = _tool_too_fast(window, percent / 100.0, pace)
+            refusal = _tool_too_fast(window, percent, pace)
         return refusal
 
 
@@ -224,20 +227,23 @@ def _shown_deg_s(
 
 
 def _joint_too_fast(
-    window: _Window, shown_deg_s: Sequence[float], allowed_deg_s: Sequence[float]
+    window: _Window,
+    percent: int,
+    shown_deg_s: Sequence[float],
+    allowed_deg_s: Sequence[float],
 ) -> Refusal | None:
     speeds = _speeds_deg_s(window.first, window.newest)
     before = _speeds_deg_s(window.first, window.middle)
     after = _speeds_deg_s(window.middle, window.newest)
     for index, (shown, allowed) in enumerate(zip(shown_deg_s, allowed_deg_s, strict=True)):
-        too_fast = speeds[index] > allowed + _SLACK_DEG_S
-        if too_fast and after[index] >= _BRAKING * before[index]:
-            figures = {"value": round(speeds[index], 1), "maximum": round(shown, 1)}
+        limit = allowed + _SLACK_DEG_S
+        if speeds[index] > limit and after[index] >= _BRAKING * before[index]:
+            figures = _figures(percent, speeds[index], shown, limit)
             return TOO_FAST(joint=index + 1, **figures)
     return None
 
 
-def _tool_too_fast(window: _Window, share: float, pace: ToolPace) -> Refusal | None:
+def _tool_too_fast(window: _Window, percent: int, pace: ToolPace) -> Refusal | None:
     speeds = _tool_speeds(window.first, window.newest, pace)
     before = _tool_speeds(window.first, window.middle, pace)
     after = _tool_speeds(window.middle, window.newest, pace)
@@ -247,11 +253,16 @@ def _tool_too_fast(window: _Window, share: float, pace: ToolPace) -> Refusal | N
             (TOOL_TURNS_TOO_FAST, pace.angular_deg_s, _TOOL_SLACK_DEG_S),
         )
     ):
-        shown = share * highest
-        if speeds[index] > _TOO_FAST * shown + slack and after[index] >= _BRAKING * before[index]:
-            figures = {"value": round(speeds[index], 1), "maximum": round(shown, 1)}
-            return Refusal(code, figures)
+        shown = percent / 100.0 * highest
+        limit = _TOO_FAST * shown + slack
+        if speeds[index] > limit and after[index] >= _BRAKING * before[index]:
+            return Refusal(code, _figures(percent, speeds[index], shown, limit))
     return None
+
+
+def _figures(percent: int, value: float, maximum: float, limit: float) -> dict[str, float]:
+    figures = {"value": value, "maximum": maximum, "limit": limit}
+    return {"percent": percent} | {name: round(each, 1) for name, each in figures.items()}
 
 
 def _tool_speeds(first: _Sample, last: _Sample, pace: ToolPace) -> tuple[float, float]:

@@ -11,7 +11,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QWidget
 
 from armui.control.motion.cartesian import POSE_UNKNOWN
-from armui.control.operating_state import OperatingState
+from armui.control.operating_state import OperatingState, why_unreachable
 from armui.control.operations.operation import Consent, Operation
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.ui import words
@@ -37,13 +37,15 @@ def while_editing(_now: OperatingState) -> str:
 
 
 def with_angles(now: OperatingState) -> str:
-    """Return the reason if the joint angles have not been heard; empty otherwise."""
-    return words.why_not(None if now.angles_known else JOINTS_UNKNOWN())
+    """Return the reason if the joint angles are not heard; empty otherwise."""
+    unknown = None if now.angles_known else JOINTS_UNKNOWN()
+    return words.why_not(why_unreachable(now.link) or unknown)
 
 
 def with_pose(now: OperatingState) -> str:
-    """Return the reason if the pose of the flange has not been heard; empty otherwise."""
-    return words.why_not(None if now.pose_known else POSE_UNKNOWN())
+    """Return the reason if the pose of the flange is not heard; empty otherwise."""
+    unknown = None if now.pose_known else POSE_UNKNOWN()
+    return words.why_not(why_unreachable(now.link) or unknown)
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,7 +16,7 @@ from armui.arm.backup import SUFFIX, Backup, ComparisonRow, ComparisonVerdict, c
 from armui.arm.models import model_data
 from armui.arm.parameters import Parameter, factory_bound
 from armui.arm.refusal import Reason, Refusal
-from armui.control.arm_controller import ArmController
+from armui.control.arm_controller import QUESTION_WITHDRAWN, ArmController
 from armui.control.events import Level
 from armui.control.operating_state import BUSY, OperatingState
 from armui.control.parameters.backup_files import backup_of, read_backup, write_backup
@@ -42,6 +42,7 @@ from armui.ui.words.parameters import (
     value_text,
     verdict_word,
 )
+from armui.ui.words.text import said
 
 BACKUP_NOTHING_READ = Reason(
     "backup_nothing_read", "Nothing has been read from the arm. Press Read first."
@@ -332,6 +333,7 @@ class BackupDialog(ArmDialog):
         self._path: Path | None = None
         self._said: tuple[str, Level] = ("", Level.INFO)
         self._restoring: dict[Parameter, float] = {}
+        self._could_read = False
         self._model = BackupModel(self._settings.cell)
         self._shown = DifferencesOnly(self._model)
         self._build()
@@ -412,11 +414,9 @@ class BackupDialog(ArmDialog):
     def _start_reading(self) -> None:
         self._restoring = {}
         self._model.follow([])
-        refusal = self._reader.start()
-        if refusal is not None:
-            self._refuse(refusal)
-        else:
-            self._say("")
+        self._could_read = bool(self._known())
+        self._reader.start()  # why it cannot be asked stands in the message as long as it is so
+        self._say("")
 
     def _on_save(self) -> None:
         backup = self._now()
@@ -501,7 +501,12 @@ class BackupDialog(ArmDialog):
             on_confirmed=partial(self._restore_now, chosen),
             hold=bool(beyond),
             still=lambda: self._model.chosen == chosen,
+            on_withdrawn=self._on_withdrawn,
         )
+
+    def _on_withdrawn(self, reason: Refusal) -> None:
+        question = {"question": self.tr("Restore parameters"), "reason": words.refusal(reason)}
+        self._say(said(QUESTION_WITHDRAWN, question), Level.WARNING)
 
     def _beyond(self, chosen: dict[Parameter, float]) -> list[str]:
         """Return a line for each value that goes beyond the factory's values of this model."""
@@ -547,8 +552,13 @@ class BackupDialog(ArmDialog):
         self._say(*restored_text(len(cells), failed))
 
     def _on_operating_state_changed(self, _operating_state: OperatingState) -> None:
-        if self.isVisible():
-            self._show_all()
+        """Read an arm that is there now, or there again: it has not said anything yet."""
+        if not self.isVisible():
+            return
+        could_read, self._could_read = self._could_read, bool(self._known())
+        if self._could_read and not could_read and not self._restoring:
+            self._reader.start()
+        self._show_all()
 
     # How it looks -----------------------------------------------------------------------------
 

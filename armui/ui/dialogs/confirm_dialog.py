@@ -8,7 +8,7 @@ from typing import Final
 from PySide6.QtCore import QCoreApplication, Qt, Signal
 from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 
-from armui.arm.refusal import Reason
+from armui.arm.refusal import Reason, Refusal
 from armui.control.arm_controller import ArmController
 from armui.control.operating_state import OperatingState
 from armui.control.operations.started import ARM_CHANGED
@@ -41,6 +41,7 @@ def confirm(
     concerns_arm: bool = True,
     still: Callable[[], bool] = lambda: True,
     sinks: bool = False,
+    on_withdrawn: Callable[[Refusal], object] = lambda _reason: None,
 ) -> ConfirmDialog:
     """Ask a question without blocking; an older question of the same title is withdrawn.
 
@@ -56,6 +57,8 @@ def confirm(
             `ConfirmDialog`.
         still: Returns whether its text still holds; otherwise it is withdrawn.
         sinks: The arm sinks by it: what of its work area is below it is said, too.
+        on_withdrawn: Called with the reason if the question is withdrawn; for a window that hides
+            the line in which that is told.
 
     Returns:
         The open question; it deletes itself once answered.
@@ -81,6 +84,7 @@ def confirm(
     )
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     dialog.accepted.connect(on_confirmed)
+    dialog.withdrawn.connect(on_withdrawn)
     dialog.open()
     return dialog
 
@@ -104,7 +108,12 @@ class ConfirmDialog(ArmDialog):
             cause.
         concerns_arm: True if it is about the connected arm, as opposed to files.
         still: Returns whether its text still holds.
+
+    Signals:
+        withdrawn: Why it has withdrawn itself, a `Refusal`.
     """
+
+    withdrawn = Signal(object)
 
     def __init__(
         self,
@@ -167,6 +176,7 @@ class ConfirmDialog(ArmDialog):
             return True
         self.reject()
         self._controller.tell_withdrawn(self.windowTitle(), reason)
+        self.withdrawn.emit(reason)
         return False
 
     def _look(self) -> None:

@@ -222,6 +222,7 @@ class ReferenceDialog(ArmDialog):
             on_confirmed=lambda: self._tell(self._controller.motors.disable(step.joint)),
             hold=True,
             still=lambda: self._step == step,
+            on_withdrawn=self._tell,
         )
 
     def _on_drive(self) -> None:
@@ -267,6 +268,7 @@ class ReferenceDialog(ArmDialog):
             ),
             action_label=self.tr("Keep this pose"),
             on_confirmed=self._on_teach,
+            on_withdrawn=self._tell,
         )
 
     def _on_teach(self) -> None:

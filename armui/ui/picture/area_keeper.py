@@ -63,7 +63,7 @@ class AreaKeeper(QObject):
 
     def _show(self, _changed: object = None) -> None:
         area, cell = self._controller.area_guard.area, self._controller.cell.cell
-        self._view.set_placement(NO_FRAME if cell is None else cell.placement.pose)
+        base = NO_FRAME if cell is None else cell.placement.pose
         zone = self._zone()
         typed = None if zone is None else zone.typed_zone()
         held = held_picture(None if cell is None else cell.held_object)
@@ -72,11 +72,11 @@ class AreaKeeper(QObject):
             held = (AreaShape(pose_rows(typed.pose), size_mm, near=True), *held)
         pale = self._controller.cell.unconfirmed is not None
         if area is None or not self._switch.isChecked():
-            self._view.set_area(_as_confirmed(held, pale=pale))
+            self._view.set_area(_as_confirmed(held, pale=pale), base)
             return
         seen = self._controller.area_guard.look(self._controller.state)
         near = {each.zone.name for each in seen if each.gap_mm < area.margin_mm + _NEAR_MM}
-        self._view.set_area(_as_confirmed((*area_picture(area, near), *held), pale=pale))
+        self._view.set_area(_as_confirmed((*area_picture(area, near), *held), pale=pale), base)
 
 
 def _as_confirmed(shapes: AreaPicture, *, pale: bool) -> AreaPicture:

@@ -110,7 +110,10 @@ class SpeedControl(Translated, QWidget):
     def _allow(self, operating_state: OperatingState) -> None:
         """A run sends each point with its own speed: another one would change it in silence."""
         reason = words.refusal(RUN_UNDER_WAY()) if operating_state.running else ""
-        use = self.tr("Speed of motions, 0–100 % of the arm's highest; 0 % means no motion.")
+        use = self.tr(
+            "Speed of motions, 0–100 % of the arm's highest; 0 % means no motion. A motion that is "
+            "measured to be more than 1.5 times as fast as it was told is ended."
+        )
         for widget in (self._slider, self.field):
             widget.setEnabled(not reason)
             widget.setToolTip(reason or use)

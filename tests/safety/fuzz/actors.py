@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from datetime import UTC, datetime
 from typing import Any, Final
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from armui.arm.parameters import Parameter
 from armui.arm.refusal import Refusal
+from armui.cell.cell import Cell, with_part
+from armui.cell.user_frames import UserFrame
 from armui.control.motion.jog_path import JointJog, ToolJog
 from armui.control.operating_state import LinkState, StopState
 from armui.control.operations.started import Started
@@ -34,6 +38,7 @@ from tests.sim.talk import DISABLE, ENABLE, pose_target
 
 _PULLED_DEG: Final = 20.0
 _PATIENCE: Final = 25
+_USER: Final = "turned"
 _OFF_LOAD: Final = (EndLoad.EMPTY, EndLoad.HALF, EndLoad.FULL)
 
 
@@ -44,6 +49,7 @@ class Actors:
         self._world = world
         self._oracle = oracle
         self._pushed: int | None = None
+        self._user_frame: UserFrame | None = None
         self._failing = 0
 
     @property
@@ -82,8 +88,22 @@ class Actors:
 
     def tool_step(self, axis: int, amount: float, frame: str) -> None:
         before = self._oracle.bases()
-        answer = self._controller.cartesian.step(axis, amount, JogFrame(frame))
-        self._ask(Kind.TOOL_STEP, answer, delta=amount, bases=before)
+        answer = self._controller.cartesian.step(axis, amount, self._frame_named(frame))
+        along = self._along(axis, frame)
+        self._ask(Kind.TOOL_STEP, answer, delta=amount, bases=before, along=along)
+
+    def _frame_named(self, frame: str) -> JogFrame | UserFrame:
+        """A user frame is the one made last: it may be out of force."""
+        if frame == "user":
+            return self._user_frame or JogFrame.BASE
+        return JogFrame(frame)
+
+    def _along(self, axis: int, frame: str) -> tuple[float, ...] | None:
+        """Which way in the base the tool goes; ``None`` if it turns, or along itself."""
+        if axis > 2 or frame == "tool":
+            return None
+        turned = self._user_frame.pose[3:] if frame == "user" and self._user_frame else (0.0,) * 3
+        return tuple(Rotation.from_euler("xyz", turned, degrees=True).as_matrix()[:, axis])
 
     def send_joints(self, joints_deg: tuple[float, ...]) -> None:
         answer = self._controller.motion.send_joints(joints_deg)
@@ -103,7 +123,7 @@ class Actors:
         self._world.still_timers()
 
     def hold_tool(self, axis: int, direction: int, frame: str) -> None:
-        answer = self._controller.jogging.start(ToolJog(axis, direction, JogFrame(frame)))
+        answer = self._controller.jogging.start(ToolJog(axis, direction, self._frame_named(frame)))
         self._ask(Kind.JOG, answer, joint=None, delta=direction)
         self._world.still_timers()
 
@@ -218,6 +238,20 @@ class Actors:
 
     def tool(self, tool: tuple[float, ...]) -> None:
         self._controller.cartesian.tool = tool
+
+    def user_frame(self, pose: tuple[float, ...]) -> None:
+        """Make one and choose it, or move it; without a pose the base is chosen."""
+        cells = self._controller.cell
+        cell = cells.cell or Cell("fuzz")
+        if pose:
+            known = _USER if any(each.name == _USER for each in cell.frames) else ""
+            made = with_part(cell, UserFrame(_USER, pose), instead_of=known)
+            changed = replace(made, frame=_USER)
+        else:
+            changed = replace(cell, frame="")
+        cells.take(changed) if cells.cell is None else cells.change(changed)
+        if pose:
+            self._user_frame = UserFrame(_USER, pose)
 
     def set_limit(self, joint: int, max_deg: int) -> None:
         self._controller.settings.save({Parameter("max_angle_deg", joint): float(max_deg)})

@@ -32,6 +32,7 @@ class Asked:
         goal_deg, pose: Where it leads (of the flange), as far as it says.
         joint, delta: Of a step: what is to turn, and by how much.
         bases: Where a step may start from: the arm, and our own target while it stands.
+        along: Of a step of the tool, where it is known: which way in the base, of length 1.
         cancelled: What has ended it.
         over_jog: Whether a jog was still held when it was asked for.
     """
@@ -43,6 +44,7 @@ class Asked:
     joint: int | None = None
     delta: float = 0.0
     bases: list[SixValues] = field(default_factory=list)
+    along: tuple[float, ...] | None = None
     cancelled: str | None = None
     over_jog: bool = False
 

@@ -43,6 +43,7 @@ _NEAR_DEG: Final = 0.75
 """What may lie between a target and the place it starts from: 0.5° and the sag of a joint."""
 _JOG_AHEAD_DEG: Final = 20.0
 _TOOL_MM: Final = 15.0
+_ASIDE_MM: Final = 1.0
 _POSE_MM: Final = 1.0
 _TAKEN_S: Final = 0.4
 """Until then after a target was asked for, no feedback tells that the arm never heard it."""
@@ -298,12 +299,17 @@ class Oracle:
     def _why_no_tool_step(self, asked: Asked, started: Started) -> str | None:
         forward = self._world.firmware.kinematics.forward
         reached = forward(started.goal_deg)
+        aside = False
         for base in asked.bases:
             here = forward(base)
-            off_mm = max(abs(a - b) for a, b in zip(reached[:3], here[:3], strict=True))
-            if off_mm <= abs(asked.delta) + _TOOL_MM:
+            way = [a - b for a, b in zip(reached[:3], here[:3], strict=True)]
+            if max(map(abs, way)) > abs(asked.delta) + _TOOL_MM:
+                continue
+            wanted = way if asked.along is None else [asked.delta * each for each in asked.along]
+            if max(abs(a - b) for a, b in zip(way, wanted, strict=True)) <= _ASIDE_MM:
                 return None
-        return "the tool steps from elsewhere"
+            aside = True
+        return "the tool steps another way" if aside else "the tool steps from elsewhere"
 
     # The stop ------------------------------------------------------------------------------------
 

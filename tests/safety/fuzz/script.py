@@ -74,8 +74,8 @@ def _joint_step(chance: random.Random) -> tuple[Any, ...]:
 def _tool_step(chance: random.Random) -> tuple[Any, ...]:
     return (
         chance.randrange(6),
-        chance.choice((-5.0, -1.0, 1.0, 5.0)),
-        chance.choice(("base", "tool")),
+        chance.choice((-20.0, -1.0, 1.0, 5.0)),
+        chance.choice(("base", "tool", "user")),
     )
 
 
@@ -84,7 +84,7 @@ def _joint_hold(chance: random.Random) -> tuple[Any, ...]:
 
 
 def _tool_hold(chance: random.Random) -> tuple[Any, ...]:
-    return chance.randrange(6), chance.choice((-1, 1)), chance.choice(("base", "tool"))
+    return chance.randrange(6), chance.choice((-1, 1)), chance.choice(("base", "tool", "user"))
 
 
 def _joint(chance: random.Random) -> tuple[Any, ...]:
@@ -159,6 +159,13 @@ def _tool(chance: random.Random) -> tuple[Any, ...]:
     return (chance.choice(((0.0,) * 6, (0.0, 0.0, 120.0, 0.0, 0.0, 0.0), (30.0, 0, 60, 0, 45, 0))),)
 
 
+def _user_frame(chance: random.Random) -> tuple[Any, ...]:
+    """Where a user frame lies in the base, or nothing: the base itself is chosen again."""
+    place = [round(chance.uniform(-300.0, 300.0), 1) for _ in range(3)]
+    turned = [round(chance.uniform(-180.0, 180.0), 1) for _ in range(3)]
+    return (chance.choice(((*place, *turned), (*place, *turned), ())),)
+
+
 def _run_otherwise(chance: random.Random) -> tuple[Any, ...]:
     return (
         joints(chance),
@@ -196,6 +203,7 @@ ACTIONS: Final[tuple[tuple[int, str, Draw], ...]] = (
     (3, "replay", lambda chance: (joints(chance), chance.choice((1, 2)))),
     (3, "run", _run_otherwise),
     (3, "tool", _tool),
+    (4, "user_frame", _user_frame),
     (2, "set_limit", lambda chance: (chance.randint(1, 6), chance.randint(60, 150))),
     (2, "pause_run", _nothing),
     (2, "go_on_run", _nothing),

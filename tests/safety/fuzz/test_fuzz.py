@@ -12,10 +12,12 @@ from armui.bus.frame_processor import FrameProcessor
 from armui.control.arm_controller import ArmController
 from armui.control.authority import Authority
 from armui.control.authority_watch import AuthorityWatch
+from armui.control.motion.cartesian import Cartesian
 from armui.control.motion.joint_motion import Motion
 from armui.control.motion_end import MotionEnd
 from armui.control.safety.interlocks import STOPPED
 from armui.control.safety.other_command import OtherCommand
+from armui.kinematics.axes import JogFrame
 from armui.protocol.codec import Codec
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
@@ -73,6 +75,23 @@ def test_a_stop_that_cannot_arrive_is_excepted_until_it_can(qapp, monkeypatch):
     monkeypatch.setattr(ArmController, "emergency_stop", lambda _: None)
     assert promise(actions) is None
     assert promise([*actions, Action("plug_in", wait_s=1.2)]) == "S2–S5"
+
+
+def test_a_step_along_the_axes_of_another_frame_is_seen(qapp, monkeypatch):
+    actions = [
+        Action("user_frame", ((0.0, 0.0, 0.0, 0.0, 0.0, 90.0),)),
+        Action("send_joints", (A,), 4.0),
+        Action("tool_step", (0, 5.0, "user"), 0.4),
+    ]
+    assert promise(actions) is None
+    step = Cartesian.step
+
+    @wraps(step)
+    def along_base(self, axis, amount, _frame):
+        return step(self, axis, amount, JogFrame.BASE)
+
+    monkeypatch.setattr(Cartesian, "step", along_base)
+    assert promise(actions) == "S7–S11"
 
 
 def test_a_step_from_an_outdated_target_is_seen(qapp, monkeypatch):

@@ -21,6 +21,7 @@ from armui.arm.state import ArmState
 from armui.cell.user_frames import UserFrame
 from armui.control.arm_controller import ArmController
 from armui.control.cell.cell_control import why_not_change
+from armui.control.cell.cell_reasons import CAPTURE_STALE
 from armui.control.motion.cartesian import FRAME_NOT_IN_FORCE, POSE_UNKNOWN, Cartesian
 from armui.control.motion.jog_path import MotionFrame, ToolJog
 from armui.control.operating_state import OperatingState
@@ -423,9 +424,13 @@ class CartesianPanel(JogPanel):
 
     def _on_capture(self, place: int) -> None:
         pose = self._pose()
-        if pose is not None:
+        if pose is None:
+            self._accepted(POSE_UNKNOWN())
+        elif self._stale():
+            self._accepted(CAPTURE_STALE())
+        else:
             self._arc.take(place, pose)
-        self._accepted(None if pose is not None else POSE_UNKNOWN())
+            self._accepted(None)
 
     def _on_go_to_start(self) -> None:
         start = self._arc.poses[0]
@@ -475,9 +480,12 @@ class CartesianPanel(JogPanel):
         pose = None if self._sent else self._shown_pose()
         show_primary(self._move_p, wanted=pose is not None and self._differ_from(pose))
 
-    def _show_measured(self) -> None:
+    def _stale(self) -> bool:
         state = self._controller.state
-        stale = any(is_stale(heard, state, self._operating_state) for heard in state.pose)
+        return any(is_stale(heard, state, self._operating_state) for heard in state.pose)
+
+    def _show_measured(self) -> None:
+        stale = self._stale()
         for row, value in zip(self._rows, self._shown_pose() or (None,) * len(AXES), strict=True):
             row.show_measured(value, stale=stale)
 
@@ -495,8 +503,7 @@ class CartesianPanel(JogPanel):
 
     def _show_possible(self) -> None:
         why_not = self._allow_jog()
-        unknown = self._controller.state.end_pose() is None
-        no_pose = words.refusal(POSE_UNKNOWN()) if unknown else ""
+        no_pose = with_pose(self._operating_state)
         self._arc.allow(no_pose, why_not)
         use = self.tr("Fills the fields with the measured pose; nothing moves.")
         enable_or_explain(self._load, no_pose, use)

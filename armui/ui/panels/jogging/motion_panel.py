@@ -21,7 +21,6 @@ from armui.control.motion.joint_motion import Motion
 from armui.control.operations.operation import operation_of
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.ui import format as fmt
-from armui.ui import words
 from armui.ui.actions.command import Command, Target, also, with_angles
 from armui.ui.actions.keys import keys_of
 from armui.ui.freshness import is_stale
@@ -436,8 +435,7 @@ class MotionPanel(JogPanel):
 
     def _show_possible(self) -> None:
         why_not = self._allow_jog()
-        heard = self._controller.state.angles_deg() is not None
-        no_angles = "" if heard else words.refusal(JOINTS_UNKNOWN())
+        no_angles = with_angles(self._operating_state)
         use = self.tr("Moves all joints to 0°.")
         enable_or_explain(self._home, why_not, use, key=_HOME_KEY)
         self._own_home.show_possible()

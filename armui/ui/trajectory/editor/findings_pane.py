@@ -8,6 +8,8 @@ from PySide6.QtCore import QRect, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QResizeEvent
 from PySide6.QtWidgets import QListWidget, QListWidgetItem, QWidget
 
+from armui.arm.refusal import Refusal
+from armui.control.cell.cell_reasons import CELL_NOT_READ
 from armui.trajectory.planning.findings import Approach, Finding, Severity
 from armui.ui.theme import colors_of
 from armui.ui.trajectory.running.run_request import Preflight
@@ -40,7 +42,7 @@ class FindingsPane(Translated, QWidget):
         super().__init__()
         self._checked: Preflight | None = None
         self._accept: Callable[[], object] | None = None
-        self._title = text_label("findings_title")
+        self._title = text_label("findings_title", wraps=True)
         self._list = named("findings_list", QListWidget())
         self._list.setWordWrap(True)
         self._list.setTextElideMode(Qt.TextElideMode.ElideNone)
@@ -92,6 +94,8 @@ class FindingsPane(Translated, QWidget):
             )
         else:
             title = self.tr("Check: nothing found.")
+        if (waits := checked.basis.unconfirmed) is not None:
+            title = f"{title} {self._why_less(waits)}"
         self._title.setText(title)
         for finding in checked.findings[:_MOST]:
             self._list.addItem(self._item(finding))
@@ -104,6 +108,16 @@ class FindingsPane(Translated, QWidget):
         self.accept_button.setText(
             self.tr("Accept the warnings and run") if checked.findings else self.tr("Run now")
         )
+
+    def _why_less(self, waits: Refusal) -> str:
+        """Return what of the cell the check counted, while it waits for its confirmation."""
+        text = self.tr(
+            "The cell “{name}” is not confirmed: its work area and what is held were counted, its "
+            "tool was not. Confirm it, then check again."
+        )
+        if waits.reason == CELL_NOT_READ:
+            text = self.tr("The cell “{name}” could not be read: nothing of it was counted.")
+        return text.format(**waits.params)
 
     def _fit(self) -> None:
         """As high as the lines are in this width, up to a limit."""

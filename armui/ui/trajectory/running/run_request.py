@@ -71,6 +71,7 @@ class CheckBasis:
         alterations: The number of settings that this program had made by then, loads included.
         options: The operator's options.
         cell: The cell: its work area, and what the arm carries.
+        unconfirmed: Why the cell is not in force; its tool is none of the arm's then.
     """
 
     mark: ArmMark
@@ -78,6 +79,7 @@ class CheckBasis:
     alterations: int
     options: RunOptions
     cell: Cell | None
+    unconfirmed: Refusal | None = None
 
     @classmethod
     def of(cls, controller: ArmController, options: RunOptions) -> CheckBasis:
@@ -85,7 +87,8 @@ class CheckBasis:
         arm, altered = arm_model(controller), controller.transactions.alterations
         cell = controller.cell.cell
         shown_in_base = None if cell is None else replace(cell, frame="")  # which moves nothing
-        return cls(controller.mark, arm, altered, options, shown_in_base)
+        waits = controller.cell.unconfirmed
+        return cls(controller.mark, arm, altered, options, shown_in_base, waits)
 
     def why_other(self, now: CheckBasis) -> Refusal | None:
         """Return why a check under these conditions is not valid under ``now``, or ``None``."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Final
 
@@ -251,9 +252,18 @@ class RunStrip(Translated, QWidget):
             left = fmt.duration(progress.remaining_s)
             parts.append(self.tr("{time} left").format(time=left))
         parts.append(self._phase_word(progress))
+        if progress.percent is not None:
+            parts.append(self._speed(progress.percent, progress.tool_mm_s))
         if self._refusal is not None and progress.phase not in OVER:
             parts.append(words.refusal(self._refusal))
         return " · ".join(parts)
+
+    def _speed(self, percent: int, tool_mm_s: float) -> str:
+        """Return the speed that a motion is measured against."""
+        if math.isinf(tool_mm_s):
+            return fmt.percent(percent)
+        figures = {"percent": fmt.percent(percent), "speed": f"{tool_mm_s:.3g} mm/s"}
+        return self.tr("{percent}, tool ≤ {speed}").format(**figures)
 
     def _phase_word(self, progress: Progress) -> str:
         if progress.refusal is not None and progress.refusal.reason == RUN_STOPPED:
