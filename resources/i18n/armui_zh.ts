@@ -7546,6 +7546,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>机械臂已应答恢复出厂值，输入框中为回读的数值。</translation>
     </message>
     <message>
+        <source>The arm is offline: nothing is heard from it, and it may still be moving. Check its power, the CAN cable and the bit rate.</source>
+        <translation>机械臂离线：没有收到反馈，它可能仍在运动。请检查机械臂电源、CAN 线和波特率。</translation>
+    </message>
+    <message>
         <source>Running “{name}”</source>
         <translation>开始执行“{name}”</translation>
     </message>
@@ -7660,10 +7664,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>The arm is online.</source>
         <translation>机械臂在线。</translation>
-    </message>
-    <message>
-        <source>The arm is offline: nothing is heard from it. Check its power, the CAN cable and the bit rate.</source>
-        <translation>机械臂离线：没有收到反馈。请检查机械臂电源、CAN 线和波特率。</translation>
     </message>
     <message>
         <source>The arm speaks protocol generation {generation}. Firmware: {firmware}</source>
@@ -9947,10 +9947,6 @@ The other program must have ended.</source>
         <translation>主臂正在带动本机械臂：自 {since} 起（{frames}，{rate} 帧/秒）。</translation>
     </message>
     <message>
-        <source>Not every motor has reported. If it stays so, check power and cable, and connect again.</source>
-        <translation>部分电机未上报状态。若持续如此，请检查电源和线缆并重新连接。</translation>
-    </message>
-    <message>
         <source>Still in drag teaching, near the rest pose. Hold the arm and reset it; if it stays, switch it off and on.</source>
         <translation>仍处于示教模式，已接近零位。请扶住机械臂并复位；若仍未退出，请重新上电。</translation>
     </message>
@@ -10033,6 +10029,10 @@ The other program must have ended.</source>
     <message>
         <source>The arm holds back a motion to {target} at 0 %. Set a speed and hold “Continue” for 1 s, or give it up.</source>
         <translation>速度为 0 %，机械臂保留着运动，目标 {target}。请设定速度后按住“继续”1 秒，或放弃它。</translation>
+    </message>
+    <message>
+        <source>Nothing is heard from the motor of joint {joints}. If it stays so, check power and cable, and connect again.</source>
+        <translation>没有收到关节 {joints} 的电机反馈。若持续如此，请检查电源和线缆，然后重新连接。</translation>
     </message>
     <message>
         <source>Paused: hold “Continue” for 1 s</source>
