@@ -404,8 +404,8 @@
         <translation>末端轨迹：最近 60 秒运动</translation>
     </message>
     <message>
-        <source>Handles at the tool, along the axes of the base</source>
-        <translation>末端手柄：沿基座坐标轴</translation>
+        <source>Handles at the tool, along the axes of base or user frame</source>
+        <translation>末端手柄：沿基坐标系或用户坐标系各轴</translation>
     </message>
     <message>
         <source>Handles at the tool, along its own axes</source>
@@ -1684,6 +1684,14 @@
         <translation>轨迹点，{move}</translation>
     </message>
     <message>
+        <source>Poses of</source>
+        <translation>位姿属于</translation>
+    </message>
+    <message>
+        <source>Frame of the poses</source>
+        <translation>位姿的坐标系</translation>
+    </message>
+    <message>
         <source>Speed</source>
         <translation>速度</translation>
     </message>
@@ -1710,6 +1718,26 @@
     <message>
         <source>Columns {columns} may be radians or degrees: choose which.</source>
         <translation>第 {columns} 列可能是弧度，也可能是度：请选择。</translation>
+    </message>
+    <message>
+        <source>the tool “{name}”</source>
+        <translation>工具“{name}”</translation>
+    </message>
+    <message>
+        <source>the tool</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>the flange</source>
+        <translation>法兰</translation>
+    </message>
+    <message>
+        <source>in the base frame</source>
+        <translation>在基坐标系中</translation>
+    </message>
+    <message>
+        <source>in “{name}”</source>
+        <translation>在“{name}”中</translation>
     </message>
     <message>
         <source>Or choose “{choice}” under “{becomes}”: the columns suffice for that.</source>
@@ -3159,6 +3187,18 @@
     <message>
         <source>Not pasted. {reason}</source>
         <translation>未粘贴。{reason}</translation>
+    </message>
+    <message>
+        <source>the base</source>
+        <translation>基坐标系</translation>
+    </message>
+    <message>
+        <source>“{lost}” is not known: the figures stayed, and count from {frame} now. The points are elsewhere then: check them, or undo.</source>
+        <translation>“{lost}”的位置未知：数值保持不变，现在以{frame}为基准。点的位置因此改变：请检查，或撤销。</translation>
+    </message>
+    <message>
+        <source>The points stay where they are; their figures are in {frame} now.</source>
+        <translation>点的位置保持不变；数值现在以{frame}为基准。</translation>
     </message>
     <message>
         <source>Pasted as poses of {tool}, as the table shows them. Undo if they are of the flange or another tool.</source>
@@ -6365,6 +6405,10 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>名称已被占用，已改名：{names}</translation>
     </message>
     <message>
+        <source>And {count} more. See the results.</source>
+        <translation>另有 {count} 条，请看结果。</translation>
+    </message>
+    <message>
         <source>Not imported. {reason}</source>
         <translation>未导入。{reason}</translation>
     </message>
@@ -6375,6 +6419,18 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>Not imported yet: {names}</source>
         <translation>尚未导入：{names}</translation>
+    </message>
+    <message>
+        <source>the tool “{name}”</source>
+        <translation>工具“{name}”</translation>
+    </message>
+    <message>
+        <source>Poses in it are those of {tool}, as the editor shows them.</source>
+        <translation>其中的位姿是{tool}的位姿，与编辑器中显示的一致。</translation>
+    </message>
+    <message>
+        <source>the tool</source>
+        <translation>工具</translation>
     </message>
     <message>
         <source>Not exported. {reason}</source>
@@ -10592,6 +10648,10 @@ The other program must have ended.</source>
         <translation>工具转动实测 {value}°/s；下达的 {percent} % 在此路径上对应最高 {maximum}°/s，超过 {limit}°/s 即结束运动。请在下次运动前重新设定速度：一般在顶部，运行时在各点及其下方。</translation>
     </message>
     <message>
+        <source>The titles of the poses and the row “#tool” belong together: titles with tcp_ are of the tool in that row, those without are of the flange. Export the file again.</source>
+        <translation>位姿的列标题与“#tool”行须一致：带 tcp_ 的标题是该行工具的位姿，不带的是法兰的位姿。请重新导出该文件。</translation>
+    </message>
+    <message>
         <source>“{value}” is not an option of a point; use frame, speed, dwell, gripper, holds, light or note.</source>
         <translation>“{value}”不是有效的点选项，可用选项为 frame、speed、dwell、gripper、holds、light 和 note。</translation>
     </message>
@@ -10618,6 +10678,22 @@ The other program must have ended.</source>
     <message>
         <source>Not done: {name}: {text}. Check the rights to the library&apos;s folder.</source>
         <translation>未执行：{name}：{text}。请检查轨迹库文件夹的访问权限。</translation>
+    </message>
+    <message>
+        <source>{file} has poses of the tool “{name}”, which the cell does not have. The flange goes where it did there; the table shows the figures of the tool in force.</source>
+        <translation>{file} 中是工具“{name}”的位姿，而单元中没有该工具。法兰仍去文件中的位置；表中显示的是当前生效工具的数值。</translation>
+    </message>
+    <message>
+        <source>{file} has poses of the tool “{name}”, whose figures are others here. The flange goes where it did there, the tip elsewhere.</source>
+        <translation>{file} 中是工具“{name}”的位姿，而该工具在这里的数值不同。法兰仍去文件中的位置，工具尖端则到别处。</translation>
+    </message>
+    <message>
+        <source>{file} has points in the user frame “{name}”, which the cell does not have. They do not run until it is there, or they are given another frame.</source>
+        <translation>{file} 中有点属于用户坐标系“{name}”，而单元中没有该坐标系。补上它，或为这些点改用其他坐标系之前，不能运行。</translation>
+    </message>
+    <message>
+        <source>{file} has points in the user frame “{name}”, which stands elsewhere here, by {distance} mm and {turned}°. The points go with it.</source>
+        <translation>{file} 中有点属于用户坐标系“{name}”，而它在这里的位置不同，相差 {distance} mm、{turned}°。这些点随坐标系移动。</translation>
     </message>
     <message>
         <source>The arm does not reach X {x}  Y {y}  Z {z} mm with this orientation: no joint angles belong to it. Change the pose.</source>
@@ -14412,8 +14488,8 @@ Before: {before}</source>
         <translation>显示单元的用户坐标系；生效的坐标系以彩色轴显示</translation>
     </message>
     <message>
-        <source>Tool, along the axes of the base</source>
-        <translation>末端，沿基坐标系各轴</translation>
+        <source>Tool, along the axes of its figures: base or user frame</source>
+        <translation>末端，沿数值所在的坐标系（基坐标系或用户坐标系）各轴</translation>
     </message>
     <message>
         <source>Tool, along its own axes</source>

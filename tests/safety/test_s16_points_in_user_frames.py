@@ -227,7 +227,7 @@ def test_files_without_frames_are_written_as_ever():
 def test_a_newer_table_is_refused():
     text = files.to_bytes(Trajectory("t", points=(TAUGHT,)), ".csv").decode("utf-8-sig")
     with pytest.raises(TrajectoryFileError) as caught:
-        files.read_text(text.replace("armui trajectory 2", "armui trajectory 3"), "t")
+        files.read_text(text.replace("armui trajectory 2", "armui trajectory 4"), "t")
     assert (caught.value.line, caught.value.refusal.code) == (1, "file_version")
 
 

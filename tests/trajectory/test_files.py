@@ -106,7 +106,7 @@ HEADER = "armui trajectory 1\n\nJ 0 0 0 0 0 0\n"
     [
         ("", 0, 0, "file_empty"),
         ("hello", 1, 0, "file_kind_unknown"),
-        ("armui trajectory 3\n", 1, 18, "file_version"),
+        ("armui trajectory 4\n", 1, 18, "file_version"),
         ("armui trajectory 1\nauthor: me\n", 2, 1, "header_unknown"),
         ("armui trajectory 1\nname: a\nname: b\n", 3, 1, "option_twice"),
         ("armui trajectory 1\nmodified: now\n", 2, 11, "time_bad"),

@@ -26,6 +26,7 @@ from armui.trajectory.files.csv_file import CELLS_COUNT
 from armui.trajectory.files.errors import broken
 from armui.trajectory.files.model import Content, verified, verified_point
 from armui.trajectory.files.text import NUMBER_BAD, read_figures
+from armui.trajectory.planning.tool_points import ToolPoints
 from armui.trajectory.points.program import GripperOpening, Trajectory, Waypoint
 from armui.trajectory.samples.recording import COLUMN_COUNT, GRIPPER, Array, Recording
 
@@ -191,6 +192,7 @@ def _points(
             dwell_s=0.0 if math.isnan(dwell) else dwell,
             gripper=None if math.isnan(opening) else GripperOpening(opening),
             note=notes[index] if notes else "",
+            frame="" if move is MoveMode.MOVE_J else mapping.frame,
         )
         points.append(verified_point(point, lines[index]))
-    return tuple(points)
+    return tuple(ToolPoints(mapping.tool).all_kept(points))

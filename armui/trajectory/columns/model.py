@@ -11,8 +11,10 @@ from enum import StrEnum
 from itertools import islice
 from typing import Final, NamedTuple
 
+from armui.cell.tools import NO_TOOL
 from armui.protocol.codes import MoveMode
 from armui.trajectory.files.csv_file import Row, rows
+from armui.trajectory.points.program import Values
 
 SPACES: Final = " "
 """The delimiter of a table whose cells are separated by any number of blanks."""
@@ -143,11 +145,15 @@ class ColumnMapping:
             ``None`` makes a recording of joint angles over time. Columns not needed for that are
             left out.
         speed_percent: The speed of the points, if no column gives it.
+        tool: The tool whose poses are in the table; zeros for the flange.
+        frame: The user frame of the cell that they count from; "" for the base.
     """
 
     columns: tuple[TableColumn | None, ...]
     move: MoveMode | None = None
     speed_percent: int = 30
+    tool: Values = NO_TOOL
+    frame: str = ""
 
 
 def split(line: str, delimiter: str) -> list[str]:

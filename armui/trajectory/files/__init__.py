@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import os
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Final
 
@@ -13,8 +14,10 @@ from armui.system.files import error_text, open_file
 from armui.trajectory.files import csv_file, json_file, log_file, npz_file
 from armui.trajectory.files.errors import TrajectoryFileError, broken
 from armui.trajectory.files.log_file import FILE_KIND_UNKNOWN
-from armui.trajectory.files.model import LARGEST_BYTES, Content, UnwritableError
+from armui.trajectory.files.model import LARGEST_BYTES, Content, UnwritableError, verified
 from armui.trajectory.files.text import decode
+from armui.trajectory.planning.tool_points import KEPT_DECIMALS, ToolPoints, rounded
+from armui.trajectory.points.program import OF_FLANGE, PosesOf, Trajectory
 from armui.trajectory.samples.recording import Recording
 
 FILE_TOO_LARGE = Reason(
@@ -32,6 +35,7 @@ __all__ = [
     "is_ours",
     "load",
     "load_bytes",
+    "load_with_origin",
     "name_in",
     "read_bytes",
     "read_text",
@@ -52,17 +56,21 @@ _HEAD_BYTES: Final = 4096
 """The length of a beginning that holds the first two lines with the longest name."""
 
 
-def to_bytes(content: Content, suffix: str) -> bytes:
+def to_bytes(content: Content, suffix: str, poses_of: PosesOf = OF_FLANGE) -> bytes:
     """Return a trajectory or recording as the bytes of a file.
 
     Args:
         content: The content to write.
         suffix: One of :data:`SUFFIXES`; for a recording also ``.npz``.
+        poses_of: The tool whose poses are written, by default those of the flange, and where the
+            user frames stand. ``.armui``, which no other program reads, is written without.
 
     Raises:
         UnwritableError: The content cannot be written.
         ValueError: There is no such format for it.
     """
+    if isinstance(content, Trajectory) and suffix != ".armui":
+        content = _written_for(content, poses_of)
     if suffix == ".npz" and isinstance(content, Recording):
         return npz_file.write(content)
     writer = _WRITERS.get(suffix)
@@ -79,6 +87,17 @@ def load(path: Path) -> Content:
     """
     with _named(path):
         return read_bytes(_bytes_of(path), path.stem)
+
+
+def load_with_origin(path: Path) -> tuple[Content, PosesOf]:
+    """Return what :func:`load` returns, and what the poses in the file are of.
+
+    Raises:
+        TrajectoryFileError: As in :func:`load`.
+    """
+    with _named(path):
+        content = _read_bytes(_bytes_of(path), path.stem)
+        return _kept(content), content.poses_of if isinstance(content, Trajectory) else OF_FLANGE
 
 
 def load_bytes(path: Path) -> bytes:
@@ -140,9 +159,7 @@ def read_bytes(data: bytes, name: str) -> Content:
     Raises:
         TrajectoryFileError: The format is unknown, or the content is damaged.
     """
-    if data.startswith(npz_file.MAGIC):
-        return npz_file.read(data)
-    return read_text(decode(data), name)
+    return _kept(_read_bytes(data, name))
 
 
 def read_text(text: str, name: str) -> Content:
@@ -151,6 +168,42 @@ def read_text(text: str, name: str) -> Content:
     Raises:
         TrajectoryFileError: As in :func:`read_bytes`.
     """
+    return _kept(_read_text(text, name))
+
+
+def _written_for(content: Trajectory, poses_of: PosesOf) -> Trajectory:
+    """Return a trajectory with poses of a tool, and with what it names of the cell."""
+    named = {point.frame for point in content.points}
+    frames = tuple(frame for frame in poses_of.frames if frame.name in named)
+    tool = poses_of.tool
+    if tool is None or not any(tool.pose) or all(point.is_joint for point in content.points):
+        return replace(content, poses_of=PosesOf(None, frames))
+    # so fine that close to RY 90° turns are read back as they were, too
+    points = tuple(ToolPoints(tool.pose, KEPT_DECIMALS).all_shown(content.points))
+    return replace(content, points=points, poses_of=PosesOf(tool, frames))
+
+
+def _kept(content: Content) -> Content:
+    """Return what was read with poses of the flange, whatever they were of in the file.
+
+    Raises:
+        TrajectoryFileError: A pose is possible for no arm.
+    """
+    if not isinstance(content, Trajectory) or content.poses_of == OF_FLANGE:
+        return content
+    tool, points = content.poses_of.tool, content.points
+    if tool is not None:
+        points = tuple(map(rounded, ToolPoints(tool.pose).all_kept(points)))
+    return verified(replace(content, points=points, poses_of=OF_FLANGE))
+
+
+def _read_bytes(data: bytes, name: str) -> Content:
+    if data.startswith(npz_file.MAGIC):
+        return npz_file.read(data)
+    return _read_text(decode(data), name)
+
+
+def _read_text(text: str, name: str) -> Content:
     name = name if name.strip() else "?"
     if not text.strip():
         raise broken(FILE_EMPTY)

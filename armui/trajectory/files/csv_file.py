@@ -1,9 +1,9 @@
 """`.csv`, for spreadsheets: one row of titles, then a row for each point or sample.
 
-Rows whose first cell is # hold a comment. Rows that begin with #name, #note, #taught_on or
-#modified hold properties of the whole; they come last, where they do not disturb a table. Before
-points that name things of a cell stands a line with the version, so that no program that knows of
-no frames takes this for a plain table, and their coordinates for those of the base.
+Rows whose first cell is # hold a comment. Rows that begin with #name, #note, #taught_on, #tool,
+#frame or #modified hold properties of the whole; they come last, where they do not disturb a table.
+Before points that name things of a cell, or poses of a tool, stands a line with the version: no
+program that knows of neither takes this for a plain table.
 """
 
 from __future__ import annotations
@@ -13,17 +13,20 @@ import io
 import math
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import Any, Final
 
 import numpy as np
 
 from armui.arm.refusal import Reason
+from armui.cell.tools import Tool
+from armui.cell.user_frames import UserFrame
 from armui.protocol.codes import ALL_LAMPS
 from armui.trajectory.files.errors import FILE_DAMAGED, FILE_VERSION, HEADER_UNKNOWN, broken
 from armui.trajectory.files.log_points import LETTER_OF, LETTERS
 from armui.trajectory.files.model import (
-    CELL_VERSION,
     VERSION,
+    VERSIONS,
     Content,
     parse_time,
     verified,
@@ -33,6 +36,7 @@ from armui.trajectory.files.model import (
 )
 from armui.trajectory.files.text import number, parse_number
 from armui.trajectory.points.program import (
+    OF_FLANGE,
     POINT_MOVE_UNKNOWN,
     POINT_NOT_WHOLE,
     GripperAction,
@@ -48,6 +52,11 @@ from armui.trajectory.samples.recording import COLUMN_COUNT, GRIPPER, Recording
 COLUMN_UNKNOWN = Reason("column_unknown", "The column “{value}” is unknown.")
 COLUMN_TWICE = Reason("column_twice", "The column “{field}” is there twice.")
 COLUMN_MISSING = Reason("column_missing", "The column “{field}” is missing.")
+TOOL_UNCLEAR = Reason(
+    "tool_unclear",
+    "The titles of the poses and the row “#tool” belong together: titles with tcp_ are of the tool "
+    "in that row, those without are of the flange. Export the file again.",
+)
 CELLS_COUNT = Reason("cells_count", "{value} cells where there are {expected} columns.")
 
 
@@ -78,11 +87,11 @@ def write(content: Content) -> str:
     stream = io.StringIO(newline="")
     writer = csv.writer(stream)
     if isinstance(content, Trajectory):
-        of_cell = version_of(content) == CELL_VERSION
+        of_cell, of = version_of(content) > VERSION, content.poses_of
         if of_cell:
-            writer.writerow((f"armui trajectory {CELL_VERSION}",))
+            writer.writerow((f"armui trajectory {version_of(content)}",))
         titles = (*TITLES, *_OF_CELL) if of_cell else TITLES
-        writer.writerow(titles)
+        writer.writerow([_OF_TOOL.get(each, each) for each in titles] if of.tool else titles)
         for point in content.points:
             writer.writerows(("#", comment) for comment in point.comments)
             writer.writerow(write_cells(point, titles))
@@ -96,6 +105,10 @@ def write(content: Content) -> str:
         writer.writerow(("#note", content.note))
     if content.taught_on:
         writer.writerow(("#taught_on", content.taught_on))
+    if isinstance(content, Trajectory):
+        named = () if of.tool is None else (("#tool", of.tool),)
+        for key, each in (*named, *(("#frame", frame) for frame in of.frames)):
+            writer.writerow((key, each.name, *map(number, each.pose)))
     writer.writerow(("#modified", content.modified.isoformat()))
     return stream.getvalue()
 
@@ -111,15 +124,20 @@ def read(text: str, name: str) -> Content:
         TrajectoryFileError: With the line and, as column, the cell.
     """
     version, first = _marked(text)
-    if version > CELL_VERSION:
-        raise broken(FILE_VERSION, 1, 1, value=version, maximum=CELL_VERSION)
+    if version > VERSIONS[-1]:
+        raise broken(FILE_VERSION, 1, 1, value=version, maximum=VERSIONS[-1])
     table = rows(text, _delimiter(first), 1 if version == VERSION else 2)
     _, titles = next(table, (1, []))
     titles = [title.strip().lower() for title in titles]
     fields: dict[str, Any] = {"name": name}
     body = _body(table, fields)
     if "move" in titles:
-        points, closing, lines = _read_points(Columns(titles), body)
+        of_tool = not set(titles).isdisjoint(_PLAIN)
+        points, closing, lines = _read_points(
+            Columns([_PLAIN.get(each, each) for each in titles]), body
+        )
+        if of_tool != (fields.get("poses_of", OF_FLANGE).tool is not None):
+            raise broken(TOOL_UNCLEAR, 1 if version == VERSION else 2)
         return verified(Trajectory(points=points, closing=closing, **fields), lines)
     return _read_samples(titles, body, fields)
 
@@ -177,7 +195,19 @@ def _body(table: Iterator[Row], fields: dict[str, Any]) -> Iterator[Row]:
             yield line, cells
             continue
         value = cells[1] if len(cells) > 1 else ""
-        if key == "#modified":
+        if key in ("#tool", "#frame"):
+            of = fields.get("poses_of", OF_FLANGE)
+            pose = tuple(
+                parse_number(cell, line, place) for place, cell in enumerate(cells[2:8], 3)
+            )
+            if len(pose) != len(_POSE):
+                raise broken(CELLS_COUNT, line, value=len(cells), expected=len(_POSE) + 2)
+            if key == "#frame":
+                of = replace(of, frames=(*of.frames, UserFrame(value, pose)))
+            else:
+                of = replace(of, tool=Tool(value, pose))
+            fields["poses_of"] = of
+        elif key == "#modified":
             fields["modified"] = parse_time(value, line, 2)
         elif key in ("#name", "#note", "#taught_on"):
             fields[key[1:]] = value
@@ -226,6 +256,8 @@ def _read_samples(titles: list[str], body: Iterator[Row], fields: dict[str, Any]
         ]
         samples.append(row if len(row) == COLUMN_COUNT else [*row, math.nan])
         lines.append(line)
+    if "poses_of" in fields:
+        raise broken(HEADER_UNKNOWN, value="#tool / #frame")
     array = np.array(samples, dtype=np.float64).reshape(-1, COLUMN_COUNT)
     return verified(Recording(samples=array, **fields), lines)
 
@@ -239,6 +271,12 @@ _LIGHT: Final = ("light_joint", "light_red", "light_green", "light_blue")
 _LAMP: Final = "light_lamp"
 _OF_CELL: Final = ("frame", "holds")
 """The columns of a file in which points name things of a cell."""
+_OF_TOOL: Final = {
+    **{title: f"tcp_{title}" for title in _POSE},
+    **{f"middle_{title}": f"middle_tcp_{title}" for title in _POSE},
+}
+"""The titles of poses that are a tool's, by those of the flange's."""
+_PLAIN: Final = {of_tool: title for title, of_tool in _OF_TOOL.items()}
 _NOTHING: Final = "<nothing>"
 """The cell of a point from which on nothing is held; no name can be written so."""
 

@@ -12,6 +12,9 @@ import numpy as np
 
 from armui.arm.json_fields import FieldError, FieldProblem, Fields, Path
 from armui.arm.refusal import Reason
+from armui.cell.parts import from_entry, to_entry
+from armui.cell.tools import Tool
+from armui.cell.user_frames import UserFrame
 from armui.trajectory.files.errors import FILE_VERSION, TrajectoryFileError, broken, field_refusal
 from armui.trajectory.files.log_points import LETTER_OF, LETTERS
 from armui.trajectory.files.model import (
@@ -27,6 +30,7 @@ from armui.trajectory.points.program import (
     GripperAngle,
     GripperOpening,
     LightAction,
+    PosesOf,
     Trajectory,
     Waypoint,
     check_point,
@@ -70,6 +74,11 @@ def write(content: Content) -> str:
     if content.taught_on:
         head["taught_on"] = content.taught_on
     if isinstance(content, Trajectory):
+        tool, frames = content.poses_of.tool, content.poses_of.frames
+        if tool is not None:
+            head["tool"] = to_entry(tool)
+        if frames:
+            head["frames"] = list(map(to_entry, frames))
         head["closing_comments"] = list(content.closing)
         key, items = "points", [_dump(_point_fields(point)) for point in content.points]
     else:
@@ -143,8 +152,14 @@ def _content(whole: Fields, name: str) -> Content:
     if kind == _KINDS[0]:
         points = tuple(_point(item) for item in whole.objects("points"))
         closing = whole.texts("closing_comments")
+        tool = whole.maybe_object("tool")
+        frames = whole.objects("frames") if "frames" in whole else ()
+        of = PosesOf(
+            None if tool is None else from_entry(Tool, tool),
+            tuple(from_entry(UserFrame, each) for each in frames),
+        )
         whole.nothing_else()
-        return verified(Trajectory(points=points, closing=closing, **common))  # type: ignore[arg-type]  # the three fields of both kinds
+        return verified(Trajectory(points=points, closing=closing, poses_of=of, **common))  # type: ignore[arg-type]  # the three fields of both kinds
     rows = [_row(values) for values in whole.number_lists("samples", (GRIPPER, COLUMN_COUNT))]
     whole.nothing_else()
     samples = np.array(rows, dtype=np.float64).reshape(-1, COLUMN_COUNT)

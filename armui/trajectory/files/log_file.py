@@ -16,6 +16,8 @@ from typing import Any, Final
 import numpy as np
 
 from armui.arm.refusal import Reason
+from armui.cell.tools import Tool
+from armui.cell.user_frames import UserFrame
 from armui.trajectory.files.errors import FILE_VERSION, HEADER_UNKNOWN, TrajectoryFileError, broken
 from armui.trajectory.files.log_points import (
     OPTION_TWICE,
@@ -34,7 +36,7 @@ from armui.trajectory.files.model import (
     version_of,
 )
 from armui.trajectory.files.text import number, parse_number, read_figures
-from armui.trajectory.points.program import Trajectory, Waypoint, check_point
+from armui.trajectory.points.program import OF_FLANGE, Trajectory, Waypoint, check_point
 from armui.trajectory.samples.recording import COLUMN_COUNT, GRIPPER, Array, Recording
 
 FILE_KIND_UNKNOWN = Reason(
@@ -45,6 +47,9 @@ FILE_KIND_UNKNOWN = Reason(
 
 _FIRST: Final = re.compile(r"armui (trajectory|recording) (\d{1,9})\s*")
 _ENTRY: Final = re.compile(r"([A-Za-z]\w*):[ \t]*(.*?)[ \t]*")
+
+
+_NAMED_POSE: Final = re.compile(r'("(?:[^"\\]|\\.)*")((?:\s+[^\s"]+){6})')
 
 
 def is_log(text: str) -> bool:
@@ -108,6 +113,12 @@ def _header(content: Content) -> Iterator[str]:
         yield f"note: {_text(content.note)}\n"
     if content.taught_on:
         yield f"taught_on: {_text(content.taught_on)}\n"
+    if isinstance(content, Trajectory):
+        named = (("frame", frame) for frame in content.poses_of.frames)
+        tool = () if content.poses_of.tool is None else (("tool", content.poses_of.tool),)
+        for key, each in (*tool, *named):
+            figures = " ".join(map(number, each.pose))
+            yield f"{key}: {json.dumps(each.name, ensure_ascii=False)} {figures}\n"
     yield f"modified: {content.modified.isoformat()}\n\n"
 
 
@@ -132,6 +143,8 @@ def read(text: str, name: str) -> Content:
     fields, begin, comments = _read_header(lines)
     fields.setdefault("name", name)
     if kind == "recording":
+        if "poses_of" in fields:
+            raise broken(HEADER_UNKNOWN, value="tool / frame")
         return read_samples(lines, begin, fields)
     points, closing, numbers = _read_points(lines, begin, comments)
     return verified(Trajectory(points=points, closing=closing, **fields), numbers)
@@ -141,6 +154,7 @@ def _read_header(lines: list[str]) -> tuple[dict[str, Any], int, list[str]]:
     """Return the entries, the index of the first line after them, and the comments among them."""
     fields: dict[str, Any] = {}
     comments: list[str] = []
+    frames: list[UserFrame] = []
     for index, raw in enumerate(lines[1:], start=1):
         line = raw.strip()
         if line.startswith("#"):
@@ -153,15 +167,31 @@ def _read_header(lines: list[str]) -> tuple[dict[str, Any], int, list[str]]:
             continue
         key, value = entry.groups()
         column = entry.start(2) + 1
-        if key in fields:
+        if key == "frame":
+            frames.append(UserFrame(*_named_pose(value, index + 1, column)))
+            fields["poses_of"] = replace(fields.get("poses_of", OF_FLANGE), frames=tuple(frames))
+            continue
+        if key in fields or (key == "tool" and fields.get("poses_of", OF_FLANGE).tool):
             raise broken(OPTION_TWICE, index + 1, 1, value=key)
-        if key == "modified":
+        if key == "tool":
+            tool = Tool(*_named_pose(value, index + 1, column))
+            fields["poses_of"] = replace(fields.get("poses_of", OF_FLANGE), tool=tool)
+        elif key == "modified":
             fields[key] = parse_time(value, index + 1, column)
         elif key in ("name", "note", "taught_on"):
             fields[key] = read_text(value, index + 1, column)
         else:
             raise broken(HEADER_UNKNOWN, index + 1, 1, value=key)
     return fields, len(lines), comments
+
+
+def _named_pose(text: str, line: int, column: int) -> tuple[str, tuple[float, ...]]:
+    """Return a name in quotation marks and the six figures behind it."""
+    found = _NAMED_POSE.fullmatch(text)
+    if found is None:
+        raise broken(VALUES_COUNT, line, column, value=max(0, len(text.split()) - 1), expected=6)
+    figures = tuple(parse_number(word, line, column) for word in found.group(2).split())
+    return read_text(found.group(1), line, column), figures
 
 
 def _read_points(

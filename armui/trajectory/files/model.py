@@ -8,7 +8,13 @@ from typing import Final
 
 from armui.arm.refusal import Reason, Refusal
 from armui.trajectory.files.errors import TrajectoryFileError, broken
-from armui.trajectory.points.program import Trajectory, Waypoint, check_point, check_trajectory
+from armui.trajectory.points.program import (
+    OF_FLANGE,
+    Trajectory,
+    Waypoint,
+    check_point,
+    check_trajectory,
+)
 from armui.trajectory.samples.recording import Recording, check_recording
 
 TIME_BAD = Reason(
@@ -25,7 +31,9 @@ CELL_VERSION: Final = 2
 """The version of a file whose points name things of a cell: one that knows of no frames refuses it,
 instead of taking their coordinates for those of the base.
 """
-VERSIONS: Final = (VERSION, CELL_VERSION)
+TOOL_VERSION: Final = 3
+"""That of a file which says what its poses are of: a tool, and where the frames stood."""
+VERSIONS: Final = (VERSION, CELL_VERSION, TOOL_VERSION)
 
 LARGEST_BYTES: Final = 256 * 1024 * 1024
 
@@ -33,6 +41,8 @@ LARGEST_BYTES: Final = 256 * 1024 * 1024
 def version_of(content: Content) -> int:
     """Return the version of the file of a content: the lowest that can hold it."""
     points = content.points if isinstance(content, Trajectory) else ()
+    if isinstance(content, Trajectory) and content.poses_of != OF_FLANGE:
+        return TOOL_VERSION
     of_cell = any(point.frame or point.holds is not None for point in points)
     return CELL_VERSION if of_cell else VERSION
 

@@ -6,10 +6,40 @@ import contextlib
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
+from armui.arm.refusal import Reason, Refusal
+from armui.cell.parts import part_named
+from armui.kinematics.poses import Pose, apart
 from armui.trajectory import columns, files
 from armui.trajectory.files import TrajectoryFileError
 from armui.trajectory.library.store import Library, LibraryError
+from armui.trajectory.points.program import OF_FLANGE, PosesOf, Trajectory, Values
+
+if TYPE_CHECKING:
+    from armui.cell.cell import Cell
+
+
+TOOL_NOT_HERE = Reason(
+    "tool_not_here",
+    "{file} has poses of the tool “{name}”, which the cell does not have. The flange goes where it "
+    "did there; the table shows the figures of the tool in force.",
+)
+TOOL_OTHERWISE = Reason(
+    "tool_otherwise",
+    "{file} has poses of the tool “{name}”, whose figures are others here. The flange goes where "
+    "it did there, the tip elsewhere.",
+)
+FRAME_NOT_HERE = Reason(
+    "frame_not_here",
+    "{file} has points in the user frame “{name}”, which the cell does not have. They do not run "
+    "until it is there, or they are given another frame.",
+)
+FRAME_ELSEWHERE = Reason(
+    "frame_elsewhere",
+    "{file} has points in the user frame “{name}”, which stands elsewhere here, by {distance} mm "
+    "and {turned}°. The points go with it.",
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,6 +53,8 @@ class Imported:
         error: The reason why it was not imported.
         is_table: True if it is in none of our formats but holds rows of figures.
         was_there: True if the library already had the same content under this name.
+        poses_of: What its poses were of in the file, for the tool and the frames of its writer.
+        frames: The user frames that its points name.
     """
 
     path: Path
@@ -31,6 +63,36 @@ class Imported:
     error: TrajectoryFileError | LibraryError | None = None
     is_table: bool = False
     was_there: bool = False
+    poses_of: PosesOf = OF_FLANGE
+    frames: tuple[str, ...] = ()
+
+    def differences(self, tool: Values, cell: Cell | None) -> Sequence[Refusal]:
+        """Return what of its poses is otherwise here than where the file was written.
+
+        Args:
+            tool: The tool in force.
+            cell: The cell that is chosen.
+        """
+        found: list[Refusal] = []
+        theirs = self.poses_of.tool
+        if theirs is not None:
+            here = None if cell is None else part_named(cell.tools, theirs.name)
+            pose = tool if here is None and not theirs.name else None if here is None else here.pose
+            if pose is None:
+                found.append(TOOL_NOT_HERE(file=self.path.name, name=theirs.name))
+            elif pose != theirs.pose:
+                name = theirs.name or "–"
+                found.append(TOOL_OTHERWISE(file=self.path.name, name=name))
+        stood = {frame.name: frame.pose for frame in self.poses_of.frames}
+        for name in self.frames:
+            frame = None if cell is None else part_named(cell.frames, name)
+            if frame is None:
+                found.append(FRAME_NOT_HERE(file=self.path.name, name=name))
+            elif name in stood and stood[name] != frame.pose:
+                off_mm, off_deg = apart(Pose(*stood[name]), Pose(*frame.pose))
+                figures = {"distance": round(off_mm, 1), "turned": round(off_deg, 1)}
+                found.append(FRAME_ELSEWHERE(file=self.path.name, name=name, **figures))
+        return found
 
 
 def find_or_import(folder: Path, path: Path, new_in: str = "") -> Imported:
@@ -69,7 +131,7 @@ def import_files(folder: Path, paths: Sequence[Path], new_in: str = "") -> list[
 
 def _import_file(library: Library, path: Path) -> Imported:
     try:
-        content = files.load(path)
+        content, poses_of = files.load_with_origin(path)
     except TrajectoryFileError as error:
         told, is_table = columns.look_closer(path, error)
         return Imported(path, error=told, is_table=is_table)
@@ -78,4 +140,6 @@ def _import_file(library: Library, path: Path) -> Imported:
         library.save(replace(content, name=name))
     except LibraryError as error:
         return Imported(path, requested=content.name, error=error)
-    return Imported(path, name, content.name)
+    points = content.points if isinstance(content, Trajectory) else ()
+    frames = tuple(dict.fromkeys(point.frame for point in points if point.frame))
+    return Imported(path, name, content.name, poses_of=poses_of, frames=frames)

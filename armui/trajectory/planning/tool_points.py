@@ -26,7 +26,7 @@ from armui.trajectory.points.program import POSE_NAMES, Values, Waypoint
 _TURNS: Final = 3
 """Where the angles of a pose begin."""
 _SHOWN_DECIMALS: Final = 6
-_KEPT_DECIMALS: Final = 9
+KEPT_DECIMALS: Final = 9
 """So much finer that figures are shown as they were typed, at any length of a tool."""
 
 
@@ -35,10 +35,12 @@ class ToolPoints:
 
     Args:
         tool: The tool centre point in the flange, mm and degrees; zeros for the flange itself.
+        decimals: The decimals of what is shown.
     """
 
-    def __init__(self, tool: Values = NO_TOOL) -> None:
+    def __init__(self, tool: Values = NO_TOOL, decimals: int = _SHOWN_DECIMALS) -> None:
         self.tool = tool
+        self._decimals = decimals
         self._shown: dict[Values, Values] = {}  # by the pose of the flange; as typed, if it was
 
     @property
@@ -58,7 +60,7 @@ class ToolPoints:
         new = list(poses.difference(self._shown))
         if new:
             tips = tool_matrix(pose_to_matrix(np.array(new)), self.tool)
-            self._shown.update(zip(new, _figures(tips, _SHOWN_DECIMALS), strict=True))
+            self._shown.update(zip(new, _figures(tips, self._decimals), strict=True))
         return [self._turned(point, self._shown) for point in points]
 
     def kept(self, shown: Waypoint, before: Waypoint | None = None) -> Waypoint:
@@ -82,7 +84,7 @@ class ToolPoints:
         new = list(poses.difference(known))
         if new:
             flanges = flange_matrix(pose_to_matrix(np.array(new)), self.tool)
-            known.update(zip(new, _figures(flanges, _KEPT_DECIMALS), strict=True))
+            known.update(zip(new, _figures(flanges, KEPT_DECIMALS), strict=True))
             self._shown.update((known[each], each) for each in new)
         return [self._turned(point, known) for point in shown]
 
@@ -117,6 +119,16 @@ class ToolPoints:
             return point
         middle = None if point.middle is None else by[point.middle]
         return replace(point, target=by[point.target], middle=middle)
+
+
+def rounded(point: Waypoint) -> Waypoint:
+    """Return a point that was worked out from figures with more decimals."""
+    if point.is_joint:
+        return point
+    target, *middle = (
+        tuple(round(value, _SHOWN_DECIMALS) + 0.0 for value in pose) for pose in _poses(point)
+    )
+    return replace(point, target=target, middle=middle[0] if middle else None)
 
 
 def _poses(point: Waypoint) -> Sequence[Values]:

@@ -17,6 +17,8 @@ from typing import Any, Final, NamedTuple
 
 from armui.arm.refusal import Reason, Refusal
 from armui.cell.checks import check_name as check_cell_name
+from armui.cell.tools import Tool, check_tool
+from armui.cell.user_frames import UserFrame, check_user_frame
 from armui.protocol.codes import ALL_LAMPS, MoveMode
 
 POINT_NOT_WHOLE = Reason("point_not_whole", "{field}: {value} is not a whole number.")
@@ -189,6 +191,22 @@ class Waypoint:
 
 
 @dataclass(frozen=True, slots=True)
+class PosesOf:
+    """What the poses in a file are of, with the figures that its writer had.
+
+    Attributes:
+        tool: The tool whose poses they are; ``None`` for the flange.
+        frames: The user frames that points name, where they stood.
+    """
+
+    tool: Tool | None = None
+    frames: tuple[UserFrame, ...] = ()
+
+
+OF_FLANGE: Final = PosesOf()
+
+
+@dataclass(frozen=True, slots=True)
 class Trajectory:
     """A named list of points.
 
@@ -199,6 +217,7 @@ class Trajectory:
         modified: The time of the last change, with its time zone.
         closing: Comment lines after the last point of its file.
         taught_on: The arm it was taught on, as in `ModelFit.kind`; "" if not known.
+        poses_of: Only as a file is written or read: everywhere else poses are the flange's.
     """
 
     name: str
@@ -207,6 +226,7 @@ class Trajectory:
     modified: datetime = datetime(1970, 1, 1, tzinfo=UTC)
     closing: tuple[str, ...] = ()
     taught_on: str = ""
+    poses_of: PosesOf = OF_FLANGE
 
     def __reduce__(self) -> tuple[object, ...]:
         """Pickle the points as bare figures, which takes a fraction of the time."""
@@ -331,6 +351,13 @@ def check_trajectory(trajectory: Trajectory) -> tuple[int, Refusal] | None:
     refusal = refusal or check_text("taught_on", trajectory.taught_on, lines=1)
     for comment in trajectory.closing:
         refusal = refusal or check_text("comment", comment, lines=1)
+    if refusal is not None:
+        return 0, refusal
+    tool = trajectory.poses_of.tool
+    if tool is not None:
+        refusal = check_tool(tool) or (check_cell_name(tool.name) if tool.name else None)
+    for frame in trajectory.poses_of.frames:
+        refusal = refusal or check_user_frame(frame) or check_cell_name(frame.name)
     if refusal is not None:
         return 0, refusal
     for row, point in enumerate(trajectory.points, start=1):

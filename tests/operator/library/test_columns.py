@@ -1,17 +1,23 @@
 """An operator who imports tables of an unknown dialect, and says what each of their columns is."""
 
 import math
+from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 
+from armui.cell.cell import Cell, with_part
+from armui.cell.tools import Tool
+from armui.cell.user_frames import UserFrame
 from armui.protocol.codes import MoveMode
 from armui.trajectory import files
 from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.trajectory.samples.recording import Recording
+from tests.accepted import accepted
 from tests.operator.library.tables import ANGLES, DEGREES, RADIANS, TITLED, is_open
+from tests.trajectory.frame_oracle import apart, carried
 
 
 def test_a_table_with_titles_needs_one_click(operator):
@@ -304,3 +310,49 @@ def test_a_file_that_is_gone_by_then_is_told(operator):
     assert "line.csv: The file cannot be read" in operator.told()
     assert not operator.enable_or_explain.isVisible()
     assert not is_open()
+
+
+PEN = Tool("pen", (10.0, -5.0, 100.0, 15.0, -25.0, 40.0))
+TABLE = UserFrame("Table", (250.0, -80.0, 40.0, 10.0, -20.0, 35.0))
+POSES = "x_mm,y_mm,z_mm,rx_deg,ry_deg,rz_deg\n300,0,250,0,85,0\n300,100,250,0,85,0\n"
+TOLD = (300.0, 0.0, 250.0, 0.0, 85.0, 0.0)
+
+
+def test_poses_are_of_the_tool_and_frame_in_force_unless_said_otherwise(operator):
+    cell = operator.app_driver.controller.cell
+    accepted(cell.take(with_part(with_part(Cell("bench"), PEN), TABLE)))
+    operator.open(poses=POSES)
+    assert operator.child("of").currentText() == "the tool “pen”"
+    assert operator.child("in").currentText() == "in “Table”"
+    operator.take()
+    first, _ = operator.library.load("poses").points
+    assert first.frame == "Table"
+    off_mm, off_deg = apart(carried(first.target, PEN.pose), TOLD)
+    assert off_mm < 1e-5
+    assert off_deg < 1e-5
+
+
+def test_poses_of_the_flange_in_the_base_stay_so_whatever_changes(operator):
+    cell = operator.app_driver.controller.cell
+    accepted(cell.take(with_part(with_part(Cell("bench"), PEN), TABLE)))
+    operator.open(poses=POSES)
+    operator.choose(operator.child("of"), "the flange")
+    operator.choose(operator.child("in"), "in the base frame")
+    operator.app_driver.store.change(language="zh")
+    operator.app_driver.store.change(language="en")
+    accepted(cell.change(replace(cell.cell, tool="")))
+    accepted(cell.change(replace(cell.cell, tool="pen")))
+    assert operator.child("of").currentText() == "the flange"
+    operator.take()
+    first, _ = operator.library.load("poses").points
+    assert (first.target, first.frame) == (TOLD, "")
+
+
+def test_joint_angles_and_a_bare_arm_ask_for_no_tool(operator):
+    operator.open(poses=POSES)
+    assert not operator.child("of").isVisible()
+    operator.take()
+    assert operator.library.load("poses").points[0].target == TOLD
+    accepted(operator.app_driver.controller.cell.take(with_part(Cell("bench"), PEN)))
+    operator.open(line=TITLED)
+    assert not operator.child("of").isVisible()

@@ -1,16 +1,23 @@
 """Files in and out."""
 
+from dataclasses import replace
+
 import pytest
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QApplication, QFileDialog, QTableWidget, QWidget
 
+from armui.cell.cell import Cell, with_part
+from armui.cell.tools import Tool
+from armui.cell.user_frames import UserFrame
 from armui.control.run.progress import RunPhase
+from armui.protocol.codes import MoveMode
 from armui.trajectory import files
-from armui.trajectory.points.program import Trajectory
+from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.library.library_exchange import ImportReport
+from tests.accepted import accepted
 from tests.operator.library.actions import POINT, LibraryDriver
 
 
@@ -240,3 +247,42 @@ def test_a_file_of_the_command_line_that_is_none_is_told_in_the_library(driver, 
     driver.app_driver.window.open_trajectory_file(path)
     assert shown_editors(driver) == []
     assert "no.armui, line 4" in driver.message()
+
+
+POSE = Waypoint(MoveMode.MOVE_L, (300.0, 0.0, 250.0, 0.0, 85.0, 0.0))
+PEN = Tool("pen", (10.0, -5.0, 100.0, 15.0, -25.0, 40.0))
+LONG = Tool("pen", (10.0, -5.0, 130.0, 15.0, -25.0, 40.0))
+TABLE = UserFrame("Table", (250.0, -80.0, 40.0, 10.0, -20.0, 35.0))
+
+
+def test_poses_leave_and_come_as_those_of_the_tool_and_what_differs_is_told(driver, tmp_path):
+    cell = driver.app_driver.controller.cell
+    bench = with_part(with_part(Cell("bench"), PEN), TABLE)
+    accepted(cell.take(bench))
+    points = (POSE, replace(POSE, frame="Table"))
+    driver.library.save(Trajectory("poses", points=points))
+    driver.window.refresh()
+    driver.choose("poses")
+    chooser = driver.export(".csv")
+    chooser.fileSelected.emit(str(tmp_path / "x.csv"))
+    chooser.close()
+    assert driver.message() == (
+        "Exported: x.csv\nPoses in it are those of the tool “pen”, as the editor shows them."
+    )
+    assert "#tool,pen,10,-5,100,15,-25,40" in (tmp_path / "x.csv").read_text()
+    brought(driver, tmp_path / "x.csv")
+    assert driver.message().splitlines()[-1].startswith("Their names were taken")
+    accepted(cell.change(with_part(bench, LONG, instead_of="pen")))
+    brought(driver, tmp_path / "x.csv")
+    assert driver.message().splitlines()[-1] == (
+        "x.csv has poses of the tool “pen”, whose figures are others here. The flange goes where "
+        "it did there, the tip elsewhere."
+    )
+    accepted(cell.choose(""))
+    brought(driver, tmp_path / "x.csv")
+    assert [line.partition(",")[0] for line in driver.message().splitlines()[-2:]] == [
+        "x.csv has poses of the tool “pen”",
+        "x.csv has points in the user frame “Table”",
+    ]
+    for name in ("poses 2", "poses 3", "poses 4"):
+        assert driver.library.load(name).points == points

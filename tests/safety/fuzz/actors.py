@@ -12,7 +12,7 @@ from scipy.spatial.transform import Rotation
 
 from armui.arm.parameters import Parameter
 from armui.arm.refusal import Refusal
-from armui.cell.cell import Cell, with_frame
+from armui.cell.cell import Cell, with_part
 from armui.cell.user_frames import UserFrame
 from armui.control.motion.jog_path import JointJog, ToolJog
 from armui.control.operating_state import LinkState, StopState
@@ -244,8 +244,8 @@ class Actors:
         cells = self._controller.cell
         cell = cells.cell or Cell("fuzz")
         if pose:
-            known = _USER if cell.frame_named(_USER) else ""
-            made = with_frame(cell, UserFrame(_USER, pose), instead_of=known)
+            known = _USER if any(each.name == _USER for each in cell.frames) else ""
+            made = with_part(cell, UserFrame(_USER, pose), instead_of=known)
             changed = replace(made, frame=_USER)
         else:
             changed = replace(cell, frame="")

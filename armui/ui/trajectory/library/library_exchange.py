@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QFileDialog, QHeaderView, QPushButton, QTableWidge
 from shiboken6 import isValid
 
 from armui.arm.refusal import Refusal
+from armui.cell.tools import Tool
 from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.system.atomic import write_whole
@@ -23,6 +24,7 @@ from armui.trajectory.files import Content, TrajectoryFileError
 from armui.trajectory.library.file_names import file_stem
 from armui.trajectory.library.importing import Imported, find_or_import, import_files
 from armui.trajectory.library.store import Library, LibraryError
+from armui.trajectory.points.program import OF_FLANGE, PosesOf
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.background import Background, Job
@@ -94,10 +96,10 @@ def choose_folder(
     return dialog
 
 
-def write_one(content: Content, path: Path) -> Problem | None:
+def write_one(content: Content, path: Path, poses_of: PosesOf = OF_FLANGE) -> Problem | None:
     """Write a trajectory completely or not at all; return ``None``, or the error."""
     try:
-        write_whole(path, files.to_bytes(content, path.suffix))
+        write_whole(path, files.to_bytes(content, path.suffix, poses_of))
     except (OSError, ValueError) as error:
         return path.name, error_text(error)
     return None
@@ -108,9 +110,9 @@ Failure = Problem | LibraryError | TrajectoryFileError
 
 
 def write_all(
-    library: Library, names: Sequence[str], path_of: Callable[[str], Path]
+    library: Library, names: Sequence[str], path_of: Callable[[str], Path], poses_of: PosesOf
 ) -> tuple[list[str], list[Failure]]:
-    """Write trajectories of the library to files, each independently.
+    """Write trajectories of the library to files, each independently; see `files.to_bytes`.
 
     Returns:
         The names of the files written, and the failures of the others.
@@ -124,7 +126,7 @@ def write_all(
             failures.append(error)
             continue
         path = path_of(name)
-        problem = write_one(content, path)
+        problem = write_one(content, path, poses_of)
         if problem is None:
             written.append(path.name)
         else:
@@ -155,12 +157,14 @@ class Result:
         name: The name of its content in the library; "" if it was not imported.
         requested: The name given in the file, which differs from `name` if it was taken.
         problem: The reason why it was not imported; "" if it was.
+        notes: What of its poses is otherwise here than where it was written.
     """
 
     file: str
     name: str = ""
     requested: str = ""
     problem: str = ""
+    notes: tuple[str, ...] = ()
 
 
 class ImportReport(ArmDialog):
@@ -205,6 +209,9 @@ class ImportReport(ArmDialog):
         """A sign and a sentence."""
         if result.problem:
             return f"✕ {result.problem}"
+        return "\n".join((self._tell_name(result), *(f"! {note}" for note in result.notes)))
+
+    def _tell_name(self, result: Result) -> str:
         if result.name != result.requested:
             text = self.tr("✓ As “{name}”: the name “{requested}” was taken")
             return text.format(name=result.name, requested=result.requested)
@@ -318,7 +325,7 @@ class LibraryExchange(QObject):
         self._work = work
         self._library = work.library
         self._window = window
-        self.by_columns = ColumnsOffer(work, window)
+        self.by_columns = ColumnsOffer(work, controller, window)
         self.report = ReportButton(controller, window)
         self.by_columns.imported.connect(self._on_by_columns)
         self.by_columns.refused.connect(lambda text: self.said.emit(text, Level.FAULT))
@@ -375,9 +382,9 @@ class LibraryExchange(QObject):
             self.imported.emit([])
             self.said.emit(words.refusal(imported), Level.FAULT)
             return
-        results = [_result(one) for one in imported]
+        results = list(map(self._result, imported))
         self.imported.emit([one.name for one in imported if one.name])
-        failed = any(result.problem for result in results)
+        failed = any(result.problem or result.notes for result in results)
         told = partial(self._tell_of, imported)
         self.said.emit(told, Level.WARNING if failed else Level.DONE)
         self.by_columns.show_for([one.path for one in imported if one.is_table])
@@ -385,7 +392,7 @@ class LibraryExchange(QObject):
 
     def _tell_of(self, imported: Sequence[Imported]) -> str:
         """Return what became of some files, in as few lines as an operator reads."""
-        results = [_result(one) for one in imported]
+        results = list(map(self._result, imported))
         taken = [result.name for result in results if not result.problem]
         moved = [
             f"{result.requested} → {result.name}"
@@ -398,10 +405,16 @@ class LibraryExchange(QObject):
         if moved:
             text = self.tr("Their names were taken, so they got others: {names}")
             lines.append(text.format(names=fmt.name_list(moved)))
+        notes = [note for result in results for note in result.notes]
+        lines += _problem_lines(notes, "{reason}", self.tr("And {count} more. See the results."))
         problems = [result.problem for result in results if result.problem]
         one = self.tr("Not imported. {reason}")
         rest = self.tr("Not imported either: {count} more. See the results.")
         return "\n".join([*lines, *_problem_lines(problems, one, rest)])
+
+    def _result(self, imported: Imported) -> Result:
+        tool, cell = self._controller.cartesian.tool, self._controller.cell.cell
+        return _result(imported, tuple(map(words.refusal, imported.differences(tool, cell))))
 
     def _on_by_columns(self, name: str) -> None:
         """One is done; the others are still offered."""
@@ -433,18 +446,24 @@ class LibraryExchange(QObject):
 
     def _write(self, names: Sequence[str], path_of: Callable[[str], Path]) -> None:
         """Write each; one that cannot be written keeps none of the others back."""
+        cell, tool = self._controller.cell.cell, self._controller.cell.holding().tool
+        of = PosesOf(tool if any(tool.pose) else None, () if cell is None else cell.frames)
         self._work.do(
-            lambda: write_all(self._library, names, path_of),
-            self._on_written,
+            lambda: write_all(self._library, names, path_of, of),
+            partial(self._on_written, of.tool),
             lambda text: self.said.emit(text, Level.FAULT),
         )
 
-    def _on_written(self, result: tuple[list[str], list[Failure]]) -> None:
+    def _on_written(self, tool: Tool | None, result: tuple[list[str], list[Failure]]) -> None:
         written, failures = result
         problems = [_problem_text(failure) for failure in failures]
         lines = []
         if written:
             lines.append(self.tr("Exported: {names}").format(names=fmt.name_list(written)))
+        if tool is not None and any(not name.endswith(".armui") for name in written):
+            named = self.tr("the tool “{name}”").format(name=tool.name)
+            text = self.tr("Poses in it are those of {tool}, as the editor shows them.")
+            lines.append(text.format(tool=named if tool.name else self.tr("the tool")))
         one, rest = self.tr("Not exported. {reason}"), self.tr("Not exported either: {count} more.")
         lines += _problem_lines(problems, one, rest)
         self.said.emit("\n".join(lines), Level.FAULT if problems else Level.DONE)
@@ -465,10 +484,10 @@ def _problem_text(failure: Failure) -> str:
     return f"{failure[0]}: {failure[1]}"
 
 
-def _result(imported: Imported) -> Result:
+def _result(imported: Imported, notes: tuple[str, ...]) -> Result:
     error, file = imported.error, imported.path.name
     if error is None:
-        return Result(file, imported.name, imported.requested)
+        return Result(file, imported.name, imported.requested, notes=notes)
     if isinstance(error, LibraryError):
         return Result(file, problem=f"{file}: {words.refusal(error.refusal)}")
     return Result(file, problem=words.file_error(error))

@@ -11,6 +11,8 @@ from typing import Final
 from PySide6.QtCore import QCoreApplication, QObject, Qt, QThread, Signal
 from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QPushButton, QSpinBox, QWidget
 
+from armui.cell.tools import NO_TOOL
+from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.protocol.codes import MoveMode
 from armui.trajectory import columns
@@ -97,6 +99,7 @@ class ColumnsPage(Page):
     Args:
         library: The library; unchanged until the button is pressed.
         table: The file.
+        controller: Knows the tool and the user frames that poses may be of.
 
     Signals:
         imported: The name of the imported content.
@@ -104,8 +107,9 @@ class ColumnsPage(Page):
 
     imported = Signal(str)
 
-    def __init__(self, library: Library, table: TableFile) -> None:
+    def __init__(self, library: Library, table: TableFile, controller: ArmController) -> None:
         super().__init__("columns")
+        self._controller = controller
         self._library = library
         self._file = table
         self._table = ColumnsTable(table.sheet)
@@ -119,6 +123,7 @@ class ColumnsPage(Page):
         self._name.setText(PurePath(table.file_name).stem)
         self._moves.setCurrentIndex(_MOVES.index(self._likely_move()))
         self._connect()
+        self._list_origins()
         self.retranslate_ui()
         self._name.setFocus()
 
@@ -132,8 +137,11 @@ class ColumnsPage(Page):
         self._speed.setSuffix(" %")
         self._speed.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._speed.setFixedHeight(_FIELD_PX)
+        self._of = named("columns_of", QComboBox())
+        self._in = named("columns_in", QComboBox())
         self._name = named("columns_name", QLineEdit())
         self._move_label, self._speed_label, self._name_label = (QLabel() for _ in range(3))
+        self._of_label = QLabel()
         self._message = named("columns_message", MessageLine(keeps_room=False))
         self._radians = push_button("columns_radians", on_enter=False)
         self._degrees = push_button("columns_degrees", on_enter=False)
@@ -145,10 +153,11 @@ class ColumnsPage(Page):
             (self._name_label, self._name),
             (self._move_label, self._moves),
             (self._speed_label, self._speed),
+            (self._of_label, self._of),
         )
         for label, field in pairs:
             label.setBuddy(field)
-        choices = in_flow(*(pair(label, field) for label, field in pairs), spacing_px=10)
+        choices = in_flow(*(pair(label, field) for label, field in pairs), self._in, spacing_px=10)
         said = in_row((self._message, 1), self._radians, self._degrees)
         fill(self.body, self._source, self._dialect_bar, choices, (self._table, 1), said)
         fill(self.footer, STRETCH, self._cancel, self.import_button)
@@ -163,6 +172,7 @@ class ColumnsPage(Page):
         self._degrees.clicked.connect(lambda: self._table.say_unit(self._angles, "°"))
         self.import_button.clicked.connect(self._import)
         self._cancel.clicked.connect(self.leave)
+        self._controller.cell_changed.connect(self._list_origins)
 
     # The mapping ------------------------------------------------------------------------------
 
@@ -170,7 +180,37 @@ class ColumnsPage(Page):
     def mapping(self) -> ColumnMapping:
         """The meaning of the columns as set by the operator."""
         move = _MOVES[self._moves.currentIndex()]
-        return ColumnMapping(self._table.columns, move, self._speed.value())
+        tool, frame = self._of.currentData() or NO_TOOL, self._in.currentData() or ""
+        return ColumnMapping(self._table.columns, move, self._speed.value(), tool, frame)
+
+    def _list_origins(self, *_: object) -> None:
+        """List what poses may be of; what is in force is chosen, as it shows poses elsewhere."""
+        if self.busy:
+            return
+        control = self._controller.cell
+        tool, cell = control.holding().tool, control.in_force
+        chosen = [tool.pose, "" if cell is None else cell.frame]
+        if self._of.count():
+            chosen = [self._of.currentData(), self._in.currentData()]
+        self._of.clear()
+        if any(tool.pose):
+            name = self.tr("the tool “{name}”").format(name=tool.name)
+            self._of.addItem(name if tool.name else self.tr("the tool"), tool.pose)
+        self._of.addItem(self.tr("the flange"), NO_TOOL)
+        self._in.clear()
+        self._in.addItem(self.tr("in the base frame"), "")
+        for frame in () if cell is None else cell.frames:
+            self._in.addItem(self.tr("in “{name}”").format(name=frame.name), frame.name)
+        for box, data in zip((self._of, self._in), chosen, strict=True):
+            there = [box.itemData(place) for place in range(box.count())]
+            box.setCurrentIndex(there.index(data) if data in there else 0)
+        self._show_origins()
+
+    def _show_origins(self) -> None:
+        """Poses alone are of something, and there must be a choice."""
+        poses = self.mapping.move in (MoveMode.MOVE_P, MoveMode.MOVE_L)
+        for widget in (self._of_label, self._of, self._in):
+            widget.setVisible(poses and self._of.count() + self._in.count() > 2)
 
     def _likely_move(self) -> MoveMode | None:
         """Return the first that the guessed columns suffice for; else what the most of them are of.
@@ -269,6 +309,7 @@ class ColumnsPage(Page):
         self.import_button.setToolTip(text)
         for widget in (self._speed_label, self._speed):
             widget.setEnabled(self.mapping.move is not None)
+        self._show_origins()
 
     # Import -----------------------------------------------------------------------------------
 
@@ -310,7 +351,8 @@ class ColumnsPage(Page):
 
     def _let_choose(self, can: bool) -> None:
         """While it is imported, nothing of it can be chosen; the emergency stop always works."""
-        for widget in (self._dialect_bar, self._table, self._name, self._moves, self.import_button):
+        fields = (self._name, self._moves, self._of, self._in, self.import_button)
+        for widget in (self._dialect_bar, self._table, *fields):
             widget.setEnabled(can)
         self._speed.setEnabled(can and self.mapping.move is not None)
 
@@ -338,6 +380,9 @@ class ColumnsPage(Page):
         for place, text in enumerate(texts):
             points = self.tr("Points, {move}").format(move=text)
             self._moves.setItemText(place, points if _MOVES[place] is not None else text)
+        self._of_label.setText(self.tr("Poses of"))
+        self._in.setAccessibleName(self.tr("Frame of the poses"))
+        self._list_origins()
         self._speed_label.setText(self.tr("Speed"))
         self._speed.setToolTip(self.tr("For points whose speed is in no column"))
         self.import_button.setText(self.tr("Import"))
@@ -365,6 +410,7 @@ class ColumnsOffer(Translated, QPushButton):
 
     Args:
         work: Reads the files; its library receives the imported content.
+        controller: Knows what poses may be of.
         owner: The page that holds it.
 
     Signals:
@@ -377,9 +423,10 @@ class ColumnsOffer(Translated, QPushButton):
     imported = Signal(str)
     refused = Signal(str)
 
-    def __init__(self, work: LibraryWork, owner: QWidget) -> None:
+    def __init__(self, work: LibraryWork, controller: ArmController, owner: QWidget) -> None:
         super().__init__(owner)
         self._work = work
+        self._controller = controller
         self._opening = False
         self._paths: list[Path] = []
         self._page: ColumnsPage | None = None
@@ -418,7 +465,7 @@ class ColumnsOffer(Translated, QPushButton):
 
     def _show(self, path: Path, table: columns.TableFile) -> None:
         self._opening = False
-        page = self._page = ColumnsPage(self._work.library, table)
+        page = self._page = ColumnsPage(self._work.library, table, self._controller)
         page.imported.connect(partial(self._on_imported, path))
         page.closed.connect(self._on_closed)
         self.page_made.emit(page)
