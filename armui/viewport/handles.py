@@ -22,7 +22,7 @@ class HandleKind(enum.Enum):
     """The kinds of handles."""
 
     TOOL = "tool"
-    """Handles of the tool, along and about the axes of the base."""
+    """Handles of the tool, along and about the axes of the base, or of another frame."""
     TOOL_FRAME = "tool_frame"
     """Handles of the tool, along and about its own axes."""
     JOINTS = "joints"
@@ -37,11 +37,13 @@ class HandlePlace:
         angles_deg: The joint angles of the arm or ghost that is to be dragged.
         kind: The kind of handles.
         frame: Where they are instead, in the base: of a plane or box of the work area.
+        axes: The frame whose axes those of a tool have; ``None`` for the base's.
     """
 
     angles_deg: tuple[float, ...]
     kind: HandleKind
     frame: Rows | None = None
+    axes: Rows | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,7 +95,7 @@ class Handles:
         if place.kind is HandleKind.JOINTS:
             return joint_grips(shape, place.angles_deg, projection, palette)
         at = place.frame or composed(shape.flange(shape.links(place.angles_deg)), tool)
-        frame = at if place.kind is HandleKind.TOOL_FRAME else None
+        frame = at if place.kind is HandleKind.TOOL_FRAME else place.axes
         return tool_grips(at, frame, projection, palette)
 
     @property

@@ -232,7 +232,7 @@ class Viewpoint:
                 there = replace(ball, centre=moved(rows, ball.centre))
                 if not is_ball_clear(projection, there, self._room, _SLACK_PX):
                     doubtful.append([moved(rows, point) for point in points])
-        doubtful += [(place,) for place in (*self._places, *self._reached)]
+        doubtful += [(place,) for place in (*self._places, *self._reached, *_LETTERS)]
         return is_clear(self.camera, doubtful, self._room, _SLACK_PX)
 
     def _fitted(self, grown: float) -> OrbitCamera:
@@ -245,8 +245,7 @@ class Viewpoint:
         groups: list[Sequence[Vector]] = []
         for pose in self._poses:
             groups += shape.outline(shape.links(*pose))
-        groups += [(place,) for place in self._places]
-        groups += [(place,) for place in self._reached]
+        groups += [(place,) for place in (*self._places, *self._reached, *_LETTERS)]
         return groups
 
     def _reached_places(self) -> tuple[Vector, ...]:
@@ -276,5 +275,7 @@ def _reached(shape: RobotShape, reach: Reach) -> Iterator[Vector]:
         )
 
 
+_LETTERS: Final = ((0.19, 0.0, 0.0), (0.0, 0.19, 0.0))
+"""Behind the letters X and Y of the base, in metres; Z is within the arm."""
 _SLACK_PX: Final = 10.0
 """The arm may come this far into the margin before the camera moves back."""

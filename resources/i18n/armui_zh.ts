@@ -404,8 +404,8 @@
         <translation>末端轨迹：最近 60 秒运动</translation>
     </message>
     <message>
-        <source>Handles at the tool, along the axes of the base</source>
-        <translation>末端手柄：沿基座坐标轴</translation>
+        <source>Handles at the tool, along the axes of base or user frame</source>
+        <translation>末端手柄：沿基坐标系或用户坐标系各轴</translation>
     </message>
     <message>
         <source>Handles at the tool, along its own axes</source>
@@ -3241,6 +3241,18 @@
     <message>
         <source>Not pasted. {reason}</source>
         <translation>未粘贴。{reason}</translation>
+    </message>
+    <message>
+        <source>the base</source>
+        <translation>基坐标系</translation>
+    </message>
+    <message>
+        <source>“{lost}” is not known: the figures stayed, and count from {frame} now. The points are elsewhere then: check them, or undo.</source>
+        <translation>“{lost}”的位置未知：数值保持不变，现在以{frame}为基准。点的位置因此改变：请检查，或撤销。</translation>
+    </message>
+    <message>
+        <source>The points stay where they are; their figures are in {frame} now.</source>
+        <translation>点的位置保持不变；数值现在以{frame}为基准。</translation>
     </message>
     <message>
         <source>Pasted as poses of {tool}, as the table shows them. Undo if they are of the flange or another tool.</source>
@@ -7664,6 +7676,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>机械臂已应答恢复出厂值，输入框中为回读的数值。</translation>
     </message>
     <message>
+        <source>The arm is offline: nothing is heard from it, and it may still be moving. Check its power, the CAN cable and the bit rate.</source>
+        <translation>机械臂离线：没有收到反馈，它可能仍在运动。请检查机械臂电源、CAN 线和波特率。</translation>
+    </message>
+    <message>
         <source>Running “{name}”</source>
         <translation>开始执行“{name}”</translation>
     </message>
@@ -7778,10 +7794,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>The arm is online.</source>
         <translation>机械臂在线。</translation>
-    </message>
-    <message>
-        <source>The arm is offline: nothing is heard from it. Check its power, the CAN cable and the bit rate.</source>
-        <translation>机械臂离线：没有收到反馈。请检查机械臂电源、CAN 线和波特率。</translation>
     </message>
     <message>
         <source>The arm speaks protocol generation {generation}. Firmware: {firmware}</source>
@@ -10065,10 +10077,6 @@ The other program must have ended.</source>
         <translation>主臂正在带动本机械臂：自 {since} 起（{frames}，{rate} 帧/秒）。</translation>
     </message>
     <message>
-        <source>Not every motor has reported. If it stays so, check power and cable, and connect again.</source>
-        <translation>部分电机未上报状态。若持续如此，请检查电源和线缆并重新连接。</translation>
-    </message>
-    <message>
         <source>Still in drag teaching, near the rest pose. Hold the arm and reset it; if it stays, switch it off and on.</source>
         <translation>仍处于示教模式，已接近零位。请扶住机械臂并复位；若仍未退出，请重新上电。</translation>
     </message>
@@ -10155,6 +10163,10 @@ The other program must have ended.</source>
     <message>
         <source>The arm holds back a motion to {target} at 0 %. Set a speed and hold “Continue” for 1 s, or give it up.</source>
         <translation>速度为 0 %，机械臂保留着运动，目标 {target}。请设定速度后按住“继续”1 秒，或放弃它。</translation>
+    </message>
+    <message>
+        <source>Nothing is heard from the motor of joint {joints}. If it stays so, check power and cable, and connect again.</source>
+        <translation>没有收到关节 {joints} 的电机反馈。若持续如此，请检查电源和线缆，然后重新连接。</translation>
     </message>
     <message>
         <source>Paused: hold “Continue” for 1 s</source>
@@ -14550,8 +14562,8 @@ Before: {before}</source>
         <translation>显示单元的用户坐标系；生效的坐标系以彩色轴显示</translation>
     </message>
     <message>
-        <source>Tool, along the axes of the base</source>
-        <translation>末端，沿基坐标系各轴</translation>
+        <source>Tool, along the axes of its figures: base or user frame</source>
+        <translation>末端，沿数值所在的坐标系（基坐标系或用户坐标系）各轴</translation>
     </message>
     <message>
         <source>Tool, along its own axes</source>

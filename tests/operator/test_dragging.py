@@ -1,6 +1,7 @@
 """An operator drags in the picture: targets and points change, and nothing moves."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -24,7 +25,7 @@ from armui.viewport.process.robot import shape_of
 from armui.viewport.process.urdf_file import load_robot
 from tests.accepted import accepted
 from tests.picture_hand import Hand
-from tests.trajectory.frame_oracle import apart, carried, within
+from tests.trajectory.frame_oracle import apart, carried, turn, within
 
 OUT = (20.0, 60.0, -70.0, 10.0, 35.0, 15.0)
 BACK = (-15.0, 50.0, -60.0, -10.0, 30.0, -20.0)
@@ -308,8 +309,71 @@ def test_a_point_in_a_user_frame_is_dragged_there(app_driver, shape):
     flange = carried(frame.pose, changed.target)
     ghost = app_driver.controller.cartesian.kinematics().forward(at.ghost)
     assert apart(flange, ghost)[0] < 0.002
-    assert flange[2] > place[2] + 3.0
-    assert flange[:2] == pytest.approx(place[:2], abs=0.05)
+    assert changed.target[2] > there.target[2] + 3.0
+    assert changed.target[:2] == pytest.approx(there.target[:2], abs=0.05)
+
+
+LEANS = UserFrame("Leans", (250.0, -80.0, 40.0, 10.0, -20.0, 35.0))
+PEN = Tool("pen", (10.0, -5.0, 100.0, 15.0, -25.0, 40.0))
+STOOD = (300.0, 0.0, 250.0, 0.0, 85.0, 0.0)
+
+
+def differing(before, after):
+    return [place for place in range(6) if abs(after[place] - before[place]) > 0.02]
+
+
+@pytest.mark.parametrize("number", [0, 1, 2])
+def test_the_handles_of_a_point_go_along_the_frame_of_its_figures(app_driver, shape, number):
+    """Of the tool's pose in that frame one coordinate changes, by steps of 10 mm with Ctrl."""
+    there = Waypoint(MoveMode.MOVE_L, within(LEANS.pose, STOOD), frame="Leans")
+    at = AtEditor(app_driver, shape, (there,))
+    bench = with_part(with_part(Cell("bench"), PEN), LEANS)
+    accepted(app_driver.controller.cell.take(replace(bench, frame="")))
+    before = carried(there.target, PEN.pose)
+    grip = at.grip(GripKind.AXIS, number)
+    assert grip.axis == pytest.approx(turn(LEANS.pose).as_matrix()[:, number], abs=1e-6)
+    start, ahead = (np.array(at.view.projection.pixel(place)) for place in grip.places[:2])
+    by_px = tuple(30.0 * (ahead - start) / np.linalg.norm(ahead - start))
+    at.drag(grip, by_px, Qt.KeyboardModifier.ControlModifier)
+    after = carried(at.editor.document.points[0].target, PEN.pose)
+    assert differing(before, after) == [number]
+    assert after[number] == pytest.approx(round(after[number], -1), abs=0.02)
+
+
+def test_the_handles_of_a_typed_target_go_along_the_frame_in_force(hand, no_motion):
+    app_driver = hand.app_driver
+    accepted(app_driver.controller.cell.take(with_part(Cell("bench"), LEANS)))
+    app_driver.click("menu_cartesian")
+    app_driver.run(0.2)
+    for axis, value in zip(
+        ("X", "Y", "Z", "RX", "RY", "RZ"), within(LEANS.pose, STOOD), strict=True
+    ):
+        app_driver.type_into(f"pose_field_{axis}", f"{value:.3f}")
+    no_motion()
+    fields = [app_driver.find(f"pose_field_{axis}") for axis in ("X", "Y", "Z", "RX", "RY", "RZ")]
+    before = [field.value for field in fields]
+    grip = hand.grip(GripKind.AXIS, 1)
+    assert grip.axis == pytest.approx(turn(LEANS.pose).as_matrix()[:, 1], abs=1e-6)
+    hand.drag(grip, (25.0, 0.0))
+    assert differing(before, [field.value for field in fields]) == [1]
+    hand.choose(HandleKind.TOOL_FRAME)
+    assert hand.grip(GripKind.AXIS, 1).axis != pytest.approx(grip.axis, abs=0.01)
+    assert no_motion() == []
+
+
+def test_a_frame_that_changes_during_a_drag_ends_it(app_driver, shape):
+    there = Waypoint(MoveMode.MOVE_L, within(LEANS.pose, STOOD), frame="Leans")
+    at = AtEditor(app_driver, shape, (there,))
+    bench = with_part(Cell("bench"), LEANS)
+    accepted(app_driver.controller.cell.take(bench))
+    x, y = at.place_on(at.grip(GripKind.AXIS, 2))
+    at.press((x, y))
+    at.move((x, y - 15.0))
+    other = replace(LEANS, pose=(250.0, -80.0, 60.0, 10.0, -20.0, 35.0))
+    accepted(app_driver.controller.cell.change(with_part(bench, other, instead_of="Leans")))
+    at.move((x, y - 25.0))
+    at.release((x, y - 25.0))
+    assert at.editor.document.points == (there,)
 
 
 def test_a_point_is_dragged_to_round_figures_of_the_tool(app_driver, shape):

@@ -285,7 +285,8 @@ class StepKind(enum.Enum):
     )
     MOTORS_UNKNOWN = StepText(
         "motors_unknown",
-        "Not every motor has reported. If it stays so, check power and cable, and connect again.",
+        "Nothing is heard from the motor of joint {joints}. If it stays so, check power and cable, "
+        "and connect again.",
     )
     DRAG_MODE_AT_REST = StepText(
         "drag_mode_at_rest",

@@ -40,6 +40,7 @@ DRAG_GIVEN_UP = Reason(
 )
 
 
+_BASE: Final = (0.0,) * 6
 COARSE: Final = {GripKind.AXIS: 10.0, GripKind.RING: 15.0, GripKind.JOINT: 5.0}
 """The steps with Ctrl held: mm along an axis, degrees about one."""
 FINE: Final = {GripKind.AXIS: 1.0, GripKind.RING: 1.0, GripKind.JOINT: 1.0}
@@ -56,6 +57,7 @@ class DragBase:
         tool: The tool centre point in the flange, mm and degrees.
         kinematics: The arm's kinematics.
         limits: The limits of its joints.
+        frame: The frame that its figures are in, in the base; ``None`` for the base itself.
     """
 
     angles_deg: tuple[float, ...]
@@ -63,6 +65,12 @@ class DragBase:
     tool: tuple[float, ...]
     kinematics: Kinematics
     limits: Sequence[JointLimits]
+    frame: tuple[float, ...] | None = None
+
+    def place(self, angles_deg: tuple[float, ...]) -> HandlePlace:
+        """Return the handles of the target at these angles."""
+        axes = None if self.frame is None else pose_rows(self.frame)
+        return HandlePlace(angles_deg, self.kind, axes=axes)
 
 
 def dragged_to(
@@ -79,7 +87,7 @@ def dragged_to(
         base: The state at the beginning of the drag.
         dragged: The handle, and its distance or angle.
         near_deg: The angles before; the nearest solution is taken.
-        coarse: True for the steps of `COARSE`: to multiples in the base's coordinates and in a
+        coarse: True for the steps of `COARSE`: to multiples of the figures that are shown and of a
             joint's angle, but along the tool's own axes in steps from where it was.
         fine: Likewise, for the steps of `FINE`.
 
@@ -100,25 +108,38 @@ def dragged_to(
     from armui.arm.reach import check_pose  # noqa: PLC0415 - scipy, loaded when needed
 
     tool_point = poses.tool_matrix(base.kinematics.matrix(base.angles_deg), base.tool)
-    target = moved_to(tool_point, base.kind, dragged, steps)
+    target = moved_to(tool_point, base.kind, dragged, steps, base.frame)
     flange = poses.matrix_to_pose(poses.flange_matrix(target, base.tool))
     answer = check_pose(base.kinematics, flange, near_deg, base.limits)
     return answer if isinstance(answer, Refusal) else tuple(map(_rounded, answer))
 
 
 def moved_to(
-    begun: poses.Matrix, kind: HandleKind, dragged: Dragged, steps: Mapping[GripKind, float]
+    begun: poses.Matrix,
+    kind: HandleKind,
+    dragged: Dragged,
+    steps: Mapping[GripKind, float],
+    frame: Sequence[float] | None = None,
 ) -> poses.Matrix:
-    """Return where a frame is with its handle dragged, from where it was at the beginning."""
+    """Return where a frame is with its handle dragged, from where it was at the beginning.
+
+    Args:
+        begun: Where it was, in the base.
+        kind: The kind of handles.
+        dragged: The handle, and its distance or angle.
+        steps: The steps of each kind of handle, if it goes in steps.
+        frame: The frame that its figures are in; ``None`` for the base.
+    """
     grip, amount = dragged.grip, dragged.amount
     own = kind is HandleKind.TOOL_FRAME
+    within = poses.pose_to_matrix(frame or _BASE)
     if grip.kind in steps:
         begun_at = 0.0
         if grip.kind is GripKind.AXIS and not own:
-            begun_at = float(begun[grip.number, 3])
+            begun_at = float(within[:3, grip.number] @ (begun - within)[:3, 3])
         amount = snapped(begun_at + amount, steps[grip.kind]) - begun_at
     place = grip.number + (3 if grip.kind is GripKind.RING else 0)
-    return poses.shifted(begun, place, amount, JogFrame.TOOL if own else JogFrame.BASE)
+    return poses.shifted(begun, place, amount, JogFrame.TOOL if own else within[:3, :3])
 
 
 def _rounded(angle_deg: float) -> float:
@@ -138,6 +159,9 @@ class DragTarget(Protocol):
         Returns:
             The angles or the reason; None if nothing was given, or another part shows it.
         """
+
+    def frame(self) -> tuple[float, ...] | None:
+        """Return the frame that the target's figures are in, or None for the base."""
 
     def begin(self) -> None:
         """Begin a drag: one of its handles was grabbed."""
@@ -165,7 +189,18 @@ class ZoneTarget(Protocol):
         """Put a pose into the fields."""
 
 
-class MotionTarget:
+class _InForce:
+    """A target whose figures, or those over the picture, are in the user frame in force."""
+
+    _controller: ArmController
+
+    def frame(self) -> tuple[float, ...] | None:
+        """Return the user frame in force, or None for the base."""
+        frame = self._controller.cartesian.frame
+        return None if frame is None else frame.pose
+
+
+class MotionTarget(_InForce):
     """The target fields of 运动控制, which 发送 sends.
 
     Args:
@@ -210,7 +245,7 @@ class MotionTarget:
         self._panel.take_targets(angles_deg, self._given)
 
 
-class CartesianTarget:
+class CartesianTarget(_InForce):
     """The target fields of 末端控制, which MOVE P and MOVE L send.
 
     Args:
@@ -300,7 +335,7 @@ _LEAD_DEG_S: Final = 30.0
 """The speed of a careful hand: far below the one at which drag teaching ends."""
 
 
-class LedArm:
+class LedArm(_InForce):
     """A simulated arm in drag teaching, led by the mouse as a real one is by the hand.
 
     No frame is sent for it: it only calls the simulator in this process, and only if its arm gives
@@ -434,7 +469,9 @@ class TargetDrag(QObject):
         angles_deg = None if isinstance(typed, Refusal) else typed
         if kind is not None and target is not None:
             angles_deg = target.angles_deg()
-        place = None if kind is None or angles_deg is None else HandlePlace(angles_deg, kind)
+        place = None
+        if kind is not None and angles_deg is not None and target is not None:
+            place = self._drag_base(target, angles_deg, kind).place(angles_deg)
         self._view.set_handles(place)
         ghost_deg = angles_deg if self._is_elsewhere(angles_deg) else None
         self._preview.show_target(ghost_deg)
@@ -498,27 +535,30 @@ class TargetDrag(QObject):
         kind = self._kind_for(target)
         if target is None or angles_deg is None or kind is None:
             return
-        cartesian = self._controller.cartesian
-        limits = self._controller.operating_state.limits
         target.begin()
         self._told = None
         self._held = target
-        self._began_with = self._basis()
-        self._base = DragBase(
-            angles_deg, kind, tuple(cartesian.tool), cartesian.kinematics(), limits
-        )
+        self._began_with = self._basis(target)
+        self._base = self._drag_base(target, angles_deg, kind)
         self._last_deg = angles_deg
 
-    def _basis(self) -> object:
-        """Return what a drag is worked out with: arm, link, limits and tool."""
+    def _drag_base(
+        self, target: DragTarget, angles_deg: tuple[float, ...], kind: HandleKind
+    ) -> DragBase:
+        cartesian, limits = self._controller.cartesian, self._controller.operating_state.limits
+        model, tool = cartesian.kinematics(), tuple(cartesian.tool)
+        return DragBase(angles_deg, kind, tool, model, limits, target.frame())
+
+    def _basis(self, target: DragTarget) -> object:
+        """Return what a drag is worked out with: arm, link, limits, tool and frame."""
         state = self._controller.operating_state
         tool = tuple(self._controller.cartesian.tool)
-        return state.link, state.model_fit.geometry, state.limits, tool
+        return state.link, state.model_fit.geometry, state.limits, tool, target.frame()
 
     def _is_as_begun(self, held: DragTarget) -> bool:
         """Return whether the arm and what is dragged are still the same."""
         same_target = self._target() is held and held.is_as_begun()
-        return same_target and self._basis() == self._began_with
+        return same_target and self._basis(held) == self._began_with
 
     def _on_moved(self, dragged: Dragged, coarse: bool, fine: bool) -> None:
         if self._zone_held is not None:
@@ -543,7 +583,7 @@ class TargetDrag(QObject):
         self._last_deg = answer
         held.carry(answer)
         self._preview.show_target(answer)
-        self._view.set_handles(HandlePlace(answer, base.kind))
+        self._view.set_handles(base.place(answer))
 
     def _on_left(self, given_up: bool) -> None:
         if self._zone_held is not None:

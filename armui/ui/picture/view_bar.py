@@ -52,7 +52,7 @@ _TIPS: Final = Texts("ViewBar") | {
 _SWITCHES: Final = ("follow", "orthographic", "tool_frame", "reach", "area", "frames")
 _HANDLES: Final = Texts("ViewBar") | {
     None: "No handles",
-    HandleKind.TOOL: "Tool, along the axes of the base",
+    HandleKind.TOOL: "Tool, along the axes of its figures: base or user frame",
     HandleKind.TOOL_FRAME: "Tool, along its own axes",
     HandleKind.JOINTS: "Joints",
 }
@@ -73,7 +73,7 @@ _TRAILS: Final = {
 }
 _HANDLE_TITLES: Final = {
     None: Text("ViewBar", "No handles"),
-    HandleKind.TOOL: Text("Action", "Handles at the tool, along the axes of the base"),
+    HandleKind.TOOL: Text("Action", "Handles at the tool, along the axes of base or user frame"),
     HandleKind.TOOL_FRAME: Text("Action", "Handles at the tool, along its own axes"),
     HandleKind.JOINTS: Text("Action", "Handles at the joints"),
 }

@@ -180,6 +180,28 @@ def test_a_frame_that_the_cell_has_not_is_kept_marked_and_said(editor):
     assert sent.isdisjoint(range(0x151, 0x160))
 
 
+def test_points_of_a_frame_that_is_gone_are_given_another_with_their_figures(editor):
+    shelf = UserFrame("Shelf", (200.0, 50.0, 100.0, 0.0, 0.0, 90.0))
+    cell = with_part(without_part(BENCH, UserFrame, "Table"), shelf)
+    accepted(editor.app_driver.controller.cell.change(replace(cell, frame="")))
+    editor.choose(1)
+    editor.choose(2, SHIFT)
+    assert choose_frame(editor, "Shelf") == []
+    line, arc = editor.points[1:]
+    assert (arc.target, arc.middle, arc.frame) == (ARC.target, ARC.middle, "Shelf")
+    assert apart(carried(shelf.pose, line.target), PLACE) == pytest.approx((0.0, 0.0), abs=1e-5)
+    assert editor.message() == (
+        "“Table” is not known: the figures stayed, and count from “Shelf” now. The points are "
+        "elsewhere then: check them, or undo."
+    )
+    assert editor.text(2, PointColumn.MOVE) == "MOVE C · Shelf"
+    editor.click("editor_undo")
+    assert editor.points[2] == ARC
+    editor.choose(1)
+    choose_frame(editor, "Shelf")
+    assert editor.message() == "The points stay where they are; their figures are in “Shelf” now."
+
+
 def test_the_run_ends_where_the_frame_is(app_driver):
     app_driver.ready()
     accepted(app_driver.controller.cell.take(BENCH))

@@ -29,7 +29,13 @@ from armui.ui.trajectory.editor.editor_actions import NAMES, EditorActions, Edit
 from armui.ui.trajectory.editor.find_bar import FindBar, Finder
 from armui.ui.trajectory.editor.findings_pane import FindingsPane
 from armui.ui.trajectory.editor.other_arm_line import OtherArmLine
-from armui.ui.trajectory.editor.point_edits import OfOtherArm, OfShownTool, Outcome, PointEdits
+from armui.ui.trajectory.editor.point_edits import (
+    FrameGiven,
+    OfOtherArm,
+    OfShownTool,
+    Outcome,
+    PointEdits,
+)
 from armui.ui.trajectory.editor.points_model import PointsModel
 from armui.ui.trajectory.editor.points_table import PointsTable
 from armui.ui.trajectory.running.run_bar import RunBar, RunChoices, run_commands
@@ -562,6 +568,17 @@ class EditorPage(Page):
             )
             kinds = {"pasted": words.arm_kind(outcome.pasted), "here": words.arm_kind(outcome.here)}
             self._say(text.format(**kinds), Level.WARNING)
+        elif isinstance(outcome, FrameGiven):
+            frame = f"“{outcome.name}”" if outcome.name else self.tr("the base")
+            if outcome.lost:
+                text = self.tr(
+                    "“{lost}” is not known: the figures stayed, and count from {frame} "
+                    "now. The points are elsewhere then: check them, or undo."
+                )
+                self._say(text.format(lost=outcome.lost, frame=frame), Level.WARNING)
+            else:
+                text = self.tr("The points stay where they are; their figures are in {frame} now.")
+                self._say(text.format(frame=frame), Level.DONE)
         elif isinstance(outcome, OfShownTool):
             text = self.tr(
                 "Pasted as poses of {tool}, as the table shows them. Undo if they are of the "

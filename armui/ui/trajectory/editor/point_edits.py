@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QMimeData, QObject
@@ -98,7 +97,21 @@ class OfShownTool:
     tool: str
 
 
-Outcome = Refusal | TrajectoryFileError | OfOtherArm | OfShownTool | None
+@dataclass(frozen=True, slots=True)
+class FrameGiven:
+    """The result of giving points another frame.
+
+    Attributes:
+        lost: The frame that is not known, of which they keep the figures; "" if all keep their
+            places.
+        name: The new frame; "" for the base.
+    """
+
+    lost: str
+    name: str
+
+
+Outcome = FrameGiven | Refusal | TrajectoryFileError | OfOtherArm | OfShownTool | None
 """The result of an edit: ``None`` if it is done; if it is done with a warning, that."""
 
 
@@ -290,12 +303,25 @@ class PointEdits(QObject):
         return CONVERT_OUT_OF_REACH(x=x, y=y, z=z)
 
     def set_frame(self, name: str) -> Outcome:
-        """Have the selected points count from another frame; each keeps its place.
+        """Have the selected points count from another frame.
+
+        Each keeps its place; where the frame it was in is not known, its figures.
 
         Args:
             name: The user frame of the cell; "" for the base.
         """
-        return self._change(partial(self._in_frame, name=name), self.tr("Frame"))
+        known = ("", *self.frames())
+        frames = [self._document.points[row].frame for row in self._table.rows()]
+        lost = next((frame for frame in frames if frame not in known), "")
+
+        def give(point: Waypoint) -> Waypoint | Refusal:
+            if point.frame in known:
+                return self._in_frame(point, name)
+            given = replace(point, frame=name)
+            return check_point(given) or given
+
+        refused = self._change(give, self.tr("Frame"))
+        return refused or FrameGiven(lost, name)
 
     def frames(self) -> Frames:
         """Return the user frames of the cell."""

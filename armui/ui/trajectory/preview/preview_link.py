@@ -207,6 +207,14 @@ class PointTarget:
     def typed_deg(self) -> None:
         """Return None: the selected point's ghost is shown by `PathPreview.show_points`."""
 
+    def frame(self) -> tuple[float, ...] | None:
+        """Return the frame of the point; of joint angles the one in force. None for the base."""
+        points, row = self._at()
+        if 0 <= row < len(points) and not points[row].is_joint:
+            return frames_of(self._controller.cell.cell).get(points[row].frame)
+        frame = self._controller.cartesian.frame
+        return None if frame is None else frame.pose
+
     def begin(self) -> None:
         """Note the grabbed point, which stays unchanged until the drag ends."""
         self._begun = self._at()
