@@ -247,7 +247,8 @@ class _SchemeFollower(QObject):
         )
         colors = DARK if dark else LIGHT
         if self._language != (language := shown_language()):
-            self._language = language
+            self._language, self._sheet = language, None  # with a sheet no widget follows a font
+            self._app.setStyleSheet("")
             self._app.setFont(ui_font())
         if colors is not self._shown:
             self._shown = colors

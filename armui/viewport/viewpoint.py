@@ -119,6 +119,12 @@ class Viewpoint:
             self._reached = self._reached_places()
             self._refit(exactly=True)
 
+    def set_placement(self, placement: Sequence[float]) -> None:
+        """Set where the base stands in the room: the rows of the transform, in metres."""
+        if tuple(placement) != self.camera.placement:
+            self.camera = replace(self.camera, placement=tuple(placement))
+            self._refit(exactly=True)
+
     def set_tool(self, tool_m: Vector) -> None:
         """Set the tool centre point in the flange, metres."""
         self._tool_m = tool_m
@@ -141,7 +147,8 @@ class Viewpoint:
 
     def reset(self) -> None:
         """Go back to the first view."""
-        self.camera = replace(HOME_CAMERA, orthographic=self.camera.orthographic)
+        kept = self.camera
+        self.camera = replace(HOME_CAMERA, orthographic=kept.orthographic, placement=kept.placement)
         self.fit()
 
     def follow(self, *, wanted: bool) -> None:
@@ -225,7 +232,7 @@ class Viewpoint:
                 there = replace(ball, centre=moved(rows, ball.centre))
                 if not is_ball_clear(projection, there, self._room, _SLACK_PX):
                     doubtful.append([moved(rows, point) for point in points])
-        doubtful += [(place,) for place in (*self._places, *self._reached)]
+        doubtful += [(place,) for place in (*self._places, *self._reached, *_LETTERS)]
         return is_clear(self.camera, doubtful, self._room, _SLACK_PX)
 
     def _fitted(self, grown: float) -> OrbitCamera:
@@ -238,8 +245,7 @@ class Viewpoint:
         groups: list[Sequence[Vector]] = []
         for pose in self._poses:
             groups += shape.outline(shape.links(*pose))
-        groups += [(place,) for place in self._places]
-        groups += [(place,) for place in self._reached]
+        groups += [(place,) for place in (*self._places, *self._reached, *_LETTERS)]
         return groups
 
     def _reached_places(self) -> tuple[Vector, ...]:
@@ -269,5 +275,7 @@ def _reached(shape: RobotShape, reach: Reach) -> Iterator[Vector]:
         )
 
 
+_LETTERS: Final = ((0.19, 0.0, 0.0), (0.0, 0.19, 0.0))
+"""Behind the letters X and Y of the base, in metres; Z is within the arm."""
 _SLACK_PX: Final = 10.0
 """The arm may come this far into the margin before the camera moves back."""

@@ -179,6 +179,7 @@ def test_a_silent_driver_is_stale_and_the_button_names_it(ready):
     assert "not heard of late" in table.tip("Supply voltage:", 4)
     assert "not heard of late" not in table.tip("Supply voltage:", 3)
     assert button(ready).state_text == "Unknown J4"
+    assert ready.read("recovery_text").startswith("Nothing is heard from the motor of joint 4.")
 
 
 @ONE_IS_ENOUGH

@@ -148,6 +148,7 @@ def test_what_is_being_written_can_be_opened_but_not_moved(sessions):
     window.refresh()
     window.table.selectRow(0)
     assert sessions.column(SessionColumn.STATE) == ["under way"]
+    assert sessions.column(SessionColumn.SIZE) == ["—"]
     assert not window.delete_button.isEnabled()
     assert not window.rename_button.isEnabled()
     window._rename("now", "later")
@@ -186,8 +187,8 @@ def test_mf4_is_offered_where_it_can_be_written(sessions):
     card._on_mf4_known(False)
     assert not item.isEnabled()
     assert "pip install asammdf" in item.toolTip()
-    assert "pip install asammdf" in card.format_note.text()
-    assert card.format_note.isVisible()
+    assert "pip install asammdf" in card.format_box.toolTip()
+    assert not card.format_note.isVisible()  # the list below has its room
 
     card._on_mf4_known(True)
     assert item.isEnabled()

@@ -48,6 +48,21 @@ def test_the_next_button_does_not_get_the_keyboard(window, leave):
     assert pressed == []
 
 
+def test_nor_does_the_first_one_once_a_question_has_gone(window, qtbot):
+    """It was switched off by what was agreed to; then its window is the active one again."""
+    question = QDialog(window)
+    qtbot.addWidget(question)
+    question.show()
+    question.activateWindow()
+    qtbot.waitUntil(question.isActiveWindow)
+    window.buttons[0].setEnabled(False)
+    window.buttons[0].setEnabled(True)
+    question.close()
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    assert not any(button.hasFocus() for button in window.buttons)
+
+
 @pytest.mark.parametrize(
     ("key", "place"), [(Qt.Key.Key_Tab, 1), (Qt.Key.Key_Backtab, 2)], ids=["on", "back"]
 )

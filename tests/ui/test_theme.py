@@ -161,16 +161,20 @@ def test_the_application_has_the_programs_style_whatever_the_system_wants():
     assert done.stdout.strip() == "fusion", done.stderr
 
 
-def test_quotes_are_narrow_beside_english_and_wide_beside_chinese(qapp):
+def test_quotes_are_narrow_beside_english_and_wide_beside_chinese(qapp, qtbot):
     """A Chinese font has both; what the system's font is here does not matter."""
     narrow = QFont.Tag.fromString("pwid")
     translator = Translator(qapp)
     apply_theme(qapp, Theme.LIGHT)
-    assert qapp.font().featureValue(narrow) == 1
+    window = QWidget()
+    button = QPushButton(window)
+    qtbot.addWidget(window)
+    window.show()
+    assert button.font().featureValue(narrow) == 1
     translator.set_language("zh")
     try:
         apply_theme(qapp, Theme.LIGHT)
-        assert qapp.font().featureValue(narrow) == 0
+        assert button.font().featureValue(narrow) == 0
     finally:
         translator.set_language("en")
         apply_theme(qapp, Theme.LIGHT)

@@ -101,6 +101,15 @@ def looking(shape):
     return Looking(shape)
 
 
+@pytest.mark.parametrize("size", SIZES)
+def test_the_letters_of_the_base_are_in_the_room_too(looking, size):
+    """They stand 165 mm out, 1.1 times as far as the arrows go, and are 30 mm wide."""
+    room = room_of(size)
+    looking.viewpoint.set_room(room)
+    letters = [[(0.18, 0.0, 0.0)], [(0.0, 0.18, 0.0)]]
+    assert is_clear(looking.viewpoint.camera, letters, room, slack_px=1.5)
+
+
 def test_the_camera_rests_while_the_arm_is_in_the_picture_and_steps_back_when_it_leaves(looking):
     at_rest = looking.move(REST)
     assert looking.move((1.0, *REST[1:])) == at_rest

@@ -101,7 +101,7 @@ def test_what_is_drawn_over_the_picture_is_where_the_picture_shows_it(
             continue
         near = [QColor(image.pixel(x + dx, y + dy)) for dx in (-1, 0, 1) for dy in (-1, 0, 1)]
         assert (
-            min(abs(each.hue() - red.hue()) % 358 for each in near if each.saturation() > 90) < 20
+            min(abs(each.hue() - red.hue()) % 358 for each in near if each.saturation() > 60) < 20
         )
     view.set_orthographic(wanted=False)
 

@@ -46,8 +46,8 @@ DISABLE_FAILED = Notice(
 ONLINE = Notice("online", "The arm is online.", Level.DONE, EventKind.LINK)
 OFFLINE_NOTICE = Notice(
     "offline",
-    "The arm is offline: nothing is heard from it. Check its power, the CAN cable and the bit "
-    "rate.",
+    "The arm is offline: nothing is heard from it, and it may still be moving. Check its power, "
+    "the CAN cable and the bit rate.",
     Level.WARNING,
     EventKind.LINK,
 )

@@ -255,7 +255,7 @@ _RULES: Final = (
         StepKind.MOTORS_UNKNOWN,
         Level.WARNING,
         Action.CONNECT,
-        when(lambda view: None in view.operating_state.enabled),
+        joints_flagged(lambda view: [each is None for each in view.operating_state.enabled]),
     ),
     # the steps out of drag teaching: near the rest pose, then a reset
     _Rule(StepKind.DRAG_MODE_AT_REST, Level.WARNING, Action.RESET, when(near_rest)),

@@ -285,7 +285,8 @@ class StepKind(enum.Enum):
     )
     MOTORS_UNKNOWN = StepText(
         "motors_unknown",
-        "Not every motor has reported. If it stays so, check power and cable, and connect again.",
+        "Nothing is heard from the motor of joint {joints}. If it stays so, check power and cable, "
+        "and connect again.",
     )
     DRAG_MODE_AT_REST = StepText(
         "drag_mode_at_rest",
@@ -354,7 +355,7 @@ class StepKind(enum.Enum):
     )
     BELOW_BASE = StepText(
         "below_base",
-        "The fingertip is {value} mm below the plane the arm stands on. Jog upwards unless there "
+        "The fingertip is {value} mm below the floor. Jog upwards unless there "
         "is nothing there. Settings have a lowest height for jogs.",
     )
     MOVING = StepText("moving", "The arm is moving")

@@ -85,7 +85,7 @@ class Imported:
                 found.append(TOOL_OTHERWISE(file=self.path.name, name=name))
         stood = {frame.name: frame.pose for frame in self.poses_of.frames}
         for name in self.frames:
-            frame = None if cell is None else part_named(cell.frames, name)
+            frame = None if cell is None else part_named(cell.all_frames, name)
             if frame is None:
                 found.append(FRAME_NOT_HERE(file=self.path.name, name=name))
             elif name in stood and stood[name] != frame.pose:

@@ -29,7 +29,7 @@ class KeepsFocus(_Base):
         now = self.focusWidget()
         if now is not None and now is not self and not _takes_keys(now):
             self._left = now
-            now.clearFocus()
+            self.setFocus()  # with no focus in it Qt gives it to the first control at activation
             return True
         left, self._left = self._left, None
         if left is None or not isValid(left) or now not in {None, self}:

@@ -42,6 +42,7 @@ class Page(Translated, QWidget):
         body: The layout for its content.
         footer: The layout for its last buttons, from left to right.
         commands: Its commands for the command palette.
+        leaves_at_escape: Whether Escape leaves it, as something opened from elsewhere.
 
     Signals:
         titled: Its title has changed.
@@ -50,6 +51,7 @@ class Page(Translated, QWidget):
     """
 
     commands: Sequence[Command] = ()
+    leaves_at_escape = True
     titled = Signal()
     wanted = Signal()
     closed = Signal()
@@ -118,7 +120,7 @@ class Page(Translated, QWidget):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Leave the page at Escape, unless a field or a table has handled it."""
-        if event.key() == Qt.Key.Key_Escape:
+        if event.key() == Qt.Key.Key_Escape and self.leaves_at_escape:
             event.accept()
             self.leave()
         else:

@@ -118,8 +118,12 @@ def test_a_folder_is_renamed_and_stays_listed(cell):
 def test_a_name_that_is_none_is_told_beside_the_field(cell):
     act(cell, "folder_menu", "New folder…")
     field = cell.child("name")
+    assert cell.child("name_message").text() == ""
+    assert "needs a name" in cell.child("name_give").toolTip()
+    QTest.keyClicks(field, "a")
     for text, told in (("", "needs a name"), ("a/b", "“a_b” would do"), ("Cell", "Choose another")):
-        field.clear()
+        field.selectAll()
+        QTest.keyClick(field, Qt.Key.Key_Delete)
         QTest.keyClicks(field, text)
         assert told in cell.child("name_message").text()
         assert not cell.child("name_give").isEnabled()

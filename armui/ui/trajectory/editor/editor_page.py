@@ -633,7 +633,7 @@ def _tool_shown(controller: ArmController) -> tuple[Values, str]:
 
 
 def _offered(cell: Cell | None) -> object:
-    return None if cell is None else (cell.frames, cell.held_objects)
+    return None if cell is None else (cell.all_frames, cell.held_objects)
 
 
 def _named_by(points: Sequence[Waypoint], cell: Cell | None) -> object:
@@ -641,7 +641,7 @@ def _named_by(points: Sequence[Waypoint], cell: Cell | None) -> object:
     if cell is None:
         return [], []
     names, held = frames_in(points), {point.holds for point in points}
-    frames = [frame for frame in cell.frames if frame.name in names]
+    frames = [frame for frame in cell.all_frames if frame.name in names]
     return frames, [each for each in cell.held_objects if each.name in held]
 
 

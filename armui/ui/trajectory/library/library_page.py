@@ -83,6 +83,7 @@ class LibraryPage(Page):
         run_asks: The name of the trajectory that waits for confirmation; "" if none does.
     """
 
+    leaves_at_escape = False
     commands = (
         *(Command(f"library.{act}") for act in ("import", "create", "record", "delete")),
         *(Command(f"library.{act}") for act in ("duplicate", "rename")),

@@ -120,9 +120,10 @@ class NameBar(Translated, QWidget):
         question = self._question
         if question is None:
             return
-        reason = question.why_not(self._name())
-        self._message.show_message("" if reason is None else words.refusal(reason), Level.WARNING)
-        enable_or_explain(self._give, "" if reason is None else words.refusal(reason))
+        why_not = words.why_not(question.why_not(self._name()))
+        begun = bool(self._name()) or self._field.isModified()  # an empty field is no mistake yet
+        self._message.show_message(why_not if begun else "", Level.WARNING)
+        enable_or_explain(self._give, why_not)
         self._field.setReadOnly(self._given)
         if self._given:
             self._give.setEnabled(False)

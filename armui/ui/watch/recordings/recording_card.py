@@ -327,12 +327,12 @@ class RecordingCard(Translated, QFrame):
         if isinstance(model, QStandardItemModel):
             model.item(row).setEnabled(self._can_write_mf4)
             model.item(row).setToolTip("" if self._can_write_mf4 else reason)
-        chosen = self._store.settings.session_format == MF4_SUFFIX
-        text = "" if self._can_write_mf4 else reason
-        if chosen and self._can_write_mf4:
+        self.format_box.setToolTip("" if self._can_write_mf4 else reason)
+        text = reason
+        if self._can_write_mf4:
             text = self.tr("Recorded as .blf; the .mf4 file is made of it at the end.")
         self.format_note.setText(text)
-        self.format_note.setVisible(bool(text))
+        self.format_note.setVisible(self._store.settings.session_format == MF4_SUFFIX)
 
     def _figures(self, progress: RecordingProgress) -> str:
         if self._before is not None and progress.elapsed_s - self._before[0] >= 1.0:

@@ -114,6 +114,7 @@ class SessionColumn(enum.IntEnum):
 _FIGURES: Final = frozenset(
     {SessionColumn.LENGTH, SessionColumn.SIZE, SessionColumn.FAULTS, SessionColumn.STOPS}
 )
+_GROWING: Final = frozenset({SessionColumn.LENGTH, SessionColumn.SIZE})
 
 
 class SessionsModel(TableModel):
@@ -186,7 +187,9 @@ class SessionsModel(TableModel):
         if role == SORT_ROLE:
             return self._sort_key(entry, column)
         if role == Qt.ItemDataRole.DisplayRole:
-            return self._text(entry, column)
+            # of what still grows the figures are those of the listing; the card above follows it
+            grows = column in _GROWING and self.is_written(entry.name)
+            return fmt.NOTHING if grows else self._text(entry, column)
         if role == Qt.ItemDataRole.ToolTipRole and column in {
             SessionColumn.NAME,
             SessionColumn.STATE,
