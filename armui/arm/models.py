@@ -10,8 +10,8 @@ from __future__ import annotations
 import hashlib
 import json
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 from types import MappingProxyType
@@ -344,3 +344,8 @@ class ArmModel:
     def fingerprint(self) -> str:
         """A short text that differs between arms: a plan made for one fingerprint holds for it."""
         return hashlib.sha256(repr(self).encode()).hexdigest()[:16]
+
+    def fingerprint_of(self, frames: Collection[str]) -> str:
+        """Return the fingerprint that counts for points which name these user frames alone."""
+        named = tuple(frame for frame in self.frames if frame[0] in frames)
+        return replace(self, frames=named).fingerprint
