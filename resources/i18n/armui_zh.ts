@@ -629,6 +629,10 @@
         <translation>取用户坐标系的位姿</translation>
     </message>
     <message>
+        <source>Type a name and a pose in the base. A plane keeps the arm on the side of its Z axis, a box keeps it out.</source>
+        <translation>输入名称和在基坐标系中的位姿。平面使机械臂留在其 Z 轴一侧，长方体使其不进入。</translation>
+    </message>
+    <message>
         <source>Puts these figures in force, and the margin with them.</source>
         <translation>使这些数值连同余量生效。</translation>
     </message>
@@ -651,10 +655,6 @@
     <message>
         <source>Press Apply to put the new figures in force.</source>
         <translation>请按“应用”使新数值生效。</translation>
-    </message>
-    <message>
-        <source>Type a name and a pose in the base, or take the tool&apos;s. A plane keeps the arm on the side of its Z axis (all 0: above the table); a box keeps it out.</source>
-        <translation>请输入名称和在基坐标系中的位姿，或取当前工具位姿。平面使机械臂留在其 Z 轴一侧（全 0：桌面以上）；长方体使机械臂不进入其中。</translation>
     </message>
     <message>
         <source>From frame</source>
@@ -4816,6 +4816,10 @@ Z 轴指向 {direction}</translation>
         <translation>填入当前末端位姿，坐标轴即工具的坐标轴。</translation>
     </message>
     <message>
+        <source>Press By three points, or type a name and the frame&apos;s pose in the base, then press Add.</source>
+        <translation>请按“三点法”，或输入名称和坐标系在基坐标系中的位姿，再按“添加”。</translation>
+    </message>
+    <message>
         <source>— (base)</source>
         <translation>—（基坐标系）</translation>
     </message>
@@ -4834,10 +4838,6 @@ Z 轴指向 {direction}</translation>
     <message>
         <source>No frame is chosen. Add one, or choose one above.</source>
         <translation>未选择坐标系。请添加，或在上方选择。</translation>
-    </message>
-    <message>
-        <source>Press By three points: the tool&apos;s tip shows where the frame is. Or type a name and the frame&apos;s pose in the base, then press Add.</source>
-        <translation>按“三点法”，用工具尖示出坐标系的位置；或输入名称及其在基坐标系中的位姿，再按“添加”。</translation>
     </message>
     <message>
         <source>Press Add: poses are shown and typed in this frame from then on.</source>

@@ -34,7 +34,6 @@ Answered = Callable[[Started | Refusal | None], bool]
 
 NARROW_PX: Final = 56
 """The least width of fields and buttons that share a row."""
-_HINT_LINES: Final = 2
 
 
 def change_command(name: str, title: Text, *, risky: bool = False) -> Command:
@@ -42,10 +41,10 @@ def change_command(name: str, title: Text, *, risky: bool = False) -> Command:
     return Command(name, title, operation_of(CellControl.change), leads=True, risky=risky)
 
 
-def hint_label(name: str) -> QLabel:
+def hint_label(name: str, lines: int = 2) -> QLabel:
     """Return a label for the next step; what stands below it keeps its place."""
     label = text_label(name, wraps=True)
-    label.setMinimumHeight(_HINT_LINES * label.fontMetrics().lineSpacing())
+    label.setMinimumHeight(lines * label.fontMetrics().lineSpacing())
     label.setAlignment(Qt.AlignmentFlag.AlignTop)
     return label
 

@@ -76,8 +76,8 @@ class FramesTab(ForceTab):
             return self.tr("Press Add for a further frame, or Apply to rename the chosen one.")
         if self._thing is None:
             return self.tr(
-                "Press By three points: the tool's tip shows where the frame is. Or type a name "
-                "and the frame's pose in the base, then press Add."
+                "Press By three points, or type a name and the frame's pose in the base, then "
+                "press Add."
             )
         if changed:
             return self.tr("Press Apply: the frame moves, and what belongs to it moves with it.")

@@ -49,7 +49,7 @@ class GripperTab(CellTab):
         super().__init__(controller, answered)
         self._why_not = ""
         self._shown: tuple[str, Pairs] | None = None
-        self._next = hint_label("cell_gripper_next")
+        self._next = hint_label("cell_gripper_next", lines=3)
         self._on = named("cell_gripper_on", QCheckBox())
         self._heads = (QLabel(), QLabel())
         self._asked = [named(f"cell_gripper_asked_{n}", self._field()) for n in range(MOST_PAIRS)]
