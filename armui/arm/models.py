@@ -10,8 +10,8 @@ from __future__ import annotations
 import hashlib
 import json
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 from types import MappingProxyType
@@ -295,6 +295,12 @@ def _maybe_six(fields: Fields, name: str) -> tuple[float, ...] | None:
     return fields.numbers(name, _SIX) if fields.given(name) else None
 
 
+Rising = tuple[float, float, float, float]
+"""How much the X, Y and Z axis of the base rise in the room, and the base's height there, mm."""
+STANDING: Final[Rising] = (0.0, 0.0, 1.0, 0.0)
+"""Of a base that stands upright on the floor."""
+
+
 @dataclass(frozen=True, slots=True)
 class ArmModel:
     """The data of an arm that planning needs.
@@ -312,6 +318,7 @@ class ArmModel:
         tool: The tool set on the flange; ``None`` if only the gripper's tip counts.
         held: What the hand holds.
         frames: The names of the cell's user frames, and their poses in the base.
+        rising: How much each axis of the base rises in the room, and the base's height there, mm.
     """
 
     limits: tuple[JointLimits, ...]
@@ -326,6 +333,7 @@ class ArmModel:
     tool: ToolCapsule | None = None
     held: HeldShape | None = None
     frames: tuple[tuple[str, tuple[float, ...]], ...] = ()
+    rising: Rising = STANDING
 
     @property
     def tip_mm(self) -> tuple[float, float, float]:
@@ -336,3 +344,8 @@ class ArmModel:
     def fingerprint(self) -> str:
         """A short text that differs between arms: a plan made for one fingerprint holds for it."""
         return hashlib.sha256(repr(self).encode()).hexdigest()[:16]
+
+    def fingerprint_of(self, frames: Collection[str]) -> str:
+        """Return the fingerprint that counts for points which name these user frames alone."""
+        named = tuple(frame for frame in self.frames if frame[0] in frames)
+        return replace(self, frames=named).fingerprint

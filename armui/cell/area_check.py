@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import numpy.typing as npt
 
-from armui.arm.models import model_data
+from armui.arm.models import STANDING, Rising, model_data
 from armui.arm.refusal import Reason, Refusal
 from armui.cell.clearance import box_gaps, plane_gaps
 from armui.cell.enclosure import Body, Capsule, Capsules, body_of, enclose
@@ -75,9 +75,11 @@ class AreaCheck:
     Args:
         area: The work area; what is switched off in it does not count.
         body: The arm with what it carries.
+        rising: How the base stands in the room.
     """
 
-    def __init__(self, area: Area, body: Body) -> None:
+    def __init__(self, area: Area, body: Body, rising: Rising = STANDING) -> None:
+        self._rising = rising
         self._area = area.in_force
         self._body = body
         self._coarse = _coarse(body)
@@ -120,8 +122,10 @@ class AreaCheck:
         It falls in arcs, whichever way: what is below any part of it counts, or little beside.
         """
         arm = enclose(self._body, np.array([joints_deg], dtype=float))
-        drops = np.arange(0.0, max(float(arm.starts[..., 2].max()), 1.0), _DROP_MM)
-        down = np.array([0.0, 0.0, -1.0]) * drops[:, None, None]
+        up, base_mm = np.array(self._rising[:3]), self._rising[3]
+        highest_mm = float((arm.starts @ up).max()) + base_mm
+        drops = np.arange(0.0, max(highest_mm, 1.0), _DROP_MM)
+        down = -up * drops[:, None, None]
         sunk = Capsules(arm.parts, arm.starts + down, arm.ends + down, arm.radii)
         planes = plane_gaps(sunk, self._planes)
         boxes = box_gaps(sunk, self._boxes, self._sizes_mm, _BESIDE_MM)

@@ -11,6 +11,7 @@ from armui.cell.checks import check_name, check_names
 from armui.cell.gripper_table import GripperTable, Pairs, check_gripper_table
 from armui.cell.held_objects import HeldObject, check_held_object
 from armui.cell.parts import part_named, put, without
+from armui.cell.placement import WORLD, Placement, check_placement
 from armui.cell.tools import Tool, check_tool
 from armui.cell.user_frames import UserFrame, check_user_frame
 from armui.cell.work_area import Area, check_area
@@ -35,6 +36,7 @@ class Cell:
         held: The name of what it holds now; "" for nothing.
         frames: Its user frames, in the order of the list.
         frame: The name of the one that poses are shown and typed in; "" for the base.
+        placement: Where the base stands in the room.
     """
 
     name: str
@@ -47,6 +49,7 @@ class Cell:
     held: str = ""
     frames: tuple[UserFrame, ...] = ()
     frame: str = ""
+    placement: Placement = field(default_factory=Placement)
 
     @property
     def is_empty(self) -> bool:
@@ -61,7 +64,13 @@ class Cell:
     @property
     def chosen_frame(self) -> UserFrame | None:
         """The chosen user frame, or ``None`` for the base."""
-        return part_named(self.frames, self.frame)
+        return part_named(self.all_frames, self.frame)
+
+    @property
+    def all_frames(self) -> tuple[UserFrame, ...]:
+        """The user frames, and behind them that of the room if the base is placed in it."""
+        world = self.placement.world
+        return self.frames if world is None else (*self.frames, world)
 
     @property
     def held_object(self) -> HeldObject | None:
@@ -108,8 +117,17 @@ def without_part(cell: Cell, kind: type[Part], name: str) -> Cell:
     return replace(cell, **changed)
 
 
+def placed(cell: Cell, placement: Placement) -> Cell:
+    """Return a cell with the base elsewhere; a frame of the room that goes is not in force."""
+    gone = cell.frame == WORLD and not placement.is_set
+    return replace(cell, placement=placement, frame="" if gone else cell.frame)
+
+
 def check_cell(cell: Cell) -> Refusal | None:
     """Return why a cell is not possible as a whole, or ``None``."""
+    misplaced = check_placement(cell.placement)
+    if misplaced is not None:
+        return misplaced
     refusals: Sequence[Refusal | None] = (
         check_name(cell.name),
         check_names(tool.name for tool in cell.tools),
@@ -120,7 +138,7 @@ def check_cell(cell: Cell) -> Refusal | None:
         check_names(held.name for held in cell.held_objects),
         *(check_held_object(held) for held in cell.held_objects),
         _check_choice(cell.held, cell.held_object),
-        check_names(frame.name for frame in cell.frames),
+        check_names(frame.name for frame in cell.all_frames),
         *(check_user_frame(frame) for frame in cell.frames),
         _check_choice(cell.frame, cell.chosen_frame),
     )

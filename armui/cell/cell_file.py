@@ -19,6 +19,7 @@ from armui.cell import gripper_table
 from armui.cell.cell import Cell, check_cell
 from armui.cell.held_objects import HeldObject
 from armui.cell.parts import Part, from_entry, to_entry
+from armui.cell.placement import Placement
 from armui.cell.tools import Tool
 from armui.cell.user_frames import UserFrame
 from armui.cell.work_area import Area
@@ -59,7 +60,9 @@ CELL_CHANGED_ELSEWHERE = Reason(
 
 SUFFIX: Final = ".armui-cell"
 FORMAT: Final = "armui-cell"
-VERSION: Final = 1
+VERSION: Final = 2
+_UNPLACED: Final = 1
+"""The version of a file without the place of the base, so that older programs read it."""
 _LARGEST_BYTES: Final = 1_000_000
 
 
@@ -80,7 +83,8 @@ class Difference:
 
 def to_text(cell: Cell) -> str:
     """Return a cell as the text of its file; its name is that of the file."""
-    entries = {"format": FORMAT, "version": VERSION, **_entries(cell)}
+    version = VERSION if cell.placement.is_set else _UNPLACED
+    entries = {"format": FORMAT, "version": version, **_entries(cell)}
     return json.dumps(entries, indent=2, ensure_ascii=False) + "\n"
 
 
@@ -189,6 +193,7 @@ def _entries(cell: Cell) -> dict[str, object]:
         "held": cell.held,
         "frames": list(map(to_entry, cell.frames)),
         "frame": cell.frame,
+        **({"placement": to_entry(cell.placement)} if cell.placement.is_set else {}),
     }
 
 
@@ -200,8 +205,9 @@ def _cell(fields: Fields, name: str) -> Cell:
     """
     fields.text("format")
     version = fields.whole("version")
-    if version != VERSION:
+    if version not in {_UNPLACED, VERSION}:
         raise fields.wrong("version", CELL_VERSION(version=version, known=VERSION))
+    placement = fields.maybe_object("placement")
     cell = Cell(
         name,
         tools=_parts(Tool, fields, "tools"),
@@ -213,6 +219,7 @@ def _cell(fields: Fields, name: str) -> Cell:
         held=fields.text("held", ""),
         frames=_parts(UserFrame, fields, "frames"),
         frame=fields.text("frame", ""),
+        placement=from_entry(Placement, placement) if placement else Placement(),
     )
     fields.nothing_else()
     refusal = check_cell(cell)

@@ -11,6 +11,7 @@ from armui.arm.refusal import Refusal
 from armui.cell import parts
 from armui.cell.cell import Cell
 from armui.cell.held_objects import HeldObject, check_held_object
+from armui.cell.placement import Placement, check_placement
 from armui.cell.tools import Tool, check_tool
 from armui.cell.user_frames import UserFrame, check_user_frame
 from armui.cell.work_area import Area, check_area
@@ -29,6 +30,7 @@ class CellInForce:
         held: What the hand holds, or ``None``.
         area: The planes and boxes of the work area that are switched on.
         frame: The user frame that poses are shown in, or ``None`` for the base.
+        placement: Where the base stands in the room.
     """
 
     name: str = ""
@@ -36,12 +38,13 @@ class CellInForce:
     held: HeldObject | None = None
     area: Area = field(default_factory=Area)
     frame: UserFrame | None = None
+    placement: Placement = field(default_factory=Placement)
 
 
 def cell_in_force(cell: Cell) -> CellInForce:
     """Return what holds of a cell."""
     tool, area = cell.chosen_tool or Tool(""), cell.area.in_force
-    return CellInForce(cell.name, tool, cell.held_object, area, cell.chosen_frame)
+    return CellInForce(cell.name, tool, cell.held_object, area, cell.chosen_frame, cell.placement)
 
 
 def to_entry(holding: CellInForce) -> dict[str, object]:
@@ -53,6 +56,8 @@ def to_entry(holding: CellInForce) -> dict[str, object]:
         entry["area"] = parts.to_entry(holding.area)
     if holding.frame is not None:
         entry["frame"] = parts.to_entry(holding.frame)
+    if holding.placement.is_set:
+        entry["placement"] = parts.to_entry(holding.placement)
     return entry
 
 
@@ -65,6 +70,7 @@ def from_entry(entry: Mapping[str, Any]) -> CellInForce:
         _part(entry.get("held"), HeldObject, check_held_object, None),
         _part(entry.get("area"), Area, check_area, Area()),
         _part(entry.get("frame"), UserFrame, check_user_frame, None),
+        _part(entry.get("placement"), Placement, check_placement, Placement()),
     )
 
 
@@ -74,7 +80,7 @@ def all_through(told: Sequence[CellInForce]) -> CellInForce:
     tools_told = {each.tool.pose: each.tool for each in told}
     same = {
         part: held.pop()
-        for part in ("name", "held", "area", "frame")
+        for part in ("name", "held", "area", "frame", "placement")
         if len(held := {getattr(each, part) for each in told}) == 1
     }
     tool = nothing.tool if len(tools_told) != 1 else next(iter(tools_told.values()))

@@ -74,11 +74,23 @@ def frame_from_points(
             return FRAME_POINTS_NEAR(point=point, value=apart_mm, minimum=round(LEAST_APART_MM))
     x, aside = (way / np.linalg.norm(way) for way in ways)
     z = np.cross(x, aside)
-    sine = float(np.linalg.norm(z))
-    off_deg = math.degrees(math.atan2(sine, abs(float(x @ aside))))
+    _, off_deg = off_x_axis(*places.tolist())
     if off_deg < LEAST_OFF_DEG:
         return FRAME_POINTS_IN_LINE(value=off_deg, minimum=round(LEAST_OFF_DEG))
-    z /= sine
+    z /= np.linalg.norm(z)
     matrix = np.eye(4)
     matrix[:3] = np.column_stack((x, np.cross(z, x), z, places[0]))
     return tuple(matrix_to_pose(matrix))
+
+
+def off_x_axis(
+    origin: Sequence[float], on_x: Sequence[float], place: Sequence[float]
+) -> tuple[float, float]:
+    """Return how far a place is off the line from an origin to a point on X: in mm, in degrees.
+
+    The angle is seen from the origin, and never more than 90°.
+    """
+    x, way = ([a - b for a, b in zip(each[:3], origin, strict=False)] for each in (on_x, place))
+    along_mm = sum(a * b for a, b in zip(x, way, strict=True)) / max(math.hypot(*x), 1e-9)
+    off_mm = math.sqrt(max(0.0, math.hypot(*way) ** 2 - along_mm**2))
+    return off_mm, math.degrees(math.atan2(off_mm, abs(along_mm)))

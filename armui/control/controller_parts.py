@@ -91,6 +91,7 @@ class ControllerParts(QObject):
             self._context,
             lambda: tool_capsule(self.cartesian.tool, self.cartesian.tool_radius_mm),
             lambda: self.cell.held_shape,
+            lambda: self.cell.rising,
         )
 
     @cached_property

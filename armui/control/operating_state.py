@@ -167,7 +167,7 @@ class OperatingState:
         control_certain: True if the arm is known to take commands under them.
         model_fit: The chosen model, and whether the arm's reports fit it.
         reference: The state of the joints' reference.
-        below_base_mm: The depth of flange or fingertip below the plane the arm stands on, or
+        below_base_mm: The depth of flange or fingertip below the floor, or
             ``None``.
         intrusion: Where the arm is too near to its work area, or ``None``.
         keeps_area: True if a plane or a box of the work area is switched on.

@@ -16,6 +16,7 @@ class AreaShape:
         near: True if the arm is near, so that it is lit.
         held: True if the frame is in the flange instead, and it moves with the arm.
         is_rod: True for a rod along the Z axis, as long as its edge there.
+        pale: True if it is not confirmed: only its edges are drawn, in no colour.
     """
 
     rows: tuple[float, ...]
@@ -23,6 +24,7 @@ class AreaShape:
     near: bool = False
     held: bool = False
     is_rod: bool = False
+    pale: bool = False
 
 
 AreaPicture = tuple[AreaShape, ...]

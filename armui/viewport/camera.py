@@ -7,7 +7,7 @@ import math
 from dataclasses import dataclass, replace
 from typing import Final
 
-from armui.viewport.vectors import Vector, plus
+from armui.viewport.vectors import Vector, dot, plus
 
 VIEW_ANGLE_DEG: Final = 30.0
 """The opening angle for the shorter side of the picture."""
@@ -16,6 +16,23 @@ _DEG_PER_PIXEL = 0.4
 _ZOOM_PER_STEP = 0.88
 _NEAREST_M, _FARTHEST_M = 0.15, 8.0
 _STEEPEST_DEG = 89.0
+
+
+ON_THE_FLOOR: Final[tuple[float, ...]] = (
+    1.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    1.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    1.0,
+    0.0,
+)
+"""The placement of a base that stands upright on the floor."""
 
 
 class ViewDirection(enum.Enum):
@@ -30,7 +47,7 @@ class ViewDirection(enum.Enum):
 
 @dataclass(frozen=True, slots=True)
 class OrbitCamera:
-    """Looks at a point from a direction; Z stays up, so the arm never appears tilted.
+    """Looks at a point from a direction; the Z axis of the room stays up.
 
     Dragging does not move the eye below the floor: only `turned_to` does; from there dragging turns
     it below the floor, too, until it is above again.
@@ -42,6 +59,8 @@ class OrbitCamera:
         azimuth_deg: the eye's azimuth about Z, 0 at +X.
         elevation_deg: the eye's elevation above the floor.
         orthographic: true for a picture without perspective.
+        placement: where the base stands in the room: the upper three rows of the transform, row by
+            row, in metres. Up, the floor and the angles are those of the room.
     """
 
     focus_m: tuple[float, float, float]
@@ -49,6 +68,7 @@ class OrbitCamera:
     azimuth_deg: float = -52.0
     elevation_deg: float = 20.0
     orthographic: bool = False
+    placement: tuple[float, ...] = ON_THE_FLOOR
 
     def orbit(self, dx_px: float, dy_px: float) -> OrbitCamera:
         """Return the camera after a turning drag: the scene follows the pointer."""
@@ -78,10 +98,10 @@ class OrbitCamera:
 
     def _kept_above_floor(self, moved: OrbitCamera) -> OrbitCamera:
         """Return a camera moved by hand, raised where it would sink below the floor."""
-        below_m = -moved.eye_m[2]
-        if below_m <= 0.0 or self.eye_m[2] < 0.0:
+        below_m = -moved.height_m
+        if below_m <= 0.0 or self.height_m < 0.0:
             return moved
-        return replace(moved, focus_m=plus(moved.focus_m, (0.0, 0.0, 1.0), below_m))
+        return replace(moved, focus_m=plus(moved.focus_m, self._in_base((0.0, 0.0, 1.0)), below_m))
 
     def turned_to(self, direction: ViewDirection) -> OrbitCamera:
         """Return the camera with its eye in another direction from the same point."""
@@ -94,12 +114,26 @@ class OrbitCamera:
         outward, _, _ = self.axes()
         return plus(self.focus_m, outward, self.distance_m)
 
+    @property
+    def height_m(self) -> float:
+        """The height of the eye above the floor."""
+        return dot(self._in_base((0.0, 0.0, 1.0)), self.eye_m) + self.placement[11]
+
+    def _in_base(self, direction: Vector) -> Vector:
+        """Return a direction of the room as one of the base."""
+        x, y, z = direction
+        a, b, c, _, d, e, f, _, g, h, i, _ = self.placement
+        return (a * x + d * y + g * z, b * x + e * y + h * z, c * x + f * y + i * z)
+
     def axes(self) -> tuple[Vector, Vector, Vector]:
         """Return unit vectors: from the focus to the eye, to the right and up on the screen."""
         azimuth, elevation = math.radians(self.azimuth_deg), math.radians(self.elevation_deg)
         ca, sa = math.cos(azimuth), math.sin(azimuth)
         ce, se = math.cos(elevation), math.sin(elevation)
-        return (ce * ca, ce * sa, se), (-sa, ca, 0.0), (-se * ca, -se * sa, ce)
+        outward, right, up = (ce * ca, ce * sa, se), (-sa, ca, 0.0), (-se * ca, -se * sa, ce)
+        if self.placement == ON_THE_FLOOR:
+            return outward, right, up
+        return self._in_base(outward), self._in_base(right), self._in_base(up)
 
 
 HOME_CAMERA: Final = OrbitCamera(focus_m=(0.06, 0.0, 0.25), distance_m=1.7)

@@ -333,10 +333,12 @@ class ArmView(QWidget):
         self._viewpoint.set_reach(reach)
         self._show(replace(self._state, reach=reach, camera=self._viewpoint.camera))
 
-    def set_area(self, area: AreaPicture) -> None:
-        """Show the planes and boxes of a work area; an empty tuple removes them."""
-        if area != self._state.area:
-            self._show(replace(self._state, area=area))
+    def set_area(self, area: AreaPicture, base: Sequence[float] = (0.0,) * 6) -> None:
+        """Show the planes and boxes of a work area, and stand the base so in the room."""
+        self._viewpoint.set_placement(pose_rows(base))
+        camera = self._viewpoint.camera
+        if (area, camera) != (self._state.area, self._state.camera):
+            self._show(replace(self._state, area=area, camera=camera))
 
     def set_tool(self, tool: Sequence[float]) -> None:
         """Set the tool centre point in the flange: X, Y, Z in mm, RX, RY, RZ in degrees."""

@@ -119,6 +119,12 @@ class Viewpoint:
             self._reached = self._reached_places()
             self._refit(exactly=True)
 
+    def set_placement(self, placement: Sequence[float]) -> None:
+        """Set where the base stands in the room: the rows of the transform, in metres."""
+        if tuple(placement) != self.camera.placement:
+            self.camera = replace(self.camera, placement=tuple(placement))
+            self._refit(exactly=True)
+
     def set_tool(self, tool_m: Vector) -> None:
         """Set the tool centre point in the flange, metres."""
         self._tool_m = tool_m
@@ -141,7 +147,8 @@ class Viewpoint:
 
     def reset(self) -> None:
         """Go back to the first view."""
-        self.camera = replace(HOME_CAMERA, orthographic=self.camera.orthographic)
+        kept = self.camera
+        self.camera = replace(HOME_CAMERA, orthographic=kept.orthographic, placement=kept.placement)
         self.fit()
 
     def follow(self, *, wanted: bool) -> None:

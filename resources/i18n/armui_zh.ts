@@ -629,6 +629,10 @@
         <translation>取用户坐标系的位姿</translation>
     </message>
     <message>
+        <source>Type a name and a pose in the base. A plane keeps the arm on the side of its Z axis, a box keeps it out.</source>
+        <translation>输入名称和在基坐标系中的位姿。平面使机械臂留在其 Z 轴一侧，长方体使其不进入。</translation>
+    </message>
+    <message>
         <source>Puts these figures in force, and the margin with them.</source>
         <translation>使这些数值连同余量生效。</translation>
     </message>
@@ -651,10 +655,6 @@
     <message>
         <source>Press Apply to put the new figures in force.</source>
         <translation>请按“应用”使新数值生效。</translation>
-    </message>
-    <message>
-        <source>Type a name and a pose in the base, or take the tool&apos;s. A plane keeps the arm on the side of its Z axis (all 0: above the table); a box keeps it out.</source>
-        <translation>请输入名称和在基坐标系中的位姿，或取当前工具位姿。平面使机械臂留在其 Z 轴一侧（全 0：桌面以上）；长方体使机械臂不进入其中。</translation>
     </message>
     <message>
         <source>From frame</source>
@@ -1023,6 +1023,49 @@
     <message>
         <source>≠ cannot be restored</source>
         <translation>≠ 无法恢复</translation>
+    </message>
+</context>
+<context>
+    <name>BaseTab</name>
+    <message>
+        <source>Place of the base in the room</source>
+        <translation>底座在房间中的位置</translation>
+    </message>
+    <message>
+        <source>Apply the place of the base</source>
+        <translation>应用底座的位置</translation>
+    </message>
+    <message>
+        <source>Nothing is changed.</source>
+        <translation>没有改动。</translation>
+    </message>
+    <message>
+        <source>Stands the arm in the room: for the picture, the floor and the frame WORLD.</source>
+        <translation>按此把机械臂放进房间：用于画面、地面检查和 WORLD 坐标系。</translation>
+    </message>
+    <message>
+        <source>Press Apply: the floor is then where the room has it.</source>
+        <translation>按“应用”：之后地面以房间的为准。</translation>
+    </message>
+    <message>
+        <source>All 0: the arm stands upright on the floor. Type where its base stands.</source>
+        <translation>全为 0：机械臂正立于地面。请输入底座在房间中的位置。</translation>
+    </message>
+    <message>
+        <source>The arm stands so. The frame “{name}” shows poses in the room.</source>
+        <translation>机械臂已按此放置。用坐标系“{name}”可显示房间中的位姿。</translation>
+    </message>
+    <message>
+        <source>The base in the room (mm, °)</source>
+        <translation>底座在房间中的位姿（mm，°）</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>应用</translation>
+    </message>
+    <message>
+        <source>The room&apos;s Z points up, its floor is at Z 0. Areas, frames and targets stay given in the base. A table that the arm stands on belongs in the area: the floor check asks only for the floor.</source>
+        <translation>房间的 Z 轴朝上，地面为 Z 0。区域、坐标系和目标仍以基座给出。机械臂所立的桌子请加入区域：地面检查只看地面。</translation>
     </message>
 </context>
 <context>
@@ -1553,6 +1596,17 @@
     <message>
         <source>Frames</source>
         <translation>坐标系</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>底座</translation>
+    </message>
+</context>
+<context>
+    <name>CellTab</name>
+    <message>
+        <source>Not in force until the cell is confirmed; the picture shows it pale.</source>
+        <translation>确认单元之前不生效；画面中以淡色线框显示。</translation>
     </message>
 </context>
 <context>
@@ -4098,6 +4152,10 @@
         <translation>路径经过奇异点附近（{value}，应不小于 {minimum}）：该处关节转动快而末端缓慢。请改用 MOVE J，或改变手腕姿态。</translation>
     </message>
     <message>
+        <source>The tool or what is held would be {value} mm below the floor. Accept this only if there is nothing.</source>
+        <translation>末端或工件将低于地面 {value} mm。确认下方没有物体时才可接受。</translation>
+    </message>
+    <message>
         <source>The first point is far from where the arm is: joint {joint} turns {value}°. Watch the way there in the preview, or bring the arm nearer first.</source>
         <translation>第一点离机械臂当前位置较远：关节 {joint} 要转 {value}°。请在预览中查看这段路径，或先把机械臂移近。</translation>
     </message>
@@ -4112,10 +4170,6 @@
     <message>
         <source>The tool would go at {value} mm/s; its limit is {maximum} mm/s, and the arm does not keep it here by itself. Lower the speed.</source>
         <translation>末端速度将达 {value} mm/s，上限为 {maximum} mm/s，此处机械臂不会自行限速。请降低速度。</translation>
-    </message>
-    <message>
-        <source>The tool or what is held would be {value} mm below the plane the arm stands on. Accept this only if there is nothing.</source>
-        <translation>末端或工件将低于机械臂安装平面 {value} mm。确认下方没有物体时才可接受。</translation>
     </message>
     <message>
         <source>The flange cannot get there: the point is {missing} mm too far. Move it nearer.</source>
@@ -4323,6 +4377,10 @@
     <message>
         <source>{value} mm from the origin; at least {wanted} mm are needed.</source>
         <translation>距原点 {value} mm；至少需要 {wanted} mm。</translation>
+    </message>
+    <message>
+        <source>{value} mm and {angle}° off the X axis; at least {wanted}° are needed.</source>
+        <translation>偏离 X 轴 {value} mm、{angle}°；至少需要 {wanted}°。</translation>
     </message>
     <message>
         <source>Not all points are taken yet.</source>
@@ -4746,12 +4804,20 @@ Z 轴指向 {direction}</translation>
         <translation>删除坐标系</translation>
     </message>
     <message>
+        <source>It is the room&apos;s: it moves with the figures under Base.</source>
+        <translation>这是房间的坐标系：随“底座”中的数值移动。</translation>
+    </message>
+    <message>
         <source>The arm has not reported its pose yet.</source>
         <translation>机械臂尚未反馈位姿。</translation>
     </message>
     <message>
         <source>Fills in the present tool pose, with the axes of the tool.</source>
         <translation>填入当前末端位姿，坐标轴即工具的坐标轴。</translation>
+    </message>
+    <message>
+        <source>Press By three points, or type a name and the frame&apos;s pose in the base, then press Add.</source>
+        <translation>请按“三点法”，或输入名称和坐标系在基坐标系中的位姿，再按“添加”。</translation>
     </message>
     <message>
         <source>— (base)</source>
@@ -4772,10 +4838,6 @@ Z 轴指向 {direction}</translation>
     <message>
         <source>No frame is chosen. Add one, or choose one above.</source>
         <translation>未选择坐标系。请添加，或在上方选择。</translation>
-    </message>
-    <message>
-        <source>Press By three points: the tool&apos;s tip shows where the frame is. Or type a name and the frame&apos;s pose in the base, then press Add.</source>
-        <translation>按“三点法”，用工具尖示出坐标系的位置；或输入名称及其在基坐标系中的位姿，再按“添加”。</translation>
     </message>
     <message>
         <source>Press Add: poses are shown and typed in this frame from then on.</source>
@@ -7179,6 +7241,18 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     <message>
         <source>Upside down</source>
         <translation>水平倒装</translation>
+    </message>
+    <message>
+        <source>The base is placed for the mounting “{needed}”, which the arm was not told: it would hold its weight wrongly. Tell it under End load; the program never does so by itself.</source>
+        <translation>底座按“{needed}”安装放置，但还没有告知机械臂：它会错误地托住自重。请在“末端负载”中告知；程序不会自行发送。</translation>
+    </message>
+    <message>
+        <source>The base is tilted so that no mounting fits that the arm knows: it holds its weight wrongly. Correct the figures, or mind it when the arm is led by hand.</source>
+        <translation>底座的倾斜不符合机械臂支持的任何安装方式：它会错误地托住自重。请更正数值；否则拖动时请当心。</translation>
+    </message>
+    <message>
+        <source>The arm was told the mounting “{told}”, but the cell places its base for “{needed}”: one of them is wrong. Correct the figures, or tell the arm under End load.</source>
+        <translation>已告知机械臂的安装方式是“{told}”，而单元中底座按“{needed}”放置：两者必有一错。请更正数值，或在“末端负载”中重新告知。</translation>
     </message>
 </context>
 <context>
@@ -10047,6 +10121,10 @@ The other program must have ended.</source>
         <translation>上一目标经过奇异点。机械臂未运动，请发送其他目标或使用关节运动。</translation>
     </message>
     <message>
+        <source>The fingertip is {value} mm below the floor. Jog upwards unless there is nothing there. Settings have a lowest height for jogs.</source>
+        <translation>末端在地面以下 {value} mm。除非那里没有物体，请向上点动。“设置”中可选点动的最低高度。</translation>
+    </message>
+    <message>
         <source>Ready</source>
         <translation>就绪</translation>
     </message>
@@ -10109,10 +10187,6 @@ The other program must have ended.</source>
     <message>
         <source>The replay is paused. Hold “Continue” for 1 s under Drag teaching, or terminate it.</source>
         <translation>示教轨迹已暂停。可在【示教】中按住“继续执行”1 秒，或终止执行。</translation>
-    </message>
-    <message>
-        <source>The fingertip is {value} mm below the plane the arm stands on. Jog upwards unless there is nothing there. Settings have a lowest height for jogs.</source>
-        <translation>末端在底座平面以下 {value} mm。除非那里没有物体，请向上点动。“设置”中可选点动的最低高度。</translation>
     </message>
     <message>
         <source>Joint {joints} left its place uncommanded while it was enabled: it may stand elsewhere than it reports. Check its reference.</source>
@@ -12527,6 +12601,10 @@ The other program must have ended.</source>
         <translation>机器人模型（URDF）</translation>
     </message>
     <message>
+        <source>Above the floor: the plane the arm stands on, or the room&apos;s floor where the cell says under Base how the arm stands. 0 mm is the floor, negative is below it. Single steps, buttons, keys and gamepad keep to it; an arm that is lower may only go up.</source>
+        <translation>相对地面：即底座平面；若单元的“底座”中填写了放置位姿，则为房间地面。0 mm 为地面，负值在其下。单步、按钮、按键和手柄都遵守；已低于此高度的机械臂只能向上。</translation>
+    </message>
+    <message>
         <source>Browse…</source>
         <translation>浏览…</translation>
     </message>
@@ -12581,10 +12659,6 @@ The other program must have ended.</source>
     <message>
         <source>Built-in model of the {model}</source>
         <translation>{model} 内置模型</translation>
-    </message>
-    <message>
-        <source>Above the plane the arm stands on: 0 mm is the plane, negative is below it. Single steps, buttons, keys and gamepad keep to it; an arm that is lower may only go up.</source>
-        <translation>相对底座平面：0 mm 为该平面，负值在其下。单步、按钮、按键和手柄都遵守；已低于此高度的机械臂只能向上。</translation>
     </message>
     <message>
         <source>Jogs end at a lowest height of the fingertip</source>

@@ -68,7 +68,7 @@ BROKEN = {
     "a list": ("[]", CELL_FOREIGN),
     "another file": ('{"format": "armui-parameters", "version": 1}', CELL_FOREIGN),
     "nested deep": ("[" * 100_000, CELL_FOREIGN),
-    "newer": (changed(version=2), CELL_VERSION),
+    "newer": (changed(version=3), CELL_VERSION),
     "no version": (changed(version=True), CELL_FIELD_BAD),
     "an unknown part": (changed(walls=[]), CELL_FIELD_BAD),
     "a figure too large": (with_pen(x_mm=500.1), CELL_FIGURE_BAD),
@@ -95,7 +95,7 @@ def test_what_is_broken_is_refused_whole(fault):
 def test_a_place_is_named_of_what_is_wrong():
     answer = from_text(with_pen(z_mm="far"), "bench")
     assert answer.params["field"] == "tools[1].z_mm"
-    assert from_text(changed(version=7), "bench").params == {"version": 7, "known": 1}
+    assert from_text(changed(version=7), "bench").params == {"version": 7, "known": 2}
     assert from_text('{\n "format": x', "bench").params == {"line": 2, "column": 12}
 
 

@@ -61,6 +61,7 @@ WINDOW_SCENES = (
     Scene("cell", panels.cell),
     Scene("cell-area", panels.cell_area),
     Scene("cell-gripper", panels.cell_gripper),
+    Scene("cell-base", panels.cell_base),
     Scene("cell-held", panels.cell_held),
     Scene("cell-tip", panels.cell_tip),
     Scene("cell-frame", panels.cell_frame),

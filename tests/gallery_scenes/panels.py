@@ -204,6 +204,16 @@ def cell_area(app_driver: AppDriver) -> None:
     app_driver.run(0.2)
 
 
+def cell_base(app_driver: AppDriver) -> None:
+    """The base hangs upside down over a table; the arm was not told so."""
+    cell_held(app_driver)
+    app_driver.click("cell_tab_base")
+    app_driver.type_into("cell_base_Z", "900")
+    app_driver.type_into("cell_base_RX", "180")
+    app_driver.click("cell_base_apply")
+    app_driver.run(0.2)
+
+
 def cell_tip(app_driver: AppDriver) -> None:
     """The tip of a tool is found by five poses, one of them left out."""
     actions.search(app_driver)

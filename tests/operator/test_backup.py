@@ -17,6 +17,7 @@ from armui.ui.dialogs.backup import FILED, HELD, NAME, STATE, BackupDialog
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.widgets.message_line import MessageLine
+from tests.company import OtherHost
 from tests.faulty_arm import HardOfHearing
 from tests.generations import ONE_IS_ENOUGH
 
@@ -347,6 +348,12 @@ def test_what_could_not_be_read_is_not_in_the_file_and_that_is_said(any_driver, 
     any_driver.run_until(any_driver.box.save_button.isEnabled)
     assert rows(any_driver)["J1 Collision level"] == ("—", "—", "not read from the arm")
     save(any_driver, tmp_path / "mine.json")
+    any_driver.ear.mute_on = set()
+    host = OtherHost(any_driver)
+    host.say("477#0200000000000000")  # it asks, and this program hears
+    any_driver.run(0.3)
+    host.close()
+    assert rows(any_driver)["J1 Collision level"][1:] == ("1", "only in the arm")
     assert "6 could not be read from the arm and are not in the file." in said(any_driver)
 
 

@@ -220,3 +220,46 @@ def test_it_is_compared_with_another_of_the_list(panel):
     assert "tools.pen.z_mm: 120 → —" in question._text.text()
     panel.confirm()
     assert panel.controller.cell.cell == Cell("other")
+
+
+def test_add_and_apply_say_why_they_have_no_use(panel):
+    panel.type_into("cell_name", "bench")
+    assert panel.find("cell_tool_add").toolTip() == "Type a name first."
+    add_pen(panel)
+    add, apply = panel.find("cell_tool_add"), panel.find("cell_tool_apply")
+    assert "exists already" in add.toolTip()
+    assert (add.isEnabled(), apply.isEnabled()) == (False, False)
+    assert apply.toolTip() == "Nothing is changed."
+    panel.type_into("cell_tool_name", "pencil")
+    assert (add.isEnabled(), apply.isEnabled()) == (True, True)
+
+
+def test_what_went_well_is_told_in_the_status_bar_alone(panel):
+    panel.type_into("cell_name", "bench")
+    add_pen(panel)
+    assert panel.codes()[-1] == "cell_changed"
+    assert panel.read("cell_message") == ""
+
+
+def test_the_line_of_the_next_step_does_not_confirm_where_it_enables(make_driver):
+    first = make_driver(Generation.TWO)
+    try:
+        first.ready()
+        first.click("menu_cell")
+        first.type_into("cell_name", "bench")
+        add_pen(first)
+    finally:
+        first.close()
+    later = make_driver(Generation.TWO)
+    try:
+        later.connect()
+        later.run(0.5)
+        button = later.find("recovery_button")
+        assert button.text() == "Confirm cell"
+        before = button.geometry()
+        later.click(button)
+        later.run(0.2)
+        later.wait(lambda: not button.geometry().intersects(before))
+        assert button.text() == "Enable"
+    finally:
+        later.close()

@@ -111,3 +111,17 @@ def test_elsewhere_the_handles_are_those_of_the_arm_again(hand):
     hand.app_driver.click("menu_motion")
     hand.look()
     assert hand.view._handles.place.frame is None
+
+
+def test_handles_of_the_area_do_not_stay_for_what_comes_next(hand):
+    driver = hand.app_driver
+    bar = driver.find("view_bar")
+    bar.choose_handles(HandleKind.TOOL_FRAME)
+    driver.run(0.2)
+    assert hand.view._handles is not None
+    driver.click("menu_motion")
+    driver.wait(lambda: not driver.find("view_handles_button").isChecked())
+    bar.choose_handles(HandleKind.JOINTS)  # chosen here, they stay
+    driver.click("menu_cell")
+    driver.run(0.3)
+    assert driver.find("view_handles_button").isChecked()

@@ -1,18 +1,24 @@
 """An operator teaches two points in a user frame, moves the frame by figures, and runs them."""
 
+from dataclasses import replace
+
 import pytest
-from PySide6.QtWidgets import QWidget
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QTableView, QWidget
 
 from armui.cell.cell import Cell, with_part
 from armui.cell.user_frames import UserFrame
 from armui.control.run.progress import RunPhase
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codes import MoveMode
+from armui.trajectory.points.cells import PointColumn
 from armui.trajectory.points.program import Waypoint
+from armui.ui.trajectory.library.library_model import LibraryColumn
+from armui.ui.trajectory.library.library_page import LibraryPage
 from tests.accepted import accepted
 from tests.family import PIPER
 from tests.operator.editor.actions import Editor
-from tests.trajectory.frame_oracle import apart, carried
+from tests.trajectory.frame_oracle import apart, carried, within
 
 HERE = (10.0, 70.0, -60.0, 10.0, 25.0, -20.0)
 THERE = (-10.0, 75.0, -65.0, 10.0, 25.0, -20.0)
@@ -84,3 +90,95 @@ def test_two_points_go_with_the_frame_that_is_moved_by_figures(driver):
         off_mm, off_deg = apart(end, carried(MOVED, point.target))
         assert off_mm < 0.01
         assert off_deg < 0.01
+
+
+FAR = UserFrame("Far", (4200.0, -3900.0, 700.0, 0.0, 0.0, 35.0))
+
+
+def test_a_frame_far_away_takes_points_and_runs(app_driver):
+    """The figures are beyond 5 m; the arm comes to where the oracle says, within 0.01 mm."""
+    app_driver.ready()
+    accepted(app_driver.controller.cell.take(with_part(Cell("bench"), FAR)))
+    place = (300.0, 0.0, 250.0, 0.0, 85.0, 0.0)
+    told = within(FAR.pose, place)
+    assert max(map(abs, told[:3])) > 5000.0
+    editor = Editor(
+        app_driver, Waypoint(MoveMode.MOVE_P, within(FAR.pose, place), None, 100, frame="Far")
+    )
+    editor.type_into(0, PointColumn.VALUE_1, f"{told[0] - 12.0:.3f}")
+    goal = carried(FAR.pose, (round(told[0] - 12.0, 3), *told[1:]))
+    editor.click("editor_save")
+    app_driver.wait(lambda: editor.window.document.saved)
+    assert editor.library.load("Test").points == editor.points
+    editor.click("run_send")
+    accept = editor.child("accept_warnings", QWidget)
+    if accept.isVisible():
+        app_driver.click(accept)
+    app_driver.run_until(lambda: app_driver.controller.player.running)
+    app_driver.run_until(lambda: not app_driver.controller.player.running, seconds=60.0)
+    app_driver.run(0.3)
+    off_mm, off_deg = apart(stands_at(app_driver), goal)
+    assert off_mm < 0.01
+    assert off_deg < 0.01
+
+
+def test_the_range_of_a_figure_is_that_of_its_frame(app_driver):
+    app_driver.ready()
+    accepted(app_driver.controller.cell.take(with_part(Cell("bench"), FAR)))
+    pose = (300.0, 0.0, 250.0, 0.0, 85.0, 0.0)
+    base, framed = Waypoint(MoveMode.MOVE_P, pose), Waypoint(MoveMode.MOVE_P, pose, frame="Far")
+    editor = Editor(app_driver, base, framed)
+    model = editor.table.model()
+    for row, text, code in (
+        *((0, "2000", None), (0, "2000.1", "point_out_of_range")),
+        *((1, "11999", None), (1, "12001", "point_out_of_range")),
+    ):
+        refusal = model.why_not(model.index(row, PointColumn.VALUE_1), text)
+        assert (refusal and refusal.code) == code, (row, text)
+    editor.type_into(1, PointColumn.VALUE_1, "9000")
+    editor.choose(1)
+    editor.keys(Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
+    editor.keys(Qt.Key.Key_V, Qt.KeyboardModifier.ControlModifier)
+    assert editor.points[2] == editor.points[1]
+
+
+def marks(driver, names):
+    """The check marks in the library's list, by name."""
+    driver.click("library_button")
+    page = driver.page(LibraryPage)
+    page.refresh()
+    driver.run(0.1)
+    table = page.findChild(QTableView, "library_table")
+    model = table.model()
+    shown = {
+        model.index(row, 0).data(): model.index(row, LibraryColumn.CHECK).data()
+        for row in range(model.rowCount())
+    }
+    return [shown[name] for name in names]
+
+
+def test_a_moved_frame_takes_away_the_marks_of_its_own_trajectories_alone(driver):
+    """Those of joints, of the base and of another frame stay; moved back it holds again."""
+    cell = with_part(driver.controller.cell.cell, FAR)
+    accepted(driver.controller.cell.change(replace(cell, frame="")))
+    place = (300.0, 0.0, 250.0, 0.0, 85.0, 0.0)
+    points = {
+        "joints": Waypoint(MoveMode.MOVE_J, HERE),
+        "base": Waypoint(MoveMode.MOVE_P, place),
+        "far": Waypoint(MoveMode.MOVE_P, within(FAR.pose, place), frame="Far"),
+        "table": Waypoint(MoveMode.MOVE_P, within(TABLE, place), frame="Table"),
+    }
+    for name, point in points.items():
+        editor = Editor(driver, point, name=name)
+        editor.click("editor_check")
+        driver.run(0.1)
+    before = marks(driver, points)
+    assert all(mark != "—" for mark in before)
+    moved = with_part(cell, UserFrame("Table", MOVED), instead_of="Table")
+    accepted(driver.controller.cell.change(replace(moved, frame="")))
+    driver.run(0.2)
+    assert marks(driver, points) == [*before[:3], "—"]
+    assert marks(driver, points) == [*before[:3], "—"]
+    accepted(driver.controller.cell.change(replace(cell, frame="")))
+    driver.run(0.2)
+    assert marks(driver, points) == before

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QComboBox
 from armui.cell.cell import Cell
 from armui.cell.cell_in_force import CellInForce, to_entry
 from armui.cell.held_objects import HeldObject
+from armui.cell.placement import Placement
 from armui.cell.user_frames import UserFrame
 from armui.cell.work_area import Area, AreaBox
 from armui.protocol.generation import Generation
@@ -61,7 +62,9 @@ def test_a_log_is_shown_and_unmistakably_not_live(replay, log):
 def test_it_shows_the_cell_that_held_and_not_the_present_one(replay, log, monkeypatch):
     tray = UserFrame("tray", (0.0, 0.0, 200.0, 0.0, 0.0, 90.0))
     crate = AreaBox("crate", (300.0, 0.0, 50.0, 0.0, 0.0, 20.0))
-    then = CellInForce("then", held=HeldObject("cube"), area=Area((), (crate,)), frame=tray)
+    base = Placement((0.0, 0.0, 900.0, 180.0, 0.0, 0.0))
+    area = Area((), (crate,))
+    then = CellInForce("then", held=HeldObject("cube"), area=area, frame=tray, placement=base)
     now = Cell("now", frames=(UserFrame("table"),), frame="table")
     accepted(replay.driver.controller.cell.take(now))
     lines = [{"kind": "cell", **to_entry(then)}]
@@ -70,6 +73,7 @@ def test_it_shows_the_cell_that_held_and_not_the_present_one(replay, log, monkey
     view = replay.view.view
     box, held = view.area
     assert (box.size_mm, box.held, held.held) == (crate.size_mm, False, True)
+    assert view.base == base.pose
     assert [(each.name, each.lit) for each in view.frames] == [("tray", True)]
     x, y, z, *_turn = replay.replay.controller.state.end_pose()
     assert view.pose[0][:3] == pytest.approx((y, -x, z - 200.0), abs=1e-6)

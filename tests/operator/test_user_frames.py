@@ -66,6 +66,8 @@ def test_each_sentence_leads_to_the_next_and_the_last_press_takes_it(app_driver)
     assert live == "60.0 mm from the origin; at least 20 mm are needed."
     app_driver.click("frame_take_2")
     assert "the side where +Y is to be" in app_driver.read("frame_points_next")
+    live = app_driver.read("frame_points_live")  # the tip still stands on the X axis
+    assert live == "0.0 mm and 0.0° off the X axis; at least 10° are needed."
     assert not app_driver.find("frame_points_add").isEnabled()
     take(app_driver, 2)
     assert "is Z as you want it?" in app_driver.read("frame_points_next")

@@ -10,6 +10,7 @@ import pytest
 from armui.arm.device import RecordedArm
 from armui.cell.cell_in_force import CellInForce, to_entry
 from armui.cell.held_objects import HeldObject
+from armui.cell.placement import Placement
 from armui.cell.user_frames import UserFrame
 from armui.cell.work_area import Area, AreaBox, AreaPlane
 from armui.control.log_replay import LogReplay
@@ -118,6 +119,7 @@ PARTS: dict[str, Any] = {
     "held": HeldObject("cube", size_mm=(30.0, 40.0, 50.0)),
     "area": Area((AreaPlane("table"),), (AreaBox("crate", (300.0, 0.0, 50.0, 0.0, 0.0, 20.0)),)),
     "frame": UserFrame("tray", (300.0, 100.0, 20.0, 0.0, 0.0, 30.0)),
+    "placement": Placement((1000.0, 0.0, 750.0, 0.0, 0.0, 90.0)),
 }
 
 

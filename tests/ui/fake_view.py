@@ -32,14 +32,16 @@ class FakeView(QWidget):
         self.resets = 0
         self.shape: Any = None
         self.area: Any = ()
+        self.base: Any = ()
         self.frames: Any = ()
         self.mode = ViewMode.FIT
         self.looked_from: list[Any] = []
         self.is_current = False
         self.joint_range: tuple[Any, ...] | None = None
 
-    def set_area(self, area: Any) -> None:
+    def set_area(self, area: Any, base: Any = ()) -> None:
         self.area = area
+        self.base = base
 
     def set_joints(self, angles_deg: Any, gripper_mm: Any, stale: bool = False) -> None:
         self.joints = (angles_deg, gripper_mm, stale)

@@ -123,7 +123,8 @@ class AreaGuard(ControllerPart):
         of = (cell, now.model, geometry, tool)
         if self._check is None or of != self._of:
             self._of = of
-            self._check = AreaCheck(area, carried_body(now.model, geometry, tool, cell))
+            body = carried_body(now.model, geometry, tool, cell)
+            self._check = AreaCheck(area, body, cell.placement.rising)
         return self._check
 
     def check_holding(self, name: str) -> AreaCheck | None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
+from armui.arm.models import STANDING, Rising
 from armui.arm.refusal import Refusal
 from armui.cell.cell import Cell, check_cell
 from armui.cell.cell_in_force import CellInForce, cell_in_force
@@ -156,6 +157,11 @@ class CellControl(ControllerPart):
     def tool_name(self) -> str:
         """The name of the tool in force; "" without a cell or a tool."""
         return "" if self.in_force is None else self.in_force.tool
+
+    @property
+    def rising(self) -> Rising:
+        """How the base stands in the room; it counts before it is confirmed, too."""
+        return STANDING if self.cell is None else self.cell.placement.rising
 
     @property
     def held_shape(self) -> HeldShape | None:

@@ -1,7 +1,8 @@
 """Computes how low the arm reaches, and limits how low a jog may take it.
 
-Heights are of the base frame: 0 mm is the plane the arm stands on. The lowest of flange, fingertip
-and held object counts, as in the check before a run.
+Heights are over the plane the arm stands on, or over the room's floor where the cell says how the
+base stands in the room. The lowest of flange, fingertip and held object counts, as in the check
+before a run.
 """
 
 from __future__ import annotations
@@ -9,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.models import model_data
+from armui.arm.models import Rising, model_data
 from armui.arm.refusal import Reason, Refusal
 from armui.kinematics.forward import flange_rows
 
@@ -40,6 +41,7 @@ class JogFloor:
         tool: Returns the shape of the tool on the flange; ``None`` if only the gripper's tip
             counts.
         held: Returns the shape of what the hand holds, or ``None``.
+        rising: Returns how the base stands in the room.
 
     Attributes:
         lowest_mm: The least height of the fingertip for jogs, or ``None`` for no limit.
@@ -50,10 +52,12 @@ class JogFloor:
         context: Context,
         tool: Callable[[], ToolCapsule | None],
         held: Callable[[], HeldShape | None],
+        rising: Callable[[], Rising],
     ) -> None:
         self._context = context
         self._tool = tool
         self._held = held
+        self._rising = rising
         self.lowest_mm: int | None = None
         self._measured: tuple[object, ...] = ()
         self._below_mm: int | None = None
@@ -62,10 +66,16 @@ class JogFloor:
         """Return the height of flange or fingertip at six angles, whichever is lower."""
         fit = self._context.operating_state().model_fit
         rows = flange_rows(fit.geometry, joints_deg)
-        return self._lowest(rows[11], rows[8:11])
+        return self._lowest(rows[:4], rows[4:8], rows[8:12])
 
-    def _lowest(self, flange_mm: float, ups: Sequence[float]) -> float:
-        """Return the lowest height, from the heights by which the flange's axes rise."""
+    def _lowest(self, *rows: Sequence[float]) -> float:
+        """Return the lowest height, from the three rows of the flange's transform in the base."""
+        *up, base_mm = self._rising()
+        *ups, flange_mm = (
+            sum(part * row[column] for part, row in zip(up, rows, strict=True))
+            for column in range(4)
+        )
+        flange_mm += base_mm
         tool, held = self._tool(), self._held()
         if tool is not None:
             rises = sum(part * up for part, up in zip(tool.tip_mm, ups, strict=True))
@@ -81,7 +91,7 @@ class JogFloor:
         if joints_deg is None:
             return None
         fit = self._context.operating_state().model_fit
-        measured = (joints_deg, fit, self._tool(), self._held())
+        measured = (joints_deg, fit, self._tool(), self._held(), self._rising())
         if measured != self._measured:  # it is asked twice a tick, mostly of an arm that stands
             below = round(-self.height_mm(joints_deg))
             self._measured, self._below_mm = measured, below if below > 0 else None
@@ -108,7 +118,7 @@ class JogFloor:
         """Return why a straight step of the flange is refused, or ``None``."""
         if self.lowest_mm is None:
             return None
-        ahead, here = (self._lowest(each[2][3], each[2][:3]) for each in (flange, now))
+        ahead, here = (self._lowest(*each[:3].tolist()) for each in (flange, now))
         return self._why(ahead, lambda: here)
 
     def _why(self, ahead_mm: float, here_mm: Callable[[], float]) -> Refusal | None:

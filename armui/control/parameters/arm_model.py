@@ -25,7 +25,9 @@ def arm_model(controller: ArmController) -> ArmModel:
     now, cartesian = controller.operating_state, controller.cartesian
     arm = planning_model(controller.state, now, cartesian.tool, cartesian.tool_radius_mm)
     frames = tuple(frames_of(controller.cell.cell).items())
-    arm = replace(arm, held=controller.cell.held_shape, frames=frames)
+    arm = replace(
+        arm, held=controller.cell.held_shape, frames=frames, rising=controller.cell.rising
+    )
     if arm.stroke_mm is None or not controller.gripper.is_calibrated:
         return arm
     return replace(arm, widest_mm=controller.gripper.calibrated_mm(arm.stroke_mm))

@@ -207,7 +207,7 @@ def moves(view: RecoveryView) -> bool:
 
 
 def below_base(view: RecoveryView) -> Params | None:
-    """Return by how much the arm reaches below the plane it stands on, or ``None``."""
+    """Return by how much the arm reaches below the floor, or ``None``."""
     below = view.operating_state.below_base_mm
     return None if below is None else {"value": below}
 

@@ -355,7 +355,7 @@ class StepKind(enum.Enum):
     )
     BELOW_BASE = StepText(
         "below_base",
-        "The fingertip is {value} mm below the plane the arm stands on. Jog upwards unless there "
+        "The fingertip is {value} mm below the floor. Jog upwards unless there "
         "is nothing there. Settings have a lowest height for jogs.",
     )
     MOVING = StepText("moving", "The arm is moving")

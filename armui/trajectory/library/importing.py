@@ -14,7 +14,7 @@ from armui.kinematics.poses import Pose, apart
 from armui.trajectory import columns, files
 from armui.trajectory.files import TrajectoryFileError
 from armui.trajectory.library.store import Library, LibraryError
-from armui.trajectory.points.program import OF_FLANGE, PosesOf, Trajectory, Values
+from armui.trajectory.points.program import OF_FLANGE, PosesOf, Trajectory, Values, frames_in
 
 if TYPE_CHECKING:
     from armui.cell.cell import Cell
@@ -85,7 +85,7 @@ class Imported:
                 found.append(TOOL_OTHERWISE(file=self.path.name, name=name))
         stood = {frame.name: frame.pose for frame in self.poses_of.frames}
         for name in self.frames:
-            frame = None if cell is None else part_named(cell.frames, name)
+            frame = None if cell is None else part_named(cell.all_frames, name)
             if frame is None:
                 found.append(FRAME_NOT_HERE(file=self.path.name, name=name))
             elif name in stood and stood[name] != frame.pose:
@@ -141,5 +141,4 @@ def _import_file(library: Library, path: Path) -> Imported:
     except LibraryError as error:
         return Imported(path, requested=content.name, error=error)
     points = content.points if isinstance(content, Trajectory) else ()
-    frames = tuple(dict.fromkeys(point.frame for point in points if point.frame))
-    return Imported(path, name, content.name, poses_of=poses_of, frames=frames)
+    return Imported(path, name, content.name, poses_of=poses_of, frames=frames_in(points))

@@ -24,7 +24,7 @@ from armui.system.clock import in_calendar_s
 from armui.system.files import read_file
 from armui.trajectory.files import Content, TrajectoryFileError
 from armui.trajectory.library.run_options import RunOptions
-from armui.trajectory.points.program import SpeedsFrom, speeds_of
+from armui.trajectory.points.program import SpeedsFrom, frames_in, speeds_of
 from armui.trajectory.samples.recording import Recording
 
 Kind = Literal["points", "recording", "draft"]
@@ -60,14 +60,15 @@ class IndexEntry:
         check: The result of its last check; ``None`` if it has changed since, or was never checked.
         damage: The fault of its file; ``None`` if there is none.
         note: The operator's note.
-        checked_for: The `ArmModel.fingerprint` that the check was made for.
+        checked_for: The `ArmModel.fingerprint_of` its frames that the check was made for.
         ran_with: The options of its last run; ``None`` if it is not known to have run.
         taught_on: The arm it was taught on; "" if not known.
         speeds: The lowest and highest speed percentage of its points from each row on, see
             `speeds_of`.
         estimated_s: How long it will take at its own speed, see `estimate_s`; ``None`` where that
             is not known.
-        estimated_for: The `ArmModel.fingerprint` that was estimated for; "": nobody has.
+        estimated_for: The same of the estimate; "": nobody has.
+        frames: The user frames that its points name.
         folder: The sub-folder its file lies in; "" for the library's folder itself. It is not kept
             in the cache: the file's place says it.
     """
@@ -86,6 +87,7 @@ class IndexEntry:
     taught_on: str = ""
     estimated_s: float | None = None
     estimated_for: str = ""
+    frames: tuple[str, ...] = ()
     folder: str = ""
 
 
@@ -117,7 +119,7 @@ def entry_of(content: Content) -> IndexEntry:
         )
     speeds, count = speeds_of(content.points), len(content.points)
     entry = IndexEntry(name, "points", count, None, modified, note=note, speeds=speeds)
-    return replace(entry, taught_on=content.taught_on)
+    return replace(entry, taught_on=content.taught_on, frames=frames_in(content.points))
 
 
 class Stamp(NamedTuple):
@@ -236,6 +238,7 @@ def _pack(entry: IndexEntry) -> dict[str, Any]:
         "taught_on": entry.taught_on,
         "estimated_s": entry.estimated_s,
         "estimated_for": entry.estimated_for,
+        "frames": entry.frames,
     }
     if (damage := entry.damage) is not None:
         reason = damage.refusal
@@ -253,10 +256,14 @@ def _unpack(data: dict[str, Any]) -> dict[str, tuple[Stamp, IndexEntry]]:
         damage = fields.pop("damage", None)
         fields["modified"] = datetime.fromisoformat(fields["modified"])
         ran_with, speeds = fields.pop("ran_with"), fields.pop("speeds")
+        if "frames" not in fields:
+            continue  # of an older program: its file is read once more
+        frames = tuple(fields.pop("frames"))
         entry = IndexEntry(
             **fields,
             ran_with=None if ran_with is None else RunOptions(**ran_with),
             speeds=tuple(starmap(SpeedsFrom, speeds)),
+            frames=frames,
         )
         if damage is not None:
             code, params, line, column, name = damage
@@ -271,7 +278,8 @@ def _unpack(data: dict[str, Any]) -> dict[str, tuple[Stamp, IndexEntry]]:
 
 def _is_sound(entry: IndexEntry) -> bool:
     """Return whether every field of an entry is what the list can show."""
-    texts = (entry.name, entry.note, entry.checked_for, entry.taught_on, entry.estimated_for)
+    named = (entry.name, entry.note, entry.checked_for, entry.taught_on, entry.estimated_for)
+    texts = (*named, *entry.frames)
     return (
         all(isinstance(text, str) and _can_be_shown(text) for text in texts)
         and entry.kind in get_args(Kind)

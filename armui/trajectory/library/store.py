@@ -523,7 +523,7 @@ class Library:
             name: The name; nothing is stored if the file is gone or damaged.
             check: The result of the check.
             length_s: The duration; ignored for recordings, which hold it.
-            arm: The `ArmModel.fingerprint` of the arm it was checked for.
+            arm: The `ArmModel.fingerprint_of` its frames that it was checked for.
         """
         kept = self._scan().get(name)
         if kept is None or kept.entry.damage is not None:
@@ -569,7 +569,8 @@ class Library:
             with contextlib.suppress(TrajectoryFileError):  # gone, or damaged since
                 content = load_by(self._call, kept.path, kept.stamp.size)
                 seconds: float | None = self._call(estimate_s, content, arm)
-                entry = replace(kept.entry, estimated_s=seconds, estimated_for=arm.fingerprint)
+                holds_for = arm.fingerprint_of(kept.entry.frames)
+                entry = replace(kept.entry, estimated_s=seconds, estimated_for=holds_for)
                 marked[name] = kept, entry
             if time.monotonic() - begun_s > _MOMENT_S:
                 break

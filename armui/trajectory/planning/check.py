@@ -16,7 +16,7 @@ import numpy.typing as npt
 
 from armui.arm.held_shape import HeldShape
 from armui.arm.limits import JOINTS
-from armui.arm.models import ArmModel
+from armui.arm.models import STANDING, ArmModel
 from armui.cell.area_check import AreaCheck
 from armui.kinematics.forward import flange_heights, flange_transforms
 from armui.kinematics.singularity import NEAR_SINGULAR as SINGULAR_BELOW
@@ -152,8 +152,8 @@ OTHER_ARM = FindingKind(
 )
 BELOW_FLOOR = FindingKind(
     "below_floor",
-    "The tool or what is held would be {value} mm below the plane the arm stands on. Accept this "
-    "only if there is nothing.",
+    "The tool or what is held would be {value} mm below the floor. Accept this only if there is "
+    "nothing.",
     Severity.WARNING,
 )
 
@@ -428,14 +428,22 @@ def _far_from_start(path: PlannedPath) -> Iterator[Finding]:
 
 
 def _below_floor(path: PlannedPath, arm: ArmModel, there: Flags) -> Iterator[Finding]:
-    flanges_mm = flange_heights(arm.kinematics.geometry, path.joints_deg)
-    tips_mm = path.places_mm[:, 2]
+    up, base_mm = np.array(arm.rising[:3]), arm.rising[3]
+    geometry = arm.kinematics.geometry
+    if arm.rising == STANDING and arm.held is None:
+        flanges_mm = flange_heights(geometry, path.joints_deg)
+        flanges = None
+    else:
+        flanges = flange_transforms(geometry, path.joints_deg)
+        flanges_mm = flanges[:, :3, 3] @ up + base_mm
+    tips_mm = path.places_mm @ up + base_mm
     heights = np.minimum(tips_mm, flanges_mm)
     if arm.tool is not None:
         heights = arm.tool.lowest(flanges_mm, tips_mm)
-    if arm.held is not None:
-        ups = flange_transforms(arm.kinematics.geometry, path.joints_deg)[:, 2, :3].T
-        heights = np.minimum(heights, arm.held.lowest(flanges_mm, tuple(ups)))
+    if arm.held is not None and flanges is not None:
+        heights = np.minimum(
+            heights, arm.held.lowest(flanges_mm, tuple((up @ flanges[:, :3, :3]).T))
+        )
     below = FLOOR_MM - heights
     only_way = below[_first_point(path)] <= 0.0
     for index in _worst((below > 0.0) & there, below, path):

@@ -31,7 +31,7 @@ _DECIMALS: Final = 6
 
 def frames_of(cell: Cell | None) -> Frames:
     """Return the user frames of a cell."""
-    return {} if cell is None else {frame.name: frame.pose for frame in cell.frames}
+    return {} if cell is None else {frame.name: frame.pose for frame in cell.all_frames}
 
 
 def why_unknown(points: Sequence[Waypoint], frames: Frames) -> Refusal | None:

@@ -98,13 +98,13 @@ def edited(point: Waypoint, column: PointColumn, text: str) -> Waypoint | Refusa
 def _edited(point: Waypoint, column: PointColumn, text: str) -> Waypoint | Refusal:
     if column in VALUES:
         place = column - PointColumn.VALUE_1
-        value = figure(point.names[place], text)
+        value = figure(point.names[place], text, far=bool(point.frame))
         if isinstance(value, Refusal):
             return value
         target = (*point.target[:place], value, *point.target[place + 1 :])
         return replace(point, target=target)
     if column is PointColumn.MIDDLE:
-        middle = _six(text)
+        middle = _six(text, far=bool(point.frame))
         return middle if isinstance(middle, Refusal) else replace(point, middle=middle)
     if column is PointColumn.SPEED:
         value = figure("speed", text)
@@ -121,13 +121,14 @@ def _edited(point: Waypoint, column: PointColumn, text: str) -> Waypoint | Refus
     return replace(point, note=text)
 
 
-def figure(field: str, text: str) -> float | Refusal:
+def figure(field: str, text: str, *, far: bool = False) -> float | Refusal:
     """Return the figure in a text, or why a point cannot have it.
 
     Args:
         field: A key of `program.RANGES`.
         text: The text as typed: a unit behind the figure, a decimal comma and the typographic minus
             are understood.
+        far: True for a point in a user frame.
     """
     plain = _UNIT.sub("", text.strip()).replace("−", "-").replace(",", ".")
     try:
@@ -135,14 +136,14 @@ def figure(field: str, text: str) -> float | Refusal:
     except ValueError:
         code = POINT_NOT_WHOLE if field in WHOLE else POINT_NOT_A_NUMBER
         return Refusal(code, {"field": field, "value": text.strip(), "unit": ""})
-    return check_figure(field, value) or value
+    return check_figure(field, value, far=far) or value
 
 
-def _six(text: str) -> Values | Refusal:
+def _six(text: str, *, far: bool) -> Values | Refusal:
     words = [word for word in _PARTING.split(text) if word]
     if len(words) != VALUE_COUNT:
         return POINT_INCOMPLETE(field="middle", value=len(words))
-    values = [figure(name, word) for name, word in zip(POSE_NAMES, words, strict=True)]
+    values = [figure(name, word, far=far) for name, word in zip(POSE_NAMES, words, strict=True)]
     wrong = next((value for value in values if isinstance(value, Refusal)), None)
     return wrong or tuple(value for value in values if not isinstance(value, Refusal))
 

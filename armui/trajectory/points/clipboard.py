@@ -127,7 +127,7 @@ def _read_row(line: str, number: int, like: MoveMode) -> Waypoint:
         raise broken(VALUES_COUNT, number, 1, value=len(values), expected=VALUE_COUNT)
     names = JOINT_NAMES if move is MoveMode.MOVE_J else POSE_NAMES
     target = tuple(
-        _taken(figure(name, cell), number, place)
+        _taken(figure(name, cell, far=bool(frame)), number, place)
         for place, (name, cell) in enumerate(zip(names, values, strict=True), 1)
     )
     rest = cells[1 + VALUE_COUNT :]

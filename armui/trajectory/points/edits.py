@@ -163,7 +163,7 @@ def replace_text(point: Waypoint, text: str, by: str) -> Waypoint | Refusal:
 
 def replace_figure(point: Waypoint, field: str, value: float) -> Waypoint | Refusal:
     """Return a point with one figure replaced; a point without that figure is unchanged."""
-    refusal = check_figure(field, value)
+    refusal = check_figure(field, value, far=bool(point.frame))
     if refusal is not None:
         return refusal
     if field == "speed":

@@ -72,6 +72,8 @@ class Range(NamedTuple):
 
 ANGLE: Final = Range(-360.0, 360.0, "°")
 PLACE: Final = Range(-2000.0, 2000.0, "mm")
+FAR_PLACE: Final = Range(-12000.0, 12000.0, "mm")
+"""That in a user frame, whose origin may be 5 m away along each axis of the base."""
 JOINT_NAMES: Final = ("J1", "J2", "J3", "J4", "J5", "J6")
 POSE_NAMES: Final = ("X", "Y", "Z", "RX", "RY", "RZ")
 RANGES: Final = {
@@ -249,6 +251,11 @@ def _unpacked(  # noqa: PLR0917 - as pickle hands them on
     return Trajectory(name, note, tuple(starmap(Waypoint, points)), modified, closing, taught_on)
 
 
+def frames_in(points: Iterable[Waypoint]) -> tuple[str, ...]:
+    """Return the user frames that points name, sorted."""
+    return tuple(sorted({point.frame for point in points if point.frame}))
+
+
 class SpeedsFrom(NamedTuple):
     """The speeds of the points from a row on, up to the next `SpeedsFrom`.
 
@@ -275,14 +282,20 @@ def speeds_of(points: Sequence[Waypoint]) -> tuple[SpeedsFrom, ...]:
     return tuple(reversed(found))
 
 
-def check_figure(field: str, value: float) -> Refusal | None:
+def range_of(field: str, *, far: bool) -> Range:
+    """Return the range of a figure; with `far` that of a point in a user frame."""
+    return FAR_PLACE if far and RANGES[field] is PLACE else RANGES[field]
+
+
+def check_figure(field: str, value: float, *, far: bool = False) -> Refusal | None:
     """Return why a figure of a point is not possible, or ``None`` if it is.
 
     Args:
         field: A key of :data:`RANGES`.
         value: The value entered.
+        far: True for a point in a user frame; see :func:`range_of`.
     """
-    allowed = RANGES[field]
+    allowed = range_of(field, far=far)
     if not math.isfinite(value) or (field in WHOLE and value != int(value)):
         code = POINT_NOT_WHOLE if field in WHOLE else POINT_NOT_A_NUMBER
         return Refusal(code, {"field": field, "value": value, "unit": allowed.unit})
@@ -306,7 +319,7 @@ def check_point(point: Waypoint) -> Refusal | None:
     if point.frame and point.is_joint:
         return POINT_FRAME_OF_JOINTS(name=point.frame)
     refusals = chain(
-        starmap(check_figure, point.figures()),
+        (check_figure(*figure, far=bool(point.frame)) for figure in point.figures()),
         map(check_cell_name, filter(None, (point.frame, point.holds))),
         (check_text("comment", comment, lines=1) for comment in point.comments),
         (check_text("note", point.note),),

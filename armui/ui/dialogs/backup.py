@@ -16,6 +16,7 @@ from armui.arm.backup import SUFFIX, Backup, ComparisonRow, ComparisonVerdict, c
 from armui.arm.models import model_data
 from armui.arm.parameters import Parameter, factory_bound
 from armui.arm.refusal import Reason, Refusal
+from armui.arm.state import ArmState
 from armui.control.arm_controller import QUESTION_WITHDRAWN, ArmController
 from armui.control.events import Level
 from armui.control.operating_state import BUSY, OperatingState
@@ -375,6 +376,7 @@ class BackupDialog(ArmDialog):
         self._reader.progressed.connect(self._on_progress)
         self._reader.finished.connect(self._on_read_to_the_end)
         self._settings.changed.connect(self._on_settings_changed)
+        self._controller.state_changed.connect(self._on_state)
         self._controller.operating_state_changed.connect(self._on_operating_state_changed)
 
     def retranslate_ui(self) -> None:
@@ -551,6 +553,11 @@ class BackupDialog(ArmDialog):
         failed = [cell.refusal for cell in cells if cell.state is not CellState.SAVED]
         self._say(*restored_text(len(cells), failed))
 
+    def _on_state(self, _state: ArmState) -> None:
+        """Show what is heard while nothing is read from here: another panel's or host's answer."""
+        if self.isVisible() and self._rows() not in ([], self._model.rows):
+            self._compare()
+
     def _on_operating_state_changed(self, _operating_state: OperatingState) -> None:
         """Read an arm that is there now, or there again: it has not said anything yet."""
         if not self.isVisible():
@@ -583,12 +590,13 @@ class BackupDialog(ArmDialog):
             model=operating_state.model,
         )
 
-    def _compare(self) -> None:
+    def _rows(self) -> list[ComparisonRow]:
         filed = {} if self._backup is None else self._backup.values
-        known = self._known()
-        state = self._controller.state
-        if known or filed:
-            self._model.show_rows(compare(filed, state, known, self._settings.holds))
+        return compare(filed, self._controller.state, self._known(), self._settings.holds)
+
+    def _compare(self) -> None:
+        if rows := self._rows():
+            self._model.show_rows(rows)
 
     def _show_all(self) -> None:
         self._compare()

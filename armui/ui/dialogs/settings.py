@@ -188,7 +188,8 @@ class SettingsDialog(ArmDialog):
         caption(self.stop_again_box, text, tip=tip)
         text = self.tr("Jogs end at a lowest height of the fingertip")
         tip = self.tr(
-            "Above the plane the arm stands on: 0 mm is the plane, negative is below it. "
+            "Above the floor: the plane the arm stands on, or the room's floor where the cell says "
+            "under Base how the arm stands. 0 mm is the floor, negative is below it. "
             "Single steps, buttons, keys and gamepad keep to it; an arm that is lower may only "
             "go up."
         )

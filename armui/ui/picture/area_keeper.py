@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject
 
+from armui.cell.user_frames import NO_FRAME
 from armui.cell.work_area import AreaBox
 from armui.viewport.area_picture import AreaPicture, AreaShape
 from armui.viewport.robot_shape import pose_rows
@@ -61,18 +63,25 @@ class AreaKeeper(QObject):
 
     def _show(self, _changed: object = None) -> None:
         area, cell = self._controller.area_guard.area, self._controller.cell.cell
+        base = NO_FRAME if cell is None else cell.placement.pose
         zone = self._zone()
         typed = None if zone is None else zone.typed_zone()
         held = held_picture(None if cell is None else cell.held_object)
         if typed is not None and (cell is None or typed not in cell.area.zones):
             size_mm = typed.size_mm if isinstance(typed, AreaBox) else None
             held = (AreaShape(pose_rows(typed.pose), size_mm, near=True), *held)
+        pale = self._controller.cell.unconfirmed is not None
         if area is None or not self._switch.isChecked():
-            self._view.set_area(held)
+            self._view.set_area(_as_confirmed(held, pale=pale), base)
             return
         seen = self._controller.area_guard.look(self._controller.state)
         near = {each.zone.name for each in seen if each.gap_mm < area.margin_mm + _NEAR_MM}
-        self._view.set_area((*area_picture(area, near), *held))
+        self._view.set_area(_as_confirmed((*area_picture(area, near), *held), pale=pale), base)
+
+
+def _as_confirmed(shapes: AreaPicture, *, pale: bool) -> AreaPicture:
+    """Return what the picture shows, pale while the cell waits for its confirmation."""
+    return tuple(replace(each, pale=True) for each in shapes) if pale else shapes
 
 
 def area_picture(area: Area, near: Collection[str] = ()) -> AreaPicture:

@@ -40,7 +40,7 @@ class FrameKeeper(QObject):
     def _show(self, _changed: object = None) -> None:
         cells = self._controller.cell
         cell, chosen, candidate = cells.cell, self._controller.cartesian.frame, cells.candidate
-        frames = cell.frames if cell is not None and self._switch.isChecked() else ()
+        frames = cell.all_frames if cell is not None and self._switch.isChecked() else ()
         marks = [FrameMark(each.name, pose_rows(each.pose), each == chosen) for each in frames]
         if candidate is not None:
             marks.append(FrameMark(candidate.name, pose_rows(candidate.pose), lit=True))

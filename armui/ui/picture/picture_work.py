@@ -371,6 +371,7 @@ class PictureWork(QObject):
         self._led_arm = LedArm(controller, hand)
         self._drag = TargetDrag(controller, view, preview, self.note, self._target, zone=self._zone)
         self.bar.handles_wanted.connect(self._drag.set_kind)
+        self._drag.put_away.connect(lambda: self.bar.choose_handles(None))
         preview.row_shown.connect(self._drag.look)
         application = QApplication.instance()
         if isinstance(application, QApplication):

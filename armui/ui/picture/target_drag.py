@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Final, Protocol
 
-from PySide6.QtCore import QObject, QTimer
+from PySide6.QtCore import QObject, QTimer, Signal
 
 from armui.arm.limits import ANGLE_STEP_DEG, check_joints
 from armui.arm.refusal import Reason, Refusal
@@ -406,7 +406,12 @@ class TargetDrag(QObject):
         note: Shows the reason why something can't be reached.
         target: Returns the target that can be dragged now, or None.
         zone: Returns the plane or box that can be dragged instead, or None.
+
+    Signals:
+        put_away: The place is left that the handles were switched on for.
     """
+
+    put_away = Signal()
 
     def __init__(
         self,
@@ -425,6 +430,7 @@ class TargetDrag(QObject):
         self._note = note
         self._target = target
         self._zone = zone
+        self._of_zone = False
         self._zone_held: tuple[ZoneTarget, tuple[float, ...]] | None = None
         self._held: DragTarget | None = None
         self._base: DragBase | None = None
@@ -445,6 +451,7 @@ class TargetDrag(QObject):
         if kind is not self.kind:
             self._view.give_up_drag()
         self.kind = kind
+        self._of_zone = kind is not None and self._zone() is not None
         self._say(None)
         self.look()
 
@@ -457,6 +464,8 @@ class TargetDrag(QObject):
         if not self._view.isVisible() or self._zone_held is not None:
             return
         zone = self._zone()
+        if self._of_zone and zone is None:
+            self.put_away.emit()
         typed_zone = None if zone is None or self.kind is None else zone.typed_zone()
         if typed_zone is not None:
             frame = pose_rows(typed_zone.pose)

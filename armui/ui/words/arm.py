@@ -248,6 +248,38 @@ def mounting(how: Mounting) -> str:
     return _MOUNTINGS.text(how)
 
 
+def mounting_check(needed: Mounting | None, told: Mounting | None) -> str:
+    """Return whether an arm was told how its base stands; empty if nothing is to be said.
+
+    Args:
+        needed: What the placement of its base wants; ``None`` if the arm knows nothing that fits.
+        told: What this program has told it last; ``None`` if nothing.
+    """
+    if needed is told or (told is None and needed is Mounting.LEVEL):
+        return ""
+    text = QCoreApplication.translate(
+        "Mounting",
+        "The base is placed for the mounting “{needed}”, which the arm was not told: it would hold "
+        "its weight wrongly. Tell it under End load; the program never does so by itself.",
+    )
+    if needed is None:
+        text = QCoreApplication.translate(
+            "Mounting",
+            "The base is tilted so that no mounting fits that the arm knows: it holds its weight "
+            "wrongly. Correct the figures, or mind it when the arm is led by hand.",
+        )
+    elif told is not None:
+        text = QCoreApplication.translate(
+            "Mounting",
+            "The arm was told the mounting “{told}”, but the cell places its base for “{needed}”: "
+            "one of them is wrong. Correct the figures, or tell the arm under End load.",
+        )
+    return text.format(
+        needed="" if needed is None else mounting(needed),
+        told="" if told is None else mounting(told),
+    )
+
+
 def light_figure(name: str) -> str:
     """Return the name of a figure of the light command: a key of ``lights.RANGES``."""
     return _LIGHTS.word(name)

@@ -51,10 +51,12 @@ class AreaActors:
     def _add(self, shape: AreaShape, palette: ScenePalette) -> vtkActor:
         actor = actor_of(_surface(shape))
         look = actor.GetProperty()
-        lit = palette.accent if shape.held else palette.warning
-        color = rgb(lit if shape.near or shape.held else palette.muted)
+        lit = (shape.near or shape.held) and not shape.pale
+        color = rgb((palette.accent if shape.held else palette.warning) if lit else palette.muted)
         look.SetColor(*color)
-        look.SetOpacity(_NEAR_OPACITY if shape.near or shape.held else _OPACITY)
+        look.SetOpacity(_NEAR_OPACITY if lit or shape.pale else _OPACITY)
+        if shape.pale:
+            look.SetRepresentationToWireframe()
         look.LightingOff()
         look.BackfaceCullingOff()
         look.EdgeVisibilityOn()

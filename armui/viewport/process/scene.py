@@ -21,7 +21,7 @@ from vtkmodules.vtkRenderingCore import (
 )
 from vtkmodules.vtkRenderingFreeType import vtkVectorText
 
-from armui.viewport.camera import HOME_CAMERA, VIEW_ANGLE_DEG
+from armui.viewport.camera import HOME_CAMERA, ON_THE_FLOOR, VIEW_ANGLE_DEG
 from armui.viewport.palette import LIGHT, ScenePalette, mix, rgb
 from armui.viewport.path_picture import NOTHING, Preview
 from armui.viewport.process.area_actors import AreaActors
@@ -60,6 +60,7 @@ class Stage:
 
     def __init__(self, renderer: vtkRenderer) -> None:
         self._renderer = renderer
+        self._placement = ON_THE_FLOOR
         lines, self._outward = floor_lines(_FLOOR_RADIUS_M, _FLOOR_STEP_M)
         self._lines = lines
         self._lines.point_data["color"] = np.zeros((lines.n_points, 3), np.uint8)
@@ -70,6 +71,17 @@ class Stage:
         ]
         self._letters = [self._letter(text, direction) for text, direction in _AXES]
         self._light()
+
+    def stand(self, placement: tuple[float, ...]) -> None:
+        """Put the floor where the room has it, its middle below the base."""
+        if placement != self._placement:
+            self._placement = placement
+            in_room = np.vstack((np.reshape(placement, (3, 4)), (0.0, 0.0, 0.0, 1.0)))
+            below = np.eye(4)
+            below[:2, 3] = np.round(in_room[:2, 3] / _FLOOR_STEP_M) * _FLOOR_STEP_M
+            matrix = vtkMatrix4x4()
+            matrix.DeepCopy(flat(np.linalg.inv(in_room) @ below))
+            self._grid.SetUserMatrix(matrix)
 
     def paint(self, palette: ScenePalette) -> None:
         """Apply the colours of a theme."""
@@ -360,6 +372,7 @@ class Scene:
     def show(self, state: ViewState) -> None:
         """Apply all of a state but its robot and its pick request."""
         self.camera = state.camera
+        self._stage.stand(state.camera.placement)
         if state.palette != self._palette:
             self.set_palette(state.palette)
         if state.highlighted_joint != self._highlighted_joint:

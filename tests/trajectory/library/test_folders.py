@@ -165,6 +165,17 @@ def test_an_index_from_before_there_were_folders_is_read(library, folder):
     assert opened(folder).entries()[0].check == "ok"
 
 
+def test_an_entry_that_does_not_tell_frames_is_read_anew(library, folder):
+    """A mark that an older program made may be of points in a frame that has moved since."""
+    library.save(trajectory())
+    library.mark("pick", check="ok", length_s=4.5)
+    index = json.loads((folder / ".index.json").read_text())
+    del index["files"]["pick.log"][3]["frames"]
+    (folder / ".index.json").write_text(json.dumps(index))
+    (entry,) = opened(folder).entries()
+    assert (entry.name, entry.check, entry.frames) == ("pick", None, ())
+
+
 def test_what_old_deletions_held_in_folders_is_removed_in_time(cell, folder):
     (_, place) = cell.delete(["pick"]).places[0]
     room = place.parent.parent

@@ -192,8 +192,8 @@ class AreaTab(NamedTab):
         if self._thing is not None:
             return self.tr("It is in force. Switch it off, or change its figures and press Apply.")
         return self.tr(
-            "Type a name and a pose in the base, or take the tool's. A plane keeps the arm on the "
-            "side of its Z axis (all 0: above the table); a box keeps it out."
+            "Type a name and a pose in the base. A plane keeps the arm on the side of its Z axis, "
+            "a box keeps it out."
         )
 
     def _texts(self) -> TabTexts:

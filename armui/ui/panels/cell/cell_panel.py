@@ -25,6 +25,7 @@ from armui.ui.actions.command import Command, Target
 from armui.ui.dialogs.confirm_dialog import confirm
 from armui.ui.dialogs.files import choose_file
 from armui.ui.panels.cell.area_tab import AreaTab
+from armui.ui.panels.cell.base_tab import BaseTab
 from armui.ui.panels.cell.cell_tab import CellTab, CurrentStack
 from armui.ui.panels.cell.frames_tab import FramesTab
 from armui.ui.panels.cell.gripper_tab import GripperTab
@@ -47,7 +48,14 @@ if TYPE_CHECKING:
     from armui.control.operating_state import OperatingState
     from armui.settings import SettingsStore
 
-TABS: Final[tuple[type[CellTab], ...]] = (ToolsTab, FramesTab, AreaTab, HeldTab, GripperTab)
+TABS: Final[tuple[type[CellTab], ...]] = (
+    ToolsTab,
+    FramesTab,
+    AreaTab,
+    HeldTab,
+    GripperTab,
+    BaseTab,
+)
 """The tabs from left to right."""
 _TALLEST_CARD_PX: Final = 560
 _NARROW_PX: Final = 60
@@ -128,6 +136,8 @@ class CellPanel(Panel):
         for place, tab in enumerate(self._tabs):
             tab_button = choice_button(f"cell_tab_{tab.key}")
             self._group.addButton(tab_button, place)
+            tab_button.setProperty("tight", True)
+            tab.preferences = self._preferences
             self._stack_of_tabs.addWidget(tab)
             choice.addWidget(tab_button, 1)
         self._group.button(0).setChecked(True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import ClassVar, Final, cast
+from typing import TYPE_CHECKING, ClassVar, Final, cast
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QGridLayout, QLabel, QStackedWidget, QWidget
@@ -13,9 +13,11 @@ from armui.arm.state import ArmState
 from armui.cell.cell import Cell
 from armui.control.arm_controller import ArmController
 from armui.control.cell.cell_control import CellControl
+from armui.control.cell.cell_reasons import CELL_NONE
 from armui.control.operations.operation import operation_of
 from armui.control.operations.started import Started
 from armui.kinematics.axes import AXES, LINEAR_AXES
+from armui.ui import words
 from armui.ui.actions.command import Command, Target
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import empty_grid
@@ -23,13 +25,15 @@ from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Text
 
+if TYPE_CHECKING:
+    from armui.settings import SettingsStore
+
 Answered = Callable[[Started | Refusal | None], bool]
 """Shows an answer in the panel, and returns whether it was a yes."""
 
 
 NARROW_PX: Final = 56
 """The least width of fields and buttons that share a row."""
-_HINT_LINES: Final = 2
 
 
 def change_command(name: str, title: Text, *, risky: bool = False) -> Command:
@@ -37,10 +41,10 @@ def change_command(name: str, title: Text, *, risky: bool = False) -> Command:
     return Command(name, title, operation_of(CellControl.change), leads=True, risky=risky)
 
 
-def hint_label(name: str) -> QLabel:
+def hint_label(name: str, lines: int = 2) -> QLabel:
     """Return a label for the next step; what stands below it keeps its place."""
     label = text_label(name, wraps=True)
-    label.setMinimumHeight(_HINT_LINES * label.fontMetrics().lineSpacing())
+    label.setMinimumHeight(lines * label.fontMetrics().lineSpacing())
     label.setAlignment(Qt.AlignmentFlag.AlignTop)
     return label
 
@@ -104,6 +108,7 @@ class CellTab(Translated, QWidget):
         key: Its stable name.
         title: The title of its button.
         commands: Its commands for the command palette, of the panel's key.
+        preferences: The settings; ``None`` until the panel has given them.
     """
 
     key: ClassVar[str] = ""
@@ -114,6 +119,7 @@ class CellTab(Translated, QWidget):
         super().__init__()
         self._controller = controller
         self._answered = answered
+        self.preferences: SettingsStore | None = None
 
     def show_cell(self, why_not: str) -> None:
         """Show the chosen cell.
@@ -130,6 +136,15 @@ class CellTab(Translated, QWidget):
         """Return the target of each of its commands: the widget that has the command's name."""
         widgets = ((each.name, each.name.replace(".", "_")) for each in self.commands)
         return {name: cast("QWidget", self.findChild(QWidget, each)) for name, each in widgets}
+
+    def _no_step(self) -> str:
+        """Return why nothing of the cell can be in force: there is none, or it is not confirmed."""
+        cells = self._controller.cell
+        if cells.cell is None:
+            return words.refusal(CELL_NONE())
+        if cells.unconfirmed is None:
+            return ""
+        return self.tr("Not in force until the cell is confirmed; the picture shows it pale.")
 
     @property
     def _cell(self) -> Cell:

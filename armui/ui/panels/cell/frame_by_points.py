@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from functools import partial
 from typing import Any, Final
@@ -9,7 +10,13 @@ from typing import Any, Final
 from PySide6.QtGui import QHideEvent, QShowEvent
 
 from armui.arm.refusal import Refusal
-from armui.cell.user_frames import LEAST_APART_MM, UserFrame, frame_from_points
+from armui.cell.user_frames import (
+    LEAST_APART_MM,
+    LEAST_OFF_DEG,
+    UserFrame,
+    frame_from_points,
+    off_x_axis,
+)
 from armui.control.arm_controller import ArmController
 from armui.control.cell.cell_reasons import CELL_NONE
 from armui.kinematics.poses import pose_to_matrix, tool_pose
@@ -93,10 +100,16 @@ class FrameByPoints(PointSearch):
         pose, origin = self._controller.cartesian.tool_pose(self._controller.state), self._points[0]
         if pose is None or origin is None or None not in self._points:
             return ""
-        way = [one - other for one, other in zip(pose[:3], origin, strict=False)]
-        text = self.tr("{value} mm from the origin; at least {wanted} mm are needed.")
-        value = fmt.number(sum(each * each for each in way) ** 0.5, 1)
-        return text.format(value=value, wanted=round(LEAST_APART_MM))
+        on_x = self._points[1]
+        if on_x is None:
+            text = self.tr("{value} mm from the origin; at least {wanted} mm are needed.")
+            value = math.dist(pose[:3], origin[:3])
+            return text.format(value=fmt.number(value, 1), wanted=round(LEAST_APART_MM))
+        text = self.tr("{value} mm and {angle}° off the X axis; at least {wanted}° are needed.")
+        value, angle = off_x_axis(origin, on_x, pose)
+        return text.format(
+            value=fmt.number(value, 1), angle=fmt.number(angle, 1), wanted=round(LEAST_OFF_DEG)
+        )
 
     def _show(self) -> None:
         found = self.found()

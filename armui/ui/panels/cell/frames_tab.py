@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from armui.arm.state import ArmState
+from armui.cell.placement import WORLD
 from armui.cell.user_frames import UserFrame
 from armui.control.arm_controller import ArmController
 from armui.ui.actions.command import Command
 from armui.ui.panels.cell.cell_tab import Answered, change_command, figures
 from armui.ui.panels.cell.frame_by_points import FrameByPoints
-from armui.ui.panels.cell.named_tab import ForceTab, TabTexts
+from armui.ui.panels.cell.named_tab import ForceTab, TabTexts, Thing
 from armui.ui.widgets.buttons import caption, enable_or_explain, push_button
 from armui.ui.widgets.text_label import text_label
 from armui.ui.words.text import Text
@@ -42,6 +45,15 @@ class FramesTab(ForceTab):
         """Return the frame as typed; an empty field counts as 0, a text as itself."""
         return UserFrame(self._name.text().strip(), figures(self._fields))
 
+    @property
+    def _things(self) -> Sequence[Thing]:
+        return self._cell.all_frames
+
+    def _fixed(self) -> str:
+        if self._chosen != WORLD:
+            return ""
+        return self.tr("It is the room's: it moves with the figures under Base.")
+
     def _on_here(self) -> None:
         pose = self._controller.cartesian.tool_pose(self._controller.state)
         if pose is not None:
@@ -56,14 +68,16 @@ class FramesTab(ForceTab):
         enable_or_explain(self._here, why_not, use)
 
     def _next_step(self, *, new: bool, changed: bool) -> str:
+        if self._fixed() and not new:
+            return self._fixed()
         if new and self._thing is None:
             return self.tr("Press Add: poses are shown and typed in this frame from then on.")
         if new:
             return self.tr("Press Add for a further frame, or Apply to rename the chosen one.")
         if self._thing is None:
             return self.tr(
-                "Press By three points: the tool's tip shows where the frame is. Or type a name "
-                "and the frame's pose in the base, then press Add."
+                "Press By three points, or type a name and the frame's pose in the base, then "
+                "press Add."
             )
         if changed:
             return self.tr("Press Apply: the frame moves, and what belongs to it moves with it.")

@@ -10,7 +10,6 @@ from PySide6.QtWidgets import QCheckBox, QLabel
 from armui.arm.state import ArmState
 from armui.cell.gripper_table import MOST_PAIRS, Pairs
 from armui.control.arm_controller import ArmController
-from armui.control.cell.cell_reasons import CELL_NONE
 from armui.control.devices.gripper import GripperControl, why_not_move_gripper
 from armui.control.operations.operation import operation_of
 from armui.ui import format as fmt
@@ -50,7 +49,7 @@ class GripperTab(CellTab):
         super().__init__(controller, answered)
         self._why_not = ""
         self._shown: tuple[str, Pairs] | None = None
-        self._next = hint_label("cell_gripper_next")
+        self._next = hint_label("cell_gripper_next", lines=3)
         self._on = named("cell_gripper_on", QCheckBox())
         self._heads = (QLabel(), QLabel())
         self._asked = [named(f"cell_gripper_asked_{n}", self._field()) for n in range(MOST_PAIRS)]
@@ -176,8 +175,8 @@ class GripperTab(CellTab):
         self._next.setText(self._next_step(changed=changed))
 
     def _next_step(self, *, changed: bool) -> str:
-        if self._controller.cell.cell is None:
-            return words.refusal(CELL_NONE())
+        if none := self._no_step():
+            return none
         if self._row is not None:
             return self.tr(
                 "Row {row}: press Open, wait until the gripper stands, measure between the fingers "

@@ -18,7 +18,6 @@ from armui.cell.tools import Tool
 from armui.cell.user_frames import UserFrame
 from armui.cell.work_area import Zone
 from armui.control.arm_controller import ArmController
-from armui.control.cell.cell_reasons import CELL_NONE
 from armui.kinematics.axes import AXES
 from armui.ui import format as fmt
 from armui.ui import words
@@ -223,6 +222,10 @@ class NamedTab(CellTab):
         """Return what the fields show while none is chosen; ``None`` empties them."""
         return None
 
+    def _fixed(self) -> str:
+        """Return why the chosen one can be neither changed nor deleted; empty if it can."""
+        return ""
+
     def _is_changed(self, typed: Thing) -> bool:
         """Return whether Apply has something to do."""
         return self._thing is not None and typed != self._thing
@@ -327,11 +330,11 @@ class NamedTab(CellTab):
             show_primary(button, wanted=button.isEnabled() and len(self._adds) == 1)
         missing = "" if self._thing is not None else texts.missing
         same = "" if changed else missing or self.tr("Nothing is changed.")
-        enable_or_explain(self._apply, self._why_not or same, texts.apply)
-        enable_or_explain(self._delete, self._why_not or missing, texts.delete)
+        why_not = self._why_not or self._fixed()
+        enable_or_explain(self._apply, why_not or same, texts.apply)
+        enable_or_explain(self._delete, why_not or missing, texts.delete)
         show_primary(self._apply, wanted=self._apply.isEnabled() and not new)
-        none = words.refusal(CELL_NONE()) if self._controller.cell.cell is None else ""
-        self._next.setText(none or self._next_step(new=new, changed=changed))
+        self._next.setText(self._no_step() or self._next_step(new=new, changed=changed))
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""

@@ -38,7 +38,7 @@ class PointSearch(Translated, QWidget):
         self._controller = controller
         self._answered = answered
         self._why_not = ""
-        self._next = hint_label(f"{name}_next")
+        self._next = hint_label(f"{name}_next", lines=3)
         self._live = text_label(f"{name}_live", rank="muted", wraps=True)
         self._result = text_label(f"{name}_result", wraps=True)
         self._apply = push_button(f"{name}_apply")

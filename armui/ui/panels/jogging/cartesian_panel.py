@@ -347,7 +347,7 @@ class CartesianPanel(JogPanel):
         box = self._shown_frame
         box.clear()
         box.addItem(self.tr("in the base frame"), "")
-        for frame in () if cell is None else cell.frames:
+        for frame in () if cell is None else cell.all_frames:
             box.addItem(self.tr("in “{name}”").format(name=frame.name), frame.name)
         box.setCurrentIndex(max(0, box.findData("" if cell is None else cell.frame)))
 

@@ -278,7 +278,7 @@ class JogBox(Translated, QFrame):
         none = words.refusal(FRAME_NOT_IN_FORCE()) if frame is None else ""
         enable_or_explain(self._choices[JogKind.USER], none, "" if frame is None else frame.name)
         cell = self._controller.cell.cell  # also while it is to be confirmed: no button moves then
-        has_frames = cell is not None and bool(cell.frames)
+        has_frames = cell is not None and bool(cell.all_frames)
         self._choices[JogKind.USER].setVisible(has_frames or self.kind is JogKind.USER)
         self._frame.setVisible(has_frames)
         text = self.tr("figures in “{name}”")

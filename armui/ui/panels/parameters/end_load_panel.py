@@ -167,6 +167,7 @@ class MountingCard(QFrame):
     def show_possible(self) -> None:
         """Enable the possible choices; the others show their reasons."""
         self.follow_arm()
+        self._show_told()
         control = self._controller.mounting
         for mounting in _CHOICES:
             button = self._choices.button(int(mounting))
@@ -188,12 +189,14 @@ class MountingCard(QFrame):
         self._choices.setExclusive(True)
 
     def _show_told(self) -> None:
-        told = self._kept
-        if told is None:
-            self._told.setText(self.tr("Mounting: not set from here yet"))
-            return
-        text = self.tr("Mounting, as last set from here: {mounting}")
-        self._told.setText(text.format(mounting=words.mounting(told)))
+        told, cell = self._kept, self._controller.cell.cell
+        text = self.tr("Mounting: not set from here yet")
+        if told is not None:
+            text = self.tr("Mounting, as last set from here: {mounting}")
+            text = text.format(mounting=words.mounting(told))
+        if cell is not None and cell.placement.is_set:
+            text = f"{text}\n{words.mounting_check(cell.placement.mounting, told)}".rstrip()
+        self._told.setText(text)
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
@@ -19,7 +19,7 @@ from armui.trajectory.files.errors import TrajectoryFileError
 from armui.trajectory.library.folders import shown_folder
 from armui.trajectory.planning.findings import Severity
 from armui.trajectory.points.edits import Change
-from armui.trajectory.points.program import Trajectory, Values, Waypoint, speeds_of
+from armui.trajectory.points.program import Trajectory, Values, Waypoint, frames_in, speeds_of
 from armui.ui import words
 from armui.ui.actions.command import Command, Target
 from armui.ui.dialogs.confirm_dialog import LeaveQuestion
@@ -397,10 +397,10 @@ class EditorPage(Page):
         if tool != self._tool:
             self._show_tool(*tool)
         before, self._cell = self._cell, cell
-        if _named_by_points(cell) == _named_by_points(before):
-            return
-        self.model.show_cell(cell)
-        if any(point.frame or point.holds is not None for point in self.document.points):
+        if _offered(cell) != _offered(before):
+            self.model.show_cell(cell)
+        points = self.document.points
+        if _named_by(points, cell) != _named_by(points, before):
             self.model.show_faults({})
             self._forget_check()
 
@@ -455,7 +455,7 @@ class EditorPage(Page):
         name = self.document.name
         self._work.do(
             lambda: self._library.mark(
-                name, check=checked.mark, length_s=length_s, arm=checked.order.arm.fingerprint
+                name, check=checked.mark, length_s=length_s, arm=checked.fingerprint
             ),
             lambda _: self.saved.emit(),
             self._show_failure,
@@ -632,8 +632,17 @@ def _tool_shown(controller: ArmController) -> tuple[Values, str]:
     return controller.cartesian.tool, controller.cell.tool_name
 
 
-def _named_by_points(cell: Cell | None) -> tuple[object, ...]:
-    return () if cell is None else (cell.frames, cell.held_objects)
+def _offered(cell: Cell | None) -> object:
+    return None if cell is None else (cell.all_frames, cell.held_objects)
+
+
+def _named_by(points: Sequence[Waypoint], cell: Cell | None) -> object:
+    """Return what of a cell points name."""
+    if cell is None:
+        return [], []
+    names, held = frames_in(points), {point.holds for point in points}
+    frames = [frame for frame in cell.all_frames if frame.name in names]
+    return frames, [each for each in cell.held_objects if each.name in held]
 
 
 def _has_arcs(points: Iterable[Waypoint]) -> bool:

@@ -88,7 +88,7 @@ class FindBar(Translated, QWidget):
         field, text = str(self._field.currentData()), self._wanted.text()
         if field == _NOTE:
             return list(edits.find_text(points, text, match_case=True)) if text else []
-        value = figure(field, text)
+        value = figure(field, text, far=True)
         if isinstance(value, Refusal):
             return value
         query = edits.FigureQuery(field, value)
@@ -101,7 +101,7 @@ class FindBar(Translated, QWidget):
         field, by = str(self._field.currentData()), self._by.text()
         if field == _NOTE:
             return edits.replace_text(point, self._wanted.text(), by)
-        value = figure(field, by)
+        value = figure(field, by, far=bool(point.frame))
         return value if isinstance(value, Refusal) else (edits.replace_figure(point, field, value))
 
     def show_result(self, text: str) -> None:

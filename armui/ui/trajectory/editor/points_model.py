@@ -32,13 +32,13 @@ from armui.trajectory.points.cells import (
 from armui.trajectory.points.edits import Change
 from armui.trajectory.points.program import (
     POINT_MOVE_UNKNOWN,
-    RANGES,
     GripperAction,
     GripperOpening,
     LightAction,
     Values,
     Waypoint,
     check_point,
+    range_of,
 )
 from armui.ui import format as fmt
 from armui.ui import words
@@ -150,7 +150,7 @@ class PointsModel(TableModel):
     def _tip(self, point: Waypoint, column: PointColumn) -> str:
         if column in VALUES:
             name = point.names[column - PointColumn.VALUE_1]
-            allowed = RANGES[name]
+            allowed = range_of(name, far=bool(point.frame))
             return f"{name}: {allowed.minimum:g} – {allowed.maximum:g} {allowed.unit}"
         if column is PointColumn.MOVE and point.frame:
             unknown = why_unknown((point,), self._frames)

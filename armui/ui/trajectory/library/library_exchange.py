@@ -447,7 +447,7 @@ class LibraryExchange(QObject):
     def _write(self, names: Sequence[str], path_of: Callable[[str], Path]) -> None:
         """Write each; one that cannot be written keeps none of the others back."""
         cell, tool = self._controller.cell.cell, self._controller.cell.holding().tool
-        of = PosesOf(tool if any(tool.pose) else None, () if cell is None else cell.frames)
+        of = PosesOf(tool if any(tool.pose) else None, () if cell is None else cell.all_frames)
         self._work.do(
             lambda: write_all(self._library, names, path_of, of),
             partial(self._on_written, of.tool),

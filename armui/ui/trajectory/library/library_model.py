@@ -15,6 +15,7 @@ from PySide6.QtCore import (
     Signal,
 )
 
+from armui.arm.models import ArmModel
 from armui.control.run.replay import RUN_EMPTY
 from armui.trajectory.library.folders import shown_folder
 from armui.trajectory.library.store import Check, IndexEntry
@@ -57,8 +58,9 @@ class LibraryModel(TableModel):
         super().__init__(parent)
         self._rows: Sequence[IndexEntry] = ()
         self._drafts: frozenset[str] = frozenset()
-        self._arm = ""
+        self._arm: ArmModel | None = None
         self._kind = ""
+        self._fingerprints: dict[tuple[str, ...], str] = {}
         self._tells_folders = True
         self._sort_keys: dict[tuple[int, int], tuple[Any, ...]] = {}
 
@@ -95,16 +97,12 @@ class LibraryModel(TableModel):
             column = LibraryColumn.NAME
             self.dataChanged.emit(self.index(0, column), self.index(len(self._rows) - 1, column))
 
-    def show_for(self, arm: str, kind: str) -> None:
-        """Show only check marks of checks for one arm.
-
-        Args:
-            arm: Its `ArmModel.fingerprint`.
-            kind: Its `ArmModel.kind`, to mark trajectories taught on another one.
-        """
+    def show_for(self, arm: ArmModel) -> None:
+        """Show only check marks of checks for one arm, and mark what was taught on another."""
         if arm == self._arm:
             return
-        self._arm, self._kind = arm, kind
+        self._arm, self._kind = arm, arm.kind
+        self._fingerprints.clear()
         self._sort_keys.clear()
         if self._rows:
             column = LibraryColumn.CHECK
@@ -112,13 +110,21 @@ class LibraryModel(TableModel):
 
     def _mark(self, entry: IndexEntry) -> Check | None:
         """Return how the check ended that holds for this arm."""
-        return entry.check if entry.checked_for == self._arm else None
+        return entry.check if entry.checked_for == self._holds_for(entry) else None
+
+    def _holds_for(self, entry: IndexEntry) -> str:
+        """Return what a check or an estimate must have been made for to hold now."""
+        if self._arm is None:
+            return ""
+        if entry.frames not in self._fingerprints:
+            self._fingerprints[entry.frames] = self._arm.fingerprint_of(entry.frames)
+        return self._fingerprints[entry.frames]
 
     def length_s(self, entry: IndexEntry) -> float | None:
         """Return how long it takes, checked or estimated; ``None`` where neither is known."""
         if entry.length_s is not None:
             return entry.length_s
-        return entry.estimated_s if entry.estimated_for == self._arm else None
+        return entry.estimated_s if entry.estimated_for == self._holds_for(entry) else None
 
     def unestimated(self) -> list[str]:
         """Return the names of those whose length nobody has worked out for this arm."""
@@ -128,21 +134,22 @@ class LibraryModel(TableModel):
             if entry.kind == "points"
             and entry.damage is None
             and entry.length_s is None
-            and entry.estimated_for != self._arm
+            and entry.estimated_for != self._holds_for(entry)
         ]
 
-    def note_estimates(self, estimates: Mapping[str, float | None], arm: str) -> None:
+    def note_estimates(self, estimates: Mapping[str, float | None], arm: ArmModel) -> None:
         """Show how long some will take.
 
         Args:
             estimates: Seconds by name; ``None`` where it is not known.
-            arm: The `ArmModel.fingerprint` they were made for.
+            arm: The arm they were made for.
         """
         rows = list(self._rows)
         for row, entry in enumerate(rows):
             if entry.name in estimates:
                 seconds = estimates[entry.name]
-                rows[row] = replace(entry, estimated_s=seconds, estimated_for=arm)
+                holds_for = arm.fingerprint_of(entry.frames)
+                rows[row] = replace(entry, estimated_s=seconds, estimated_for=holds_for)
                 self._sort_keys.pop((row, LibraryColumn.LENGTH), None)
         self._rows = tuple(rows)
         if rows:
@@ -228,7 +235,7 @@ class LibraryModel(TableModel):
             return ""
         if entry.count == 0:
             return words.refusal(RUN_EMPTY(name=entry.name))
-        if entry.estimated_for != self._arm:
+        if entry.estimated_for != self._holds_for(entry):
             return self.tr("It is being worked out.")
         return estimate_tip(known=entry.estimated_s is not None)
 

@@ -290,7 +290,7 @@ class LibraryPage(Page):
     def _show_marks(self) -> None:
         """A check of another arm, or of this one with other limits, says nothing."""
         arm = arm_model(self._controller)
-        self._model.show_for(arm.fingerprint, arm.kind)
+        self._model.show_for(arm)
 
     def _uncover(self, names: Sequence[str]) -> None:
         """What is new is seen, even if it is not what was searched for."""
@@ -380,7 +380,7 @@ class LibraryPage(Page):
 
         def known(estimates: Mapping[str, float | None]) -> None:
             self._estimating = False
-            self._model.note_estimates(estimates, arm.fingerprint)
+            self._model.note_estimates(estimates, arm)
             if estimates:  # else they are gone, or the disk has to be looked at anew first
                 self._estimate()
 
@@ -463,7 +463,7 @@ class LibraryPage(Page):
         if checked.whole:
             self._work.do(
                 lambda: self._library.mark(
-                    name, check=checked.mark, length_s=length_s, arm=checked.order.arm.fingerprint
+                    name, check=checked.mark, length_s=length_s, arm=checked.fingerprint
                 ),
                 refused=self._on_refused,
             )

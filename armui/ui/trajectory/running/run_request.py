@@ -16,6 +16,7 @@ from armui.system.clock import steady_s
 from armui.trajectory.planning.check import Carried, CheckOutcome, CheckRequest, check, warm_up
 from armui.trajectory.planning.estimate import estimate_s
 from armui.trajectory.planning.findings import Finding, Severity
+from armui.trajectory.points.program import frames_in
 from armui.trajectory.samples.recording import Recording
 from armui.ui.background import Job
 
@@ -121,6 +122,13 @@ class Preflight:
     def content(self) -> Content:
         """The recording or trajectory as it was checked: with all its points in the base."""
         return self.outcome.in_base or self.order.content
+
+    @property
+    def fingerprint(self) -> str:
+        """What of the arm it holds for: moving a frame that no point names changes nothing."""
+        content = self.order.content
+        frames = () if isinstance(content, Recording) else frames_in(content.points)
+        return self.order.arm.fingerprint_of(frames)
 
     @property
     def path(self) -> PlannedPath:

@@ -199,7 +199,7 @@ class ColumnsPage(Page):
         self._of.addItem(self.tr("the flange"), NO_TOOL)
         self._in.clear()
         self._in.addItem(self.tr("in the base frame"), "")
-        for frame in () if cell is None else cell.frames:
+        for frame in () if cell is None else cell.all_frames:
             self._in.addItem(self.tr("in “{name}”").format(name=frame.name), frame.name)
         for box, data in zip((self._of, self._in), chosen, strict=True):
             there = [box.itemData(place) for place in range(box.count())]

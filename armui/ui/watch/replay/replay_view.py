@@ -225,7 +225,8 @@ class ReplayView(Translated, QWidget):
         self.view = view
         view.set_tool(replay.controller.cartesian.tool)
         self._cell = told_cell(getattr(replay.session, "lines", ()))
-        view.set_area((*area_picture(self._cell.area), *held_picture(self._cell.held)))
+        shapes = (*area_picture(self._cell.area), *held_picture(self._cell.held))
+        view.set_area(shapes, self._cell.placement.pose)
         frame = self._cell.frame
         if frame is not None:
             view.set_frames((FrameMark(frame.name, pose_rows(frame.pose), lit=True),))
