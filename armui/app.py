@@ -319,9 +319,9 @@ class Program:
         self.controller.noticed.emit(Event(at, notice, params))
 
     def _on_settings_changed(self, settings: Settings) -> None:
+        apply_theme(self._app, Theme(settings.theme))
         if settings.language != self._settings.language:
             self._translator.set_language(settings.language)
-        apply_theme(self._app, Theme(settings.theme))
         self.controller.stop_again_when_undone(settings.stop_again)
         self.controller.jog_floor.lowest_mm = settings.jog_floor_mm
         self.controller.cell.use_own_tool(settings.tool)
@@ -399,6 +399,7 @@ def _run(options: StartOptions) -> int:
         # a driver hangs: what it holds can be neither waited for nor destroyed
         logging.shutdown()
         os._exit(code)
+    gc.unfreeze()  # a simulated arm's planner complains of what was never destroyed
     return code
 
 

@@ -18,7 +18,6 @@ from PySide6.QtGui import QColor, QFont, QFontDatabase, QPalette
 from PySide6.QtWidgets import QApplication, QWidget
 
 from armui.system.files import read_file
-from armui.ui.translation import shown_language
 
 _HERE: Final = Path(__file__).parent
 
@@ -162,15 +161,11 @@ def curve_colors(widget: QWidget) -> tuple[str, ...]:
 
 
 def ui_font() -> QFont:
-    """Return the system's font, followed by fonts with Chinese glyphs; digits of equal width.
-
-    A Chinese font has quotes as wide as its characters; beside English words they are narrow ones.
-    """
+    """Return the system's font, followed by fonts with Chinese glyphs; digits of equal width."""
     font = QFontDatabase.systemFont(QFontDatabase.SystemFont.GeneralFont)
     font.setFamilies([*font.families(), *_CJK_FAMILIES])
     font.setPointSizeF(max(font.pointSizeF(), _SMALLEST_FONT_PT))
     font.setFeature(QFont.Tag.fromString("tnum"), 1)
-    font.setFeature(QFont.Tag.fromString("pwid"), int(shown_language() == "en"))
     return font
 
 
@@ -206,6 +201,7 @@ def apply_theme(app: QApplication, theme: Theme, *, before_windows: bool = False
     if follower is None:
         if not app.property(_IN_STYLE):
             app.setStyle(_STYLE)
+        app.setFont(ui_font())
         follower = _SchemeFollower(app)
         app.setProperty(_FOLLOWER, follower)
     follower.show(theme, with_sheet=not before_windows)
@@ -218,7 +214,6 @@ class _SchemeFollower(QObject):
         super().__init__(app)
         self._app = app
         self._theme = Theme.SYSTEM
-        self._language = ""
         self._shown: Colors | None = None
         self._sheet: Colors | None = None
         self._with_sheet = False
@@ -246,10 +241,6 @@ class _SchemeFollower(QObject):
             and self._app.styleHints().colorScheme() is Qt.ColorScheme.Dark
         )
         colors = DARK if dark else LIGHT
-        if self._language != (language := shown_language()):
-            self._language, self._sheet = language, None  # with a sheet no widget follows a font
-            self._app.setStyleSheet("")
-            self._app.setFont(ui_font())
         if colors is not self._shown:
             self._shown = colors
             self._app.setPalette(palette(colors))

@@ -534,7 +534,7 @@
     </message>
     <message>
         <source>Stop who else enters the work area</source>
-        <translation>他者进入工作区时停住</translation>
+        <translation>其他程序或手带入工作区时停住</translation>
     </message>
     <message>
         <source>Stop when a hand or another program enters</source>
@@ -10190,7 +10190,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>Joint {joints} left its place uncommanded while it was enabled: it may stand elsewhere than it reports. Check its reference.</source>
-        <translation>关节 {joints} 在使能且无指令时离开了原位：实际位置可能与上报不符。请检查其零位基准。</translation>
+        <translation>关节 {joints} 在使能且无指令时离开了原来的位置：实际位置可能与上报不符。请检查其零位基准。</translation>
     </message>
     <message>
         <source>Last used here: the cell “{name}”. Is this its arm? Confirm it, or choose under Cell.</source>
@@ -10206,7 +10206,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>The arm is {value} mm too near to “{name}” of the work area ({part}). It can only be moved out: jog the other way, or lead it by hand.</source>
-        <translation>机械臂离工作区的“{name}”近了 {value} mm（{part}）。只能向外移动：请反向点动，或用手拖动。</translation>
+        <translation>机械臂离工作区的“{name}”过近，差 {value} mm（{part}）。只能向外移动：请反向点动，或用手拖动。</translation>
     </message>
     <message>
         <source>Motions are agreed to, though joint {joints} may stand elsewhere than it reports.</source>
@@ -10708,18 +10708,6 @@ The other program must have ended.</source>
     <message>
         <source>No user frame is in force, or another one than at the press. Choose one under Cell, then press again; or move along base or tool.</source>
         <translation>没有生效的用户坐标系，或已不是按下时的那个。请在“单元”中选择坐标系后再按，或沿基坐标系、工具坐标系移动。</translation>
-    </message>
-    <message>
-        <source>Joint {joint} moves at {value}°/s. {percent} % was told, that is {maximum}°/s at most; above {limit}°/s a motion is ended. Before the next one set the speed again: at the top, for a run in its points and below them.</source>
-        <translation>关节 {joint} 实测 {value}°/s；下达的 {percent} % 对应最高 {maximum}°/s，超过 {limit}°/s 即结束运动。请在下次运动前重新设定速度：一般在顶部，运行时在各点及其下方。</translation>
-    </message>
-    <message>
-        <source>The tool moves at {value} mm/s. {percent} % was told, that is {maximum} mm/s at most on this path; above {limit} mm/s a motion is ended. Before the next one set the speed again: at the top, for a run in its points and below them.</source>
-        <translation>工具移动实测 {value} mm/s；下达的 {percent} % 在此路径上对应最高 {maximum} mm/s，超过 {limit} mm/s 即结束运动。请在下次运动前重新设定速度：一般在顶部，运行时在各点及其下方。</translation>
-    </message>
-    <message>
-        <source>The tool turns at {value}°/s. {percent} % was told, that is {maximum}°/s at most on this path; above {limit}°/s a motion is ended. Before the next one set the speed again: at the top, for a run in its points and below them.</source>
-        <translation>工具转动实测 {value}°/s；下达的 {percent} % 在此路径上对应最高 {maximum}°/s，超过 {limit}°/s 即结束运动。请在下次运动前重新设定速度：一般在顶部，运行时在各点及其下方。</translation>
     </message>
     <message>
         <source>The titles of the poses and the row “#tool” belong together: titles with tcp_ are of the tool in that row, those without are of the flange. Export the file again.</source>
@@ -11374,6 +11362,18 @@ The other program must have ended.</source>
         <translation>第 {row} 行位于用户坐标系“{name}”中，但尚未换算到基坐标系。请重新发送。</translation>
     </message>
     <message>
+        <source>Joint {joint} moves at {value}°/s. {percent} % was told, that is {maximum}°/s at most; above {limit}°/s a motion is ended. Before the next one set the speed again: at the top of the window, of a run in its points and beside Send.</source>
+        <translation>关节 {joint} 实测 {value}°/s；下达的 {percent} % 对应最高 {maximum}°/s，超过 {limit}°/s 即结束运动。请在下次运动前重新设定速度：单次运动在窗口顶部，运行在各点和“发送”旁。</translation>
+    </message>
+    <message>
+        <source>The tool moves at {value} mm/s. {percent} % was told, that is {maximum} mm/s at most on this path; above {limit} mm/s a motion is ended. Before the next one set the speed again: at the top of the window, of a run in its points and beside Send.</source>
+        <translation>工具移动实测 {value} mm/s；下达的 {percent} % 在此路径上对应最高 {maximum} mm/s，超过 {limit} mm/s 即结束运动。请在下次运动前重新设定速度：单次运动在窗口顶部，运行在各点和“发送”旁。</translation>
+    </message>
+    <message>
+        <source>The tool turns at {value}°/s. {percent} % was told, that is {maximum}°/s at most on this path; above {limit}°/s a motion is ended. Before the next one set the speed again: at the top of the window, of a run in its points and beside Send.</source>
+        <translation>工具转动实测 {value}°/s；下达的 {percent} % 在此路径上对应最高 {maximum}°/s，超过 {limit}°/s 即结束运动。请在下次运动前重新设定速度：单次运动在窗口顶部，运行在各点和“发送”旁。</translation>
+    </message>
+    <message>
         <source>The last minutes are being saved already. Wait a moment.</source>
         <translation>最近几分钟的内容正在保存，请稍候。</translation>
     </message>
@@ -11783,7 +11783,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>The arm stands in “{name}” of the work area, with {part} {value} mm too near; this would lead further in. Move it out.</source>
-        <translation>机械臂位于工作区的“{name}”内，{part}近了 {value} mm；这样会更深入。请向外移动。</translation>
+        <translation>机械臂位于工作区的“{name}”内，{part}过近，差 {value} mm；这样会更深入。请向外移动。</translation>
     </message>
     <message>
         <source>This adapter was last used with the cell “{name}”. See that it is the arm in front of you, then confirm the cell, or choose another one under Cell.</source>

@@ -6,13 +6,12 @@ from dataclasses import asdict
 from pathlib import Path
 
 import pytest
-from PySide6.QtGui import QColor, QFont, QFontMetricsF
+from PySide6.QtGui import QColor, QFontMetricsF
 from PySide6.QtWidgets import QPushButton, QWidget
 
 import armui.ui
 from armui.ui import theme
 from armui.ui.theme import DARK, LIGHT, Theme, apply_theme, colors_of, style_sheet, ui_font
-from armui.ui.translation import Translator
 from tests.each import check_each
 
 QSS = Path(theme.__file__).with_name("theme.qss")
@@ -159,22 +158,3 @@ def test_the_application_has_the_programs_style_whatever_the_system_wants():
         check=False,
     )
     assert done.stdout.strip() == "fusion", done.stderr
-
-
-def test_quotes_are_narrow_beside_english_and_wide_beside_chinese(qapp, qtbot):
-    """A Chinese font has both; what the system's font is here does not matter."""
-    narrow = QFont.Tag.fromString("pwid")
-    translator = Translator(qapp)
-    apply_theme(qapp, Theme.LIGHT)
-    window = QWidget()
-    button = QPushButton(window)
-    qtbot.addWidget(window)
-    window.show()
-    assert button.font().featureValue(narrow) == 1
-    translator.set_language("zh")
-    try:
-        apply_theme(qapp, Theme.LIGHT)
-        assert button.font().featureValue(narrow) == 0
-    finally:
-        translator.set_language("en")
-        apply_theme(qapp, Theme.LIGHT)

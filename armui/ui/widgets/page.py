@@ -189,7 +189,12 @@ class StackArea(QScrollArea):
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setWidget(self._room)
         self._room.setAutoFillBackground(False)
-        stack.currentChanged.connect(self.updateGeometry)
+        stack.currentChanged.connect(self._begin)
+
+    def _begin(self) -> None:
+        """Show another widget from its top, not from where the one before was scrolled to."""
+        self.updateGeometry()
+        self.verticalScrollBar().setValue(0)
 
     def minimumSizeHint(self) -> QSize:
         """Return the width of the visible widget beside the scroll bar, without height."""
