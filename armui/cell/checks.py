@@ -24,6 +24,8 @@ CELL_FIGURE_BAD = Reason(
 LONGEST_NAME: Final = 40
 FIGURES: Final = ("x_mm", "y_mm", "z_mm", "rx_deg", "ry_deg", "rz_deg")
 """The figures of a pose as a cell's file names them."""
+SIZES: Final = ("size_x_mm", "size_y_mm", "size_z_mm")
+"""The edges of a box as a cell's file names them."""
 _TURN_DEG: Final = 180.0
 _PORTS: Final = [f"{port}{number}" for port in ("com", "lpt") for number in range(10)]
 _DEVICES: Final = frozenset(("con", "prn", "aux", "nul", *_PORTS))
@@ -85,6 +87,17 @@ def check_pose(name: str, pose: Sequence[float], furthest_mm: float) -> Refusal 
     checks = (
         check_figure(name, field, value, -most, most)
         for field, value, most in zip(FIGURES, pose, mosts, strict=True)
+    )
+    return next(filter(None, checks), None)
+
+
+def check_sizes(
+    name: str, sizes_mm: Sequence[float], smallest_mm: float, largest_mm: float
+) -> Refusal | None:
+    """Return why the edges of a box are not possible, or ``None``."""
+    checks = (
+        check_figure(name, field, value, smallest_mm, largest_mm)
+        for field, value in zip(SIZES, sizes_mm, strict=True)
     )
     return next(filter(None, checks), None)
 

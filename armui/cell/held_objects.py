@@ -6,8 +6,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from armui.arm.refusal import Refusal
-from armui.cell.checks import check_figure, check_names, check_pose
-from armui.cell.parts import SIZES
+from armui.cell.checks import check_figure, check_names, check_pose, check_sizes
 from armui.cell.tools import NO_TOOL
 from armui.protocol.codes import EndLoad
 from armui.setting_checks import TOOL_LONGEST_MM
@@ -50,13 +49,10 @@ class HeldObject:
 
 def check_held_object(held: HeldObject) -> Refusal | None:
     """Return why the figures of an object are not possible, or ``None``."""
-    refusals = [check_pose(held.name, held.pose, TOOL_LONGEST_MM)]
-    refusals += [
-        check_figure(held.name, field, value, _SMALLEST_MM, _LARGEST_MM)
-        for field, value in zip(SIZES, held.size_mm, strict=True)
-    ]
-    refusals += [
+    refusals = (
+        check_pose(held.name, held.pose, TOOL_LONGEST_MM),
+        check_sizes(held.name, held.size_mm, _SMALLEST_MM, _LARGEST_MM),
         check_figure(held.name, "mass_kg", held.mass_kg, 0.0, HEAVIEST_KG),
         check_names(held.may_touch),
-    ]
+    )
     return next((each for each in refusals if each is not None), None)

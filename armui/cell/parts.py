@@ -7,10 +7,8 @@ from dataclasses import fields as fields_of
 from typing import Any, Final, Protocol, TypeVar, get_args, get_type_hints
 
 from armui.arm.json_fields import Fields
-from armui.cell.checks import FIGURES
+from armui.cell.checks import FIGURES, SIZES
 
-SIZES: Final = ("size_x_mm", "size_y_mm", "size_z_mm")
-"""The edges of a box as a cell's file names them."""
 _FIGURES: Final = {"pose": FIGURES, "size_mm": SIZES}
 """What becomes several fields."""
 

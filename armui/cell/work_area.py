@@ -6,8 +6,8 @@ from dataclasses import dataclass, replace
 from typing import Final, TypeVar
 
 from armui.arm.refusal import Reason, Refusal
-from armui.cell.checks import check_figure, check_names, check_pose
-from armui.cell.parts import SIZES, part_named, put, without
+from armui.cell.checks import check_figure, check_names, check_pose, check_sizes
+from armui.cell.parts import part_named, put, without
 
 AREA_TOO_MANY = Reason(
     "area_too_many",
@@ -133,10 +133,7 @@ def check_area(area: Area) -> Refusal | None:
 def _check_zone(zone: Zone) -> Refusal | None:
     refusal = check_pose(zone.name, zone.pose, _FURTHEST_MM)
     if refusal is None and isinstance(zone, AreaBox):
-        for field, value in zip(SIZES, zone.size_mm, strict=True):
-            refusal = check_figure(zone.name, field, value, _SMALLEST_MM, _FURTHEST_MM)
-            if refusal is not None:
-                return refusal
+        return check_sizes(zone.name, zone.size_mm, _SMALLEST_MM, _FURTHEST_MM)
     return refusal
 
 

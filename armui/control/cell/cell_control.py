@@ -233,14 +233,9 @@ class CellControl(ControllerPart):
     def take(self, cell: Cell) -> Started | Refusal:
         """Add a cell of a new name, and put it in force."""
         taken = cell.name.casefold() in map(str.casefold, (*self._cells, *self._broken))
-        refusal = (
-            why_not_change(self._context.refresh())
-            or check_cell(cell)
-            or (CELL_NAME_TAKEN(value=cell.name) if taken else None)
-            or self._why_holding()
-        )
-        if refusal is not None:
-            return self._context.refuse(refusal)
+        taken_name = CELL_NAME_TAKEN(value=cell.name) if taken else None
+        if refusal := self._refused(check_cell(cell), taken_name, self._why_holding()):
+            return refusal
         self._save(cell)
         self._put_in_force(cell.name)
         return self._done(record_start(self.take), CELL_CHOSEN, cell.name)
@@ -248,12 +243,11 @@ class CellControl(ControllerPart):
     @operation("cell.choose", "Choose the cell", why_not_change)
     def choose(self, name: str) -> Started | Refusal:
         """Put a cell in force, by the operator's choice; "" for none."""
-        refusal = why_not_change(self._context.refresh())
-        if refusal is None and name and name not in self._cells:
-            refusal = self._broken.get(name) or CELL_GONE(name=name)
-        refusal = refusal or self._why_holding()
-        if refusal is not None:
-            return self._context.refuse(refusal)
+        unknown = None
+        if name and name not in self._cells:
+            unknown = self._broken.get(name) or CELL_GONE(name=name)
+        if refusal := self._refused(unknown, self._why_holding()):
+            return refusal
         self._put_in_force(name)
         notice = CELL_CHOSEN if name else CELL_LEFT
         return self._done(record_start(self.choose), notice, name)
@@ -261,29 +255,21 @@ class CellControl(ControllerPart):
     @operation("cell.confirm", "Confirm the cell", why_not_change)
     def confirm(self) -> Started | Refusal:
         """Confirm that the kept cell is that of the connected arm."""
-        refusal = why_not_change(self._context.refresh())
-        if refusal is None and self.unconfirmed is None:
-            refusal = CELL_ALREADY_CONFIRMED()
-        elif refusal is None and self.cell is None:
-            refusal = self.unconfirmed
-        if refusal is not None:
-            return self._context.refuse(refusal)
+        waits = self.unconfirmed
+        unread = waits if self.cell is None else None
+        if refusal := self._refused(CELL_ALREADY_CONFIRMED() if waits is None else unread):
+            return refusal
         self._put_in_force(self._name)
         return self._done(record_start(self.confirm), CELL_CONFIRMED, self._name)
 
     @operation("cell.change", "Change the cell", why_not_change)
     def change(self, cell: Cell) -> Started | Refusal:
         """Replace the chosen cell by a changed one of the same name."""
-        refusal = why_not_change(self._context.refresh()) or self.unconfirmed
-        if refusal is None and self.cell is None:
-            refusal = CELL_NONE()
-        elif refusal is None and cell.name != self._name:
-            refusal = CELL_GONE(name=cell.name)
-        elif refusal is None and not cell.held:
-            refusal = self._why_holding()
-        refusal = refusal or check_cell(cell)
-        if refusal is not None:
-            return self._context.refuse(refusal)
+        other = CELL_GONE(name=cell.name) if cell.name != self._name else None
+        holding = None if cell.held else self._why_holding()
+        none = CELL_NONE() if self.cell is None else None
+        if refusal := self._refused(self.unconfirmed, none, other, holding, check_cell(cell)):
+            return refusal
         self._save(cell)
         self._confirmed = True
         self._take_effect()
@@ -293,16 +279,13 @@ class CellControl(ControllerPart):
     def rename(self, name: str) -> Started | Refusal:
         """Give the chosen cell and its file another name; it stays in force."""
         cell = self.cell
-        refusal = why_not_change(self._context.refresh()) or self.unconfirmed
+        if cell is None:
+            return self._context.refuse(CELL_NONE())
         taken = name.casefold() in map(str.casefold, {*self._cells, *self._broken} - {self._name})
-        if refusal is None and cell is None:
-            refusal = CELL_NONE()
-        elif refusal is None and (taken or name == self._name):
-            refusal = CELL_NAME_TAKEN(value=name)
-        elif refusal is None and cell is not None:
-            refusal = check_cell(replace(cell, name=name))
-        if refusal is not None or cell is None:
-            return self._context.refuse(refusal or CELL_NONE())
+        same = CELL_NAME_TAKEN(value=name) if taken or name == self._name else None
+        renamed = check_cell(replace(cell, name=name))
+        if refusal := self._refused(self.unconfirmed, same, renamed):
+            return refusal
         self.give_name(cell.name, name)
         started = self._done(record_start(self.rename), CELL_RENAMED, name)
         if self.store is not None:
@@ -313,11 +296,8 @@ class CellControl(ControllerPart):
     def delete(self) -> Started | Refusal:
         """Delete the chosen cell and its file; none is in force then."""
         name = self._name
-        refusal = why_not_change(self._context.refresh())
-        if refusal is None:
-            refusal = self._why_holding() if name else CELL_NONE()
-        if refusal is not None:
-            return self._context.refuse(refusal)
+        if refusal := self._refused(self._why_holding() if name else CELL_NONE()):
+            return refusal
         self._cells.pop(name, None)
         self._broken.pop(name, None)
         if self.store is not None:
@@ -329,13 +309,10 @@ class CellControl(ControllerPart):
     def hold(self, name: str) -> Started | Refusal:
         """Count an object as held from now on, or nothing for ""; also before it is confirmed."""
         cell = self.cell
-        refusal = why_not_change(self._context.refresh())
-        if refusal is None and cell is None:
-            refusal = CELL_NONE()
-        elif refusal is None and cell is not None:
-            refusal = check_cell(replace(cell, held=name))
-        if refusal is not None:
-            return self._context.refuse(refusal)
+        if refusal := self._refused(
+            CELL_NONE() if cell is None else check_cell(replace(cell, held=name))
+        ):
+            return refusal
         self._hold(name)
         return self._done(record_start(self.hold), HELD_NOW if name else HELD_NOTHING, name)
 
@@ -388,6 +365,12 @@ class CellControl(ControllerPart):
         if refusal is not None or pose is None:
             return self._context.refuse(refusal or CAPTURE_STALE())
         return tuple(pose)
+
+    def _refused(self, *reasons: Refusal | None) -> Refusal | None:
+        """Return the first reason against a change, told the operator; ``None`` if it may be."""
+        moving = why_not_change(self._context.refresh())
+        refusal = next((each for each in (moving, *reasons) if each is not None), None)
+        return None if refusal is None else self._context.refuse(refusal)
 
     def _why_holding(self) -> Refusal | None:
         """Return why the cell may not be left: what is held would count no more."""

@@ -29,8 +29,7 @@ from armui.ui.freshness import is_stale
 from armui.ui.panels.cell.cell_panel import CellPanel
 from armui.ui.panels.jogging.cartesian_panel import CartesianPanel
 from armui.ui.panels.jogging.motion_panel import JointRow, MotionPanel
-from armui.ui.picture.area_keeper import AreaKeeper
-from armui.ui.picture.frame_keeper import FrameKeeper
+from armui.ui.picture.cell_in_picture import CellInPicture
 from armui.ui.picture.note_place import freest, note_places
 from armui.ui.picture.target_drag import CartesianTarget, LedArm, MotionTarget, TargetDrag
 from armui.ui.picture.view_bar import ViewBar
@@ -350,8 +349,7 @@ class PictureWork(QObject):
         self._reach = self.bar.view_actions["reach"]
         self._reach.toggled.connect(self._show_reach)
         self._panel: Callable[[], QWidget | None] | None = None
-        self._area = AreaKeeper(controller, view, self.bar.view_actions["area"], self, self._zone)
-        self._frames = FrameKeeper(controller, view, self.bar.view_actions["frames"], self)
+        self._cell = CellInPicture(controller, view, self.bar.view_actions, self, self._zone)
         self.bar.view_actions["save"].triggered.connect(self._export.save)
         self.bar.view_actions["copy"].triggered.connect(self._export.copy)
         controller.cell.use_own_tool(preferences.settings.tool)

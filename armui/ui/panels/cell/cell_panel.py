@@ -91,17 +91,12 @@ class CellPanel(Panel):
         self._preferences = preferences
         self._choice = named("cell_box", QComboBox())
         self._choice.setMinimumWidth(_NARROW_PX)
-        self._confirm = push_button("cell_confirm_button")
+        names = ("confirm", "new", "rename", "import", "export", "compare", "delete")
+        self._buttons = {name: push_button(f"cell_{name}_button") for name in names}
         self._name = named("cell_name", QLineEdit())
         self._name.setMaxLength(LONGEST_NAME)
-        self._new = push_button("cell_new_button")
-        self._rename = push_button("cell_rename_button")
-        self._compare = push_button("cell_compare_button")
-        self._others = named("cell_compare_menu", QMenu(self._compare))
-        give_menu(self._compare, self._others)
-        self._import = push_button("cell_import_button")
-        self._export = push_button("cell_export_button")
-        self._delete = push_button("cell_delete_button")
+        self._others = named("cell_compare_menu", QMenu(self._buttons["compare"]))
+        give_menu(self._buttons["compare"], self._others)
         self._name_label = QLabel()
         self._name_label.setBuddy(self._name)
         self._group = QButtonGroup(self)
@@ -109,29 +104,30 @@ class CellPanel(Panel):
         self._tabs = [tab(controller, self._accepted) for tab in TABS]
         self._lay_out()
         self._choice.activated.connect(self._on_chosen)
-        self._confirm.clicked.connect(lambda: self._accepted(controller.cell.confirm()))
-        self._new.clicked.connect(self._on_new)
         self._name.returnPressed.connect(self._on_new)
         self._name.textEdited.connect(lambda _text: self._show_buttons())
-        self._rename.clicked.connect(self._on_rename)
         self._others.aboutToShow.connect(self._show_others)
         self._others.triggered.connect(lambda action: self._on_compare(action.data()))
-        self._import.clicked.connect(self._on_import)
-        self._export.clicked.connect(self._on_export)
-        self._delete.clicked.connect(self._on_delete)
+        for name, pressed in (
+            ("confirm", lambda: self._accepted(controller.cell.confirm())),
+            ("new", self._on_new),
+            ("rename", self._on_rename),
+            ("import", self._on_import),
+            ("export", self._on_export),
+            ("delete", self._on_delete),
+        ):
+            self._buttons[name].clicked.connect(pressed)
         controller.cell_changed.connect(self._on_cell_changed)
         self._listen("cell_", "held_", "load_")
         self.retranslate_ui()
 
     def _lay_out(self) -> None:
-        for button in (self._confirm, self._new, self._rename):
+        confirm, new, rename, *files = self._buttons.values()
+        for button in (confirm, new, rename):
             button.setMinimumWidth(_NARROW_PX)
-        head = in_row(self._title, (self._choice, 1), self._confirm, spacing=8)
-        names = in_row(self._name_label, (self._name, 1), self._new, self._rename, spacing=6)
-        files = in_row(
-            *((each, 1) for each in (self._import, self._export, self._compare, self._delete)),
-            spacing=6,
-        )
+        head = in_row(self._title, (self._choice, 1), confirm, spacing=8)
+        names = in_row(self._name_label, (self._name, 1), new, rename, spacing=6)
+        kept = in_row(*((each, 1) for each in files), spacing=6)
         choice = in_row(spacing=6)
         for place, tab in enumerate(self._tabs):
             tab_button = choice_button(f"cell_tab_{tab.key}")
@@ -145,19 +141,13 @@ class CellPanel(Panel):
         card = QFrame()
         in_column(self._stack_of_tabs, on=card, spacing=8, margins=(16, 12, 16, 12))
         self._card = scrolled(card, _TALLEST_CARD_PX)
-        self._stack(names, files, choice, self._card, head=head, gap_px=8)
+        self._stack(names, kept, choice, self._card, head=head, gap_px=8)
 
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
         targets: dict[str, Target] = {
             "cell.choose": self._choice,
-            "cell.confirm": self._confirm,
-            "cell.new": self._new,
-            "cell.rename": self._rename,
-            "cell.compare": self._compare,
-            "cell.import": self._import,
-            "cell.export": self._export,
-            "cell.delete": self._delete,
+            **{f"cell.{name}": button for name, button in self._buttons.items()},
         }
         for place, tab in enumerate(self._tabs):
             targets[f"cell.tab_{tab.key}"] = self._group.button(place)
@@ -345,7 +335,7 @@ class CellPanel(Panel):
         self._choice.setCurrentIndex(max(0, self._choice.findData(chosen)))
 
     def _show_buttons(self) -> None:
-        now, cells = self._operating_state, self._controller.cell
+        now, cells, buttons = self._operating_state, self._controller.cell, self._buttons
         why_not = words.why_not(why_not_change(now))
         self._choice.setEnabled(not why_not)
         use = self.tr("Puts another cell in force, or none; that confirms it, too.")
@@ -353,24 +343,24 @@ class CellPanel(Panel):
         waits = cells.unconfirmed is not None and cells.cell is not None
         done = self.tr("Nothing is to be confirmed: the cell is in force, or there is none.")
         use = self.tr("The cell shown is that of the arm in front of you; it takes effect.")
-        enable_or_explain(self._confirm, why_not or ("" if waits else done), use)
-        show_primary(self._confirm, wanted=waits)
+        enable_or_explain(buttons["confirm"], why_not or ("" if waits else done), use)
+        show_primary(buttons["confirm"], wanted=waits)
         unnamed = "" if self._name.text().strip() else self.tr("Type a name first.")
         use = self.tr("Makes an empty cell; a tool typed before becomes its first.")
-        enable_or_explain(self._new, why_not or unnamed, use)
-        show_primary(self._new, wanted=not unnamed)
+        enable_or_explain(buttons["new"], why_not or unnamed, use)
+        show_primary(buttons["new"], wanted=not unnamed)
         none = words.why_not(CELL_NONE()) if cells.cell is None else ""
         use = self.tr("Gives the cell in force and its file the name that is typed.")
-        enable_or_explain(self._rename, why_not or none or unnamed, use)
+        enable_or_explain(buttons["rename"], why_not or none or unnamed, use)
         alone = "" if len(cells.cells) > 1 else self.tr("There is no other cell.")
         use = self.tr("Says how another cell of the list differs from the one in force.")
-        enable_or_explain(self._compare, none or alone, use)
+        enable_or_explain(buttons["compare"], none or alone, use)
         no_store = self._controller.cell.store is None
         use = self.tr("Reads a cell from a file; says what is different before it is taken over.")
-        enable_or_explain(self._import, why_not or (done if no_store else ""), use)
-        enable_or_explain(self._export, none, self.tr("Writes the cell to a file of its own."))
+        enable_or_explain(buttons["import"], why_not or (done if no_store else ""), use)
+        enable_or_explain(buttons["export"], none, self.tr("Writes the cell to a file of its own."))
         use = self.tr("Asks first, then deletes the cell and its file.")
-        enable_or_explain(self._delete, why_not or none, use)
+        enable_or_explain(buttons["delete"], why_not or none, use)
 
     def _on_noticed(self, event: Event) -> None:
         """Leave what went well to the status bar: the tab says what holds."""
@@ -391,13 +381,17 @@ class CellPanel(Panel):
         self._choice.setAccessibleName(self.tr("Chosen cell"))
         self._name_label.setText(self.tr("Cell's name"))
         self._name.setAccessibleName(self.tr("Cell's name"))
-        caption(self._confirm, self.tr("Confirm"), whose=self._title.text())
-        caption(self._new, self.tr("New"), whose=self._title.text())
-        caption(self._rename, self.tr("Rename"), whose=self._title.text())
-        caption(self._compare, self.tr("Compare"), whose=self._title.text())
-        caption(self._import, self.tr("Import…"), whose=self._title.text())
-        caption(self._export, self.tr("Export…"), whose=self._title.text())
-        caption(self._delete, self.tr("Delete"), whose=self._title.text())
+        texts = {
+            "confirm": self.tr("Confirm"),
+            "new": self.tr("New"),
+            "rename": self.tr("Rename"),
+            "compare": self.tr("Compare"),
+            "import": self.tr("Import…"),
+            "export": self.tr("Export…"),
+            "delete": self.tr("Delete"),
+        }
+        for name, text in texts.items():
+            caption(self._buttons[name], text, whose=self._title.text())
         for place, tab in enumerate(self._tabs):
             caption(self._group.button(place), tab.title.text())
         self._choice.clear()

@@ -21,7 +21,7 @@ from armui.control.devices.joint_monitor import JointMonitor
 from armui.protocol.generation import Generation
 from armui.session.log_model import told_cell
 from armui.ui import words
-from armui.ui.picture.area_keeper import area_picture, held_picture
+from armui.ui.picture.cell_in_picture import area_picture, held_picture
 from armui.ui.shell.robot_in_view import RobotInView, show_in_view
 from armui.ui.shell.status_bar import StatusBar
 from armui.ui.theme import DARK, colors_of, scaled_font

@@ -1,4 +1,4 @@
-"""Keeps the work area and what the hand holds in the picture; what is near the arm is lit."""
+"""Keeps the cell in the picture: work area, user frames, what the hand holds, the base."""
 
 from __future__ import annotations
 
@@ -11,9 +11,10 @@ from armui.cell.user_frames import NO_FRAME
 from armui.cell.work_area import AreaBox
 from armui.viewport.area_picture import AreaPicture, AreaShape
 from armui.viewport.robot_shape import pose_rows
+from armui.viewport.strokes import FrameMark
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection
+    from collections.abc import Callable, Collection, Mapping
 
     from PySide6.QtGui import QAction
 
@@ -28,13 +29,14 @@ _NEAR_MM: Final = 50.0
 """A plane or a box is lit when the arm is this near to its margin."""
 
 
-class AreaKeeper(QObject):
-    """Shows the work area of the chosen cell as long as a switch is on, and what the hand holds.
+class CellInPicture(QObject):
+    """Shows the chosen cell; what is near the arm is lit, and so is the frame in force.
 
     Args:
         controller: Knows the cell, and how near the arm is.
         view: The picture.
-        switch: Hides and shows it.
+        switches: Hide and show its parts: ``area`` and ``frames``. A frame that is not taken yet is
+            always shown.
         parent: The parent object.
         zone: Returns where a plane or box is typed, which is shown before it is applied.
     """
@@ -43,25 +45,37 @@ class AreaKeeper(QObject):
         self,
         controller: ArmController,
         view: ArmView,
-        switch: QAction,
+        switches: Mapping[str, QAction],
         parent: QObject,
         zone: Callable[[], ZoneTarget | None],
     ) -> None:
         super().__init__(parent)
         self._controller = controller
         self._view = view
-        self._switch = switch
+        self._switches = switches
         self._zone = zone
-        switch.toggled.connect(self._show)
+        for name in ("area", "frames"):
+            switches[name].toggled.connect(self._show)
         controller.cell_changed.connect(self._show)
         controller.state_changed.connect(self._on_state)
         self._show()
 
     def _on_state(self, _state: ArmState) -> None:
         if self._controller.area_guard.area is not None or self._zone() is not None:
-            self._show()
+            self._show_area()
 
     def _show(self, _changed: object = None) -> None:
+        self._show_area()
+        cells = self._controller.cell
+        cell, chosen, candidate = cells.cell, self._controller.cartesian.frame, cells.candidate
+        shown = cell is not None and self._switches["frames"].isChecked()
+        frames = cell.all_frames if cell is not None and shown else ()
+        marks = [FrameMark(each.name, pose_rows(each.pose), each == chosen) for each in frames]
+        if candidate is not None:
+            marks.append(FrameMark(candidate.name, pose_rows(candidate.pose), lit=True))
+        self._view.set_frames(tuple(marks))
+
+    def _show_area(self) -> None:
         area, cell = self._controller.area_guard.area, self._controller.cell.cell
         base = NO_FRAME if cell is None else cell.placement.pose
         zone = self._zone()
@@ -71,7 +85,7 @@ class AreaKeeper(QObject):
             size_mm = typed.size_mm if isinstance(typed, AreaBox) else None
             held = (AreaShape(pose_rows(typed.pose), size_mm, near=True), *held)
         pale = self._controller.cell.unconfirmed is not None
-        if area is None or not self._switch.isChecked():
+        if area is None or not self._switches["area"].isChecked():
             self._view.set_area(_as_confirmed(held, pale=pale), base)
             return
         seen = self._controller.area_guard.look(self._controller.state)
