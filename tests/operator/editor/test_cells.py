@@ -89,3 +89,14 @@ def test_another_kind_of_motion_keeps_the_place(editor):
 def test_only_an_arc_has_a_middle(editor):
     index = editor.table.model().index(0, PointColumn.MIDDLE)
     assert not index.flags() & Qt.ItemFlag.ItemIsEditable
+
+
+def test_what_is_typed_stays_while_a_run_comes_to_the_row(editor):
+    field = editor.edit(1, PointColumn.NOTE)
+    field.selectAll()
+    QTest.keyClicks(field, "tray")
+    editor.table.points.show_current(1)
+    editor.table.points.show_faults({1: True})
+    assert field.text() == "tray"
+    editor.enter(field)
+    assert editor.points[1].note == "tray"

@@ -281,8 +281,9 @@ class PointDelegate(QStyledItemDelegate):
         self.closeEditor.emit(editor)
 
     def setEditorData(self, editor: QWidget, index: Index) -> None:  # noqa: N802 - Qt's name
-        """Show the cell's content."""
-        if isinstance(editor, CellEditor):
+        """Show the cell's content; what is being typed stays if the row only looks otherwise."""
+        typed = isinstance(editor, QLineEdit) and editor.isModified()
+        if isinstance(editor, CellEditor) and not typed:
             editor.set_text(str(index.data(Qt.ItemDataRole.EditRole)))
 
     def setModelData(  # noqa: N802 - Qt's name

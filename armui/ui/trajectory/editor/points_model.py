@@ -344,9 +344,7 @@ class PointsModel(TableModel):
     def show_tool(self, tool: Values, name: str) -> None:
         """Show poses for another tool; no point changes."""
         self.tool, self._tool_name = ToolPoints(tool), name
-        if self._points:  # no more is told, or the text of a note being typed would be lost
-            last = self.index(len(self._points) - 1, PointColumn.MIDDLE)
-            self.dataChanged.emit(self.index(0, PointColumn.VALUE_1), last)
+        self._redraw((0, len(self._points) - 1))
         self.retranslate()
 
     def retranslate(self) -> None:
