@@ -6596,6 +6596,10 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>! 未保存</translation>
     </message>
     <message>
+        <source>At 100 % of the speed below, so at the points&apos; own or as recorded, without the way to the first point. How long a run takes at its speed stands beside Send.</source>
+        <translation>按下方速度 100 % 计，即各点自己的速度或录制的速度，不含到第一点的路程。实际运行速度下的时长显示在“发送”旁。</translation>
+    </message>
+    <message>
         <source>Name</source>
         <translation>名称</translation>
     </message>
@@ -6604,8 +6608,10 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>点数</translation>
     </message>
     <message>
-        <source>Duration</source>
-        <translation>时长</translation>
+        <source>Duration
+at 100 %</source>
+        <translation>时长
+（100 %）</translation>
     </message>
     <message>
         <source>Last change</source>
@@ -9135,10 +9141,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Moves the ghost arm only; the real arm stays where it is.</source>
         <translation>只移动虚影机械臂，真实机械臂不动。</translation>
-    </message>
-    <message>
-        <source>Preview</source>
-        <translation>预览</translation>
     </message>
     <message>
         <source>Time of the preview</source>

@@ -13,7 +13,7 @@ from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.running.run_bar import RunChoices
 from armui.ui.trajectory.running.run_request import Checks
 from tests.app_driver import AtOnce
-from tests.operator.editor.actions import CTRL, notes
+from tests.operator.editor.actions import BACK, CTRL, OUT, Editor, notes, to
 
 pytestmark = pytest.mark.styled
 
@@ -179,3 +179,46 @@ def test_beside_the_jog_buttons_one_button_is_lit(editor):
     assert not send.property("primary")
     editor.click("editor_jog")
     assert send.property("primary")
+
+
+def test_escape_closes_what_is_open_before_it_leaves(editor):
+    """What is typed in a cell or a field first, then find, findings and jog; then the page."""
+    page = editor.window
+    field = editor.edit(0, PointColumn.SPEED)
+    QTest.keyClicks(field, "77")
+    QTest.keyClick(field, Qt.Key.Key_Escape)
+    assert editor.points[0].speed_percent == 100
+    note = editor.child("trajectory_note")
+    note.setFocus()
+    QTest.keyClicks(note, "for the tray")
+    QTest.keyClick(note, Qt.Key.Key_Escape)
+    assert (note.text(), page.document.note, editor.table.hasFocus()) == ("", "", True)
+    for name in ("jog", "check", "find"):
+        editor.click(f"editor_{name}")
+    editor.table.setFocus()
+    panes = [editor.child("find_field"), editor.child("findings_title"), editor.child("jog_box")]
+    left = []
+    page.closed.connect(lambda: left.append(True))
+    for gone in range(3):
+        assert [pane.isVisible() for pane in panes] == [False] * gone + [True] * (3 - gone)
+        QTest.keyClick(editor.table, Qt.Key.Key_Escape)
+    assert not any(pane.isVisible() for pane in panes)
+    assert not editor.child("editor_jog").isChecked()
+    assert left == []
+    QTest.keyClick(editor.table, Qt.Key.Key_Escape)
+    assert left == [True]
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_the_bar_of_the_preview_is_whole_beside_the_jog_box(app_driver, language):
+    app_driver.ready()
+    app_driver.store.change(language=language)
+    app_driver.window.resize(1280, 800)
+    editor = Editor(app_driver, to(OUT), to(BACK))
+    editor.click("editor_jog")
+    editor.click("editor_check")
+    app_driver.run(0.2)
+    bar, close = app_driver.find("preview_bar"), app_driver.find("preview_close")
+    assert bar.isVisible()
+    assert bar.minimumSizeHint().width() <= bar.width()
+    assert close.width() >= close.sizeHint().width()

@@ -7,7 +7,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import QKeySequence, QResizeEvent, QShortcut
+from PySide6.QtGui import QKeyEvent, QKeySequence, QResizeEvent, QShortcut
 from PySide6.QtWidgets import QHeaderView, QLineEdit, QMenu, QWidget
 
 from armui.arm.refusal import Refusal
@@ -272,6 +272,28 @@ class EditorPage(Page):
         """Place the jog box anew, because there is more or less height."""
         super().resizeEvent(event)
         self._place_jog()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Close what is open at Escape, one thing after another, before the page is left."""
+        if event.key() == Qt.Key.Key_Escape and self._close_open():
+            event.accept()
+        else:
+            super().keyPressEvent(event)
+
+    def _close_open(self) -> bool:
+        """Close one thing that is open in the page; return whether there was any."""
+        if self._note.hasFocus():
+            self._note.setText(self.document.note)
+            self.table.setFocus()
+        elif self._find_bar.isVisible():
+            self._find_bar.put_away()
+        elif self._findings.isVisible():
+            self._findings.dismiss()
+        elif self._actions["jog"].isChecked():
+            self._actions["jog"].trigger()
+        else:
+            return False
+        return True
 
     def _place_jog(self) -> None:
         """Have the jog box stay in its place, or scroll with the table where there is no height."""

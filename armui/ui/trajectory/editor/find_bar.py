@@ -60,7 +60,7 @@ class FindBar(Translated, QWidget):
         self._previous.clicked.connect(lambda: self.next_wanted.emit(-1))
         self._replace.clicked.connect(lambda: self.replace_wanted.emit(False))
         self._replace_all.clicked.connect(lambda: self.replace_wanted.emit(True))
-        self._close.clicked.connect(self._put_away)
+        self._close.clicked.connect(self.put_away)
         self._wanted.returnPressed.connect(lambda: self.next_wanted.emit(1))
         self._by.returnPressed.connect(lambda: self.replace_wanted.emit(False))
         self._wanted.textChanged.connect(self._result.clear)
@@ -77,7 +77,8 @@ class FindBar(Translated, QWidget):
         self._wanted.setFocus()
         self._wanted.selectAll()
 
-    def _put_away(self) -> None:
+    def put_away(self) -> None:
+        """Close the bar."""
         self.hide()
         self.closed.emit()
 
@@ -132,7 +133,7 @@ class FindBar(Translated, QWidget):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Close the bar at Escape."""
         if event.key() == Qt.Key.Key_Escape:
-            self._put_away()
+            self.put_away()
         else:
             super().keyPressEvent(event)
 

@@ -53,7 +53,7 @@ class FindingsPane(Translated, QWidget):
         self.accept_button = push_button("accept_warnings", primary=True, on_enter=False)
         self.accept_button.clicked.connect(self._on_accepted)
         self._close_button = push_button("findings_close", on_enter=False)
-        self._close_button.clicked.connect(self._on_closed)
+        self._close_button.clicked.connect(self.dismiss)
         head = in_row((self._title, 1), self.accept_button, self._close_button)
         in_column(head, self._list, on=self, spacing=6, margins=0)
         self.clear()
@@ -161,7 +161,8 @@ class FindingsPane(Translated, QWidget):
         if accept is not None:
             accept()
 
-    def _on_closed(self) -> None:
+    def dismiss(self) -> None:
+        """Close the pane without an answer."""
         self.clear()
         self.dismissed.emit()
 

@@ -258,12 +258,24 @@ class LibraryModel(TableModel):
             return self.tr("! other arm") if self._is_of_other_arm(entry) else fmt.NOTHING
         return words_of[mark]
 
+    def headerData(  # noqa: N802 - Qt's name
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
+    ) -> Any:
+        """Return the titles, and what the durations are of."""
+        across = orientation is Qt.Orientation.Horizontal
+        if across and role == Qt.ItemDataRole.ToolTipRole and section == LibraryColumn.LENGTH:
+            return self.tr(
+                "At 100 % of the speed below, so at the points' own or as recorded, without the "
+                "way to the first point. How long a run takes at its speed stands beside Send."
+            )
+        return super().headerData(section, orientation, role)
+
     def titles(self) -> Sequence[str]:
         """Return the titles from left to right."""
         return (
             self.tr("Name"),
             self.tr("Points"),
-            self.tr("Duration"),
+            self.tr("Duration\nat 100 %"),
             self.tr("Last change"),
             self.tr("Check"),
             self.tr("Note"),

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Final
 
 from PySide6.QtCore import QElapsedTimer, QSignalBlocker, QTimer, Signal
-from PySide6.QtWidgets import QFrame, QLabel
+from PySide6.QtWidgets import QFrame
 
 from armui.ui.actions.command import Command, Target
 from armui.ui.widgets.buttons import caption, describe, named, push_button
@@ -39,7 +39,6 @@ class PreviewBar(Translated, QFrame):
         super().__init__()
         self.setObjectName("preview_bar")
         self._duration_s = 0.0
-        self._label = QLabel()
         self._play = push_button("preview_play", on_enter=False)
         self._play.setCheckable(True)
         self._slider = named("preview_slider", TrackSlider(_STEP_S, origin=0.0))
@@ -47,7 +46,7 @@ class PreviewBar(Translated, QFrame):
         self._slider.setPageStep(100)
         self._time = named("preview_time", ValueLabel(""))
         self._close = push_button("preview_close", on_enter=False)
-        parts = (self._label, self._play, (self._slider, 1), self._time, self._close)
+        parts = (self._play, (self._slider, 1), self._time, self._close)
         in_row(*parts, on=self, spacing=10, margins=(12, 8, 12, 8))
         self._clock = QElapsedTimer()
         self._timer = QTimer(self)
@@ -126,7 +125,6 @@ class PreviewBar(Translated, QFrame):
 
     def retranslate_ui(self) -> None:
         """Set the texts in the operator's language."""
-        self._label.setText(self.tr("Preview"))
         tip = self.tr("Moves the ghost arm through the motion.")
         describe(self._slider, self.tr("Time of the preview"), tip)
         caption(self._close, self.tr("Close preview"))
