@@ -4034,6 +4034,10 @@
 <context>
     <name>FindBar</name>
     <message>
+        <source>Type what to find first.</source>
+        <translation>请先输入要查找的内容。</translation>
+    </message>
+    <message>
         <source>Note</source>
         <translation>备注</translation>
     </message>

@@ -133,6 +133,15 @@ def test_joints_become_a_pose_and_the_same_joints_again(move):
     assert back.move is MoveMode.MOVE_J
 
 
+def test_a_pose_as_it_is_written_becomes_the_round_angles_that_were_set():
+    """A pose is kept to 0.001 mm and 0.001°, which alone makes 54.999° of 55."""
+    set_deg = (12.0, 55.0, -60.0, 7.5, 30.25, -41.0)
+    as_pose = to_pose(replace(POINT, target=set_deg), KINEMATICS)
+    assert isinstance(as_pose, Waypoint)
+    written = replace(as_pose, target=tuple(round(figure, 3) for figure in as_pose.target))
+    assert to_joints(written, KINEMATICS, set_deg).target == set_deg
+
+
 def test_a_way_within_the_limits_goes_before_a_nearer_one():
     as_pose = to_pose(POINT, KINEMATICS)
     assert isinstance(as_pose, Waypoint)

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import Final
 
 from armui.arm.limits import JointLimits, check_joints
 from armui.arm.refusal import Reason, Refusal
 from armui.kinematics.arm_kinematics import Kinematics
-from armui.kinematics.poses import Pose
+from armui.kinematics.poses import Pose, apart
 from armui.protocol.codes import MoveMode
 from armui.trajectory.points.program import Waypoint
 
@@ -21,6 +22,10 @@ CONVERT_OUT_OF_REACH = Reason(
     "The arm does not reach X {x}  Y {y}  Z {z} mm with this orientation: no joint angles belong "
     "to it. Change the pose.",
 )
+
+
+_AS_WRITTEN: Final = 0.002
+"""Poses stand in files and tables to 0.001 mm and 0.001°."""
 
 
 def to_pose(
@@ -63,8 +68,17 @@ def to_joints(
         x, y, z = point.target[:3]
         return CONVERT_OUT_OF_REACH(x=x, y=y, z=z)
     within = [way for way in ways if limits is None or check_joints(way, limits) is None]
-    best = (within or ways)[0]
-    return replace(point, move=MoveMode.MOVE_J, target=tuple(best), middle=None)
+    best = _neat((within or ways)[0], Pose(*point.target), kinematics)
+    return replace(point, move=MoveMode.MOVE_J, target=best, middle=None)
+
+
+def _neat(angles_deg: Sequence[float], pose: Pose, kinematics: Kinematics) -> tuple[float, ...]:
+    """Return the roundest angles that give a pose as exactly as it is written: 55, not 54.999."""
+    for decimals in range(3):
+        neat_deg = tuple(round(angle, decimals) for angle in angles_deg)
+        if max(apart(kinematics.forward(neat_deg), pose)) <= _AS_WRITTEN:
+            return neat_deg
+    return tuple(angles_deg)
 
 
 def to_move(

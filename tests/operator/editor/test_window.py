@@ -23,6 +23,9 @@ pytestmark = pytest.mark.styled
 def test_a_note_is_found_and_replaced(editor):
     QTest.keyClick(editor.window, Qt.Key.Key_F, CTRL)
     find = editor.child("find_text")
+    for name in ("find_next", "find_previous", "replace_one", "replace_all"):
+        assert not editor.child(name).isEnabled()
+        assert editor.child(name).toolTip() == "Type what to find first."
     QTest.keyClicks(find, "ba")
     QTest.keyClick(find, Qt.Key.Key_Return)
     assert editor.table.current_row() == 1

@@ -14,7 +14,7 @@ from armui.trajectory.points import edits
 from armui.trajectory.points.cells import figure
 from armui.trajectory.points.program import JOINT_NAMES, POSE_NAMES, Waypoint, check_point
 from armui.ui import words
-from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.buttons import enable_or_explain, named, push_button
 from armui.ui.widgets.flow import in_flow
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
@@ -64,12 +64,18 @@ class FindBar(Translated, QWidget):
         self._wanted.returnPressed.connect(lambda: self.next_wanted.emit(1))
         self._by.returnPressed.connect(lambda: self.replace_wanted.emit(False))
         self._wanted.textChanged.connect(self._result.clear)
+        self._wanted.textChanged.connect(self._show_usable)
         self.retranslate_ui()
 
     def _lay_out(self) -> None:
         of_finding = (self._field, self._wanted, self._previous, self._next)
         of_replacing = (self._by, self._replace, self._replace_all)
         in_flow(*of_finding, *of_replacing, self._result, on=self).push(self._close)
+
+    def _show_usable(self) -> None:
+        reason = "" if self._wanted.text() else self.tr("Type what to find first.")
+        for button in (self._previous, self._next, self._replace, self._replace_all):
+            enable_or_explain(button, reason)
 
     def open(self) -> None:
         """Show the bar, and focus the search field."""
@@ -129,6 +135,7 @@ class FindBar(Translated, QWidget):
         self._replace.setText(self.tr("Replace"))
         self._replace_all.setText(self.tr("Replace all"))
         self._close.setText(self.tr("Close"))
+        self._show_usable()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Close the bar at Escape."""

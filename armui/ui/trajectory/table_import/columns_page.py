@@ -9,7 +9,7 @@ from pathlib import Path, PurePath
 from typing import Final
 
 from PySide6.QtCore import QCoreApplication, QObject, Qt, QThread, Signal
-from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QPushButton, QSpinBox, QWidget
+from PySide6.QtWidgets import QLabel, QLineEdit, QPushButton, QSpinBox, QWidget
 
 from armui.cell.tools import NO_TOOL
 from armui.control.arm_controller import ArmController
@@ -27,7 +27,7 @@ from armui.ui import words
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.table_import.columns_table import ColumnsTable
 from armui.ui.trajectory.table_import.dialect_bar import DialectBar
-from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.buttons import drop_down, named, push_button
 from armui.ui.widgets.flow import in_flow, pair
 from armui.ui.widgets.layouts import STRETCH, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
@@ -129,7 +129,7 @@ class ColumnsPage(Page):
 
     def _make_widgets(self) -> None:
         self._source = text_label("columns_source", rank="muted", wraps=True, plain=True)
-        self._moves = named("columns_move", QComboBox())
+        self._moves = drop_down("columns_move")
         self._moves.addItems([""] * len(_MOVES))
         self._speed = named("columns_speed", QSpinBox())
         self._speed.setRange(1, 100)
@@ -137,8 +137,8 @@ class ColumnsPage(Page):
         self._speed.setSuffix(" %")
         self._speed.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._speed.setFixedHeight(_FIELD_PX)
-        self._of = named("columns_of", QComboBox())
-        self._in = named("columns_in", QComboBox())
+        self._of = drop_down("columns_of")
+        self._in = drop_down("columns_in")
         self._name = named("columns_name", QLineEdit())
         self._move_label, self._speed_label, self._name_label = (QLabel() for _ in range(3))
         self._of_label = QLabel()
