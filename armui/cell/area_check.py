@@ -133,10 +133,6 @@ class AreaCheck:
         zones = zip(self._area.zones, nearest, strict=True)
         return tuple(zone.name for zone, gap_mm in zones if gap_mm < _BESIDE_MM)
 
-    def why_no_turn(self, stops_deg: Sequence[Sequence[float]]) -> Refusal | None:
-        """Return why the joints may not turn evenly from pose to pose; see :meth:`why_no_way`."""
-        return self.why_no_way(np.array(stops_deg, dtype=float))
-
     def why_no_further(
         self, ahead_deg: Sequence[Sequence[float]], now_deg: Sequence[Sequence[float]]
     ) -> Refusal | None:
@@ -158,14 +154,15 @@ class AreaCheck:
         near = (ahead < least_mm) & (ahead < now - _SAME_MM)
         return self._why(near, ahead, now.min(initial=np.inf) < self.margin_mm, capsules)
 
-    def why_no_way(self, joints_deg: Array) -> Refusal | None:
+    def why_no_way(self, way_deg: npt.ArrayLike) -> Refusal | None:
         """Return why the arm may not go along a way from where it stands, or ``None``.
 
         What is too near at its beginning may only be left on it, and nothing may be entered anew.
 
         Args:
-            joints_deg: (n, 6) the way; between two of them the joints turn evenly.
+            way_deg: (n, 6) the way; between two of them the joints turn evenly.
         """
+        joints_deg = np.array(way_deg, dtype=float)
         if self.is_free or not len(joints_deg):
             return None
         poses, _ = self._finely(joints_deg)

@@ -112,32 +112,29 @@ class AreaGuard(ControllerPart):
 
     def check(self) -> AreaCheck | None:
         """Return the checks of the present arm, tool, held object and area; ``None`` if free."""
-        area, cell = self.area, self._cell()
-        if area is None or cell is None:
+        cell = self._cell()
+        if self.area is None or cell is None:
             self._of, self._check = (), None
             return None
-        from armui.cell.area_check import AreaCheck, carried_body  # noqa: PLC0415 - numpy
-
         now = self._context.operating_state()
-        geometry, tool = now.model_fit.geometry, self._tool()
-        of = (cell, now.model, geometry, tool)
+        of = (cell, now.model, now.model_fit.geometry, self._tool())
         if self._check is None or of != self._of:
-            self._of = of
-            body = carried_body(now.model, geometry, tool, cell)
-            self._check = AreaCheck(area, body, cell.placement.rising)
+            self._of, self._check = of, self._made(cell)
         return self._check
 
     def check_holding(self, name: str) -> AreaCheck | None:
         """Return the same checks as they will be once the hand holds an object; "" for none."""
-        cell, area = self._cell(), self.area
-        if cell is None or area is None or name == cell.held:
+        cell = self._cell()
+        if cell is None or self.area is None or name == cell.held:
             return self.check()
+        return self._made(replace(cell, held=name))
+
+    def _made(self, cell: Cell) -> AreaCheck:
         from armui.cell.area_check import AreaCheck, carried_body  # noqa: PLC0415 - numpy
 
         now = self._context.operating_state()
-        holding = replace(cell, held=name)
-        body = carried_body(now.model, now.model_fit.geometry, self._tool(), holding)
-        return AreaCheck(area, body)
+        body = carried_body(now.model, now.model_fit.geometry, self._tool(), cell)
+        return AreaCheck(cell.area, body, cell.placement.rising)
 
     # What is asked before something moves -----------------------------------------------------
 
@@ -162,7 +159,7 @@ class AreaGuard(ControllerPart):
         check = self.check()
         if check is None:
             return None
-        return check.why_no_turn([*self._places(), target_deg])
+        return check.why_no_way([*self._places(), target_deg])
 
     def why_no_point(self, point: Waypoint) -> Refusal | None:
         """Return why a motion to a point is refused: somewhere its planned way is too near.
