@@ -303,7 +303,7 @@ class ArmController(ControllerParts):
         attempt("LinkWatch", lambda: self._link_watch.follow_handshake(self._state))
         attempt("Assessor", self._assess, step="2")  # what the parts have begun and ended
         self._parts.follow_arm_last()
-        self._motion_end.retry_end(now_s)
+        attempt("MotionEnd", lambda: self._motion_end.retry_end(now_s))
         self._authority.failed = self._motion_end.stuck or not self._parts.in_order
         if self._state is not before:
             self.state_changed.emit(self._state)

@@ -25,7 +25,7 @@ from armui.control.safety.feedback_freshness import any_motor_off, in_drag_teach
 from armui.control.safety.interlocks import MOVABLE_STATUSES
 from armui.control.safety.other_command import OtherCommand
 from armui.control.safety.overspeed import OverspeedWatch
-from armui.control.safety.standstill import RestWatch
+from armui.control.safety.standstill import RestWatch, why_moving
 from armui.protocol.codes import ArmStatusCode, ControlMode, MoveMode
 
 if TYPE_CHECKING:
@@ -42,6 +42,12 @@ PART_FAILED = Reason(
 )
 
 
+MET_MOVING = Reason(
+    "met_moving",
+    "The arm was moving when it was first heard, and not by a command of this connection. Wait "
+    "until it rests, or press Halt (F9).",
+)
+
 ARRIVED_DEG: Final = 0.5
 """A joint this close to its target has arrived: under load it may sag by that much."""
 
@@ -55,6 +61,7 @@ _CANCEL_WITHIN_S: Final = 1.0
 """After a cancel the arm is measured at rest within this time."""
 _OURS: Final = frozenset({ControlMode.STANDBY, ControlMode.CAN_CONTROL})
 _PLANNED: Final = frozenset({MoveMode.MOVE_P, MoveMode.MOVE_J, MoveMode.MOVE_L, MoveMode.MOVE_C})
+_CANCEL_AGAIN_S: Final = 0.3
 _MOVING_FRESH_S: Final = 0.05
 """The angles of a moving arm are too old to set out from after this time."""
 
@@ -91,6 +98,8 @@ class Authority:
         self._braking: tuple[float, int] | None = None
         self._stood = False
         self._left_by_another = True
+        self._met_moving = True
+        self._cancel_repeated = False
         self.other = OtherCommand()
         self.command: MotionCommand | None = None
         self.ended: End | None = None
@@ -120,6 +129,7 @@ class Authority:
             self.command = replace(self.command, sent_s=now_s)
         self._follow_hold(seen)
         self._stood = self._stood or self.at_rest
+        self._met_moving = self._met_moving and not self.at_rest
         self._follow_cancel(now_s)
         pace = None if self.command is None else self.command.pace
         shown, braking = self._percent_shown, self._braking
@@ -191,7 +201,18 @@ class Authority:
     def why_not_ours(self) -> Refusal | None:
         """Return the reason against going on with our motion that is held back, or ``None``."""
         failed = PART_FAILED() if self.failed else None
-        return failed or self.why_silent() or self.other.why_not()
+        return failed or self.why_silent() or self.other.why_not() or self._why_met_moving()
+
+    def _why_met_moving(self) -> Refusal | None:
+        """Return why an arm that moved when it was first heard is not to be moved, or ``None``."""
+        return MET_MOVING() if self._met_moving and self.moves and not self.holds else None
+
+    def take_over(self) -> Refusal | None:
+        """Take the arm over from another host, deliberately; return ``None``, or why not."""
+        refusal = self.other.take_over()
+        if refusal is None:
+            self._met_moving = False
+        return refusal
 
     def why_silent(self) -> Refusal | None:
         """Return the missing feedback that a motion relies on, as a reason, or ``None``."""
@@ -313,7 +334,7 @@ class Authority:
         )
         self.arm_percent, self._mode_sent = speed_percent, (move_mode, now_s)
         self._cancelled_s, self.cancel_unheeded = None, False
-        self._left_by_another = False
+        self._left_by_another = self._met_moving = self._cancel_repeated = False
         self._limits = (None,) * 6
         self._overspeed.change_speed()
         return self.command
@@ -363,6 +384,7 @@ class Authority:
     def went_on(self, now_s: float) -> None:
         """Note that the arm was told to continue a motion that was held back."""
         self.holds = frozenset()
+        self._left_by_another = self._met_moving = False
         self._overspeed.change_speed()
         if self.command is not None:
             self.command = replace(self.command, sent_s=now_s)
@@ -371,8 +393,19 @@ class Authority:
         """Note that the arm was told to end its motion: an earlier command never comes back."""
         self._end(End.CANCELLED)
         self.holds = frozenset()
-        self._left_by_another = False
+        self._left_by_another = self._met_moving = self._cancel_repeated = False
         self._cancelled_s, self.cancel_unheeded = now_s, False
+
+    def cancel_is_due(self, now_s: float) -> bool:
+        """Return whether the end of the motion is to be told once more; true once for each.
+
+        Its frame may be lost: the joints still move when they could have begun to brake.
+        """
+        seen, cancelled_s = self._seen, self._cancelled_s
+        if seen is None or cancelled_s is None or self._cancel_repeated:
+            return False
+        self._cancel_repeated = now_s - cancelled_s >= _CANCEL_AGAIN_S
+        return self._cancel_repeated and why_moving(seen.state) is not None
 
     def end_command(self, reason: End) -> None:
         """End our command: no step starts from its target any more."""
@@ -380,6 +413,8 @@ class Authority:
         if reason in {End.STOPPED, End.DISABLED, End.FORGOTTEN}:
             self.holds = frozenset()
             self._cancelled_s, self.cancel_unheeded = None, False
+        if reason in {End.SILENT, End.FORGOTTEN}:
+            self._left_by_another = self._met_moving = True
         if reason is End.FORGOTTEN:
             self._forget()
 
@@ -413,7 +448,6 @@ class Authority:
         self.other.reconnected()
         self.arm_percent = self._mode_sent = None
         self._rest.reset()
-        self._left_by_another = True
         self._seen, self._silent = None, NOT_CONNECTED()
 
     @property
@@ -498,7 +532,9 @@ class Authority:
         if self._cancelled_s is None:
             return
         since_s = now_s - self._cancelled_s
-        if self.other.commands or (self.at_rest and since_s >= _REST_SHOWS_S):
+        status = None if self._seen is None else self._seen.state.status
+        stopped = status is not None and status.value.arm_status == ArmStatusCode.EMERGENCY_STOP
+        if self.other.commands or stopped or (self.at_rest and since_s >= _REST_SHOWS_S):
             self._cancelled_s, self.cancel_unheeded = None, False
         elif since_s > _CANCEL_WITHIN_S:
             self.cancel_unheeded = True

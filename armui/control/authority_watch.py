@@ -173,7 +173,7 @@ class AuthorityWatch:
         Its last motion goes on until a motion of ours replaces it.
         """
         self.observe(now_s)
-        refusal = self.authority.other.take_over()
+        refusal = self.authority.take_over()
         if refusal is None:
             self._tell(TAKEN_OVER)
         return refusal

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
@@ -116,6 +117,7 @@ class MotionEnd:
         self._aborted: int | None = None
         self._ended_s: float | None = None
         self._was_lost = False
+        self._moved_s = -math.inf
         self.stuck = False
 
     def end_motion(self, code: Reason = PART_FAILED, *, single: bool = True) -> None:
@@ -128,6 +130,8 @@ class MotionEnd:
         if self._ending or self._context.connection.device is None:
             return
         self._ending, self._code = True, code
+        if self._context.connection.link is LinkState.LOST:
+            self._owe_end()
         try:
             ways = (
                 self._end_gamepad,
@@ -195,16 +199,20 @@ class MotionEnd:
         """Try again to end motions that could not be ended; called at each tick."""
         if self.stuck:
             self.end_motion(self._code)
+        connection, authority = self._context.connection, self._context.authority
+        if connection.link in _OPEN and authority.may_be_ours:
+            self._moved_s = now_s
+        if authority.cancel_is_due(now_s) and not self._stopping():
+            self._abort()
         if self._ended_s is None:
             return
-        connection = self._context.connection
         self._was_lost = self._was_lost or connection.link is LinkState.LOST
         if now_s - self._ended_s > _OWED_S or connection.device is None:
             self._ended_s, self._was_lost = None, False
         elif self._was_lost and connection.link in _OPEN:
             # the failure took the device along, and the end of the motion with it
             self._ended_s, self._was_lost = None, False
-            if not self._context.authority.other.commands:
+            if not authority.other.commands:
                 self._abort()
 
     def _end_gamepad(self) -> None:
@@ -241,6 +249,12 @@ class MotionEnd:
         """Tell why something ends; after a stop the arm is told nothing more."""
         stopped = self._stopping()
         return Refusal(RUN_STOPPED if stopped else self._code)
+
+    def _owe_end(self) -> None:
+        """The arm may go on with a motion of ours while its adapter is lost: end it afterwards."""
+        now_s = self._context.clock()
+        if now_s - self._moved_s <= _OWED_S:
+            self._ended_s, self._was_lost = now_s, True
 
     def _note(self) -> None:
         self._ended_s, self._was_lost = self._context.clock(), False

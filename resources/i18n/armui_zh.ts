@@ -10712,6 +10712,10 @@ The other program must have ended.</source>
         <translation>三点几乎共线：第三点偏离 X 轴只有 {value}°，至少需要 {minimum}°。请在 +Y 一侧更偏的位置重新采集该点。</translation>
     </message>
     <message>
+        <source>The arm was moving when it was first heard, and not by a command of this connection. Wait until it rests, or press Halt (F9).</source>
+        <translation>开始收到机械臂反馈时，它已在运动，且不是本次连接发出的指令。请等它静止，或按停住（F9）。</translation>
+    </message>
+    <message>
         <source>No user frame is in force, or another one than at the press. Choose one under Cell, then press again; or move along base or tool.</source>
         <translation>没有生效的用户坐标系，或已不是按下时的那个。请在“单元”中选择坐标系后再按，或沿基坐标系、工具坐标系移动。</translation>
     </message>

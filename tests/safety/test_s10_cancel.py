@@ -6,6 +6,7 @@ from armui.control.safety.recovery_steps import Action, StepKind
 from armui.kinematics.axes import JogFrame
 from armui.protocol.codes import TrajectoryCommand
 from tests.accepted import accepted
+from tests.company import OtherHost
 
 FAR = (120.0, 60.0, -60.0, 0.0, 0.0, 0.0)
 
@@ -45,7 +46,7 @@ def test_nothing_revives_a_cancelled_target(moving, later, pause_s):
 def test_an_arm_that_does_not_heed_a_cancel_is_said_and_the_stop_offered(moving):
     rig, controller = moving, moving.controller
     controller.motion.set_speed_percent(10)
-    rig.node.link.lose_to_arm(0x150)
+    rig.node.link.lose_to_arm(0x150, 2)  # when it is told once more, too
     accepted(controller.planned_motion.command(TrajectoryCommand.ABORT))
     rig.run(1.2)
 
@@ -64,3 +65,43 @@ def test_an_arm_that_heeds_it_is_not_complained_of(moving):
     rig.run(2.0)
 
     assert "cancel_unheeded" not in rig.codes()
+
+
+@pytest.mark.parametrize("how", ["terminate", "halt", "failure"])
+def test_an_end_that_was_lost_is_told_once_more(moving, how):
+    rig, controller = moving, moving.controller
+    rig.node.link.lose_to_arm(0x150)
+    rig.heard()
+    if how == "halt":
+        assert controller.halt_and_hold() is None
+    elif how == "failure":
+        controller.on_failure()
+    else:
+        accepted(controller.planned_motion.command(TrajectoryCommand.ABORT))
+    rig.run(0.25)
+    assert rig.firmware.mechanics.moving
+    rig.run(1.0)
+    assert not rig.firmware.mechanics.moving
+    assert rig.firmware.mechanics.positions_deg[0] < 100.0
+    ends = [one for one in rig.heard() if one.arbitration_id == 0x150]
+    assert {bytes(one.data) for one in ends} == {bytes([0, 6, 0, 0, 0, 0, 0, 0])}
+    assert len(ends) == 2
+
+
+@pytest.mark.parametrize("after", ["stop", "another host's motion", "a motion of ours"])
+def test_an_end_is_not_told_again_after_what_came_since(moving, after):
+    rig, controller = moving, moving.controller
+    rig.node.link.lose_to_arm(0x150)
+    accepted(controller.planned_motion.command(TrajectoryCommand.ABORT))
+    rig.run(0.1)
+    rig.heard()
+    if after == "stop":
+        controller.emergency_stop()
+    elif after == "another host's motion":
+        other = OtherHost(rig)
+        other.move_to((0.0, 20.0, -20.0, 0.0, 0.0, 0.0), 30)
+        other.close()
+    else:
+        accepted(controller.motion.send_joints((0.0, 20.0, -20.0, 0.0, 0.0, 0.0)))
+    rig.run(1.5)
+    assert bytes([0, 6, 0, 0, 0, 0, 0, 0]) not in {bytes(one.data) for one in rig.heard()}

@@ -146,6 +146,7 @@ EACH_TICK: dict[str, Callable[..., Any]] = {
     "Recorder.follow_arm": Recorder.follow_arm,
     "GripperControl.follow_arm": GripperControl.follow_arm,
     "Recovery.follow_arm": Recovery.follow_arm,
+    "MotionEnd.retry_end": MotionEnd.retry_end,
 }
 
 
