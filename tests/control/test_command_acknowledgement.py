@@ -15,6 +15,7 @@ from tests.ui.arm_states import heard_six
 
 BEGIN_S = 0.25
 STEP_S = 0.0625
+AT = (300.0, 0.0, 250.0, 0.0, 90.0, 0.0)
 JOINTS = MotionCommand(1, CommandKind.JOINTS, BEGIN_S, 20, THERE)
 POSE = MotionCommand(1, CommandKind.POSE, BEGIN_S, 20, leads_away=True)
 JOG = MotionCommand(1, CommandKind.JOG, BEGIN_S, 20, THERE)
@@ -28,11 +29,16 @@ class Watched:
         self.watch = AcknowledgementMonitor()
         self.now_s = BEGIN_S
         self.joints_deg: tuple[float, ...] | None = HERE
+        self.pose = AT
         self.status = status()
 
     def look(self, command: MotionCommand | None, ended: End | None = None) -> bool:
         heard = (None,) * 6 if self.joints_deg is None else heard_six(self.joints_deg, self.now_s)
-        state = ArmState(status=Reading(self.status, self.now_s), joints_deg=heard)
+        state = ArmState(
+            status=Reading(self.status, self.now_s),
+            joints_deg=heard,
+            pose=heard_six(self.pose, self.now_s),
+        )
         seen = self.watch.observe(command, ended, state, self.now_s)
         self.now_s += STEP_S
         return seen
@@ -65,6 +71,27 @@ def test_a_fifth_of_a_degree_shows_that_it_has(arm, command, by_deg, seen):
     assert arm.looks(command, 0.5) == 0
     arm.joints_deg = HERE
     assert arm.looks(command, 5.0) == seen
+
+
+@pytest.mark.parametrize(
+    ("pose", "seen"),
+    [
+        ((300.0, 0.0, 250.4, 0.0, 90.0, 0.0), 1),
+        ((300.0, 0.0, 250.6, 0.0, 90.0, 0.0), 0),
+        ((300.0, 0.0, 250.0, 0.0, 89.9, 0.0), 1),
+        ((300.0, 0.0, 250.0, 0.0, 89.7, 0.0), 0),
+    ],
+)
+def test_a_step_of_the_tool_shows_by_the_flange_where_the_joints_hardly_turn(arm, pose, seen):
+    arm.look(POSE)
+    arm.joints_deg, arm.pose = turned(0.1), pose
+    assert arm.looks(POSE, 5.0) == seen
+
+
+def test_a_motion_by_joints_does_not_show_by_the_flange(arm):
+    arm.look(JOINTS)
+    arm.pose = (320.0, 0.0, 250.0, 0.0, 90.0, 0.0)
+    assert arm.looks(JOINTS, 5.0) == 1
 
 
 @ALL

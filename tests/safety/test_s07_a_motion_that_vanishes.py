@@ -14,6 +14,7 @@ from tests.accepted import accepted
 
 HERE = (10.0, 60.0, -70.0, 0.0, 40.0, 0.0)
 TO_JOINTS = (20.0, 70.0, -60.0, 5.0, 30.0, 0.0)
+STRETCHED = (0.0, 52.0, -62.0, 0.0, 21.0, 0.0)
 TAKE_COMMAND = Frame(0x161, bytes.fromhex("01 02 0A 00 00 00 00 00"))
 """CAN control, MOVE L at 10 %, under the arm's own offset."""
 
@@ -85,6 +86,17 @@ def test_nothing_is_said_of_a_motion_that_is_taken(any_rig, motion):
     accepted(motion(controller))
     any_rig.run(4.0)
     assert "motion_unheeded" not in any_rig.codes()
+
+
+def test_nothing_is_said_of_a_small_step_of_the_tool_that_hardly_turns_the_joints(rig):
+    controller = ready(rig, 0x00)
+    accepted(controller.motion.send_joints(STRETCHED))
+    rig.run(6.0)
+    accepted(controller.cartesian.step(0, 1.02, JogFrame.BASE))
+    rig.run(2.0)
+    turned = zip(rig.firmware.joints_deg, STRETCHED, strict=True)
+    assert 0.1 < max(abs(now - before) for now, before in turned) < 0.2
+    assert "motion_unheeded" not in rig.codes()
 
 
 @pytest.mark.parametrize("motion", NOWHERE.values(), ids=NOWHERE)

@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from armui.control.motion.motion_command import CommandKind, End
+from armui.kinematics.poses import Pose, apart
 from armui.protocol.codes import ArmStatusCode
 
 if TYPE_CHECKING:
@@ -17,6 +18,8 @@ if TYPE_CHECKING:
 
 _SHOWS_DEG: Final = 0.2
 """A joint that has turned by this much since sending is on its way."""
+_SHOWS_MM: Final = 0.5
+"""A flange sent to a pose that has come this far is, too: 1 mm hardly turns the joints."""
 _AWAY_DEG: Final = 0.5
 """A nearer target may be where the arm stands already, sagging under its load."""
 _WITHIN_S: Final = 1.0
@@ -33,6 +36,7 @@ class AcknowledgementMonitor:
         self._number = 0
         self._command: MotionCommand | None = None
         self._from_deg: tuple[float, ...] | None = None
+        self._from_pose: tuple[float, ...] | None = None
         self._since_s = 0.0
 
     @property
@@ -56,10 +60,11 @@ class AcknowledgementMonitor:
             single = command.kind in _SINGLE and angles_deg is not None
             self._number, self._command = command.number, command if single else None
             self._from_deg, self._since_s = angles_deg, now_s
+            self._from_pose = state.end_pose()
         watched = self._command
         if watched is None:
             return False
-        if self._shows(state, angles_deg):
+        if self._shows(state, angles_deg) or self._shows_by_pose(state):
             self._command = None
             return False
         if command is None:
@@ -89,6 +94,14 @@ class AcknowledgementMonitor:
         if angles_deg is None or begin_deg is None:
             return False
         return max(abs(a - b) for a, b in zip(angles_deg, begin_deg, strict=True)) > _SHOWS_DEG
+
+    def _shows_by_pose(self, state: ArmState) -> bool:
+        """Return whether an arm that was sent to a pose reports that its flange is on the way."""
+        begin, pose, command = self._from_pose, state.end_pose(), self._command
+        if command is None or command.kind is not CommandKind.POSE or not (begin and pose):
+            return False
+        off_mm, off_deg = apart(Pose(*begin), Pose(*pose))
+        return off_mm > _SHOWS_MM or off_deg > _SHOWS_DEG
 
     def _leads_away(self, command: MotionCommand) -> bool:
         if command.kind is CommandKind.POSE or command.joints_deg is None:
