@@ -629,6 +629,10 @@
         <translation>取用户坐标系的位姿</translation>
     </message>
     <message>
+        <source>It is off and counts for nothing. Switch it on to put it in force.</source>
+        <translation>它已关闭，不起作用。打开后生效。</translation>
+    </message>
+    <message>
         <source>Type a name and a pose in the base. A plane keeps the arm on the side of its Z axis, a box keeps it out.</source>
         <translation>输入名称和在基坐标系中的位姿。平面使机械臂留在其 Z 轴一侧，长方体使其不进入。</translation>
     </message>

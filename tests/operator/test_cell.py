@@ -71,6 +71,22 @@ def test_the_bare_flange_and_another_tool_are_chosen_in_the_list(panel):
     assert panel.controller.cell.cell == Cell("bench")
 
 
+def test_what_is_switched_off_in_the_work_area_is_not_called_in_force(panel):
+    panel.type_into("cell_name", "bench")
+    panel.click("cell_tab_area")
+    panel.type_into("cell_area_name", "crate")
+    panel.type_into("cell_area_X", "900")
+    panel.click("cell_area_box")
+    assert "It is in force" in panel.read("cell_area_next")
+    panel.click("cell_area_switch")
+    off = "It is off and counts for nothing. Switch it on to put it in force."
+    assert panel.read("cell_area_next") == off
+    panel.type_into("cell_area_X", "950")
+    assert panel.read("cell_area_next") == off
+    panel.click("cell_area_switch")
+    assert "It is off" not in panel.read("cell_area_next")
+
+
 def choose(driver, name, place):
     """Choose an entry of a list as a click does."""
     box = driver.find(name)

@@ -187,6 +187,8 @@ class AreaTab(NamedTab):
     def _next_step(self, *, new: bool, changed: bool) -> str:
         if new:
             return self.tr("Press Add plane or Add box: it holds for everything from then on.")
+        if self._thing is not None and not self._thing.on:
+            return self.tr("It is off and counts for nothing. Switch it on to put it in force.")
         if changed:
             return self.tr("Press Apply to put the new figures in force.")
         if self._thing is not None:
