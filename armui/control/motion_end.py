@@ -30,8 +30,8 @@ if TYPE_CHECKING:
 
 RUN_STOPPED = Reason(
     "run_stopped",
-    "The arm is in emergency stop. Hold the arm, press Resume, enable the motors; then the "
-    "run can go on from this row.",
+    "It was ended by the emergency stop. After Resume (hold the arm: it drops) and Enable it can "
+    "go on from this row.",
 )
 
 
