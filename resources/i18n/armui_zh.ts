@@ -5422,6 +5422,14 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>使校准表生效；不足两组时关闭校准。</translation>
     </message>
     <message>
+        <source>Nothing is changed.</source>
+        <translation>没有改动。</translation>
+    </message>
+    <message>
+        <source>Two pairs at least are needed: type another width, and what is measured. Apply with fewer switches the calibration off.</source>
+        <translation>至少需要两组：请再输入一个开度及其测量值。不足两组时按“应用”会关闭校准。</translation>
+    </message>
+    <message>
         <source>Press Apply: openings are calibrated from then on.</source>
         <translation>按“应用”：此后开度均已校准。</translation>
     </message>
@@ -6235,8 +6243,8 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>键盘点动</translation>
     </message>
     <message>
-        <source>Hold the space bar: each letter key below is one step.</source>
-        <translation>按住空格键，每按一次下列字母键走一步。</translation>
+        <source>Hold the space bar: a letter key is one step; held, it goes on.</source>
+        <translation>按住空格键：按一次字母键走一步，按住则连续步进。</translation>
     </message>
     <message>
         <source>Hold the space bar and a letter key; release either to stop.</source>
@@ -10932,8 +10940,8 @@ The other program must have ended.</source>
         <translation>没有第 {row} 行，最后一行是第 {maximum} 行，请另选一行。</translation>
     </message>
     <message>
-        <source>The arm is in emergency stop. Hold the arm, press Resume, enable the motors; then the run can go on from this row.</source>
-        <translation>机械臂处于急停状态。请扶住机械臂，按恢复并重新使能电机，之后可从本行继续。</translation>
+        <source>It was ended by the emergency stop. After Resume (hold the arm: it drops) and Enable it can go on from this row.</source>
+        <translation>因急停而结束。恢复（机械臂会下落，请扶住）并使能电机后，可从该行继续运行。</translation>
     </message>
     <message>
         <source>A trajectory or recording is under way, be it paused or dwelling. Wait until it is done, or end the run first.</source>
