@@ -22,6 +22,7 @@ from armui.ui import words
 from armui.ui.theme import colors_of
 from armui.ui.trajectory.editor.point_delegate import PointDelegate, TextEditor
 from armui.ui.trajectory.editor.points_model import POSES, PointsModel
+from armui.ui.widgets.table_model import chosen_rows
 
 _ROW_PX: Final = 32
 _LEAST_ROWS: Final = 3
@@ -143,8 +144,7 @@ class PointsTable(QTableView):
 
     def rows(self) -> list[int]:
         """Return the selected rows, from top to bottom."""
-        ranges = self.selectionModel().selection().toList()  # asks no cell, unlike selectedRows
-        return sorted({row for each in ranges for row in range(each.top(), each.bottom() + 1)})
+        return chosen_rows(self)
 
     def current_row(self) -> int:
         """Return the current row; −1 in an empty table."""
