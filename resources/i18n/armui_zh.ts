@@ -3243,6 +3243,10 @@
         <translation>已保存。</translation>
     </message>
     <message>
+        <source>Working on {count} rows…</source>
+        <translation>正在处理 {count} 行…</translation>
+    </message>
+    <message>
         <source>Not pasted. {reason}</source>
         <translation>未粘贴。{reason}</translation>
     </message>
@@ -10786,6 +10790,14 @@ The other program must have ended.</source>
     <message>
         <source>These poses are of a tool, and none is in force. Choose that tool under Cell, then paste again.</source>
         <translation>这些位姿属于某个工具，而当前没有生效的工具。请先在“单元”中选择该工具，再粘贴。</translation>
+    </message>
+    <message>
+        <source>The program is still working on many rows. Wait until it is done.</source>
+        <translation>程序仍在处理多行点位，请等它完成。</translation>
+    </message>
+    <message>
+        <source>The points were changed while the program worked on them. Try again.</source>
+        <translation>处理期间点位已被改动，本次操作未执行。请重试。</translation>
     </message>
     <message>
         <source>Robot description: the file {path} is not there. Choose another file, or use the built-in one.</source>

@@ -101,6 +101,8 @@ class PointsTable(QTableView):
         down.setMinimumWidth(self.fontMetrics().horizontalAdvance("▶ 00000"))
         across = self.horizontalHeader()
         across.setHighlightSections(False)
+        # which columns are chosen is never shown: to find out, each cell would be asked
+        across.setSelectionModel(QItemSelectionModel(self.points, across))
         across.setResizeContentsPrecision(0)  # only rows in sight are asked how wide they are
         across.setStretchLastSection(True)
         self.setMinimumHeight(_LEAST_ROWS * _ROW_PX + across.sizeHint().height())
@@ -141,7 +143,8 @@ class PointsTable(QTableView):
 
     def rows(self) -> list[int]:
         """Return the selected rows, from top to bottom."""
-        return sorted({index.row() for index in self.selectionModel().selectedRows()})
+        ranges = self.selectionModel().selection().toList()  # asks no cell, unlike selectedRows
+        return sorted({row for each in ranges for row in range(each.top(), each.bottom() + 1)})
 
     def current_row(self) -> int:
         """Return the current row; −1 in an empty table."""
