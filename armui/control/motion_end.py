@@ -30,8 +30,8 @@ if TYPE_CHECKING:
 
 RUN_STOPPED = Reason(
     "run_stopped",
-    "The arm is in emergency stop. Hold the arm, press Resume, enable the motors; then the "
-    "run can go on from this row.",
+    "It was the emergency stop: hold the arm, press Resume, enable the motors; then the run can "
+    "go on from this row.",
 )
 
 

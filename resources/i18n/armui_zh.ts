@@ -10944,8 +10944,8 @@ The other program must have ended.</source>
         <translation>没有第 {row} 行，最后一行是第 {maximum} 行，请另选一行。</translation>
     </message>
     <message>
-        <source>The arm is in emergency stop. Hold the arm, press Resume, enable the motors; then the run can go on from this row.</source>
-        <translation>机械臂处于急停状态。请扶住机械臂，按恢复并重新使能电机，之后可从本行继续。</translation>
+        <source>It was the emergency stop: hold the arm, press Resume, enable the motors; then the run can go on from this row.</source>
+        <translation>原因是急停：请扶住机械臂，按恢复并重新使能电机，之后可从本行继续。</translation>
     </message>
     <message>
         <source>A trajectory or recording is under way, be it paused or dwelling. Wait until it is done, or end the run first.</source>

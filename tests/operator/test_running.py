@@ -206,9 +206,14 @@ def test_the_emergency_stop_ends_it_and_says_where(app_driver):
     operator.until_over()
     assert operator.progress.phase is RunPhase.FAILED
     assert "Ended at row 2" in operator.text("editor_message")
-    assert "emergency stop" in operator.text("editor_message")
+    assert "It was the emergency stop" in operator.text("editor_message")
     assert operator.text("run_resume") == "Continue from row 2"
     assert not operator.child("run_resume").isEnabled()
+    app_driver.store.change(language="zh")
+    app_driver.step()
+    assert operator.text("editor_message") == (
+        "在第 2 行结束。原因是急停：请扶住机械臂，按恢复并重新使能电机，之后可从本行继续。"
+    )
 
 
 def test_errors_of_the_check_are_not_run(app_driver):

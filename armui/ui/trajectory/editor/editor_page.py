@@ -497,10 +497,11 @@ class EditorPage(Page):
         if under_way and self.isVisible():
             self.table.scrollTo(self.model.index(row, 0))
         if ours and progress.refusal is not None:
-            text = self.tr("Ended at row {row}. {reason}").format(
-                row=progress.index + 1, reason=words.refusal(progress.refusal)
-            )
-            self._say(text, Level.FAULT)
+            self._say(partial(self._ended, progress.index + 1, progress.refusal), Level.FAULT)
+
+    def _ended(self, row: int, refusal: Refusal) -> str:
+        text = self.tr("Ended at row {row}. {reason}")
+        return text.format(row=row, reason=words.refusal(refusal))
 
     # Saving -----------------------------------------------------------------------------------
 
