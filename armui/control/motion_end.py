@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 RUN_STOPPED = Reason(
     "run_stopped",
-    "It was ended by the emergency stop. After Resume (hold the arm: it drops) and Enable it can "
+    "It was the emergency stop: hold the arm, press Resume, enable the motors; then the run can "
     "go on from this row.",
 )
 

@@ -3243,6 +3243,10 @@
         <translation>已保存。</translation>
     </message>
     <message>
+        <source>Working on {count} rows…</source>
+        <translation>正在处理 {count} 行…</translation>
+    </message>
+    <message>
         <source>Not pasted. {reason}</source>
         <translation>未粘贴。{reason}</translation>
     </message>
@@ -10796,6 +10800,14 @@ The other program must have ended.</source>
         <translation>这些位姿属于某个工具，而当前没有生效的工具。请先在“单元”中选择该工具，再粘贴。</translation>
     </message>
     <message>
+        <source>The program is still working on many rows. Wait until it is done.</source>
+        <translation>程序仍在处理多行点位，请等它完成。</translation>
+    </message>
+    <message>
+        <source>The points were changed while the program worked on them. Try again.</source>
+        <translation>处理期间点位已被改动，本次操作未执行。请重试。</translation>
+    </message>
+    <message>
         <source>Robot description: the file {path} is not there. Choose another file, or use the built-in one.</source>
         <translation>机器人模型：找不到文件 {path}。请选择其它文件，或使用内置模型。</translation>
     </message>
@@ -10940,8 +10952,8 @@ The other program must have ended.</source>
         <translation>没有第 {row} 行，最后一行是第 {maximum} 行，请另选一行。</translation>
     </message>
     <message>
-        <source>It was ended by the emergency stop. After Resume (hold the arm: it drops) and Enable it can go on from this row.</source>
-        <translation>因急停而结束。恢复（机械臂会下落，请扶住）并使能电机后，可从该行继续运行。</translation>
+        <source>It was the emergency stop: hold the arm, press Resume, enable the motors; then the run can go on from this row.</source>
+        <translation>原因是急停：请扶住机械臂，按恢复并重新使能电机，之后可从本行继续。</translation>
     </message>
     <message>
         <source>A trajectory or recording is under way, be it paused or dwelling. Wait until it is done, or end the run first.</source>

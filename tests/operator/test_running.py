@@ -206,13 +206,14 @@ def test_the_emergency_stop_ends_it_and_says_where(app_driver):
     operator.until_over()
     assert operator.progress.phase is RunPhase.FAILED
     assert "Ended at row 2" in operator.text("editor_message")
+    assert "It was the emergency stop" in operator.text("editor_message")
     assert operator.text("run_resume") == "Continue from row 2"
     assert not operator.child("run_resume").isEnabled()
-    operator.app_driver.controller.motors.resume()
-    operator.app_driver.run(0.5)
-    said = operator.text("editor_message")  # it stands there when the stop is over, too
-    assert "It was ended by the emergency stop. After Resume" in said
-    assert "is in emergency stop" not in said
+    app_driver.store.change(language="zh")
+    app_driver.step()
+    assert operator.text("editor_message") == (
+        "在第 2 行结束。原因是急停：请扶住机械臂，按恢复并重新使能电机，之后可从本行继续。"
+    )
 
 
 def test_errors_of_the_check_are_not_run(app_driver):

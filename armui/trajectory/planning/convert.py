@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Final
 
 from armui.arm.limits import JointLimits, check_joints
 from armui.arm.refusal import Reason, Refusal
 from armui.kinematics.arm_kinematics import Kinematics
+from armui.kinematics.geometry import Geometry
 from armui.kinematics.poses import Pose, apart
 from armui.protocol.codes import MoveMode
+from armui.trajectory.planning.user_frames import Frames, placed
 from armui.trajectory.points.program import Waypoint
 
 CONVERT_NEEDS_MIDDLE = Reason(
@@ -109,6 +111,67 @@ def to_move(
         halves = ((a + b) / 2 for a, b in zip(before[:3], target.target[:3], strict=True))
         return replace(target, move=move, middle=(*halves, *target.target[3:]))
     return to_pose(point, kinematics, move)
+
+
+@dataclass(frozen=True, slots=True)
+class RowRefusal:
+    """The reason why a row cannot be converted.
+
+    Attributes:
+        row: The row, from 0.
+        refusal: The reason.
+    """
+
+    row: int
+    refusal: Refusal
+
+
+@dataclass(frozen=True, slots=True)
+class Conversion:
+    """What conversions depend on beside the points.
+
+    Attributes:
+        geometry: The arm's geometry.
+        measured_deg: The joint angles before the first point.
+        limits: The limits of the joints.
+        frames: The user frames.
+        frame: The frame that converted poses come into; "" for the base.
+    """
+
+    geometry: Geometry
+    measured_deg: Sequence[float]
+    limits: Sequence[JointLimits]
+    frames: Frames
+    frame: str
+
+
+def converted(
+    points: Sequence[Waypoint], rows: Sequence[int], by: Conversion
+) -> dict[int, Waypoint] | RowRefusal:
+    """Return rows by their numbers with joint angles for their poses, and poses for their angles.
+
+    The joint angles of a row are those nearest to the last ones above it.
+    """
+    model = Kinematics(by.geometry)
+    wanted, near_deg = frozenset(rows), by.measured_deg
+    changed: dict[int, Waypoint] = {}
+    for row, point in enumerate(points):
+        near_deg = point.target if point.is_joint else near_deg
+        if row not in wanted:
+            continue
+        result = placed(point, "", by.frames)
+        if isinstance(result, Waypoint):
+            result = (
+                to_pose(result, model)
+                if result.is_joint
+                else to_joints(result, model, near_deg, by.limits)
+            )
+        if isinstance(result, Waypoint):
+            result = placed(result, by.frame, by.frames)
+        if isinstance(result, Refusal):
+            return RowRefusal(row, result)
+        changed[row] = result
+    return changed
 
 
 def joints_above(

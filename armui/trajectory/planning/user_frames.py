@@ -10,7 +10,7 @@ import numpy as np
 
 from armui.arm.refusal import Reason, Refusal
 from armui.kinematics.poses import Matrix, pose_to_matrix, rows_to_pose
-from armui.trajectory.points.program import Values, Waypoint
+from armui.trajectory.points.program import Values, Waypoint, check_point
 
 if TYPE_CHECKING:
     from armui.cell.cell import Cell
@@ -24,6 +24,8 @@ POINT_FRAME_UNKNOWN = Reason(
 
 Frames = Mapping[str, Values]
 """The poses of a cell's user frames in the base, by name."""
+RowsOrRefusal = dict[int, Waypoint] | Refusal
+"""Changed points by their rows, or why nothing is changed."""
 
 _DECIMALS: Final = 6
 """The decimals of figures worked out for a frame: to a nanometre, and no longer than needed."""
@@ -80,6 +82,41 @@ def in_frame(point: Waypoint, name: str, frames: Frames) -> Waypoint:
     return replace(
         based, target=pose_in_frame(based.target, name, frames), middle=middle, frame=name
     )
+
+
+def reframed(points: Points, rows: Sequence[int], name: str, frames: Frames) -> RowsOrRefusal:
+    """Return rows of points with another frame, by row, or why one cannot have it.
+
+    Each keeps its place; where the frame it was in is not known, its figures.
+
+    Args:
+        points: All points.
+        rows: The rows.
+        name: The frame; "" for the base.
+        frames: All frames.
+    """
+    changed: dict[int, Waypoint] = {}
+    for row in rows:
+        point = points[row]
+        if point.frame and point.frame not in frames:
+            point = replace(point, frame=name)
+            refusal = check_point(point)
+            if refusal is not None:
+                return refusal
+        else:
+            moved = placed(point, name, frames)
+            if isinstance(moved, Refusal):
+                return moved
+            point = moved
+        changed[row] = point
+    return changed
+
+
+def placed(point: Waypoint, name: str, frames: Frames) -> Waypoint | Refusal:
+    """Return the same place in another frame, or why where it is is not known."""
+    if point.is_joint or point.frame == name:
+        return point
+    return why_unknown((point, replace(point, frame=name)), frames) or in_frame(point, name, frames)
 
 
 def pose_in_frame(pose: Sequence[float], name: str, frames: Frames) -> Values:

@@ -97,6 +97,12 @@ class TableHint(Translated, QWidget):
         super().changeEvent(event)
 
 
+def chosen_rows(view: QAbstractItemView) -> list[int]:
+    """Return the rows with chosen cells, from top to bottom; no cell is asked for it."""
+    ranges = view.selectionModel().selection().toList()
+    return sorted({row for each in ranges for row in range(each.top(), each.bottom() + 1)})
+
+
 def list_rows(table: QTableView) -> QHeaderView:
     """Make a table look like a list: whole rows are selected, without grid and row titles.
 

@@ -28,6 +28,7 @@ from armui.ui.trajectory.editor.document import Document, DraftKeeper
 from armui.ui.trajectory.editor.editor_actions import NAMES, EditorActions, EditorHint
 from armui.ui.trajectory.editor.find_bar import FindBar, Finder
 from armui.ui.trajectory.editor.findings_pane import FindingsPane
+from armui.ui.trajectory.editor.long_edits import EDIT_UNDER_WAY, LongEdit, LongEdits
 from armui.ui.trajectory.editor.other_arm_line import OtherArmLine
 from armui.ui.trajectory.editor.point_edits import (
     FrameGiven,
@@ -166,7 +167,8 @@ class EditorPage(Page):
         self._edits = PointEdits(controller, self.document, self.table)
         self._drafts = DraftKeeper(self.document, work)
         self._find_bar = FindBar()
-        self._finder = Finder(self.document, self.table, self._find_bar)
+        self._long_edits = LongEdits(self.document, checks.background, self)
+        self._finder = Finder(self.document, self.table, self._find_bar, self._long_edits)
         self._note = named("trajectory_note", QLineEdit(trajectory.note))
         self._note.setMinimumWidth(_NOTE_PX)
         self._other_arm = OtherArmLine()
@@ -495,10 +497,11 @@ class EditorPage(Page):
         if under_way and self.isVisible():
             self.table.scrollTo(self.model.index(row, 0))
         if ours and progress.refusal is not None:
-            text = self.tr("Ended at row {row}. {reason}").format(
-                row=progress.index + 1, reason=words.refusal(progress.refusal)
-            )
-            self._say(text, Level.FAULT)
+            self._say(partial(self._ended, progress.index + 1, progress.refusal), Level.FAULT)
+
+    def _ended(self, row: int, refusal: Refusal) -> str:
+        text = self.tr("Ended at row {row}. {reason}")
+        return text.format(row=row, reason=words.refusal(refusal))
 
     # Saving -----------------------------------------------------------------------------------
 
@@ -564,6 +567,7 @@ class EditorPage(Page):
     def _leave(self) -> None:
         self._drafts.drop_draft()
         self._run_bar.drop_check()
+        self._long_edits.drop()
         super().leave()
 
     def take_focus(self) -> None:
@@ -577,8 +581,15 @@ class EditorPage(Page):
     # Words ------------------------------------------------------------------------------------
 
     def _do(self, edit: Callable[[], Outcome]) -> None:
-        outcome = edit()
-        if outcome is None:
+        self._tell(EDIT_UNDER_WAY() if self._long_edits.busy else edit())
+
+    def _tell(self, outcome: Outcome) -> None:
+        if isinstance(outcome, LongEdit):
+            self._long_edits.begin(outcome, self._tell)
+            if self._long_edits.busy:
+                text = self.tr("Working on {count} rows…").format(count=outcome.rows)
+                self._say(text)
+        elif outcome is None:
             self._say("")
         elif isinstance(outcome, TrajectoryFileError):
             text = self.tr("Not pasted. {reason}").format(reason=words.file_error(outcome))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, Qt, Signal
@@ -10,23 +9,25 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QComboBox, QLineEdit, QWidget
 
 from armui.arm.refusal import Refusal
+from armui.trajectory.planning.search import NOTE, Search, replaced_everywhere
+from armui.trajectory.planning.user_frames import RowsOrRefusal
 from armui.trajectory.points import edits
-from armui.trajectory.points.cells import figure
-from armui.trajectory.points.program import JOINT_NAMES, POSE_NAMES, Waypoint, check_point
+from armui.trajectory.points.program import JOINT_NAMES, POSE_NAMES
 from armui.ui import words
+from armui.ui.trajectory.editor.long_edits import LongEdit, LongEdits
 from armui.ui.widgets.buttons import enable_or_explain, named, push_button
 from armui.ui.widgets.flow import in_flow
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
-    from armui.trajectory.planning.tool_points import ToolPoints
     from armui.ui.trajectory.editor.document import Document
     from armui.ui.trajectory.editor.points_table import PointsTable
 
 
-_NOTE: Final = "note"
-_FIELDS: Final = (_NOTE, *JOINT_NAMES, *POSE_NAMES, "speed", "dwell")
+_FIELDS: Final = (NOTE, *JOINT_NAMES, *POSE_NAMES, "speed", "dwell")
+_AT_ONCE: Final = 500
+"""In so many rows a replacement takes 10 ms."""
 
 
 class FindBar(Translated, QWidget):
@@ -90,26 +91,10 @@ class FindBar(Translated, QWidget):
 
     # The search -------------------------------------------------------------------------------
 
-    def found(self, points: Sequence[Waypoint], tool: ToolPoints) -> list[int] | Refusal:
-        """Return the rows that match as they are shown, or why nothing can be searched."""
-        field, text = str(self._field.currentData()), self._wanted.text()
-        if field == _NOTE:
-            return list(edits.find_text(points, text, match_case=True)) if text else []
-        value = figure(field, text, far=True)
-        if isinstance(value, Refusal):
-            return value
-        query = edits.FigureQuery(field, value)
-        if field in POSE_NAMES and not tool.is_flange:
-            return tool.rows_showing(points, query)
-        return list(edits.find_figure(points, query))
-
-    def replaced(self, point: Waypoint) -> Waypoint | Refusal:
-        """Return a matching point with its text or figure replaced, or why not."""
-        field, by = str(self._field.currentData()), self._by.text()
-        if field == _NOTE:
-            return edits.replace_text(point, self._wanted.text(), by)
-        value = figure(field, by, far=bool(point.frame))
-        return value if isinstance(value, Refusal) else (edits.replace_figure(point, field, value))
+    @property
+    def search(self) -> Search:
+        """What is to be found and replaced."""
+        return Search(str(self._field.currentData()), self._wanted.text(), self._by.text())
 
     def show_result(self, text: str) -> None:
         """Show the number of matches, or that there are none."""
@@ -152,16 +137,20 @@ class Finder(QObject):
         document: The document with the points.
         table: Shows the row that is found.
         bar: The bar with the search.
+        long_edits: Replaces in many rows.
     """
 
-    def __init__(self, document: Document, table: PointsTable, bar: FindBar) -> None:
+    def __init__(
+        self, document: Document, table: PointsTable, bar: FindBar, long_edits: LongEdits
+    ) -> None:
         super().__init__(bar)
         self._document, self._table, self._bar = document, table, bar
+        self._long_edits = long_edits
         bar.next_wanted.connect(self._find)
         bar.replace_wanted.connect(self._replace)
 
     def _find(self, by: int) -> None:
-        rows = self._bar.found(self._document.points, self._table.points.tool)
+        rows = self._bar.search.rows(self._document.points, self._table.points.tool)
         if isinstance(rows, Refusal):
             self._bar.show_refusal(rows)
             return
@@ -177,27 +166,33 @@ class Finder(QObject):
         )
 
     def _replace(self, everywhere: bool) -> None:
-        points = self._document.points
-        tool = self._table.points.tool
-        rows = self._bar.found(points, tool)
-        if not isinstance(rows, Refusal) and not everywhere:
-            rows = [row for row in rows if row == self._table.current_row()]
-        changed: dict[int, Waypoint] = {}
-        if not isinstance(rows, Refusal):
-            before = [points[row] for row in rows]
-            shown = list(map(self._bar.replaced, tool.all_shown(before)))
-            kept = tool.all_kept([each for each in shown if isinstance(each, Waypoint)], before)
-            refusals = (
-                *(each for each in shown if isinstance(each, Refusal)),
-                *map(check_point, kept),
-            )
-            changed = dict(zip(rows, kept, strict=False))
-            rows = next(filter(None, refusals), rows)
+        points, tool, search = self._document.points, self._table.points.tool, self._bar.search
+        if everywhere:
+            arguments = (search, points, tool)
+            edit = LongEdit(len(points), _AT_ONCE, replaced_everywhere, arguments, self._put)
+            self._long_edits.begin(edit, self._show_replaced)
+            return
+        rows = search.rows(points, tool)
         if isinstance(rows, Refusal):
             self._bar.show_refusal(rows)
             return
-        self._document.edit(edits.change(points, changed), self.tr("Replace"))
-        if everywhere:
-            self._bar.show_result(self.tr("{count} replaced").format(count=len(changed)))
+        here = [row for row in rows if row == self._table.current_row()]
+        put = self._put(search.replaced(points, here, tool))
+        if isinstance(put, Refusal):
+            self._bar.show_refusal(put)
         else:
             self._find(1)
+
+    def _put(self, changed: RowsOrRefusal) -> int | Refusal:
+        """Carry a replacement out; return the number of rows, or why not."""
+        if isinstance(changed, Refusal):
+            return changed
+        points = edits.change(self._document.points, changed)
+        self._document.edit(points, self.tr("Replace"))
+        return len(changed)
+
+    def _show_replaced(self, replaced: int | Refusal) -> None:
+        if isinstance(replaced, Refusal):
+            self._bar.show_refusal(replaced)
+        else:
+            self._bar.show_result(self.tr("{count} replaced").format(count=replaced))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, Union
 
 from PySide6.QtCore import QMimeData, QObject
 from PySide6.QtGui import QGuiApplication
@@ -21,22 +21,25 @@ from armui.setting_checks import TOOL_LONGEST_MM
 from armui.trajectory.files.errors import TrajectoryFileError
 from armui.trajectory.planning.convert import (
     CONVERT_OUT_OF_REACH,
+    Conversion,
+    RowRefusal,
+    converted,
     joints_above,
     pose_of,
-    to_joints,
     to_move,
-    to_pose,
 )
-from armui.trajectory.planning.tool_points import ToolPoints
+from armui.trajectory.planning.pasting import copied, kept_from
 from armui.trajectory.planning.user_frames import (
     Frames,
+    RowsOrRefusal,
     frames_of,
-    in_frame,
+    placed,
     pose_in_frame,
+    reframed,
     why_unknown,
 )
 from armui.trajectory.points import edits
-from armui.trajectory.points.clipboard import PastedPoints, pasted, to_text
+from armui.trajectory.points.clipboard import PastedPoints
 from armui.trajectory.points.program import (
     VALUE_COUNT,
     GripperAction,
@@ -44,9 +47,9 @@ from armui.trajectory.points.program import (
     GripperOpening,
     Values,
     Waypoint,
-    check_point,
     check_text,
 )
+from armui.ui.trajectory.editor.long_edits import LongEdit
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -58,15 +61,15 @@ GRIPPER_TELLS_ANGLE = Reason(
     "The gripper tells an angle now, and a point keeps an opening. Move it by an opening in "
     "Gripper control first.",
 )
-PASTED_OF_TOOL = Reason(
-    "pasted_of_tool",
-    "These poses are of a tool, and none is in force. Choose that tool under Cell, then paste "
-    "again.",
-)
 NO_ROWS_CHOSEN = Reason("no_rows_chosen", "No row is chosen. Click one in the table first.")
 
 
 _ZERO: Final = (0.0,) * VALUE_COUNT
+_CONVERTED_AT_ONCE: Final = 10
+_REFRAMED_AT_ONCE: Final = 50
+_PASTED_AT_ONCE: Final = 200
+_COPIED_AT_ONCE: Final = 500
+"""Each takes 10 ms for so many rows."""
 
 _TAUGHT_ON: Final = "application/x-armui-taught-on"
 """The format, beside the text in the clipboard, with the arm the points were taught on."""
@@ -111,7 +114,9 @@ class FrameGiven:
     name: str
 
 
-Outcome = FrameGiven | Refusal | TrajectoryFileError | OfOtherArm | OfShownTool | None
+Outcome = Union[
+    FrameGiven, Refusal, TrajectoryFileError, OfOtherArm, OfShownTool, "LongEdit[Outcome]", None
+]
 """The result of an edit: ``None`` if it is done; if it is done with a warning, that."""
 
 
@@ -253,25 +258,21 @@ class PointEdits(QObject):
 
     def convert(self) -> Outcome:
         """Convert joint angles to poses, and poses to joint angles."""
-        model = self._controller.cartesian.kinematics()
-        points, measured_deg = self._document.points, self._measured_deg()
-        changed: dict[int, Waypoint] = {}
-        for row in self._table.rows():
-            point = self._in_frame(points[row], "")
-            if isinstance(point, Refusal):
-                return point
-            near_deg = joints_above(points, row, measured_deg)
-            result = (
-                to_pose(point, model)
-                if point.is_joint
-                else to_joints(point, model, near_deg, self._controller.operating_state.limits)
-            )
-            if isinstance(result, Refusal):
-                return self._as_shown(result, points[row])
-            placed = self._in_frame(result, self._chosen_frame())
-            if isinstance(placed, Refusal):
-                return placed
-            changed[row] = placed
+        rows = self._table.rows()
+        by = Conversion(
+            self._controller.operating_state.model_fit.geometry,
+            self._measured_deg(),
+            self._controller.operating_state.limits,
+            self.frames(),
+            self._chosen_frame(),
+        )
+        arguments = self._document.points, rows, by
+        finish = self._put_converted
+        return LongEdit(len(rows), _CONVERTED_AT_ONCE, converted, arguments, finish, apart=True)
+
+    def _put_converted(self, changed: dict[int, Waypoint] | RowRefusal | Refusal) -> Outcome:
+        if isinstance(changed, RowRefusal):
+            return self._as_shown(changed.refusal, self._document.points[changed.row])
         return self._put(changed, self.tr("Convert"))
 
     def to_move(self, row: int, move: MoveMode) -> Waypoint | Refusal:
@@ -310,18 +311,15 @@ class PointEdits(QObject):
         Args:
             name: The user frame of the cell; "" for the base.
         """
-        known = ("", *self.frames())
-        frames = [self._document.points[row].frame for row in self._table.rows()]
-        lost = next((frame for frame in frames if frame not in known), "")
+        frames, rows, points = self.frames(), self._table.rows(), self._document.points
+        known = ("", *frames)
+        lost = next((points[row].frame for row in rows if points[row].frame not in known), "")
 
-        def give(point: Waypoint) -> Waypoint | Refusal:
-            if point.frame in known:
-                return self._in_frame(point, name)
-            given = replace(point, frame=name)
-            return check_point(given) or given
+        def finish(changed: RowsOrRefusal) -> Outcome:
+            return self._put(changed, self.tr("Frame")) or FrameGiven(lost, name)
 
-        refused = self._change(give, self.tr("Frame"))
-        return refused or FrameGiven(lost, name)
+        arguments = points, rows, name, frames
+        return LongEdit(len(rows), _REFRAMED_AT_ONCE, reframed, arguments, finish, apart=True)
 
     def frames(self) -> Frames:
         """Return the user frames of the cell."""
@@ -333,12 +331,7 @@ class PointEdits(QObject):
 
     def _in_frame(self, point: Waypoint, name: str) -> Waypoint | Refusal:
         """Return the same place in another frame, or why where it is is not known."""
-        frames = self.frames()
-        if point.is_joint or point.frame == name:
-            return point
-        return why_unknown((point, replace(point, frame=name)), frames) or in_frame(
-            point, name, frames
-        )
+        return placed(point, name, self.frames())
 
     def _measured_deg(self) -> Sequence[float]:
         return self._controller.state.angles_deg() or _ZERO
@@ -352,7 +345,9 @@ class PointEdits(QObject):
             changed[row] = point
         return self._put(changed, label)
 
-    def _put(self, changed: dict[int, Waypoint], label: str) -> Outcome:
+    def _put(self, changed: RowsOrRefusal, label: str) -> Refusal | None:
+        if isinstance(changed, Refusal):
+            return changed
         if not changed:
             return _no_rows()
         self._document.edit(edits.change(self._document.points, changed), label)
@@ -362,56 +357,57 @@ class PointEdits(QObject):
 
     def copy(self) -> Outcome:
         """Copy the selected rows to the clipboard, in a form for spreadsheets."""
-        rows = self._table.rows()
-        if not rows:
-            return _no_rows()
-        data = QMimeData()
-        tool = self._table.points.tool
-        points = tool.all_shown(edits.chosen(self._document.points, rows))
-        data.setText(to_text(points, of_tool=not tool.is_flange))
-        data.setData(_TOOL, " ".join(map(repr, tool.tool)).encode())
-        if self._document.taught_on:
-            data.setData(_TAUGHT_ON, self._document.taught_on.encode())
-        QGuiApplication.clipboard().setMimeData(data)
-        return None
+        return self._copied(lambda: None)
 
     def cut(self) -> Outcome:
         """Copy the selected rows to the clipboard, and delete them."""
-        return self.copy() or self._remove(self.tr("Cut"))
+        return self._copied(lambda: self._remove(self.tr("Cut")))
+
+    def _copied(self, then: Callable[[], Outcome]) -> Outcome:
+        rows = self._table.rows()
+        if not rows:
+            return _no_rows()
+        tool, taught_on = self._table.points.tool, self._document.taught_on
+
+        def finish(text: str | Refusal) -> Outcome:
+            if isinstance(text, Refusal):
+                return text
+            data = QMimeData()
+            data.setText(text)
+            data.setData(_TOOL, " ".join(map(repr, tool.tool)).encode())
+            if taught_on:
+                data.setData(_TAUGHT_ON, taught_on.encode())
+            QGuiApplication.clipboard().setMimeData(data)
+            return then()
+
+        points = edits.chosen(self._document.points, rows)
+        return LongEdit(len(rows), _COPIED_AT_ONCE, copied, (points, tool), finish)
 
     def paste(self) -> Outcome:
         """Insert the points in the clipboard below the selected rows."""
         rows = self._table.rows()
         like = self._document.points[rows[-1]].move if rows else MoveMode.MOVE_J
         like = MoveMode.MOVE_L if like is MoveMode.MOVE_C else like
-        try:
-            new = pasted(QGuiApplication.clipboard().text(), like)
-        except TrajectoryFileError as error:
-            return error
-        points = new.points if new.is_file else self._kept(new)
-        if isinstance(points, Refusal):
-            return points
-        arm, here = new.taught_on or _arm_in_clipboard(), self._document.taught_on
-        self._insert(self._below(), points)
+        text, told = QGuiApplication.clipboard().text(), _tool_in_clipboard()
+        shown, arm = self._table.points, _arm_in_clipboard()
+
+        def finish(new: PastedPoints | Refusal | TrajectoryFileError) -> Outcome:
+            if not isinstance(new, PastedPoints):
+                return new
+            unsaid = not new.is_file and not shown.tool.is_flange and told is None
+            return self._take_pasted(new, new.taught_on or arm, unsaid=unsaid)
+
+        arguments = text, like, shown.tool, told
+        return LongEdit(text.count("\n"), _PASTED_AT_ONCE, kept_from, arguments, finish)
+
+    def _take_pasted(self, new: PastedPoints, arm: str, *, unsaid: bool) -> Outcome:
+        here = self._document.taught_on
+        self._insert(self._below(), new.points)
         if arm and here and arm != here:
             return OfOtherArm(arm, here)
-        self._document.note_taught(arm, len(points))
-        shown = self._table.points
-        unsaid = not new.is_file and not shown.tool.is_flange and _tool_in_clipboard() is None
-        poses = unsaid and not all(point.is_joint for point in points)
-        return OfShownTool(shown.named_tool) if poses else None
-
-    def _kept(self, new: PastedPoints) -> Sequence[Waypoint] | Refusal:
-        """Return pasted rows as they are kept.
-
-        Their poses are of the tool that is shown, unless the clipboard says of which.
-        """
-        shown, told = self._table.points.tool, _tool_in_clipboard()
-        if new.of_tool and told is None and shown.is_flange:
-            return PASTED_OF_TOOL()
-        tool = shown if told is None or told == tuple(shown.tool) else ToolPoints(told)
-        points = tool.all_kept(new.points)
-        return next(filter(None, map(check_point, points)), points)
+        self._document.note_taught(arm, len(new.points))
+        poses = unsaid and not all(point.is_joint for point in new.points)
+        return OfShownTool(self._table.points.named_tool) if poses else None
 
     # The arm ----------------------------------------------------------------------------------
 

@@ -22,6 +22,7 @@ from armui.ui import words
 from armui.ui.theme import colors_of
 from armui.ui.trajectory.editor.point_delegate import PointDelegate, TextEditor
 from armui.ui.trajectory.editor.points_model import POSES, PointsModel
+from armui.ui.widgets.table_model import chosen_rows
 
 _ROW_PX: Final = 32
 _LEAST_ROWS: Final = 3
@@ -101,6 +102,8 @@ class PointsTable(QTableView):
         down.setMinimumWidth(self.fontMetrics().horizontalAdvance("▶ 00000"))
         across = self.horizontalHeader()
         across.setHighlightSections(False)
+        # which columns are chosen is never shown: to find out, each cell would be asked
+        across.setSelectionModel(QItemSelectionModel(self.points, across))
         across.setResizeContentsPrecision(0)  # only rows in sight are asked how wide they are
         across.setStretchLastSection(True)
         self.setMinimumHeight(_LEAST_ROWS * _ROW_PX + across.sizeHint().height())
@@ -141,7 +144,7 @@ class PointsTable(QTableView):
 
     def rows(self) -> list[int]:
         """Return the selected rows, from top to bottom."""
-        return sorted({index.row() for index in self.selectionModel().selectedRows()})
+        return chosen_rows(self)
 
     def current_row(self) -> int:
         """Return the current row; −1 in an empty table."""

@@ -188,15 +188,18 @@ class Checks:
     Args:
         controller: Gives the arm's state.
         background: Runs the checks.
+
+    Attributes:
+        background: Runs the checks, and other long work on points.
     """
 
     def __init__(self, controller: ArmController, background: Background) -> None:
         self._controller = controller
-        self._background = background
+        self.background = background
 
     def get_ready(self) -> None:
         """Load the modules of checks in advance."""
-        self._background.warm_up(warm_up)
+        self.background.warm_up(warm_up)
 
     def begin(
         self, content: Content, options: RunOptions, then: Callable[[Preflight | Refusal], object]
@@ -226,7 +229,7 @@ class Checks:
             else:
                 then(Preflight(order, outcome, basis))
 
-        self._background.begin(Job(hand_on), check, order)
+        self.background.begin(Job(hand_on), check, order)
 
     @property
     def arm(self) -> ArmModel:
@@ -252,7 +255,7 @@ class Checks:
             What is waited for; it may not be wanted any more.
         """
         job: Job[float | None] = Job(then)
-        self._background.begin(job, estimate_s, content, self.arm, options, self.stands_at_deg)
+        self.background.begin(job, estimate_s, content, self.arm, options, self.stands_at_deg)
         return job
 
 

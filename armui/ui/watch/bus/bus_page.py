@@ -35,7 +35,7 @@ from armui.ui.widgets.layouts import fill, in_column, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.page import Page
 from armui.ui.widgets.seen_timer import SeenTimer
-from armui.ui.widgets.table_model import Index
+from armui.ui.widgets.table_model import Index, chosen_rows
 from armui.ui.widgets.text_label import ElidedLabel, text_label
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Text
@@ -562,7 +562,7 @@ class BusPage(Page):
         return menu
 
     def _on_copy(self) -> None:
-        chosen = sorted({each.row() for each in self.trace.selectedIndexes()})
+        chosen = chosen_rows(self.trace)
         channel = "can0" if self._device is None else str(self._device.channel)
         zero_s = self._clock_zero.timestamp()
         lines = self.trace_model.lines(chosen, channel.replace(" ", "_"), zero_s)

@@ -16,7 +16,7 @@ from armui.ui.format import NOTHING
 from armui.ui.theme import Colors
 from armui.ui.watch.events.event_filter import EventFilter, gravity
 from armui.ui.widgets import icons
-from armui.ui.widgets.table_model import Index, TableModel, list_rows
+from armui.ui.widgets.table_model import Index, TableModel, chosen_rows, list_rows
 from armui.ui.words import event_log as words
 from armui.ui.words.text import Texts
 
@@ -409,8 +409,7 @@ class EventTable(QTableView):
 
     def chosen(self) -> list[EventEntry]:
         """Return the selected rows, from top to bottom."""
-        rows = sorted(index.row() for index in self.selectionModel().selectedRows())
-        return [self._events.entry(row) for row in rows]
+        return [self._events.entry(row) for row in chosen_rows(self)]
 
     def current(self) -> EventEntry | None:
         """Return the row selected last, or ``None``."""
