@@ -142,6 +142,21 @@ def test_a_pause_holds_the_arm_and_the_rest_follows(ready):
     assert _near(ready.firmware.joints_deg, BACK)
 
 
+def test_a_run_that_is_stopped_in_a_pause_has_come_no_further(ready):
+    player = ready.controller.player
+    player.start(run_of(to(OUT)))
+    ready.run(0.4)
+    accepted(player.pause())
+    ready.run(1.0)
+    done = player.progress.done
+    ready.run(30.0)
+    ready.controller.emergency_stop()
+    ready.run(1.0)
+    assert phase(ready) is RunPhase.FAILED
+    assert 0.0 < done < 0.9
+    assert player.progress.done == pytest.approx(done, abs=0.01)
+
+
 def test_a_pause_in_a_dwell_holds_its_clock(ready):
     player = ready.controller.player
     player.start(run_of(to(OUT, dwell_s=2.0), to(BACK)))

@@ -359,6 +359,11 @@ class Player(Execution):
         elif now_s - self._since_s > _REST_WITHIN_S:
             self._fail(RUN_NOT_ENDED())
 
+    def _end(self, phase: RunPhase) -> None:
+        if self._phase is RunPhase.PAUSED:
+            self._since_s += self._context.clock() - self._paused_s
+        super()._end(phase)
+
     def _tell_failed(self, reason: Refusal, ending: Ending) -> None:
         figures = {"row": self._index + 1, "reason": reason}
         self._context.close(self._started, ending, RUN_FAILED, **figures)

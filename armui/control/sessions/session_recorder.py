@@ -366,7 +366,7 @@ class SessionRecorder(QObject):
         for each in [one for one in self._ending if not one.running]:
             self._ending.remove(each)
             if each.failure is None:
-                size = f"{each.total_bytes / 1e6:.1f}"
+                size = f"{each.total_bytes / 1e6:.2f}"
                 figures = {"name": each.name or "", "frames": each.frames, "size": size}
                 self._close(each, Ending.DONE, SESSION_ENDED, **figures)
                 if each.frames:
