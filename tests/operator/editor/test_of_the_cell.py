@@ -163,7 +163,7 @@ def test_a_frame_that_moves_takes_the_check_away(editor):
 
 def test_a_frame_that_the_cell_has_not_is_kept_marked_and_said(editor):
     accepted(editor.app_driver.controller.cell.change(without_part(BENCH, UserFrame, "Table")))
-    assert editor.text(2, PointColumn.MOVE) == "MOVE C · Table ?"
+    assert editor.text(2, PointColumn.MOVE) == "? MOVE C · Table"
     assert editor.points[2] == ARC
     assert shown(editor).path.rows == (0, 1)
     editor.app_driver.heard()

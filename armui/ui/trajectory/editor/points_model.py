@@ -140,7 +140,7 @@ class PointsModel(TableModel):
         ):
             return self.tr("J{joint} all").format(joint=point.light.joint)
         if column is PointColumn.MOVE and why_unknown((point,), self._frames) is not None:
-            return f"{shown(point, column)} ?"
+            return f"? {shown(point, column)}"  # in front: a narrow column cuts the end
         if column is PointColumn.GRIPPER and point.holds is not None:
             text = self.tr("holds {name}") if point.holds else self.tr("holds nothing")
             told = (_gripper(point.gripper), text.format(name=point.holds))
