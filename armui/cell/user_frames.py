@@ -68,10 +68,9 @@ def frame_from_points(
 
     places = np.array([each[:3] for each in (origin, on_x, on_y_side)], dtype=np.float64)
     ways = places[1:] - places[0]
-    for point, way in zip(("+X", "+Y"), ways, strict=True):
-        apart_mm = float(np.linalg.norm(way))
-        if apart_mm < LEAST_APART_MM:
-            return FRAME_POINTS_NEAR(point=point, value=apart_mm, minimum=round(LEAST_APART_MM))
+    for point, place in (("+X", on_x), ("+Y", on_y_side)):
+        if near := why_near(origin, place, point):
+            return near
     x, aside = (way / np.linalg.norm(way) for way in ways)
     z = np.cross(x, aside)
     _, off_deg = off_x_axis(*places.tolist())
@@ -81,6 +80,14 @@ def frame_from_points(
     matrix = np.eye(4)
     matrix[:3] = np.column_stack((x, np.cross(z, x), z, places[0]))
     return tuple(matrix_to_pose(matrix))
+
+
+def why_near(origin: Sequence[float], place: Sequence[float], point: str) -> Refusal | None:
+    """Return why a place is too near to the origin to be taken for a point, or ``None``."""
+    apart_mm = math.dist(origin[:3], place[:3])
+    if apart_mm < LEAST_APART_MM:
+        return FRAME_POINTS_NEAR(point=point, value=apart_mm, minimum=round(LEAST_APART_MM))
+    return None
 
 
 def off_x_axis(

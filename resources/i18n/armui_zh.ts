@@ -5426,6 +5426,14 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>使校准表生效；不足两组时关闭校准。</translation>
     </message>
     <message>
+        <source>Nothing is changed.</source>
+        <translation>没有改动。</translation>
+    </message>
+    <message>
+        <source>Two pairs at least are needed: type another width, and what is measured. Apply with fewer switches the calibration off.</source>
+        <translation>至少需要两组：请再输入一个开度及其测量值。不足两组时按“应用”会关闭校准。</translation>
+    </message>
+    <message>
         <source>Press Apply: openings are calibrated from then on.</source>
         <translation>按“应用”：此后开度均已校准。</translation>
     </message>
@@ -6239,8 +6247,8 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>键盘点动</translation>
     </message>
     <message>
-        <source>Hold the space bar: each letter key below is one step.</source>
-        <translation>按住空格键，每按一次下列字母键走一步。</translation>
+        <source>Hold the space bar: a letter key is one step; held, it goes on.</source>
+        <translation>按住空格键：按一次字母键走一步，按住则连续步进。</translation>
     </message>
     <message>
         <source>Hold the space bar and a letter key; release either to stop.</source>

@@ -143,6 +143,38 @@ def test_from_the_first_click_to_the_calibrated_gripper(app_driver):
     assert driver.read("cell_gripper_next").startswith("Calibrated:")
 
 
+def test_one_pair_is_never_said_to_calibrate(app_driver):
+    app_driver.ready()
+    accepted(app_driver.controller.cell.take(Cell("bench")))
+    app_driver.click("menu_cell")
+    app_driver.click("cell_tab_gripper")
+    app_driver.run(1.0)
+    apply = app_driver.find("cell_gripper_apply")
+    assert (apply.isEnabled(), apply.toolTip()) == (False, "Nothing is changed.")
+    app_driver.type_into("cell_gripper_asked_0", "7")
+    app_driver.type_into("cell_gripper_measured_0", "8")
+    assert app_driver.read("cell_gripper_next").startswith("Two pairs at least are needed")
+    app_driver.click("cell_gripper_apply")
+    cell = app_driver.controller.cell.cell
+    assert (cell.gripper_table, cell.gripper_calibrated) == (((7.0, 8.0),), False)
+    assert app_driver.read("cell_gripper_next").startswith("Two pairs at least are needed")
+    assert not apply.isEnabled()
+    app_driver.type_into("cell_gripper_asked_1", "35")
+    app_driver.type_into("cell_gripper_measured_1", "30")
+    assert app_driver.read("cell_gripper_next").startswith("Press Apply: openings are calibrated")
+    app_driver.click("cell_gripper_apply")
+    assert app_driver.controller.cell.cell.gripper_calibrated
+
+
+def test_a_table_that_is_switched_off_can_be_applied_again(bench):
+    bench.click("menu_cell")
+    bench.click("cell_tab_gripper")
+    assert not bench.find("cell_gripper_apply").isEnabled()
+    bench.click("cell_gripper_on")
+    bench.click("cell_gripper_apply")
+    assert bench.controller.cell.cell == BENCH
+
+
 def test_what_was_measured_and_not_applied_survives_a_new_name(bench):
     bench.click("menu_cell")
     bench.click("cell_tab_gripper")

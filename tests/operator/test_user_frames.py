@@ -112,6 +112,19 @@ def test_points_in_line_are_refused_with_figures_and_one_is_taken_again(app_driv
     assert "The point for +X is 5.000 mm from the origin" in app_driver.read("frame_points_next")
 
 
+def test_a_point_on_x_too_near_is_told_before_the_next_is_asked_for(app_driver):
+    at_frames(app_driver)
+    app_driver.click("cell_frame_by_points")
+    take(app_driver, 0)
+    app_driver.click("frame_take_2")  # the tip still stands on the origin
+    said = app_driver.read("frame_points_next")
+    assert said.startswith("The point for +X is 0.000 mm from the origin; at least 20 mm")
+    live = app_driver.read("frame_points_live")
+    assert live == "0.0 mm from the origin; at least 20 mm are needed."
+    take(app_driver, 1)
+    assert "the side where +Y is to be" in app_driver.read("frame_points_next")
+
+
 def test_a_point_is_not_taken_while_the_arm_moves(app_driver):
     at_frames(app_driver)
     app_driver.click("cell_frame_by_points")

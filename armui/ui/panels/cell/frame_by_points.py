@@ -16,6 +16,7 @@ from armui.cell.user_frames import (
     UserFrame,
     frame_from_points,
     off_x_axis,
+    why_near,
 )
 from armui.control.arm_controller import ArmController
 from armui.control.cell.cell_reasons import CELL_NONE
@@ -74,7 +75,10 @@ class FrameByPoints(PointSearch):
     def found(self) -> Pose | Refusal | None:
         """Return the frame that the points give, or why they give none; ``None``: some miss."""
         points = [point for point in self._points if point is not None]
-        return frame_from_points(*points) if len(points) == _POINTS else None
+        if len(points) == _POINTS:
+            return frame_from_points(*points)
+        origin, on_x, _ = self._points
+        return why_near(origin, on_x, "+X") if origin is not None and on_x is not None else None
 
     # -- appearance ---------------------------------------------------------------------------
 
@@ -101,7 +105,7 @@ class FrameByPoints(PointSearch):
         if pose is None or origin is None or None not in self._points:
             return ""
         on_x = self._points[1]
-        if on_x is None:
+        if on_x is None or why_near(origin, on_x, "+X"):
             text = self.tr("{value} mm from the origin; at least {wanted} mm are needed.")
             value = math.dist(pose[:3], origin[:3])
             return text.format(value=fmt.number(value, 1), wanted=round(LEAST_APART_MM))

@@ -169,9 +169,13 @@ class GripperTab(CellTab):
         use = self.tr("Fills in widths over the gripper's stroke.")
         enable_or_explain(self._widths, self._why_not, use)
         use = self.tr("Puts the table in force; one of fewer than two pairs switches it off.")
-        enable_or_explain(self._apply, self._why_not, use)
+        pairs = len(self.typed())
         changed = self.typed() != self._cell.gripper_table
-        show_primary(self._apply, wanted=changed and self._row is None and not self._why_not)
+        off = pairs > 1 and not self._cell.gripper_calibrated
+        same = "" if changed or off else self.tr("Nothing is changed.")
+        enable_or_explain(self._apply, self._why_not or same, use)
+        wanted = changed and pairs > 1 and self._row is None
+        show_primary(self._apply, wanted=wanted and not self._why_not)
         self._next.setText(self._next_step(changed=changed))
 
     def _next_step(self, *, changed: bool) -> str:
@@ -182,6 +186,11 @@ class GripperTab(CellTab):
                 "Row {row}: press Open, wait until the gripper stands, measure between the fingers "
                 "with callipers and type what they show."
             ).format(row=self._row + 1)
+        if len(self.typed()) < 2 and (changed or self.typed()):
+            return self.tr(
+                "Two pairs at least are needed: type another width, and what is measured. Apply "
+                "with fewer switches the calibration off."
+            )
         if changed:
             return self.tr("Press Apply: openings are calibrated from then on.")
         if self._cell.gripper_calibrated:

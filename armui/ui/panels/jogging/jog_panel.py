@@ -342,7 +342,7 @@ class KeyPad(Translated, QFrame):
         if self._why_not:
             text = self.tr("Jogging is not possible now.")
         elif self.hasFocus() and not self._continuous:
-            text = self.tr("Hold the space bar: each letter key below is one step.")
+            text = self.tr("Hold the space bar: a letter key is one step; held, it goes on.")
         elif self.hasFocus():
             text = self.tr("Hold the space bar and a letter key; release either to stop.")
         else:
