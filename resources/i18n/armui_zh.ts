@@ -11768,8 +11768,8 @@ The other program must have ended.</source>
         <translation>单元中没有“{value}”。请从列表中选择。</translation>
     </message>
     <message>
-        <source>There is no cell yet. Enter a name, then press New.</source>
-        <translation>还没有单元。请输入名称，再按“新建”。</translation>
+        <source>No cell is chosen. Choose one in the list, or enter a name and press New.</source>
+        <translation>未选择单元。请在列表中选择，或输入名称后按“新建”。</translation>
     </message>
     <message>
         <source>The cell&apos;s file has format version {version}; this program reads version {known}. Update this program, or use the one that wrote it.</source>

@@ -14,6 +14,8 @@ from tests.app_driver import Slow
 
 PEN = Tool("pen", (0.0, 0.0, 120.0, 0.0, 0.0, 0.0), 15.0)
 
+NO_CELL = "No cell is chosen. Choose one in the list, or enter a name and press New."
+
 
 @pytest.fixture
 def panel(app_driver):
@@ -34,7 +36,7 @@ def add_pen(driver):
 
 
 def test_a_cell_and_a_tool_are_made_and_hold_at_once(panel):
-    assert "no cell yet" in panel.read("cell_tool_next")
+    assert panel.read("cell_tool_next") == NO_CELL
     panel.type_into("cell_name", "bench")
     assert "Type a name for the tool" in panel.read("cell_tool_next")
     add_pen(panel)
@@ -99,6 +101,7 @@ def test_the_tool_typed_before_becomes_the_first_of_a_new_cell(panel):
     panel.type_into("cell_name", "bench")
     assert panel.controller.cell.cell.tools == (Tool("Tool", (0.0, 0.0, 90.0, 0.0, 0.0, 0.0)),)
     choose(panel, "cell_box", 0)
+    assert panel.read("cell_tool_next") == NO_CELL
     assert panel.controller.cartesian.tool == (0.0, 0.0, 90.0, 0.0, 0.0, 0.0)
 
 

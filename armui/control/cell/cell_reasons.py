@@ -26,7 +26,9 @@ CAPTURE_STALE = Reason(
     "capture_stale",
     "The pose is not heard any more: nothing was taken. Wait until the arm reports it again.",
 )
-CELL_NONE = Reason("cell_none", "There is no cell yet. Enter a name, then press New.")
+CELL_NONE = Reason(
+    "cell_none", "No cell is chosen. Choose one in the list, or enter a name and press New."
+)
 CELL_GONE = Reason("cell_gone", "There is no cell “{name}”. Choose one of those in the list.")
 CELL_WHILE_MOVING = Reason(
     "cell_while_moving",
