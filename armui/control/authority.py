@@ -129,7 +129,9 @@ class Authority:
             self.command = replace(self.command, sent_s=now_s)
         self._follow_hold(seen)
         self._stood = self._stood or self.at_rest
-        self._met_moving = self._met_moving and not self.at_rest
+        status = state.status
+        arrived = status is not None and status.fresh(now_s) and status.value.reached
+        self._met_moving = self._met_moving and not self.at_rest and not arrived
         self._follow_cancel(now_s)
         pace = None if self.command is None else self.command.pace
         shown, braking = self._percent_shown, self._braking

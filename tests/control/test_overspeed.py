@@ -59,7 +59,8 @@ def motion():
 def test_the_joint_its_speed_and_the_speed_shown_are_named(motion, joint, direction):
     refusal = motion.turn(direction * 40.25, 9, joint)
     assert refusal.reason == TOO_FAST
-    assert refusal.params == {"joint": joint, "value": 40.2, "maximum": 20.0}
+    figures = {"value": 40.2, "percent": 20, "maximum": 20.0, "limit": 32.0}
+    assert refusal.params == {"joint": joint, **figures}
 
 
 @pytest.mark.parametrize(("speed_deg_s", "too_fast"), [(32.0, False), (32.5, True)])
@@ -162,7 +163,8 @@ def test_a_joint_that_does_not_slow_down_is_named_within_half_a_second(motion):
     motion.watch.change_speed()
     said = [motion.turn(100.0, 1, percent=5) for _ in range(36)]
     assert not any(said[:28])  # 0.44 s
-    assert said[-1].params == {"joint": 1, "value": 100.0, "maximum": 5.0}  # 0.55 s
+    figures = {"value": 100.0, "percent": 5, "maximum": 5.0, "limit": 98.4}
+    assert said[-1].params == {"joint": 1, **figures}  # 0.55 s: so fast it may be on its way down
 
 
 def test_one_that_goes_on_from_a_speed_on_its_way_down_is_named(motion):
