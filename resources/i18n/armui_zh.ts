@@ -12167,6 +12167,10 @@ The other program must have ended.</source>
         <translation>各行速度 × 运行速度，1–100 %；从第 {row} 行起。</translation>
     </message>
     <message>
+        <source>{text} · without its unsaved changes</source>
+        <translation>{text} · 不含未保存的修改</translation>
+    </message>
+    <message>
         <source>{text} · {time}</source>
         <translation>{text} · {time}</translation>
     </message>

@@ -80,3 +80,16 @@ def test_a_damaged_one_is_told(app_driver):
     assert driver.rows()[0][4] == "✕ damaged"
     driver.window.open_trajectory("one")
     assert "one.draft, line 4" in driver.message()
+
+
+def test_beside_send_it_says_that_unsaved_changes_do_not_run(app_driver):
+    driver = LibraryDriver(app_driver, "one", "three")
+    three = driver.library.load("three")
+    assert isinstance(three, Trajectory)
+    driver.library.save_draft("one", three)
+    driver.window.refresh()
+    effective = driver.window.findChild(QWidget, "run_effective")
+    driver.choose("one *")
+    assert "without its unsaved changes" in effective.text()
+    driver.choose("three")
+    assert "unsaved" not in effective.text()

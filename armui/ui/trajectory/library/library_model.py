@@ -73,6 +73,10 @@ class LibraryModel(TableModel):
         """Return whether a trajectory consists only of unsaved changes."""
         return any(entry.name == name and entry.kind == "draft" for entry in self._rows)
 
+    def has_unsaved(self, name: str) -> bool:
+        """Return whether a saved trajectory has unsaved changes, too."""
+        return name in self._drafts and not self.is_unsaved(name)
+
     def show(self, entries: Sequence[IndexEntry], drafts: Sequence[str]) -> bool:
         """Show other entries; ``drafts`` are those with unsaved changes.
 

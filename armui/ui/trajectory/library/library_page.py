@@ -362,6 +362,7 @@ class LibraryPage(Page):
             recording=recording,
             nothing=nothing,
             state=None if one is None else one.modified,
+            unsaved=one is not None and self._model.has_unsaved(one.name),
         )
         if chosen:  # while the list is made anew, nothing is chosen for a moment
             self._run_bar.drop_check(but=name)

@@ -185,7 +185,7 @@ class RunBar(Translated, QWidget):
         self._name = ""
         self._speeds: Sequence[SpeedsFrom] = ()
         self._request: RunRequest | None = None
-        self._recording = False
+        self._recording = self._unsaved = False
         self._nothing: Refusal | None = None
         self._stands_back = False
         self._runner = Runner(controller, self)
@@ -261,6 +261,7 @@ class RunBar(Translated, QWidget):
         recording: bool = False,
         nothing: Refusal | None = None,
         state: object = None,
+        unsaved: bool = False,
     ) -> None:
         """Fit the choices to the content to run.
 
@@ -271,10 +272,11 @@ class RunBar(Translated, QWidget):
             recording: True for a recording, which has no points.
             nothing: The reason why there is nothing to run.
             state: A value that changes whenever the points do.
+            unsaved: True if it has unsaved changes, which do not run.
         """
         self._name, self._speeds = name, speeds
         self._what = (name, count, tuple(speeds), recording, state)
-        self._recording, self._nothing = recording, nothing
+        self._recording, self._nothing, self._unsaved = recording, nothing, unsaved
         with QSignalBlocker(self._first):
             self._first.setMaximum(max(1, count))
         self._on_shared(name)
@@ -364,6 +366,8 @@ class RunBar(Translated, QWidget):
                 "before you choose more."
             )
             lines.append(begin.format(name=self._name, percent=round(100 * FIRST_RUN_FACTOR)))
+        if self._unsaved:
+            text = self.tr("{text} · without its unsaved changes").format(text=text)
         if time := self._time_text():
             text = self.tr("{text} · {time}").format(text=text, time=time)
         lines.append(self._time_tip())
