@@ -34,6 +34,7 @@ from armui.ui.shell.leaving import (
     KeepsWork,
     close_unless_moving,
     end_motion_then,
+    is_taught,
     leave_then,
     unsaved,
 )
@@ -419,7 +420,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         operating_state = self._controller.operating_state
         stopping = operating_state.stop is StopState.REQUESTED
         under_way = operating_state.moving or stopping or operating_state.occupied is not None
-        at_stake = under_way or unsaved(self._panels.panels)
+        at_stake = under_way or is_taught(self._controller) or unsaved(self._panels.panels)
         if at_stake and not self._may_close:
             event.ignore()
             close = partial(close_unless_moving, self, self._controller, self._close_now)

@@ -6904,6 +6904,14 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>关闭程序不会使机械臂停止，它会继续运动到目标点。若不允许，请按急停。</translation>
     </message>
     <message>
+        <source>Drag teaching is under way</source>
+        <translation>示教正在进行</translation>
+    </message>
+    <message>
+        <source>Closing the program does not end it: the arm goes on giving way to the hand and recording, or goes on along its recording. End it under Drag teaching first.</source>
+        <translation>关闭程序不会结束示教：机械臂会继续随手拖动并录制，或继续沿录制的轨迹运动。请先在“示教”面板结束。</translation>
+    </message>
+    <message>
         <source>Close anyway</source>
         <translation>仍然关闭</translation>
     </message>
@@ -13896,6 +13904,10 @@ The other program must have ended.</source>
     <message>
         <source>Recording ended; still in drag teaching</source>
         <translation>记录已结束，仍处于示教模式</translation>
+    </message>
+    <message>
+        <source>No command; still in drag teaching</source>
+        <translation>无命令，仍处于示教模式</translation>
     </message>
 </context>
 <context>

@@ -258,6 +258,25 @@ def test_teaching_is_left_one_step_at_a_time(taught):
     assert app_driver.controller.operating_state.cannot_move is None
 
 
+def test_a_stop_before_the_arm_was_led_back_ticks_no_step_that_was_not_taken(taught):
+    steps = taught.find("teaching_exit_steps")
+    taught.controller.emergency_stop()
+    taught.run_until(lambda: due(taught) == 3)
+    assert [sign.text() for sign in steps._signs] == ["–", "✓", "▸", ""]
+
+
+def test_closing_while_a_hand_is_recorded_asks(enabled):
+    give(enabled, "start_recording")
+    phase(enabled, "Recording")
+    enabled.window.close()
+    question = enabled.dialog(ConfirmDialog)
+    assert "goes on giving way to the hand" in question.text()
+    assert enabled.window.isVisible()
+    enabled.firmware.on_frame(teach(2))
+    enabled.run(0.5)  # it is withdrawn: nothing is taught any more
+    assert not enabled.window.findChildren(ConfirmDialog)
+
+
 @ONE_IS_ENOUGH
 def test_motions_are_paused_continued_and_cleared(enabled):
     assert not enabled.find("plan_pause").isEnabled()

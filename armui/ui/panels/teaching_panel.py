@@ -86,6 +86,7 @@ class TeachingExitSteps(QFrame):
         super().__init__()
         self.setObjectName("teaching_exit_steps")
         self._leaving = False
+        self._led = False
         self._due = 0
         self._title = QLabel()
         self._title.setWordWrap(True)
@@ -113,6 +114,8 @@ class TeachingExitSteps(QFrame):
         elif step.kind in _OVER:
             self._leaving = False
         self._due = _NUMBER.get(step.kind, self._due)
+        if step.kind is StepKind.DRAG_MODE_AT_REST or self._due == 1:
+            self._led = self._due == 2
         self.setVisible(self._leaving)
         self._mark()
 
@@ -122,6 +125,8 @@ class TeachingExitSteps(QFrame):
             font.setBold(number == self._due)
             label.setFont(font)
             sign = "✓" if number < self._due else "▸" if number == self._due else ""
+            if number == 1 < self._due and not self._led:
+                sign = "–"  # a stop came first: the arm is led back after it
             self._signs[number - 1].setText(sign)
             label.setText(f"{number}. {self._words()[number - 1]}")
 

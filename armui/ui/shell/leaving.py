@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final, Protocol, runtime_checkable
 from PySide6.QtCore import QCoreApplication, QObject, Qt, QTimer
 from PySide6.QtWidgets import QWidget
 
+from armui.control.devices.teaching_phase import phase_of, why_under_way
 from armui.control.motion.motion_command import Mover
 from armui.control.operating_state import StopState
 from armui.ui.dialogs.confirm_dialog import CloseQuestion, SaveQuestion, confirm
@@ -276,25 +277,43 @@ def close_unless_moving(
         close_now: Closes the window without asking again.
     """
     operating_state = controller.operating_state
-    if not operating_state.moving:
+    teaches = is_taught(controller)
+    if not (operating_state.moving or teaches):
         close_now()
         return
     if operating_state.mover is Mover.OURS:
         _ask_how_to_close(window, controller, close_now)
         return
+    title = QCoreApplication.translate("MainWindow", "The arm is moving")
+    text = QCoreApplication.translate(
+        "MainWindow",
+        "Closing the program does not stop the arm: it goes on to its target. "
+        "Press the emergency stop if it must not.",
+    )
+    if teaches:
+        title = QCoreApplication.translate("MainWindow", "Drag teaching is under way")
+        text = QCoreApplication.translate(
+            "MainWindow",
+            "Closing the program does not end it: the arm goes on giving way to the hand and "
+            "recording, or goes on along its recording. End it under Drag teaching first.",
+        )
     confirm(
         window,
         controller,
-        title=QCoreApplication.translate("MainWindow", "The arm is moving"),
-        text=QCoreApplication.translate(
-            "MainWindow",
-            "Closing the program does not stop the arm: it goes on to its target. "
-            "Press the emergency stop if it must not.",
-        ),
+        title=title,
+        text=text,
         action_label=QCoreApplication.translate("MainWindow", "Close anyway"),
         on_confirmed=close_now,
-        still=lambda: controller.operating_state.moving,
+        still=lambda: is_taught(controller) if teaches else controller.operating_state.moving,
     )
+
+
+def is_taught(controller: ArmController) -> bool:
+    """Return whether the arm records a hand, or runs its recording."""
+    now = controller.operating_state
+    if now.status is None or now.unreachable is not None or now.stop is not StopState.RUNNING:
+        return False
+    return why_under_way(phase_of(now.status)) is not None
 
 
 def _ask_how_to_close(

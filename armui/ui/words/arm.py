@@ -355,6 +355,8 @@ def teaching_now(status: Status) -> str:
     ended = status.teaching == TeachingState.STOP_RECORDING
     if ended and status.control_mode == ControlMode.TEACHING:
         return QCoreApplication.translate("Teaching", "Recording ended; still in drag teaching")
+    if status.teaching == TeachingState.OFF and status.control_mode == ControlMode.TEACHING:
+        return QCoreApplication.translate("Teaching", "No command; still in drag teaching")
     return teaching(status.teaching)
 
 
