@@ -202,12 +202,28 @@ class Authority:
 
     def why_not_ours(self) -> Refusal | None:
         """Return the reason against going on with our motion that is held back, or ``None``."""
-        failed = PART_FAILED() if self.failed else None
-        return failed or self.why_silent() or self.other.why_not() or self._why_met_moving()
+        met = self._met_moving and self.moves and not self.holds
+        return self._why_nothing() or (MET_MOVING() if met else None)
 
-    def _why_met_moving(self) -> Refusal | None:
-        """Return why an arm that moved when it was first heard is not to be moved, or ``None``."""
-        return MET_MOVING() if self._met_moving and self.moves and not self.holds else None
+    def why_no_speed(self, percent: float) -> Refusal | None:
+        """Return the reason against another speed of what the arm does, or ``None``.
+
+        What somebody else may have left in the arm is only ever slowed.
+
+        Args:
+            percent: The speed; 0 holds back whatever moves.
+        """
+        refusal = self._why_nothing()
+        if refusal is not None or not percent:
+            return refusal
+        slows = self.moves and self.lowers_speed(percent)
+        left = MET_MOVING() if self.may_hold_another and not slows else None
+        return left or self.unconfirmed_cell or self.why_held()
+
+    def _why_nothing(self) -> Refusal | None:
+        """Return the reason against any frame about motion, or ``None``."""
+        failed = PART_FAILED() if self.failed else None
+        return failed or self.why_silent() or self.other.why_not()
 
     def take_over(self) -> Refusal | None:
         """Take the arm over from another host, deliberately; return ``None``, or why not."""

@@ -213,9 +213,8 @@ class Context:
         """
         self.observe()
         authority = self.authority
-        refusal = authority.why_not() if percent else authority.why_not_ours()
-        waits = refusal is not None or (percent > 0 and authority.may_hold_another)
-        mode = None if waits else authority.mode_in_force()
+        refusal = authority.why_no_speed(percent)
+        mode = None if refusal is not None else authority.mode_in_force()
         if mode is None or not self.connection.send(self.speed_frames(mode, percent)):
             return False
         self.authority.told_percent(percent)

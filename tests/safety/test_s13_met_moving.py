@@ -83,3 +83,22 @@ def test_a_failure_is_not_made_up_for_where_nothing_of_ours_moved(world):
     reopen(world, world.controller.on_failure)
     ours = [each.frame for each in world.traffic.said[said:] if each.sender is Sender.US]
     assert 0x150 not in {each.arbitration_id for each in ours}
+
+
+def test_what_moves_on_of_ours_is_slowed_and_held_as_before(world):
+    """After a silence the arm still moves by our doing: it may be slower, and nothing else."""
+    world.controller.motion.set_speed_percent(20)
+    accepted(world.controller.motion.send_joints(THERE))
+    world.pass_time(0.3)
+    reopen(world)
+    assert refused(world)
+    world.controller.motion.set_speed_percent(50)
+    world.pass_time(0.1)
+    assert world.firmware.condition.speed_percent == 20
+    world.controller.motion.set_speed_percent(5)
+    world.pass_time(0.1)
+    assert world.firmware.condition.speed_percent == 5
+    world.controller.motion.set_speed_percent(0)
+    world.pass_time(1.0)
+    assert not world.firmware.mechanics.moving
+    assert world.controller.operating_state.holds
