@@ -7,9 +7,12 @@ import pytest
 from armui.cell.cell import Cell
 from armui.cell.cell_file import read_cell, to_text
 from armui.cell.tools import Tool
+from armui.cell.work_area import Area, AreaBox
 from armui.protocol.generation import Generation
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.panels.cell.cell_panel import CellPanel
+from armui.ui.widgets.figure_field import FigureField
+from tests.accepted import accepted
 from tests.app_driver import Slow
 
 PEN = Tool("pen", (0.0, 0.0, 120.0, 0.0, 0.0, 0.0), 15.0)
@@ -282,3 +285,22 @@ def test_the_line_of_the_next_step_does_not_confirm_where_it_enables(make_driver
         assert button.text() == "Enable"
     finally:
         later.close()
+
+
+@pytest.mark.styled
+@pytest.mark.parametrize("language", ["zh", "en"])
+@pytest.mark.parametrize("tab", ["tools", "frames", "area", "held", "base"])
+def test_no_figure_is_cut_in_a_small_window(app_driver, tab, language):
+    """«10.0» read as «0.0»: a field must show five digits of what it may hold."""
+    app_driver.ready()
+    accepted(app_driver.controller.cell.take(Cell("bench", area=Area(boxes=(AreaBox("crate"),)))))
+    app_driver.store.change(language=language)
+    app_driver.window.resize(1280, 800)
+    app_driver.click("menu_cell")
+    app_driver.click(f"cell_tab_{tab}")
+    app_driver.run(0.1)
+    fields = [each for each in app_driver.window.findChildren(FigureField) if each.isVisible()]
+    assert len(fields) >= 6
+    for field in fields:
+        digits = field.fontMetrics().horizontalAdvance("1000.0")
+        assert field.contentsRect().width() - field._unit_px() - digits >= 8, field.objectName()

@@ -17,6 +17,7 @@ from armui.ui.actions.command import Command
 from armui.ui.panels.cell.cell_tab import NARROW_PX, Answered, change_command, figures
 from armui.ui.panels.cell.named_tab import EDGES, NamedTab, TabTexts, Thing
 from armui.ui.widgets.buttons import caption, enable_or_explain, give_menu, named, push_button
+from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.words.arm import part_name
 from armui.ui.words.text import Text
@@ -58,8 +59,9 @@ class AreaTab(NamedTab):
         for button in (self._here, self._frame):
             button.setMinimumWidth(NARROW_PX)
         self._lay_out(
-            (self._margin_label, [self._margin, self._here, self._frame]),
+            (self._margin_label, [self._margin]),
             beside=([self._on], ()),
+            below=[in_row((self._here, 1), (self._frame, 1), spacing=6)],
             last=[self._stops, self._nearness],
         )
         self._on.clicked.connect(self._on_switched)
