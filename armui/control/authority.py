@@ -99,6 +99,7 @@ class Authority:
         self._stood = False
         self._left_by_another = True
         self._met_moving = True
+        self._goes_on = False
         self._cancel_repeated = False
         self.other = OtherCommand()
         self.command: MotionCommand | None = None
@@ -121,7 +122,7 @@ class Authority:
         if self.other.observe(seen.traffic, seen.offsets, state, now_s, at_rest=self.at_rest):
             self.arm_percent = self._mode_sent = None
             self.holds = frozenset()
-            self._left_by_another = True
+            self._left_by_another, self._goes_on = True, False
         end = self._what_ends(seen)
         if end is not None:
             self._end(end)
@@ -208,7 +209,8 @@ class Authority:
     def why_no_speed(self, percent: float) -> Refusal | None:
         """Return the reason against another speed of what the arm does, or ``None``.
 
-        What somebody else may have left in the arm is only ever slowed.
+        What somebody else may have left in the arm waits for a motion of ours; where it was ours
+        that went on while nothing was heard, it may be slowed.
 
         Args:
             percent: The speed; 0 holds back whatever moves.
@@ -216,7 +218,7 @@ class Authority:
         refusal = self._why_nothing()
         if refusal is not None or not percent:
             return refusal
-        slows = self.moves and self.lowers_speed(percent)
+        slows = self._goes_on and self.moves and self.lowers_speed(percent)
         left = MET_MOVING() if self.may_hold_another and not slows else None
         return left or self.unconfirmed_cell or self.why_held()
 
@@ -447,6 +449,7 @@ class Authority:
         if self.command is None:
             return
         self.over.append((self.command, reason))
+        self._goes_on = reason is End.SILENT and self.under_way
         self.command = None
         self.ended = reason
         self._number += 1
@@ -552,7 +555,9 @@ class Authority:
         since_s = now_s - self._cancelled_s
         status = None if self._seen is None else self._seen.state.status
         stopped = status is not None and status.value.arm_status == ArmStatusCode.EMERGENCY_STOP
-        if self.other.commands or stopped or (self.at_rest and since_s >= _REST_SHOWS_S):
+        led = self._seen is not None and in_drag_teaching(self._seen.state)
+        moved = self.other.commands or stopped or led  # by somebody else from now on
+        if moved or (self.at_rest and since_s >= _REST_SHOWS_S):
             self._cancelled_s, self.cancel_unheeded = None, False
         elif since_s > _CANCEL_WITHIN_S:
             self.cancel_unheeded = True

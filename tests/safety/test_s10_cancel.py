@@ -5,6 +5,7 @@ import pytest
 from armui.control.safety.recovery_steps import Action, StepKind
 from armui.kinematics.axes import JogFrame
 from armui.protocol.codes import TrajectoryCommand
+from armui.protocol.frame import Frame
 from tests.accepted import accepted
 from tests.company import OtherHost
 
@@ -88,7 +89,7 @@ def test_an_end_that_was_lost_is_told_once_more(moving, how):
     assert len(ends) == 2
 
 
-@pytest.mark.parametrize("after", ["stop", "another host's motion", "a motion of ours"])
+@pytest.mark.parametrize("after", ["stop", "another host's motion", "a motion of ours", "a hand"])
 def test_an_end_is_not_told_again_after_what_came_since(moving, after):
     rig, controller = moving, moving.controller
     rig.node.link.lose_to_arm(0x150)
@@ -101,6 +102,9 @@ def test_an_end_is_not_told_again_after_what_came_since(moving, after):
         other = OtherHost(rig)
         other.move_to((0.0, 20.0, -20.0, 0.0, 0.0, 0.0), 30)
         other.close()
+    elif after == "a hand":  # by the arm's own button
+        rig.firmware.on_frame(Frame(0x150, bytes([0, 0, 1, 0, 0, 0, 0, 0])))
+        rig.firmware.hand_guiding.lead_to((0.0, 20.0, -20.0, 0.0, 0.0, 0.0), speed_deg_s=20.0)
     else:
         accepted(controller.motion.send_joints((0.0, 20.0, -20.0, 0.0, 0.0, 0.0)))
     rig.run(1.5)

@@ -102,3 +102,13 @@ def test_what_moves_on_of_ours_is_slowed_and_held_as_before(world):
     world.pass_time(1.0)
     assert not world.firmware.mechanics.moving
     assert world.controller.operating_state.holds
+
+
+def test_what_another_host_began_is_not_hurried_by_a_speed_that_is_lower_than_ours(world):
+    """It was told 10 %, and this program 30 % before: 20 % would be twice as fast."""
+    world.controller.motion.set_speed_percent(30)
+    world.pass_time(0.1)
+    reopen(world, lambda: world.other.move_to(THERE, 10))
+    world.controller.motion.set_speed_percent(20)
+    world.pass_time(0.1)
+    assert world.firmware.condition.speed_percent == 10
