@@ -102,8 +102,8 @@ def with_part(cell: Cell, part: Part, *, instead_of: str = "") -> Cell:
     """
     parts, chosen = _LISTS[type(part)]
     now = getattr(cell, chosen)
-    if now == instead_of if instead_of else not isinstance(part, HeldObject):
-        now = part.name
+    in_force = now == instead_of if instead_of else not isinstance(part, HeldObject)
+    now = part.name if in_force else now
     changed: dict[str, Any] = {parts: put(getattr(cell, parts), part, instead_of), chosen: now}
     return replace(cell, **changed)
 

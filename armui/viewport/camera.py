@@ -19,18 +19,9 @@ _STEEPEST_DEG = 89.0
 
 
 ON_THE_FLOOR: Final[tuple[float, ...]] = (
-    1.0,
-    0.0,
-    0.0,
-    0.0,
-    0.0,
-    1.0,
-    0.0,
-    0.0,
-    0.0,
-    0.0,
-    1.0,
-    0.0,
+    *(1.0, 0.0, 0.0, 0.0),
+    *(0.0, 1.0, 0.0, 0.0),
+    *(0.0, 0.0, 1.0, 0.0),
 )
 """The placement of a base that stands upright on the floor."""
 

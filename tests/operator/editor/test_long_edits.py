@@ -75,10 +75,13 @@ def test_copied_cut_and_pasted(editor):
     before = editor.points
     select_all(editor)
     editor.act("copy")
+    work(editor)
     assert QGuiApplication.clipboard().text().count("\n") == MANY - 1
     editor.act("cut")
+    work(editor)
     assert len(editor.points) == 0
     editor.act("paste")
+    work(editor)
     assert [point.target for point in editor.points] == [point.target for point in before]
 
 
@@ -89,6 +92,8 @@ def test_replaced_everywhere(editor):
     editor.child("find_text", QLineEdit).setText("40")
     editor.child("replace_text", QLineEdit).setText("41")
     editor.click("replace_all")
+    assert editor.points[0].target[1] == 40.0
+    work(editor)
     assert {point.target[1] for point in editor.points} == {41.0}
     assert "600 replaced" in editor.child("find_result").text()
 

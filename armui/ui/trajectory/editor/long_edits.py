@@ -1,4 +1,4 @@
-"""Works out edits of many rows in the background: meanwhile a stop is heard at once."""
+"""Works out edits of many rows in another process: meanwhile a stop is heard at once."""
 
 from __future__ import annotations
 
@@ -36,7 +36,6 @@ class LongEdit(Generic[Outcome]):
         arguments: Its arguments.
         finish: Carries the edit out with the result, in the window's thread; the result may be a
             :class:`Refusal` where the work has failed.
-        apart: True to have another process work it out.
     """
 
     rows: int
@@ -44,7 +43,6 @@ class LongEdit(Generic[Outcome]):
     work: Callable[..., object]
     arguments: tuple[Any, ...]
     finish: Callable[[Any], Outcome]
-    apart: bool = False
 
 
 class LongEdits(QObject):
@@ -88,8 +86,7 @@ class LongEdits(QObject):
             then(edit.finish(result) if same else POINTS_CHANGED())
 
         self._job = Job(done)
-        begin = self._background.begin if edit.apart else self._background.begin_here
-        begin(self._job, edit.work, *edit.arguments)
+        self._background.begin(self._job, edit.work, *edit.arguments)
 
     def drop(self) -> None:
         """Drop the edit that is worked out: its page is left."""

@@ -268,7 +268,7 @@ class PointEdits(QObject):
         )
         arguments = self._document.points, rows, by
         finish = self._put_converted
-        return LongEdit(len(rows), _CONVERTED_AT_ONCE, converted, arguments, finish, apart=True)
+        return LongEdit(len(rows), _CONVERTED_AT_ONCE, converted, arguments, finish)
 
     def _put_converted(self, changed: dict[int, Waypoint] | RowRefusal | Refusal) -> Outcome:
         if isinstance(changed, RowRefusal):
@@ -319,7 +319,7 @@ class PointEdits(QObject):
             return self._put(changed, self.tr("Frame")) or FrameGiven(lost, name)
 
         arguments = points, rows, name, frames
-        return LongEdit(len(rows), _REFRAMED_AT_ONCE, reframed, arguments, finish, apart=True)
+        return LongEdit(len(rows), _REFRAMED_AT_ONCE, reframed, arguments, finish)
 
     def frames(self) -> Frames:
         """Return the user frames of the cell."""
