@@ -6,6 +6,7 @@ second of silence takes no half second, and nothing ever sleeps.
 
 import time
 from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import Future
 from contextlib import contextmanager
 from dataclasses import replace
 from typing import Protocol
@@ -49,6 +50,13 @@ def tell_together(firmware: Firmware) -> None:
     schedule.next_ns = min(slot.due_ns for slot in schedule._slots)
 
 
+def at_once(work: Callable[[], object]) -> Future[object]:
+    """Have the gate check a long way within the call: no real time passes here."""
+    done: Future[object] = Future()
+    done.set_result(work())
+    return done
+
+
 class Company(Protocol):
     """Somebody else on the bus."""
 
@@ -89,6 +97,7 @@ class ArmRig:
             find=list,
             clock=lambda: self.time_s,
             wait=self._pass,
+            background=at_once,
         )
         self.events: list[Event] = []
         self.controller.noticed.connect(self.events.append)

@@ -43,6 +43,10 @@ class JointLimits(NamedTuple):
     max_speed_deg_s: float
 
 
+SAG_DEG: Final = 0.5
+"""A joint measured no further than this beyond a limit sags under load, or trembles."""
+
+
 _FASTEST_DEG_S: Final = 3600.0
 """A speed far above any joint of this arm, far below 0xFFFF in either generation's unit."""
 
@@ -71,3 +75,25 @@ def check_joints(joints_deg: Sequence[float], limits: Sequence[JointLimits]) -> 
         if refusal is not None:
             return refusal
     return None
+
+
+def clipped(angle_deg: float, limits: JointLimits) -> float:
+    """Return an angle, or the limit that it is beyond."""
+    return min(max(angle_deg, limits.min_deg), limits.max_deg)
+
+
+def settled(joints_deg: Sequence[float], limits: Sequence[JointLimits]) -> tuple[float, ...]:
+    """Return six angles with those that only sag beyond a limit brought to it."""
+    return tuple(
+        inside if abs((inside := clipped(angle, each)) - angle) <= SAG_DEG else angle
+        for angle, each in zip(joints_deg, limits, strict=True)
+    )
+
+
+def outside_limits(joints_deg: Sequence[float], limits: Sequence[JointLimits]) -> tuple[int, ...]:
+    """Return the joints (1–6) that stand beyond their limits by more than sag."""
+    return tuple(
+        joint
+        for joint, angle, each in zip(JOINTS, joints_deg, limits, strict=True)
+        if abs(clipped(angle, each) - angle) > SAG_DEG
+    )

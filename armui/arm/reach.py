@@ -35,11 +35,6 @@ PATH_SINGULAR = Reason(
     "After {gone} % of the way the arm comes to a singular pose: joint {joint} would have to "
     "jump. Choose MOVE P, or move joint 5 away from 0° first.",
 )
-PATH_BEYOND_LIMITS = Reason(
-    "path_beyond_limits",
-    "After {gone} % of the way joint {joint} would be at {value}°, beyond its limits of "
-    "{minimum}° to {maximum}°. Choose MOVE P, or another target.",
-)
 
 
 _FINE_STEPS: Final = 2.0
@@ -71,21 +66,17 @@ def check_pose(
     return POSE_BEYOND_LIMITS(**(problems[0].params if problems[0] else {}))
 
 
-def check_path(
-    kinematics: Kinematics,
-    path: ToolPath,
-    start_deg: Sequence[float],
-    limits: Sequence[JointLimits],
-) -> Refusal | None:
-    """Return why the arm cannot follow a path from its present angles, or ``None`` if it can.
+def led_joints(
+    kinematics: Kinematics, path: ToolPath, start_deg: Sequence[float]
+) -> Matrix | Refusal:
+    """Return (n, 6) the joint angles along a path, or why the arm cannot follow it.
 
     Args:
         kinematics: The arm's kinematics.
         path: The path; it begins at the flange.
         start_deg: The present joint angles.
-        limits: The limits of the six joints.
     """
-    joints = follow(kinematics.geometry, places(path)[None], np.array([start_deg]))[0]
+    joints: Matrix = follow(kinematics.geometry, places(path)[None], np.array([start_deg]))[0]
     singular = leaps(joints, _FINE_STEPS)
     for index in range(1, len(joints)):
         gone_percent = round(100.0 * index / (len(joints) - 1))
@@ -95,10 +86,7 @@ def check_path(
         if singular[index - 1]:
             joint = int(np.argmax(np.abs(here - joints[index - 1]))) + 1
             return PATH_SINGULAR(joint=joint, gone=gone_percent)
-        beyond = check_joints(here.tolist(), limits)
-        if beyond is not None:
-            return PATH_BEYOND_LIMITS(**beyond.params, gone=gone_percent)
-    return None
+    return joints
 
 
 def places(path: ToolPath) -> Matrix:

@@ -18,7 +18,9 @@ import can
 
 from armui.bus.send_errors import flush_transmit_queue, obeys_its_timeout, queue_is_full
 from armui.protocol.frame import Frame
+from armui.protocol.motion_frames import is_motion_frame
 from armui.system.clock import steady_s
+from armui.ways.passes import Pass
 
 if TYPE_CHECKING:
     import can
@@ -32,6 +34,10 @@ BLOCKED_S: Final = 0.5
 _PATIENCE_S: Final = 0.02
 """The time the caller of a stop waits for the frame in the driver, or for the sending thread."""
 _SEND_TIMEOUT_S: Final = 0.05
+
+
+class UnpassedMotionError(Exception):
+    """A part of the program was about to send a motion frame without a pass of the gate."""
 
 
 @dataclass(eq=False, slots=True)
@@ -136,7 +142,11 @@ class Outbox:
             self._changed.notify_all()
 
     def put(
-        self, frames: Iterable[Frame], keep_s: float = KEEP_S, command: int | None = None
+        self,
+        frames: Iterable[Frame],
+        keep_s: float = KEEP_S,
+        command: int | None = None,
+        passed: Pass | None = None,
     ) -> bool:
         """Queue frames in order, as one batch: all of them go out, or none.
 
@@ -148,12 +158,20 @@ class Outbox:
             frames: The frames to send.
             keep_s: A batch that could not begin within this time is dropped.
             command: The number of the command it belongs to; see :meth:`void`.
+            passed: The gate's pass, without which no motion frame is taken (safety S35). What is
+                urgent needs none: stop, halt, and what ends a motion.
 
         Returns:
             True if they were queued; false without a bus, or in listen-only mode.
+
+        Raises:
+            UnpassedMotionError: There is a motion frame among them, and no pass.
         """
         now_s = self._clock()
         batch = _Batch(deque(frames), now_s + keep_s, command)
+        if passed is None and any(map(is_motion_frame, batch.frames)):
+            names = ", ".join(f"0x{frame.arbitration_id:03X}" for frame in batch.frames)
+            raise UnpassedMotionError(f"no pass of the gate for {names}: ask it before sending")
         with self._changed:
             if self._port is None or self._listen_only:
                 return False

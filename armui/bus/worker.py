@@ -30,6 +30,7 @@ from armui.protocol.frame import Frame, FrameFlag
 from armui.system.clock import steady_s
 from armui.system.failures import is_our_own
 from armui.telemetry.listener import Listener
+from armui.ways.passes import Pass
 
 _MARKS_NEIGHBOURS: Final = frozenset({"socketcan"})
 """Back-ends that mark frames of other programs on the same PC as not received.
@@ -137,10 +138,14 @@ class BusWorker(QThread):
         return self._queue.dropped
 
     def send(
-        self, frames: Sequence[Frame], keep_s: float | None = None, command: int | None = None
+        self,
+        frames: Sequence[Frame],
+        keep_s: float | None = None,
+        command: int | None = None,
+        passed: Pass | None = None,
     ) -> bool:
         """Queue frames in order; false if the device is not open; see :meth:`Outbox.put`."""
-        return self._outbox.put(frames, KEEP_S if keep_s is None else keep_s, command)
+        return self._outbox.put(frames, KEEP_S if keep_s is None else keep_s, command, passed)
 
     def holds(self, command: int) -> bool:
         """Return whether a frame of a command is not out yet; see :meth:`Outbox.holds`."""

@@ -47,6 +47,7 @@ if TYPE_CHECKING:
     from armui.control.link.arm_mark import ArmMark
     from armui.control.link.connection import LINK_BREAKS, MakeWorker
     from armui.control.operations.started import Started
+    from armui.control.safety.gate import Background
     from armui.telemetry.store import Telemetry
 
 RUN_LEFT = Reason(
@@ -83,6 +84,7 @@ class ArmController(ControllerParts):
         wall: Returns the local time of a monotonic time; by default by this computer's clock.
         make_worker: Makes what stands in the place of the bus thread, as for a log.
         wait: Lets seconds pass, at the end of the program.
+        background: Has a thread check a long way; by default one of the gate's own.
 
     Signals:
         state_changed: An :class:`ArmState`, at most 30 times a second, when something was heard.
@@ -110,10 +112,12 @@ class ArmController(ControllerParts):
         wall: Callable[[float], datetime] | None = None,
         make_worker: MakeWorker | None = None,
         wait: Callable[[float], object] = time.sleep,
+        background: Background | None = None,
     ) -> None:
         super().__init__(parent)
         self.noticed.connect(self._on_noticed)  # before anybody who asks for the entry
         self._replays = make_worker is not None
+        self._background = background
         self._clock, self._wall, self._wait = clock, wall or wall_clock(clock), wait
         self._finder = DeviceFinder(simulated, find, self)
         self._finder.found.connect(self.devices_found)
@@ -135,6 +139,7 @@ class ArmController(ControllerParts):
             self._assessor.refresh,
             self._assessor.observe,
             authority,
+            lambda: self.gate,
         )
         self._parts = Parts(self._tell, self._on_part_failed)
         self._motion_end = MotionEnd(
@@ -241,6 +246,7 @@ class ArmController(ControllerParts):
         closed = self._connection.end(_END_S)
         written = "sessions" not in vars(self) or self.sessions.end()
         unread = "gamepad" not in vars(self) or self.gamepad.end()
+        self.gate.end()
         return all((written, unread, self._finder.end(_END_S), closed))
 
     def emergency_stop(self) -> None:

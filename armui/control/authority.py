@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from armui.control.operations.started import Started
     from armui.control.safety.overspeed import ToolPace
     from armui.kinematics.poses import Matrix
+    from armui.ways.way import Way
 
 PART_FAILED = Reason(
     "part_failed",
@@ -327,6 +328,7 @@ class Authority:
         leads_away: bool = False,
         pace: ToolPace | None = None,
         started: Started | None = None,
+        way: Way | None = None,
     ) -> MotionCommand:
         """Make a new command of ours the current one, in the place of the last.
 
@@ -340,6 +342,7 @@ class Authority:
             leads_away: True if the tool was measured elsewhere than its target.
             pace: Of a line or an arc: how fast the tool goes at 100 %.
             started: The operation that it carries out.
+            way: The way that the gate has passed.
         """
         if self.moves:
             self._slow_down(0, now_s)
@@ -351,6 +354,7 @@ class Authority:
         self.command = MotionCommand(
             *(self._number, kind, now_s, speed_percent, target_deg, tool, leads_away, pace),
             started,
+            way,
         )
         self.arm_percent, self._mode_sent = speed_percent, (move_mode, now_s)
         self._cancelled_s, self.cancel_unheeded = None, False
@@ -412,6 +416,7 @@ class Authority:
     def cancelled(self, now_s: float) -> None:
         """Note that the arm was told to end its motion: an earlier command never comes back."""
         self._end(End.CANCELLED)
+        self._number += 1  # void is also what waits to be checked
         self.holds = frozenset()
         self._left_by_another = self._met_moving = self._cancel_repeated = False
         self._cancelled_s, self.cancel_unheeded = now_s, False
@@ -430,6 +435,7 @@ class Authority:
     def end_command(self, reason: End) -> None:
         """End our command: no step starts from its target any more."""
         self._end(reason)
+        self._number += 1
         if reason in {End.STOPPED, End.DISABLED, End.FORGOTTEN}:
             self.holds = frozenset()
             self._cancelled_s, self.cancel_unheeded = None, False

@@ -27,10 +27,12 @@ from armui.telemetry.events import EventKind, Level
 
 if TYPE_CHECKING:
     from armui.control.link.connection import Connection
+    from armui.control.safety.gate import Gate
     from armui.control.safety.overspeed import ToolPace
     from armui.kinematics.poses import Matrix
     from armui.protocol.codes import MoveMode
     from armui.protocol.frame import Frame
+    from armui.ways.passes import Pass
 
 COMMAND_OVER = Reason(
     "command_over", "Something else has ended this motion. Look at the arm, then start again."
@@ -58,6 +60,7 @@ class Context:
             it where it has changed that state itself.
         observe: Gives the authority all feedback received so far, and does nothing more.
         authority: Knows who moves the arm, and our own command.
+        gate: Returns what checks every motion.
     """
 
     connection: Connection
@@ -68,6 +71,7 @@ class Context:
     refresh: Callable[[], OperatingState]
     observe: Callable[[], None]
     authority: Authority
+    gate: Callable[[], Gate]
 
     def refuse(self, refusal: Refusal) -> Refusal:
         """Tell the operator why something was not done; return the reason."""
@@ -105,6 +109,7 @@ class Context:
         kind: CommandKind,
         frames: Sequence[Frame],
         *,
+        passed: Pass,
         started: Started,
         move_mode: MoveMode,
         speed_percent: int,
@@ -119,6 +124,7 @@ class Context:
         Args:
             kind: The kind of the command.
             frames: Targets and mode word, in order.
+            passed: The gate's pass for it.
             started: The operation that the motion carries out; a refusal closes it.
             move_mode: The kind of motion in the mode word.
             speed_percent: The speed percentage in the mode word.
@@ -147,9 +153,10 @@ class Context:
             tool=tool,
             leads_away=leads_away,
             pace=self._pace(way) if way else None,
+            way=passed.way,
         )
         self.connection.void(command.number)
-        if not self.connection.send([*lead, *frames], keep_s, command.number):
+        if not self.connection.send([*lead, *frames], keep_s, command.number, passed):
             self.authority.end_command(End.NOT_SENT)
             return LINK_LOST()
         return command
@@ -165,6 +172,7 @@ class Context:
         command: MotionCommand,
         frames: Sequence[Frame],
         *,
+        passed: Pass,
         joints_deg: Sequence[float],
         keep_s: float | None = None,
     ) -> MotionCommand | Refusal:
@@ -173,6 +181,7 @@ class Context:
         Args:
             command: The stream's command, as returned by the last call.
             frames: The setpoint's.
+            passed: The gate's pass for it.
             joints_deg: Its six angles.
             keep_s: Frames that could not be sent within this time are dropped.
         """
@@ -182,7 +191,7 @@ class Context:
         further = self.authority.extend(command, joints_deg, self.clock())
         if further is None:
             return COMMAND_OVER()
-        if not self.connection.send(frames, keep_s, further.number):
+        if not self.connection.send(frames, keep_s, further.number, passed):
             self.authority.end_command(End.NOT_SENT)
             return LINK_LOST()
         return further
@@ -208,6 +217,8 @@ class Context:
     def tell_percent(self, percent: int) -> bool:
         """Send another speed percentage in the arm's present mode; return false if impossible.
 
+        It changes how fast the arm goes on a way that was passed, and no way.
+
         While a motion is held back, or may be, only 0 % is sent: any other value would set it
         going.
         """
@@ -215,7 +226,10 @@ class Context:
         authority = self.authority
         refusal = authority.why_no_speed(percent)
         mode = None if refusal is not None else authority.mode_in_force()
-        if mode is None or not self.connection.send(self.speed_frames(mode, percent)):
+        passed = self.gate().ask_no_way()
+        if mode is None or not self.connection.send(
+            self.speed_frames(mode, percent), passed=passed
+        ):
             return False
         self.authority.told_percent(percent)
         return True

@@ -6,6 +6,7 @@ is opened.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -33,13 +34,14 @@ from armui.control.motion.joint_motion import Motion
 from armui.control.motion.motion_command import End
 from armui.control.motion.planned_motion import PlannedMotion
 from armui.control.operations.operation import Operations
-from armui.control.parameters.arm_model import tool_capsule
+from armui.control.parameters.arm_model import planning_model, tool_capsule
 from armui.control.parameters.arm_settings import ArmSettings
 from armui.control.requests.transactions import TransactionQueue
 from armui.control.run.player import Player
 from armui.control.run.recorder import Recorder
 from armui.control.run.replayer import Replayer
 from armui.control.run.speed_override import SpeedOverride
+from armui.control.safety.gate import Gate
 from armui.control.safety.mode_exit import ModeExitCommand
 from armui.control.safety.recovery import Recovery
 from armui.control.sessions.session_recorder import SessionRecorder
@@ -51,9 +53,11 @@ if TYPE_CHECKING:
     from armui.arm.refusal import Refusal
     from armui.control.context import Context, ControllerPart
     from armui.control.event_log.collector import EventCollector
+    from armui.control.safety.gate import Background
     from armui.control.safety.reference_control import ReferenceControl, ReferenceMemory
     from armui.control.sessions.choices import SessionChoices
     from armui.telemetry.events import EventLog
+    from armui.ways.rules import Rules
 
 
 class ControllerParts(QObject):
@@ -76,13 +80,35 @@ class ControllerParts(QObject):
     """Keeps what is known of each arm's reference; by default nothing is kept."""
     _context: Context
     """The context that the parts share; the controller sets it before it asks for any."""
+    _background: Background | None
+    """Has a thread check a long way; the controller sets it likewise."""
     _wall: Callable[[float], datetime]
     """Returns the local time of a monotonic time; the controller sets it likewise."""
 
     @cached_property
     def motion(self) -> Motion:
         """Moves the joints."""
-        return Motion(self._context, self.jog_floor, self.area_guard)
+        return Motion(self._context)
+
+    @cached_property
+    def gate(self) -> Gate:
+        """Checks every motion."""
+        return Gate(self._context, self._scene, self._background)
+
+    def _scene(self) -> tuple[object, Callable[[], Rules]]:
+        """Return what the rules depend on, and what makes them."""
+        now, lowest_mm = self._context.operating_state(), self.jog_floor.lowest_mm
+        tool = (self.cartesian.tool, self.cartesian.tool_radius_mm)
+        of = (now.limits, now.model_fit, self.cell.cell, tool, lowest_mm)
+
+        def make() -> Rules:
+            from armui.ways.rules import rules_of  # noqa: PLC0415 - numpy
+
+            arm = planning_model(self._context.state(), now, *tool)
+            arm = replace(arm, held=self.cell.held_shape, rising=self.cell.rising)
+            return rules_of(arm, self.area_guard.check(), lowest_mm)
+
+        return of, make
 
     @cached_property
     def jog_floor(self) -> JogFloor:
@@ -107,7 +133,7 @@ class ControllerParts(QObject):
     @cached_property
     def cartesian(self) -> Cartesian:
         """Moves the tool."""
-        return Cartesian(self._context, self.motion, self.jog_floor, self.area_guard)
+        return Cartesian(self._context, self.motion)
 
     @cached_property
     def cell(self) -> CellControl:
@@ -117,8 +143,7 @@ class ControllerParts(QObject):
     @cached_property
     def jogging(self) -> Jogging:
         """Moves joints and tool while something is held."""
-        limits = (self.jog_floor, self.area_guard)
-        return Jogging(self._context, self.motion, self.cartesian, limits)
+        return Jogging(self._context, self.motion, self.cartesian)
 
     @cached_property
     def gamepad(self) -> GamepadPilot:
@@ -212,7 +237,6 @@ class ControllerParts(QObject):
             self._context,
             self.reference_memory,
             lambda: self._wall(self._context.clock()),
-            self.area_guard.why_no_joints,
         )
 
     @cached_property
@@ -297,6 +321,7 @@ class ControllerParts(QObject):
         """Return those that follow an arm, in the order in which they act; recovery is last."""
         return (
             self.motors,
+            self.gate,
             self.motion,
             self.planned_motion,
             self.player,
@@ -334,6 +359,7 @@ class ControllerParts(QObject):
         self.player.stop()
         self.replayer.stop()
         self.jogging.stop()
+        self.gate.halt()
 
     def _end_run_because(self, reason: Refusal) -> None:
         self.player.end_run(reason)

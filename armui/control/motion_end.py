@@ -134,6 +134,7 @@ class MotionEnd:
             self._owe_end()
         try:
             ways = (
+                self._controller.gate.halt,
                 self._end_gamepad,
                 self._end_jog,
                 self._end_replay,

@@ -9,7 +9,7 @@ from armui.cell.cell import Cell, with_part
 from armui.cell.user_frames import UserFrame
 from armui.control.cell.cell_reasons import CELL_NOT_CONFIRMED
 from armui.control.motion.cartesian import FRAME_NOT_IN_FORCE
-from armui.control.motion.jog_floor import JOG_TOO_LOW
+from armui.ways.rules import TOO_LOW
 from armui.control.motion.jog_path import ToolJog
 from armui.control.motion.jogging import JOG_NO_FEEDBACK
 from armui.control.motion.steered_path import SteeredJog
@@ -132,7 +132,7 @@ def test_it_ends_at_the_lowest_height_though_its_z_points_down(ready):
     ready.controller.jog_floor.lowest_mm = limit
     accepted(ready.controller.jogging.start(ToolJog(2, 1, FLIPPED)))
     drive(ready, None, 4.0)
-    assert ended(ready).reason == JOG_TOO_LOW
+    assert ended(ready).reason == TOO_LOW
     assert limit <= tip_mm(ready.firmware.joints_deg) < limit + 2.0
 
 

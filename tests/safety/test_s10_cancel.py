@@ -108,4 +108,10 @@ def test_an_end_is_not_told_again_after_what_came_since(moving, after):
     else:
         accepted(controller.motion.send_joints((0.0, 20.0, -20.0, 0.0, 0.0, 0.0)))
     rig.run(1.5)
-    assert bytes([0, 6, 0, 0, 0, 0, 0, 0]) not in {bytes(one.data) for one in rig.heard()}
+    heard = list(rig.heard())
+    if after == "a motion of ours":
+        # the arm brakes for it: once it is sent, no end follows it
+        sent = [one.arbitration_id for one in heard]
+        heard = heard[sent.index(0x155) :]
+        assert rig.firmware.joints_deg[1] == pytest.approx(20.0, abs=1.0)
+    assert bytes([0, 6, 0, 0, 0, 0, 0, 0]) not in {bytes(one.data) for one in heard}

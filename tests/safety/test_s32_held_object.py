@@ -14,7 +14,7 @@ from armui.control.cell.cell_reasons import (
     CELL_WHILE_MOVING,
     HELD_IN_HAND,
 )
-from armui.control.motion.jog_floor import JOG_TOO_LOW
+from armui.ways.rules import TOO_LOW
 from armui.control.operating_state import JOG_UNDER_WAY, RUN_UNDER_WAY
 from armui.control.parameters.arm_model import arm_model
 from armui.control.safety.recovery_steps import StepKind
@@ -129,7 +129,7 @@ def test_single_motions_runs_and_the_floor_count_it(rig):
     lowest = lowest_mm(BENT_DEG)
     assert controller.jog_floor.height_mm(BENT_DEG) == pytest.approx(lowest, abs=1e-6)
     controller.jog_floor.lowest_mm = round(lowest) + 50
-    assert controller.motion.jog(2, 5.0).reason in {JOG_TOO_LOW, AREA_IN_THE_WAY}
+    assert controller.motion.jog(2, 5.0).reason in {TOO_LOW, AREA_IN_THE_WAY}
     accepted(controller.cell.hold(""))
     assert controller.jog_floor.height_mm(BENT_DEG) > lowest + 50.0
     controller.jog_floor.lowest_mm = None

@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtWidgets import QCheckBox, QSpinBox
 
-from armui.control.motion.jog_floor import JOG_TOO_LOW
+from armui.ways.rules import TOO_LOW
 from armui.control.motion.jog_path import JointJog, ToolJog
 from armui.control.motion.steered_path import SteeredJog
 from armui.control.safety.recovery_steps import StepKind
@@ -52,9 +52,9 @@ def test_a_jog_ends_at_the_lowest_height(rig, jog):
     assert not rig.controller.jogging.active
     assert limit <= tip_mm(rig.firmware.joints_deg) < limit + 2.0
     (ended,) = [each for each in rig.events if each.code == "jog_ended"]
-    assert ended.params["reason"].reason == JOG_TOO_LOW
+    assert ended.params["reason"].reason == TOO_LOW
     assert ended.params["reason"].params["minimum"] == limit
-    assert f"jogs end at {limit} mm" in words.refusal(ended.params["reason"])
+    assert f"motions end at {limit} mm" in words.refusal(ended.params["reason"])
 
 
 def test_without_a_limit_it_goes_on(rig):
@@ -87,7 +87,7 @@ def test_single_steps_keep_to_it(rig):
     ):
         rig.heard()
         refusal = step()
-        assert refusal.reason == JOG_TOO_LOW
+        assert refusal.reason == TOO_LOW
         assert rig.heard() == []
     accepted(controller.motion.jog(2, -10.0))
 

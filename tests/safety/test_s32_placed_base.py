@@ -11,7 +11,7 @@ from armui.cell.cell import Cell, placed
 from armui.cell.placement import Placement
 from armui.cell.work_area import Area, AreaBox
 from armui.control.cell.cell_reasons import CELL_NOT_CONFIRMED, CELL_WHILE_MOVING
-from armui.control.motion.jog_floor import JOG_TOO_LOW
+from armui.ways.rules import TOO_LOW
 from armui.control.motion.jog_path import JointJog, ToolJog
 from armui.control.operating_state import JOG_UNDER_WAY
 from armui.control.parameters.arm_model import arm_model, start_deg
@@ -57,7 +57,7 @@ def test_a_jog_ends_at_the_lowest_height_over_the_floor_of_the_room(rig, placeme
     assert not rig.controller.jogging.active
     assert limit <= lowest_mm(rig.firmware.joints_deg, placement) < limit + 2.0
     (ended,) = [each for each in rig.events if each.code == "jog_ended"]
-    assert ended.params["reason"].reason == JOG_TOO_LOW
+    assert ended.params["reason"].reason == TOO_LOW
 
 
 def test_single_steps_keep_to_it(rig):
@@ -65,7 +65,7 @@ def test_single_steps_keep_to_it(rig):
     accepted(rig.controller.cell.take(placed(Cell("bench"), HANGING)))
     rig.controller.jog_floor.lowest_mm = round(lowest_mm(BENT_DEG, HANGING)) - 5
     rig.heard()
-    assert rig.controller.cartesian.step(2, 20.0, JogFrame.BASE).reason == JOG_TOO_LOW
+    assert rig.controller.cartesian.step(2, 20.0, JogFrame.BASE).reason == TOO_LOW
     assert rig.heard() == []
     accepted(rig.controller.cartesian.step(2, -20.0, JogFrame.BASE))
 

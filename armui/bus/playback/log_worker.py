@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from armui.session.frames import Channel
     from armui.session.session import Session
     from armui.telemetry.listener import Listener
+    from armui.ways.passes import Pass
 
 SLOWEST, FASTEST = 0.1, 20.0
 _TURN_S: Final = 0.01
@@ -127,6 +128,7 @@ class LogWorker(QThread):
         frames: Sequence[Frame],  # noqa: ARG002 - as a bus worker
         keep_s: float | None = None,  # noqa: ARG002
         command: int | None = None,  # noqa: ARG002
+        passed: Pass | None = None,  # noqa: ARG002
     ) -> bool:
         """Return false: nothing can be sent to a log."""
         return False

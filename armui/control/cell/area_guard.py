@@ -1,25 +1,22 @@
-"""Keeps motions of this program out of the forbidden side of a cell's work area.
+"""Watches the forbidden side of a cell's work area.
 
-A jog ends before it by its setpoints: the arm rests at the last one. A single motion is refused by
-its planned way. A hand, gravity and other hosts cannot be kept out: that they have come in is told
-at once, and ends their motion if the operator wants that.
+The gate keeps our own motions out of it. A hand, gravity and other hosts cannot be kept out: that
+they have come in is told at once, and ends their motion if the operator wants that.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.refusal import Refusal
 from armui.control.cell.intrusion import AreaIntrusion
 from armui.control.context import ControllerPart
 from armui.control.events import Notice
 from armui.control.motion.motion_command import Mover
 from armui.control.operating_state import StopState
-from armui.control.parameters.arm_model import planning_model
 from armui.telemetry.events import Asker, EventKind, Level
-from armui.trajectory.points.program import Trajectory, Waypoint
 
 # The checks bring numpy along. They are loaded for the first area: the window starts without them.
 if TYPE_CHECKING:
@@ -48,11 +45,13 @@ AREA_LEFT = Notice(
 )
 
 
+_DEEPER_MM: Final = 5.0
+"""Who goes on so much deeper is stopped once more."""
 _OTHERS: Final = frozenset({Mover.HAND, Mover.OTHER_HOST, Mover.LEADER})
 
 
 class AreaGuard(ControllerPart):
-    """Asks the work area of the cell, for everything that moves.
+    """Knows the work area of the cell, and watches who comes into it.
 
     Args:
         context: The context that the controller's parts share.
@@ -76,7 +75,7 @@ class AreaGuard(ControllerPart):
         self._check: AreaCheck | None = None
         self._measured: tuple[object, ...] = ()
         self._seen: tuple[AreaEntry, ...] = ()
-        self._was_in = False
+        self._inside: dict[str, float] = {}
         self._ran = True
 
     # What is known ----------------------------------------------------------------------------
@@ -102,13 +101,24 @@ class AreaGuard(ControllerPart):
         joints_deg, check = self._context.state().angles_deg(), self.check()
         return "" if joints_deg is None or check is None else ", ".join(check.below(joints_deg))
 
+    def entered(self, state: ArmState) -> tuple[AreaEntry, ...]:
+        """Return the planes and boxes that the measured arm is too near to, nearest first."""
+        check = self.check()
+        if check is None:
+            return ()
+        return tuple(each for each in self.look(state) if check.is_too_near(each))
+
     def intrusion(self, state: ArmState) -> AreaIntrusion | None:
-        """Return where the measured arm is too near to its area, or ``None``."""
-        check, seen = self.check(), self.look(state)
-        if check is None or not seen or not check.is_too_near(seen[0]):
+        """Return where the measured arm is too near to its area most, or ``None``."""
+        entered = self.entered(state)
+        if not entered:
             return None
-        value_mm = max(1, round(check.margin_mm - seen[0].gap_mm))
-        return AreaIntrusion(seen[0].zone.name, seen[0].part, value_mm)
+        nearest = entered[0]
+        return AreaIntrusion(nearest.zone.name, nearest.part, self._too_near(nearest))
+
+    def _too_near(self, entry: AreaEntry) -> int:
+        check = self.check()
+        return 0 if check is None else max(1, round(check.margin_mm - entry.gap_mm))
 
     def check(self) -> AreaCheck | None:
         """Return the checks of the present arm, tool, held object and area; ``None`` if free."""
@@ -136,78 +146,33 @@ class AreaGuard(ControllerPart):
         body = carried_body(now.model, now.model_fit.geometry, self._tool(), cell)
         return AreaCheck(cell.area, body, cell.placement.rising)
 
-    # What is asked before something moves -----------------------------------------------------
-
-    def why_no_further(
-        self, ahead_deg: Sequence[float], now_deg: Sequence[float], sag_deg: Sequence[float]
-    ) -> Refusal | None:
-        """Return why a jog may not go on; an arm that is inside may go out.
-
-        Args:
-            ahead_deg: The next setpoint.
-            now_deg: The present one.
-            sag_deg: How far the joints rest behind their setpoints, under load.
-        """
-        check = self.check()
-        if check is None:
-            return None
-        ahead, now = ((pose, _less(pose, sag_deg)) for pose in (ahead_deg, now_deg))
-        return check.why_no_further(ahead, now)
-
-    def why_no_joints(self, target_deg: Sequence[float]) -> Refusal | None:
-        """Return why a motion of the joints from where the arm is to six angles is refused."""
-        check = self.check()
-        if check is None:
-            return None
-        return check.why_no_way([*self._places(), target_deg])
-
-    def why_no_point(self, point: Waypoint) -> Refusal | None:
-        """Return why a motion to a point is refused: somewhere its planned way is too near.
-
-        Args:
-            point: The point; its poses are of the flange.
-        """
-        check = self.check()
-        if check is None:
-            return None
-        if point.is_joint:
-            return self.why_no_joints(point.target)
-        from armui.trajectory.planning.timing import plan_path  # noqa: PLC0415 - scipy
-
-        context = self._context
-        arm = planning_model(context.state(), context.operating_state(), self._tool())
-        trajectory = Trajectory("", points=(point,))
-        for start_deg in self._places():
-            refusal = check.why_no_way(plan_path(trajectory, arm, start_deg).joints_deg)
-            if refusal is not None:
-                return refusal
-        return None
-
-    def _places(self) -> list[tuple[float, ...]]:
-        """Return where the next motion may begin: as measured, and where a motion of ours ends."""
-        context = self._context
-        measured_deg = context.state().angles_deg()
-        if measured_deg is None:
-            return []
-        asked_deg = context.authority.joint_base_deg() if context.authority.moves else None
-        return [measured_deg] if asked_deg is None else [measured_deg, tuple(asked_deg)]
-
     # The controller's tick --------------------------------------------------------------------
 
     def follow_arm(self) -> None:
-        """Tell that the arm has come in or gone out, and stop who else moves it if wanted."""
+        """Tell what the arm has come into or left, and stop who else moves it if wanted.
+
+        Each plane and box counts by itself: who is inside one may come into another.
+        """
         context = self._context
-        found = self.intrusion(context.connection.newest)
-        if found is not None and not self._was_in:
-            figures = {"name": found.name, "part": found.part, "value": found.value_mm}
-            context.tell(AREA_ENTERED, **figures)
-            area = self.area
-            stops = area is not None and area.stops_others
-            if stops and context.authority.mover in _OTHERS:
-                self._halt()
-        elif found is None and self._was_in:
+        state = context.connection.newest
+        inside = {each.zone.name: each for each in self.entered(state)}
+        for name, entry in inside.items():
+            if name not in self._inside:
+                context.tell(AREA_ENTERED, name=name, part=entry.part, value=self._too_near(entry))
+        if self._inside and not inside:
             context.tell(AREA_LEFT)
-        self._was_in = found is not None
+        deeper = [
+            name
+            for name, entry in inside.items()
+            if entry.gap_mm < self._inside.get(name, math.inf) - _DEEPER_MM
+        ]
+        self._inside = {
+            name: entry.gap_mm if name in deeper else self._inside[name]
+            for name, entry in inside.items()
+        }
+        area, others = self.area, context.authority.mover in _OTHERS
+        if deeper and others and area is not None and area.stops_others:
+            self._halt()
         runs = context.operating_state().stop is StopState.RUNNING
         if self._ran and not runs and (names := self.below()):
             context.tell(AREA_BELOW, names=names)
@@ -215,8 +180,5 @@ class AreaGuard(ControllerPart):
 
     def forget_arm(self) -> None:
         """Forget where the arm was: it may be another one that comes."""
-        self._measured, self._seen, self._was_in = (), (), False
-
-
-def _less(pose_deg: Sequence[float], sag_deg: Sequence[float]) -> tuple[float, ...]:
-    return tuple(angle - sag for angle, sag in zip(pose_deg, sag_deg, strict=True))
+        self._measured, self._seen = (), ()
+        self._inside = {}

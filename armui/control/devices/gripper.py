@@ -299,7 +299,9 @@ class GripperControl(ControllerPart):
             return self._context.refuse(refusal or GRIPPER_SILENT())
         by_angle = self.tells_angle
         asked = travel if uncalibrated else self._asked(travel, figures.travel.unit)
-        if not self._context.connection.send(self._hold(asked, effort, by_angle=by_angle)):
+        frames = self._hold(asked, effort, by_angle=by_angle)
+        passed = self._context.gate().ask_no_way()
+        if not self._context.connection.send(frames, passed=passed):
             return self._context.refuse(LINK_LOST())
         self._drop_request()
         unit, started = figures.travel.unit, record_start(self.move)
@@ -417,7 +419,8 @@ class GripperControl(ControllerPart):
         self._drop_request()
         self._action = action
         started = self._started = record_start(method)
-        request = self._request = Request(context, frames, shows)
+        passed = context.gate().ask_no_way()
+        request = self._request = Request(context, frames, shows, passed=passed)
         context.tell(GRIPPER_ACT_SENT, started, act=action)
         if self._request is request:  # a failure in who is told ends what is under way
             request.advance()
@@ -497,7 +500,7 @@ class GripperControl(ControllerPart):
         if context.authority.other.why_not() is None:
             by_angle = heard.value.opening_mm is None
             here = self._hold(heard.value.travel, travel.effort, by_angle=by_angle)
-            context.connection.send(here)
+            context.connection.send(here, passed=context.gate().ask_no_way())
 
     def halt(self) -> None:
         """Drop the pending request, because the arm is to stop."""

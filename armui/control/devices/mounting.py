@@ -84,7 +84,8 @@ class MountingControl:
             speed_percent=percent,
             mounting=mounting,
         )
-        if not context.connection.send([*context.cancel_frames(), *frames]):
+        passed = context.gate().ask_no_way()
+        if not context.connection.send([*context.cancel_frames(), *frames], passed=passed):
             return context.refuse(LINK_LOST())
         context.authority.told_percent(percent)
         started = record_start(self.tell)

@@ -8,7 +8,12 @@ from typing import Final
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.control.context import Context, ControllerPart
-from armui.control.devices.teaching_phase import TeachingPhase, phase_of, why_not_teach
+from armui.control.devices.teaching_phase import (
+    DRIVES,
+    TeachingPhase,
+    phase_of,
+    why_not_teach,
+)
 from armui.control.events import Notice
 from armui.control.operations.operation import operation, record_start
 from armui.control.operations.started import Ending, Started
@@ -74,6 +79,9 @@ class TeachingControl(ControllerPart):
         refusal = why_not_teach(context.refresh(), command)
         if refusal is not None:
             return context.refuse(refusal)
+        passed = context.gate().ask_unknown() if command in DRIVES else None
+        if isinstance(passed, Refusal):
+            return context.refuse(passed)
         self._drop_request()
         started = record_start(self.command)
         context.tell(TEACHING_SENT, started, command=int(command))
@@ -82,7 +90,7 @@ class TeachingControl(ControllerPart):
         self._request = (
             Request(context, frames, _shows(command))
             if command in _ENDS_SOMETHING
-            else Request(context, frames, _shows(command), _ANSWER_S, attempts=1)
+            else Request(context, frames, _shows(command), _ANSWER_S, 1, passed)
         )
         self._request.advance()
         context.refresh()

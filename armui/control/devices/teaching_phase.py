@@ -57,7 +57,7 @@ class TeachingPhase(enum.Enum):
     PAUSED = enum.auto()
 
 
-_REPLAYING: Final = frozenset(
+DRIVES: Final = frozenset(
     {TeachingState.RUN_RECORDING, TeachingState.CONTINUE, TeachingState.MOVE_TO_START}
 )
 _BY_STATUS: Final[Mapping[int, TeachingPhase]] = {
@@ -124,7 +124,7 @@ def phase_of(status: Status) -> TeachingPhase:
         return TeachingPhase.RECORDING
     if status.teaching == TeachingState.PAUSE:
         return TeachingPhase.PAUSED
-    if status.teaching in _REPLAYING and not status.reached:
+    if status.teaching in DRIVES and not status.reached:
         return TeachingPhase.REPLAYING
     return TeachingPhase.IDLE
 
@@ -172,7 +172,7 @@ def why_not_teach(now: OperatingState, command: TeachingState) -> Refusal | None
 
 def _why_not_driven(now: OperatingState, command: TeachingState) -> Refusal | None:
     """Return why the arm may not drive itself; led by hand, nothing drives it."""
-    if now.keeps_area and command in _REPLAYING:
+    if now.keeps_area and command in DRIVES:
         return AREA_WAY_UNKNOWN()
     if now.reference.checking or command is not TeachingState.START_RECORDING:
         return now.reference.why_not_run()

@@ -111,7 +111,8 @@ class BusAccess:
             return context.refuse(refusal)
         connection.note_by_hand(frame)
         context.observe()  # ours ends first, and what waits of it is dropped
-        if not connection.send([frame], _KEEP_S):
+        passed = context.gate().ask_held() if held else None
+        if not connection.send([frame], _KEEP_S, passed=passed):
             return context.refuse(LINK_LOST())
         context.tell(FRAME_SENT_BY_HAND, frame=str(frame))
         context.refresh()

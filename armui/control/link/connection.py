@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from armui.protocol.codec import Codec
     from armui.telemetry.listener import Listener
     from armui.telemetry.store import Telemetry
+    from armui.ways.passes import Pass
 
 CONNECTED = Notice("connected", "Device open: {device}", Level.INFO, EventKind.LINK, Asker.OPERATOR)
 CONNECT_FAILED = Notice("connect_failed", "Not connected. {reason}", Level.FAULT, EventKind.LINK)
@@ -310,7 +311,11 @@ class Connection(QObject):
         self._by_hand.note(frame.arbitration_id, frame.data, self._clock())
 
     def send(
-        self, frames: Sequence[Frame], keep_s: float | None = None, command: int | None = None
+        self,
+        frames: Sequence[Frame],
+        keep_s: float | None = None,
+        command: int | None = None,
+        passed: Pass | None = None,
     ) -> bool:
         """Queue frames as one batch; return false if no device is open or it is listen-only.
 
@@ -318,8 +323,9 @@ class Connection(QObject):
             frames: The frames in their order.
             keep_s: A batch that could not begin within this time is dropped.
             command: The number of the command it belongs to; see :meth:`void`.
+            passed: The gate's pass, without which no motion frame is sent.
         """
-        return self._worker is not None and self._worker.send(frames, keep_s, command)
+        return self._worker is not None and self._worker.send(frames, keep_s, command, passed)
 
     def holds(self, command: int) -> bool:
         """Return whether a frame of a command has not been handed to the device yet."""

@@ -8,6 +8,7 @@ counts.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.model_check import MODEL_DIFFERS, ModelFit, fitting_models
@@ -20,8 +21,10 @@ from armui.control.events import Notice
 from armui.control.motion.jog_path import MotionFrame, axes_of, axis_in
 from armui.control.motion.joint_motion import why_not_move
 from armui.control.motion.motion_command import CommandKind
-from armui.control.motion.point_frames import leading_mode
+from armui.control.motion.point_frames import leading_mode, point_way
 from armui.control.operations.operation import operation, record_start
+from armui.control.parameters.arm_model import planning_model
+from armui.control.safety.gate import MotionRequest
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.kinematics import poses
 from armui.kinematics.arm_kinematics import Kinematics
@@ -35,12 +38,13 @@ from armui.trajectory.points.program import Waypoint
 # The kinematics and what stands on it bring numpy and scipy along. They are loaded when the first
 # pose is asked for: the window starts without them.
 if TYPE_CHECKING:
-    from armui.control.cell.area_guard import AreaGuard
-    from armui.control.motion.jog_floor import JogFloor
+    from armui.arm.models import ArmModel
     from armui.control.motion.joint_motion import Motion
     from armui.control.operations.started import Started
+    from armui.control.safety.gate import Plan
     from armui.kinematics.poses import Matrix
     from armui.protocol.frame import Frame
+    from armui.ways.way import Way
 
 POSE_UNKNOWN = Reason(
     "pose_unknown",
@@ -50,10 +54,6 @@ ARC_NOT_AT_START = Reason(
     "arc_not_at_start",
     "The arm stands {distance} mm and {turned}° away from the start of the arc. Press Go to "
     "start first.",
-)
-ARC_IS_NONE = Reason(
-    "arc_is_none",
-    "The three poses lie on a line, or two in one place: that is no arc. Capture others.",
 )
 FRAME_NOT_IN_FORCE = Reason(
     "frame_not_in_force",
@@ -102,18 +102,14 @@ class Cartesian(ControllerPart):
     Args:
         context: The context that the controller's parts share.
         motion: Owns the speed.
-        floor: Checks how low a step leads.
-        area: Checks where a motion leads in the work area.
 
     Attributes:
         tool_radius_mm: The radius of the capsule that stands for the tool in checks; 0 without one.
         frame: The user frame in force; ``None`` for the base. What is sent is always of the base.
     """
 
-    def __init__(self, context: Context, motion: Motion, floor: JogFloor, area: AreaGuard) -> None:
+    def __init__(self, context: Context, motion: Motion) -> None:
         self._context = context
-        self._area = area
-        self._floor = floor
         self._motion = motion
         self._model: Kinematics | None = None
         self._tool: tuple[float, ...] = _NO_TOOL
@@ -208,23 +204,20 @@ class Cartesian(ControllerPart):
             target: X, Y, Z in mm and RX, RY, RZ in degrees.
             move_mode: MOVE_P, or MOVE_L for a straight line.
         """
-        unknown = self.why_unknown()
-        if unknown is not None:
-            return unknown
-        from armui.arm.reach import check_path, check_pose  # noqa: PLC0415 - scipy
-        from armui.kinematics.tool_path import Line  # noqa: PLC0415 - scipy
+        way = self._plan(target, move_mode)(self._start_deg())
+        return way if isinstance(way, Refusal) else self._context.gate().judge(way)
 
-        model, start_deg = self.kinematics(), self._start_deg()
-        limits = self._context.operating_state().limits
-        flange = poses.flange_pose(target, self.tool)
-        answer = check_pose(model, flange, start_deg, limits)
-        if isinstance(answer, Refusal):
-            return answer
-        refusal = None
-        if move_mode is MoveMode.MOVE_L:
-            line = Line(model.matrix(start_deg), poses.pose_to_matrix(flange))
-            refusal = check_path(model, line, start_deg, limits)
-        return refusal or self._area.why_no_point(Waypoint(move_mode, tuple(flange)))
+    def _plan(self, target: Sequence[float], move_mode: MoveMode) -> Plan:
+        """Return what plans the way to a pose: by the nearest angles, or on a straight line."""
+
+        def plan(start_deg: Sequence[float]) -> Way | Refusal:
+            unknown = self.why_unknown()
+            if unknown is not None:
+                return unknown
+            point = Waypoint(move_mode, tuple(flange_pose(target, self.tool)))
+            return point_way(point, self._arm(), start_deg)
+
+        return plan
 
     @operation("tool.move", "Move the tool to a pose", why_not_move, moves=True, shown_first=True)
     def move(self, target: Sequence[float], move_mode: MoveMode) -> Started | Refusal:
@@ -255,10 +248,6 @@ class Cartesian(ControllerPart):
         measured = poses.tool_matrix(self.kinematics().matrix(measured_deg), self.tool)
         base = self._base(measured)
         target = poses.shifted(base, axis, amount, axes_of(frame))
-        ahead, now = (poses.flange_matrix(each, self.tool) for each in (target, base))
-        refusal = self._floor.why_pose_lower(ahead, now)
-        if refusal is not None:
-            return self._context.refuse(refusal)
         unit = " mm" if axis < LINEAR_AXES else "°"
         figures: dict[str, object] = {"axis": axis_in(frame, axis), "step": f"{amount:+g}{unit}"}
         pose = poses.matrix_to_pose(target)
@@ -273,38 +262,40 @@ class Cartesian(ControllerPart):
         Args:
             *points: Start, middle and end.
         """
-        context = self._context
-        refusal = context.refresh().cannot_move or self.why_unknown() or self.check_arc(*points)
-        if refusal is not None:
-            return context.refuse(refusal)
         start, middle, end = (flange_pose(point, self.tool) for point in points)
-        codec, percent = context.connection.codec, self._motion.speed_percent
-        frames = leading_mode(codec, context.state(), MoveMode.MOVE_C, percent)
-        frames += commands.move_arc(codec, start, middle, end, speed_percent=percent)
+        context, percent = self._context, self._motion.speed_percent
+
+        def frames() -> list[Frame]:
+            codec = context.connection.codec
+            leading = leading_mode(codec, context.state(), MoveMode.MOVE_C, percent)
+            return leading + commands.move_arc(codec, start, middle, end, speed_percent=percent)
+
+        started = record_start(self.move_arc)
         way = (start, middle, end)
-        return self._send(
-            *(frames, MoveMode.MOVE_C, points[-1], SENT_ARC, {}),
-            started=record_start(self.move_arc),
-            way=way,
-        )
+        request = self._request(started, MoveMode.MOVE_C, points[-1], self._plan_arc(points))
+        request = replace(request, frames=frames, tool_way=way, told=(SENT_ARC, {}))
+        return context.gate().begin(request)
 
     def check_arc(self, *points: Sequence[float]) -> Refusal | None:
         """Return why the arm cannot follow an arc from where it stands, or ``None``."""
-        from armui.arm.reach import check_path  # noqa: PLC0415 - scipy
-        from armui.kinematics.tool_path import Arc, ArcError  # noqa: PLC0415 - scipy
+        way = self._plan_arc(points)(self._start_deg())
+        return way if isinstance(way, Refusal) else self._context.gate().judge(way)
 
-        model, start_deg = self.kinematics(), self._start_deg()
-        flanges = [poses.flange_pose(point, self.tool) for point in points]
-        off_mm, off_deg = poses.apart(flanges[0], model.forward(start_deg))
-        if off_mm > _AT_START_MM or off_deg > _AT_START_DEG:
-            return ARC_NOT_AT_START(distance=round(off_mm, 1), turned=round(off_deg, 1))
-        try:
-            arc = Arc(*map(poses.pose_to_matrix, flanges))
-        except ArcError:
-            return ARC_IS_NONE()
-        limits = self._context.operating_state().limits
-        point = Waypoint(MoveMode.MOVE_C, tuple(flanges[2]), tuple(flanges[1]))
-        return check_path(model, arc, start_deg, limits) or self._area.why_no_point(point)
+    def _plan_arc(self, points: Sequence[Sequence[float]]) -> Plan:
+        """Return what plans the way along an arc, which begins at the first of three poses."""
+
+        def plan(start_deg: Sequence[float]) -> Way | Refusal:
+            unknown = self.why_unknown()
+            if unknown is not None:
+                return unknown
+            flanges = [flange_pose(point, self.tool) for point in points]
+            off_mm, off_deg = apart(flanges[0], self.kinematics().forward(start_deg))
+            if off_mm > _AT_START_MM or off_deg > _AT_START_DEG:
+                return ARC_NOT_AT_START(distance=round(off_mm, 1), turned=round(off_deg, 1))
+            point = Waypoint(MoveMode.MOVE_C, tuple(flanges[2]), tuple(flanges[1]))
+            return point_way(point, self._arm(), start_deg)
+
+        return plan
 
     def _move(
         self,
@@ -314,43 +305,39 @@ class Cartesian(ControllerPart):
         notice: Notice,
         figures: dict[str, object],
     ) -> Started | Refusal:
-        context = self._context
-        refusal = context.refresh().cannot_move or self.check(target, move_mode)
-        if refusal is not None:
-            return context.refuse(refusal)
-        codec, percent = context.connection.codec, self._motion.speed_percent
-        frames = leading_mode(codec, context.state(), move_mode, percent)
+        context, percent = self._context, self._motion.speed_percent
         flange = flange_pose(target, self.tool)
-        frames += commands.move_pose(codec, flange, speed_percent=percent, move_mode=move_mode)
-        way = (flange,) if move_mode is MoveMode.MOVE_L else ()
-        return self._send(frames, move_mode, target, notice, figures, started=started, way=way)
 
-    def _send(
-        self,
-        frames: Sequence[Frame],
-        move_mode: MoveMode,
-        target: Sequence[float],
-        notice: Notice,
-        figures: dict[str, object],
-        *,
-        started: Started,
-        way: Sequence[Sequence[float]],
-    ) -> Started | Refusal:
-        context = self._context
-        sent = context.send_motion(
-            CommandKind.POSE,
-            frames,
+        def frames() -> list[Frame]:
+            codec = context.connection.codec
+            leading = leading_mode(codec, context.state(), move_mode, percent)
+            return leading + commands.move_pose(
+                codec, flange, speed_percent=percent, move_mode=move_mode
+            )
+
+        request = self._request(started, move_mode, target, self._plan(target, move_mode))
+        way = (flange,) if move_mode is MoveMode.MOVE_L else ()
+        request = replace(request, frames=frames, tool_way=way, told=(notice, figures))
+        return context.gate().begin(request)
+
+    def _request(
+        self, started: Started, move_mode: MoveMode, target: Sequence[float], plan: Plan
+    ) -> MotionRequest:
+        """Return what every motion of the tool asks of the gate; its frames are added."""
+        return MotionRequest(
             started=started,
+            kind=CommandKind.POSE,
             move_mode=move_mode,
             speed_percent=self._motion.speed_percent,
+            plan=plan,
+            frames=list,
+            why_not=why_not_move,
             tool=pose_to_matrix(target),
             leads_away=self._leads_away(target),
-            way=way,
         )
-        if isinstance(sent, Refusal):
-            return context.refuse(sent)
-        context.tell(notice, started, **figures)
-        return started
+
+    def _arm(self) -> ArmModel:
+        return planning_model(self._context.state(), self._context.operating_state())
 
     def _leads_away(self, target: Sequence[float]) -> bool:
         """Return whether the tool is measured elsewhere than at a pose."""

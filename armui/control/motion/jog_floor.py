@@ -1,4 +1,4 @@
-"""Computes how low the arm reaches, and limits how low a jog may take it.
+"""Computes how low the arm reaches, and keeps how low the operator lets it be moved.
 
 Heights are over the plane the arm stands on, or over the room's floor where the cell says how the
 base stands in the room. The lowest of flange, fingertip and held object counts, as in the check
@@ -8,10 +8,9 @@ before a run.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 from armui.arm.models import Rising, model_data
-from armui.arm.refusal import Reason, Refusal
 from armui.kinematics.forward import flange_rows
 
 if TYPE_CHECKING:
@@ -19,22 +18,10 @@ if TYPE_CHECKING:
     from armui.arm.state import ArmState
     from armui.arm.tool_capsule import ToolCapsule
     from armui.control.context import Context
-    from armui.kinematics.poses import Matrix
-
-JOG_TOO_LOW = Reason(
-    "jog_too_low",
-    "The hand or what it holds would come to {value} mm; jogs end at {minimum} mm, as chosen under "
-    "Settings. Jog upwards.",
-)
-
-
-_PLACES: Final = 16
-"""The number of places at which a step is checked: a circle may be lowest on its way."""
-_SAME_MM: Final = 1e-6
 
 
 class JogFloor:
-    """Ends jogs and steps that lead below the operator's limit.
+    """Knows how low the arm reaches, and the operator's least height.
 
     Args:
         context: Knows the arm's geometry.
@@ -44,7 +31,7 @@ class JogFloor:
         rising: Returns how the base stands in the room.
 
     Attributes:
-        lowest_mm: The least height of the fingertip for jogs, or ``None`` for no limit.
+        lowest_mm: The least height for jogs and single motions, or ``None``; the gate asks it.
     """
 
     def __init__(
@@ -96,33 +83,3 @@ class JogFloor:
             below = round(-self.height_mm(joints_deg))
             self._measured, self._below_mm = measured, below if below > 0 else None
         return self._below_mm
-
-    def why_lower(self, ahead_deg: Sequence[float], now_deg: Sequence[float]) -> Refusal | None:
-        """Return why a jog may not go on to six angles; an arm below its limit may come up."""
-        if self.lowest_mm is None:
-            return None
-        return self._why(self.height_mm(ahead_deg), lambda: self.height_mm(now_deg))
-
-    def why_step_lower(self, end_deg: Sequence[float], now_deg: Sequence[float]) -> Refusal | None:
-        """Return why a step to six angles is refused: it is too low somewhere on its way."""
-        if self.lowest_mm is None:
-            return None
-        parts = [part / _PLACES for part in range(1, _PLACES + 1)]
-        lowest = min(
-            self.height_mm([a + part * (b - a) for a, b in zip(now_deg, end_deg, strict=True)])
-            for part in parts
-        )
-        return self._why(lowest, lambda: self.height_mm(now_deg))
-
-    def why_pose_lower(self, flange: Matrix, now: Matrix) -> Refusal | None:
-        """Return why a straight step of the flange is refused, or ``None``."""
-        if self.lowest_mm is None:
-            return None
-        ahead, here = (self._lowest(*each[:3].tolist()) for each in (flange, now))
-        return self._why(ahead, lambda: here)
-
-    def _why(self, ahead_mm: float, here_mm: Callable[[], float]) -> Refusal | None:
-        lowest = self.lowest_mm
-        if lowest is None or ahead_mm >= lowest or ahead_mm > here_mm() + _SAME_MM:
-            return None
-        return JOG_TOO_LOW(value=round(ahead_mm, 1), minimum=lowest)

@@ -15,7 +15,14 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt, QTimer
 
-from armui.arm.limits import JOINTS, check_joints
+from armui.arm.limits import (
+    JOINTS,
+    JointLimits,
+    check_joints,
+    clipped,
+    outside_limits,
+    settled,
+)
 from armui.arm.models import model_data
 from armui.arm.refusal import Reason, Refusal
 from armui.cell.user_frames import UserFrame
@@ -93,9 +100,7 @@ Jog = JointJog | ToolJog | SteeredJog
 
 if TYPE_CHECKING:
     from armui.arm.state import ArmState
-    from armui.control.cell.area_guard import AreaGuard
     from armui.control.motion.cartesian import Cartesian
-    from armui.control.motion.jog_floor import JogFloor
     from armui.control.motion.joint_motion import Motion
 
 _TICK_MS: Final = 10
@@ -140,18 +145,10 @@ class Jogging(ControllerPart):
         context: The context that the controller's parts share.
         motion: Owns the speed.
         cartesian: Knows the tool and the kinematics.
-        limits: They limit how low a jog leads, and keep it out of the work area's forbidden side.
     """
 
-    def __init__(
-        self,
-        context: Context,
-        motion: Motion,
-        cartesian: Cartesian,
-        limits: tuple[JogFloor, AreaGuard],
-    ) -> None:
+    def __init__(self, context: Context, motion: Motion, cartesian: Cartesian) -> None:
         self._context = context
-        self._floor, self._area = limits
         self._motion = motion
         self._cartesian = cartesian
         self._rest = RestWatch(QUIET_DEG, QUIET_S)
@@ -185,6 +182,7 @@ class Jogging(ControllerPart):
         """
         self.stop()
         context = self._context
+        context.gate().halt()
         refusal = context.refresh().cannot_move
         frame = _frame(jog)
         if refusal is None and frame is not None:
@@ -292,14 +290,42 @@ class Jogging(ControllerPart):
             if now_s - hold.began_s >= _SETTLE_S:
                 self._end(STILL_MOVING())
             return
-        base_deg = self._context.authority.joint_base_deg() or measured_deg
+        limits = self._context.operating_state().limits
+        base_deg = self._begins_at(hold.jog, measured_deg, limits)
         sag_deg = [base - measured for base, measured in zip(base_deg, measured_deg, strict=True)]
+        if outside_limits(measured_deg, limits):
+            sag_deg = [0.0] * len(JOINTS)  # the arm is led to where the jog begins
+        check = self._context.gate().stream()
 
         def why_barred(ahead_deg: Sequence[float], now_deg: Sequence[float]) -> Refusal | None:
-            low = self._floor.why_lower(ahead_deg, now_deg)
-            return low or self._area.why_no_further(ahead_deg, now_deg, sag_deg)
+            return check.why_not(_less(ahead_deg, sag_deg), _less(now_deg, sag_deg))
 
+        from armui.ways.way import straight_way  # noqa: PLC0415 - numpy
+
+        way = straight_way(measured_deg, _less(base_deg, sag_deg))
+        refusal = self._context.gate().judge(way)
+        if refusal is not None:
+            self._end(refusal)
+            return
         hold.stream = JogStream(self._way(hold.jog, base_deg), base_deg, measured_deg, why_barred)
+
+    def _begins_at(
+        self, jog: Jog, measured_deg: Sequence[float], limits: Sequence[JointLimits]
+    ) -> tuple[float, ...]:
+        """Return the angles at which a jog begins.
+
+        A joint that stands outside its limits alone, and is jogged back, begins at the limit: the
+        arm takes no target outside.
+        """
+        base_deg = settled(self._context.authority.joint_base_deg() or measured_deg, limits)
+        outside = outside_limits(base_deg, limits)
+        if not isinstance(jog, JointJog) or outside != (jog.joint,):
+            return base_deg
+        place = jog.joint - 1
+        inside = clipped(base_deg[place], limits[place])
+        if (inside - base_deg[place]) * jog.direction <= 0.0:
+            return base_deg
+        return (*base_deg[:place], inside, *base_deg[place + 1 :])
 
     def _way(self, jog: Jog, base_deg: Sequence[float]) -> JogPath:
         limits = self._context.operating_state().limits
@@ -342,10 +368,12 @@ class Jogging(ControllerPart):
         """Send the next setpoint: the first with the mode word, the others alone."""
         context = self._context
         codec, command = context.connection.codec, hold.command
+        passed = context.gate().ask_no_way()  # the stream has asked for each setpoint
         if command is None or command.speed_percent != percent:
             sent = context.send_motion(
                 CommandKind.JOG,
                 commands.move_joints(codec, target_deg, speed_percent=percent),
+                passed=passed,
                 started=hold.started,
                 move_mode=MoveMode.MOVE_J,
                 speed_percent=percent,
@@ -354,7 +382,9 @@ class Jogging(ControllerPart):
             )
         else:
             frames = commands.joint_target(codec, target_deg)
-            sent = context.send_on(command, frames, joints_deg=target_deg, keep_s=_KEEP_S)
+            sent = context.send_on(
+                command, frames, passed=passed, joints_deg=target_deg, keep_s=_KEEP_S
+            )
         if isinstance(sent, Refusal):
             return sent
         hold.command = sent
@@ -418,3 +448,7 @@ def axes_text(jog: SteeredJog) -> str:
     names = tuple(f"J{joint}" for joint in JOINTS) if jog.frame is None else AXES
     moving = zip(names, jog.rates, strict=True)
     return " ".join(f"{name}{'+' if rate > 0 else '−'}" for name, rate in moving if rate)
+
+
+def _less(pose_deg: Sequence[float], sag_deg: Sequence[float]) -> tuple[float, ...]:
+    return tuple(angle - sag for angle, sag in zip(pose_deg, sag_deg, strict=True))

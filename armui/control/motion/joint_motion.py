@@ -5,14 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final
 
-from armui.arm.limits import ANGLE_STEP_DEG, JointLimits, check_joint, check_joints
+from armui.arm.limits import ANGLE_STEP_DEG, JointLimits, check_joint, clipped, settled
 from armui.arm.refusal import Reason, Refusal
-from armui.control.cell.area_guard import AreaGuard
 from armui.control.context import Context, ControllerPart
 from armui.control.events import Notice
-from armui.control.motion.jog_floor import JogFloor
 from armui.control.motion.jog_path import JOG_AT_LIMIT
-from armui.control.motion.motion_command import CommandKind
+from armui.control.motion.requests import joint_request
 from armui.control.motion.retransmission import Retransmission
 from armui.control.operating_state import RUN_UNDER_WAY, OperatingState
 from armui.control.operations.operation import operation, record_start
@@ -20,14 +18,18 @@ from armui.control.operations.started import Ending, Started
 from armui.control.requests import reports
 from armui.control.safety import interlocks
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
-from armui.protocol import commands
-from armui.protocol.codes import MoveMode
 from armui.telemetry.events import EventKind, Level
 from armui.trajectory.files.errors import SPEED_OUT_OF_RANGE
 
 STEP_BEYOND_LIMIT = Reason(
     "step_beyond_limit",
     "J{joint}: this step would go beyond its limit of {limit}°. Take a smaller step.",
+)
+LED_TO_LIMIT = Notice(
+    "led_to_limit",
+    "J{joint} stood outside its limits: the arm brings it to {target}° at least.",
+    Level.INFO,
+    EventKind.COMMAND,
 )
 SENT_JOINTS = Notice(
     "sent_joints",
@@ -67,9 +69,15 @@ def why_no_speed(now: OperatingState) -> Refusal | None:
 def _why_no_step(
     joint: int, base_deg: float, delta_deg: float, limits: JointLimits
 ) -> Refusal | None:
-    """Return why a joint can't go a step further: it is at its limit, or the step is too long."""
+    """Return why a joint can't go a step further: it is at its limit, or the step is too long.
+
+    One that stands outside may come back.
+    """
     bound_deg = limits.max_deg if delta_deg > 0 else limits.min_deg
-    if check_joint(joint, base_deg + delta_deg, limits) is None:
+    inwards = (bound_deg - base_deg) * delta_deg >= 0.0
+    if check_joint(joint, base_deg + delta_deg, limits) is None or (
+        inwards and not (limits.min_deg <= base_deg <= limits.max_deg)
+    ):
         return None
     if abs(bound_deg - base_deg) <= ANGLE_STEP_DEG:
         return JOG_AT_LIMIT(joint=joint, limit=bound_deg)
@@ -81,17 +89,13 @@ class Motion(ControllerPart):
 
     Args:
         context: The context that the controller's parts share.
-        floor: Checks how low a step leads.
-        area: Checks where a motion leads in the work area.
 
     Attributes:
         speed_percent: The speed of motions, in percent of the arm's maximum.
     """
 
-    def __init__(self, context: Context, floor: JogFloor, area: AreaGuard) -> None:
+    def __init__(self, context: Context) -> None:
         self._context = context
-        self._floor = floor
-        self._area = area
         self.speed_percent = _FIRST_SPEED_PERCENT
         self._lower_speed = Retransmission(context)
 
@@ -149,19 +153,21 @@ class Motion(ControllerPart):
         base_deg = context.authority.joint_base_deg()
         if base_deg is None:
             return context.refuse(operating_state.cannot_move or JOINTS_UNKNOWN())
-        target_deg = list(base_deg)
-        target_deg[joint - 1] = round(target_deg[joint - 1] + delta_deg, 3)
-        refusal = self._floor.why_step_lower(target_deg, base_deg)
-        if refusal is not None:
-            return context.refuse(refusal)
-        limits = operating_state.limits[joint - 1]
+        limits = operating_state.limits
+        base_deg = settled(base_deg, limits)
         refusal = operating_state.cannot_move or _why_no_step(
-            joint, base_deg[joint - 1], delta_deg, limits
+            joint, base_deg[joint - 1], delta_deg, limits[joint - 1]
         )
         if refusal is not None:
             return context.refuse(refusal)
+        target_deg = list(base_deg)
+        target_deg[joint - 1] = asked = round(target_deg[joint - 1] + delta_deg, 3)
+        if not limits[joint - 1].min_deg <= base_deg[joint - 1] <= limits[joint - 1].max_deg:
+            # the arm takes no target outside: the step leads to the limit at least
+            target_deg[joint - 1] = clipped(asked, limits[joint - 1])
         figures = {"joint": joint, "target": target_deg[joint - 1]}
-        return self._move(record_start(self.jog), target_deg, JOGGED, **figures)
+        notice = JOGGED if target_deg[joint - 1] == asked else LED_TO_LIMIT
+        return self._move(record_start(self.jog), target_deg, notice, **figures)
 
     def jog_lagging(self, joint: int, step_deg: float) -> bool:
         """Return whether the arm lags so far that a held button should not step on."""
@@ -188,28 +194,15 @@ class Motion(ControllerPart):
     ) -> Started | Refusal:
         """Send six angles if that may be, and tell so with a notice."""
         context = self._context
-        operating_state = context.refresh()
-        refusal = (
-            operating_state.cannot_move
-            or check_joints(angles_deg, operating_state.limits)
-            or self._area.why_no_joints(angles_deg)
+        request = joint_request(
+            context,
+            started,
+            angles_deg,
+            self.speed_percent,
+            why_not=why_not_move,
+            told=(notice, figures),
         )
-        if refusal is not None:
-            return context.refuse(refusal)
-        sent = context.send_motion(
-            CommandKind.JOINTS,
-            commands.move_joints(
-                context.connection.codec, angles_deg, speed_percent=self.speed_percent
-            ),
-            started=started,
-            move_mode=MoveMode.MOVE_J,
-            speed_percent=self.speed_percent,
-            joints_deg=angles_deg,
-        )
-        if isinstance(sent, Refusal):
-            return context.refuse(sent)
-        context.tell(notice, started, **figures)
-        return started
+        return context.gate().begin(request)
 
     def follow_arm(self) -> None:
         """Restore the operator's speed after a motion, and repeat a lower speed that is due.

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from armui.control.operations.started import Started
     from armui.control.safety.overspeed import ToolPace
     from armui.kinematics.poses import Matrix
+    from armui.ways.way import Way
 
 PLAN_PAUSED = Reason(
     "plan_paused",
@@ -112,6 +113,7 @@ class MotionCommand:
             this is evident.
         pace: Of a line or an arc: how fast the tool goes at 100 %.
         started: The operation that it carries out.
+        way: The way that the gate has passed; ``None`` of a stream.
     """
 
     number: int
@@ -123,6 +125,7 @@ class MotionCommand:
     leads_away: bool = False
     pace: ToolPace | None = None
     started: Started | None = None
+    way: Way | None = None
 
     @property
     def tool_mm_s(self) -> float:

@@ -129,14 +129,14 @@ class PlannedMotion(ControllerPart):
         refusal = why_not_plan(context.refresh(), command)
         if refusal is None:
             frames = commands.trajectory_command(context.connection.codec, command)
-            connection = context.connection
             if command in _ENDS:
                 self._end_all()
-                sent = connection.send_urgent(frames)  # past targets that wait to be sent
+                # past targets that wait to be sent
+                sent = context.connection.send_urgent(frames)
+                refusal = None if sent else LINK_LOST()
                 context.authority.cancelled(context.clock())
             else:
-                sent = self._send(command, frames)
-            refusal = None if sent else LINK_LOST()
+                refusal = self._send(command, frames)
         if refusal is not None:
             return context.refuse(refusal)
         started = record_start(self.command)
@@ -144,20 +144,24 @@ class PlannedMotion(ControllerPart):
         context.tell(PLAN_SENT, started, plan=int(command))
         return started
 
-    def _send(self, command: TrajectoryCommand, frames: Sequence[Frame]) -> bool:
+    def _send(self, command: TrajectoryCommand, frames: Sequence[Frame]) -> Refusal | None:
         authority, connection = self._context.authority, self._context.connection
         if command is TrajectoryCommand.PAUSE:
-            return self._pause.send()
+            return None if self._pause.send() else LINK_LOST()
         self._pause.drop()
         if command is not TrajectoryCommand.CONTINUE:
-            return connection.send(frames)
+            return None if connection.send(frames) else LINK_LOST()
+        passed = self._context.gate().ask_on(authority.command)
+        if isinstance(passed, Refusal):
+            return passed
         holds, percent = authority.holds, self._context.operating_state().speed_percent
         authority.went_on(self._context.clock())
         slower = Hold.SPEED_ZERO in holds or authority.arm_percent != percent
         if slower and not self._tell_speed():
             authority.holds = holds
-            return False
-        return Hold.PAUSE not in holds or connection.send(frames)
+            return LINK_LOST()
+        out = Hold.PAUSE not in holds or connection.send(frames, passed=passed)
+        return None if out else LINK_LOST()
 
     # The controller's tick ----------------------------------------------------------------------
 

@@ -7,15 +7,22 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
+from armui.kinematics.poses import Pose, pose_to_matrix
 from armui.protocol import commands
 from armui.protocol.codes import ControlMode, MoveMode
 from armui.protocol.generation import Generation
 from armui.trajectory.points.program import GripperAngle, GripperOpening, Waypoint
 
 if TYPE_CHECKING:
+    from armui.arm.models import ArmModel
     from armui.protocol.codec import Codec
     from armui.protocol.frame import Frame
+    from armui.ways.way import Way
 
+ARC_IS_NONE = Reason(
+    "arc_is_none",
+    "The three poses lie on a line, or two in one place: that is no arc. Capture others.",
+)
 ARC_START_UNKNOWN = Reason(
     "arc_start_unknown",
     "The arm has not reported its end pose: an arc has no beginning. Wait for it.",
@@ -56,6 +63,34 @@ def point_frames(
     return mode + commands.move_arc(
         codec, start, point.middle, point.target, speed_percent=speed_percent
     )
+
+
+def point_way(point: Waypoint, arm: ArmModel, begin_deg: Sequence[float]) -> Way | Refusal:
+    """Return the way to a point from where the joints rest, or why there is none.
+
+    Args:
+        point: The point; its poses are of the flange.
+        arm: The arm.
+        begin_deg: The six angles.
+    """
+    from armui.arm.reach import check_pose, led_joints  # noqa: PLC0415 - scipy
+    from armui.kinematics.tool_path import Arc, ArcError, Line, ToolPath  # noqa: PLC0415 - scipy
+    from armui.ways.way import Way, straight_way  # noqa: PLC0415 - numpy
+
+    if point.is_joint:
+        return straight_way(begin_deg, point.target)
+    if point.move is MoveMode.MOVE_P:
+        end_deg = check_pose(arm.kinematics, Pose(*point.target), begin_deg, arm.limits)
+        return end_deg if isinstance(end_deg, Refusal) else straight_way(begin_deg, end_deg)
+    here, target = arm.kinematics.matrix(begin_deg), pose_to_matrix(point.target)
+    path: ToolPath = Line(here, target)
+    if point.middle is not None:
+        try:
+            path = Arc(here, pose_to_matrix(point.middle), target)
+        except ArcError:
+            return ARC_IS_NONE()
+    joints_deg = led_joints(arm.kinematics, path, begin_deg)
+    return joints_deg if isinstance(joints_deg, Refusal) else Way(joints_deg)
 
 
 def tool_way(point: Waypoint, state: ArmState) -> tuple[Sequence[float], ...]:

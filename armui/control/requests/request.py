@@ -5,10 +5,14 @@ from __future__ import annotations
 import enum
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from armui.arm.state import ArmState
 from armui.control.context import Context
 from armui.protocol.frame import Frame
+
+if TYPE_CHECKING:
+    from armui.ways.passes import Pass
 
 
 class RequestOutcome(enum.Enum):
@@ -30,6 +34,7 @@ class Request:
         repeat_s: The time without effect after which to send again (real arms need some commands
             twice).
         attempts: The most times to send; the last attempt waits ``repeat_s`` too.
+        passed: The gate's pass, where there is a motion frame among them.
     """
 
     context: Context
@@ -37,6 +42,7 @@ class Request:
     seen: Callable[[ArmState], bool]
     repeat_s: float = 0.5
     attempts: int = 3
+    passed: Pass | None = None
     _sent: int = 0
     _next_s: float = 0.0
 
@@ -49,7 +55,7 @@ class Request:
             return RequestOutcome.WAITING
         if self._sent == self.attempts:
             return RequestOutcome.TIMED_OUT
-        self.context.connection.send(self.frames)
+        self.context.connection.send(self.frames, passed=self.passed)
         self._sent += 1
         self._next_s = now_s + self.repeat_s
         return RequestOutcome.WAITING

@@ -151,23 +151,27 @@ class Execution(QObject, ControllerPart):
         """How fast it goes, of its own speed."""
         return self._override_percent / 100.0
 
-    def _let_go_on(self, percent: int) -> bool:
+    def _let_go_on(self, percent: int) -> Refusal | None:
         """Have the arm go on with what it holds back (0x150 byte 1 = 2), no faster than shown.
 
         Args:
             percent: Told before, where the arm was told another one last.
 
         Returns:
-            Whether it is on the bus; else the motion stays held back.
+            ``None`` if it is on the bus, or why the motion stays held back.
         """
         context = self._context
         self._hold.drop()
         authority, holds = context.authority, context.authority.holds
+        passed = context.gate().ask_on(authority.command)
+        if isinstance(passed, Refusal):
+            return passed
         authority.went_on(context.clock())
         if authority.arm_percent != percent and not context.tell_percent(percent):
             authority.holds = holds
-            return False
-        return self._send(commands.trajectory_command(self._codec, TrajectoryCommand.CONTINUE))
+            return LINK_LOST()
+        go_on = commands.trajectory_command(self._codec, TrajectoryCommand.CONTINUE)
+        return None if context.connection.send(go_on, passed=passed) else LINK_LOST()
 
     def _rests(self) -> bool:
         """Return whether the arm is measured to have come to rest since the motion was ended."""
@@ -178,6 +182,7 @@ class Execution(QObject, ControllerPart):
     def _codec(self) -> Codec:
         return self._context.connection.codec
 
-    def _send(self, frames: Sequence[Frame]) -> bool:
-        """Send them and return whether they are under way, or there was nothing to send."""
-        return not frames or self._context.connection.send(frames)
+    def _act(self, frames: Sequence[Frame]) -> bool:
+        """Send what moves the gripper or sets a lamp; return whether it is under way."""
+        passed = self._context.gate().ask_no_way()
+        return not frames or self._context.connection.send(frames, passed=passed)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import astuple, replace
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject
 
@@ -16,12 +16,14 @@ from armui.control.motion.motion_command import CommandKind
 from armui.control.motion.point_frames import (
     action_frames,
     point_frames,
+    point_way,
     tool_way,
     why_not_possible,
 )
-from armui.control.operating_state import LINK_LOST, OperatingState
+from armui.control.operating_state import OperatingState
 from armui.control.operations.operation import Consent, operation, record_start
 from armui.control.operations.started import Ending, Started
+from armui.control.parameters.arm_model import planning_model
 from armui.control.run.arrival import Arrival, ArrivalWatch
 from armui.control.run.execution import RUN_DONE, RUN_STARTED, Execution
 from armui.control.run.progress import (
@@ -34,9 +36,14 @@ from armui.control.run.progress import (
 )
 from armui.control.run.replay import RUN_EMPTY
 from armui.control.safety.feedback_freshness import FEEDBACK_SILENT
+from armui.control.safety.gate import MotionRequest
 from armui.control.safety.interlocks import ENABLED_UNKNOWN, JOINTS_UNKNOWN
 from armui.telemetry.events import Asker, EventKind, Level
-from armui.trajectory.points.program import GripperAction
+from armui.trajectory.points.program import GripperAction, Waypoint
+from armui.ways.passes import FLOOR
+
+if TYPE_CHECKING:
+    from armui.arm.models import ArmModel
 
 OVERRIDE_ZERO = Reason(
     "override_zero", "The speed override is 0 %: raise it, then hold “Continue” for 1 s."
@@ -177,8 +184,10 @@ class Player(Execution):
             return None
         if refusal is not None:
             return self._context.refuse(refusal)
-        if self._paused_phase is RunPhase.MOVING and not self._let_go_on(self._percent):
-            return self._context.refuse(LINK_LOST())
+        if self._paused_phase is RunPhase.MOVING:
+            refusal = self._let_go_on(self._percent)
+            if refusal is not None:
+                return self._context.refuse(refusal)
         self._phase = self._paused_phase
         self._since_s += self._context.clock() - self._paused_s
         self._looked_s = self._context.clock()
@@ -285,7 +294,7 @@ class Player(Execution):
     def _arrive(self, run: Run, now_s: float) -> None:
         point = run.points[self._index]
         point = replace(point, gripper=self.as_asked(point.gripper))
-        self._send(action_frames(self._codec, point))
+        self._act(action_frames(self._codec, point))
         if point.gripper is not None:
             self.gripper_sent.emit(*astuple(point.gripper))
         if point.holds is not None:
@@ -327,28 +336,38 @@ class Player(Execution):
         if run is None:
             return
         point = run.points[self._index]
-        percent = self._percent
-        frames = point_frames(self._codec, point, self._context.state(), percent)
-        if isinstance(frames, Refusal):
-            self._fail(frames)
-            return
-        sent = self._context.send_motion(
-            CommandKind.RUN,
-            frames,
-            started=record_start(self.start),
-            move_mode=point.move,
-            speed_percent=percent,
-            joints_deg=point.target if point.is_joint else None,
-            way=tool_way(point, self._context.state()),
+        context, percent = self._context, self._percent
+        self._since_s = self._looked_s = context.clock()
+        self._watch, self._phase = None, RunPhase.MOVING
+        answer = context.gate().send(
+            MotionRequest(
+                started=record_start(self.start),
+                kind=CommandKind.RUN,
+                move_mode=point.move,
+                speed_percent=percent,
+                plan=lambda begin_deg: point_way(point, self._arm(), begin_deg),
+                frames=lambda: point_frames(self._codec, point, context.state(), percent),
+                why_not=lambda now: now.cannot_run,
+                joints_deg=point.target if point.is_joint else None,
+                tool_way=tool_way(point, context.state()),
+                sent=lambda _command: self._on_sent(point),
+                refused=self._fail,
+                accepts=(FLOOR,),
+            )
         )
-        if isinstance(sent, Refusal):
-            self._fail(sent)
-            return
+        if isinstance(answer, Refusal):
+            self._fail(answer)
+        else:
+            self._publish()
+
+    def _on_sent(self, point: Waypoint) -> None:
         self._since_s = self._looked_s = self._context.clock()
         self._untold = False
         self._watch = ArrivalWatch(point, self._since_s)
-        self._phase = RunPhase.MOVING
-        self._publish()
+
+    def _arm(self) -> ArmModel:
+        context = self._context
+        return planning_model(context.state(), context.operating_state())
 
     def _follow_stopping(self) -> None:
         now_s = self._context.clock()

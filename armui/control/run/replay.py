@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.limits import JOINTS, check_joint
+import numpy as np
+
+from armui.arm.limits import JOINTS
 from armui.arm.refusal import Reason, Refusal
 from armui.trajectory.samples.recording import ReplayProfile, SampleCursor, replay_profile
 
@@ -15,6 +18,7 @@ if TYPE_CHECKING:
     from armui.arm.state import ArmState
     from armui.control.operating_state import OperatingState
     from armui.trajectory.samples.recording import Recording
+    from armui.ways.way import Way
 
 RUN_EMPTY = Reason("run_empty", "“{name}” has no points. Add points, or choose another trajectory.")
 REPLAY_TOO_FAST = Reason(
@@ -62,6 +66,14 @@ class Replay:
     def first_deg(self) -> tuple[float, ...]:
         """The six angles at which it begins."""
         return tuple(float(angle) for angle in self.recording.joints_deg[0])
+
+    def way(self, begin_deg: Sequence[float]) -> Way:
+        """Return the way from six angles to the first sample, along all, and back for a cycle."""
+        from armui.ways.way import Way  # noqa: PLC0415 - numpy
+
+        samples = self.recording.joints_deg
+        back = samples[:1] if self.cycles != 1 else samples[:0]
+        return Way(np.vstack((np.array([begin_deg], dtype=float), samples, back)))
 
     @cached_property
     def known(self) -> ReplayProfile:
@@ -116,23 +128,14 @@ class Replay:
 
 
 def why_not(replay: Replay, operating_state: OperatingState) -> Refusal | None:
-    """Return why a replay is refused: too short, beyond limits, too fast; or ``None``."""
+    """Return why a replay is refused beside its way: too short, too fast; or ``None``."""
     recording = replay.recording
     if len(recording.samples) < 2 or recording.duration_s <= 0.0:
         return RUN_EMPTY(name=recording.name)
     known = replay.known
-    for joint, limits, low_deg, high_deg, recorded_deg_s in zip(
-        JOINTS,
-        operating_state.limits,
-        known.low_deg,
-        known.high_deg,
-        known.fastest_deg_s,
-        strict=True,
+    for joint, limits, recorded_deg_s in zip(
+        JOINTS, operating_state.limits, known.fastest_deg_s, strict=True
     ):
-        for angle_deg in (low_deg, high_deg):
-            refusal = check_joint(joint, angle_deg, limits)
-            if refusal is not None:
-                return refusal
         fastest = recorded_deg_s * replay.factor
         if fastest > limits.max_speed_deg_s * _SPEED_SLACK:
             best = replay.factor * limits.max_speed_deg_s / fastest

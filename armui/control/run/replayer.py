@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, Qt, QTimer
@@ -10,7 +11,7 @@ from armui.arm.refusal import Reason, Refusal
 from armui.control.context import Context
 from armui.control.events import Notice
 from armui.control.motion.motion_command import CommandKind, MotionCommand
-from armui.control.operating_state import LINK_LOST
+from armui.control.motion.requests import joint_request
 from armui.control.operations.operation import Consent, operation, record_start
 from armui.control.operations.started import Ending, Started
 from armui.control.run.arrival import Arrival, ArrivalWatch
@@ -30,6 +31,7 @@ from armui.protocol import commands
 from armui.protocol.codes import MoveMode
 from armui.telemetry.events import Asker, EventKind, Level
 from armui.trajectory.points.program import Waypoint
+from armui.ways.passes import FLOOR, Pass
 
 if TYPE_CHECKING:
     from armui.control.run.replay import Replay
@@ -90,6 +92,7 @@ class Replayer(Execution):
         self._replay: Replay | None = None
         self._ending = RunPhase.DONE
         self._watch: ArrivalWatch | None = None
+        self._passed: Pass | None = None
         self._at_s = 0.0
         self._pace = 0.0
         self._cycle = 1
@@ -113,9 +116,14 @@ class Replayer(Execution):
         self._replay, self._cycle, self._at_s = replay, 1, 0.0
         self._gripper_mm = None
         started = self._started = record_start(self.start)
+        refusal = self._approach(replay)
+        if refusal is not None:
+            self._replay, self._phase = None, RunPhase.IDLE
+            started.close(Ending.REFUSED)
+            return context.refuse(refusal)
         context.tell(RUN_STARTED, started, name=replay.recording.name)
         self._timer.start()
-        self._approach(replay)
+        self._publish()
         return started
 
     @operation("replay.pause", "Pause the replay", why_not_pause)
@@ -146,8 +154,9 @@ class Replayer(Execution):
         refusal = why_not_go_on(self._context.refresh())
         if refusal is not None:
             return self._context.refuse(refusal)
-        if self._watch is not None and not self._let_go_on(self._approach_percent):
-            return self._context.refuse(LINK_LOST())
+        refusal = None if self._watch is None else self._let_go_on(self._approach_percent)
+        if refusal is not None:
+            return self._context.refuse(refusal)
         self._phase = RunPhase.MOVING
         self._since_s = self._looked_s = self._context.clock()
         started = record_start(self.go_on)
@@ -195,6 +204,8 @@ class Replayer(Execution):
             self._fail(reason)
         elif self._phase is RunPhase.STOPPING:
             self._follow_rest(replay)
+        elif self._phase is RunPhase.MOVING and self._passed is None:
+            pass  # its way is being checked
         elif self._phase is RunPhase.MOVING and self._watch is not None:
             self._follow_approach(self._watch)
         elif self._phase is RunPhase.MOVING or self._comes_to_a_stand(replay):
@@ -213,17 +224,37 @@ class Replayer(Execution):
         paused = self._phase is RunPhase.PAUSED and self._watch is None
         return paused and self._pace > 0.0 and self._at_s < replay.duration_s
 
-    def _approach(self, replay: Replay) -> None:
-        """Set out for the first sample, slowly: the arm may stand anywhere."""
+    def _approach(self, replay: Replay) -> Refusal | None:
+        """Set out for the first sample, slowly: the arm may stand anywhere.
+
+        What is checked is the way there and the whole recording.
+        """
+        self._watch = self._passed = None
+        self._since_s = self._looked_s = self._context.clock()
+        self._phase = RunPhase.MOVING
+        percent = self._approach_percent
+        request = joint_request(
+            self._context,
+            record_start(self.start),
+            replay.first_deg,
+            percent,
+            why_not=lambda now: now.cannot_run,
+            kind=CommandKind.RUN,
+            accepts=(FLOOR,),
+        )
+        answer = self._context.gate().send(
+            replace(request, plan=replay.way, sent=self._on_set_out, refused=self._fail)
+        )
+        return answer if isinstance(answer, Refusal) else None
+
+    def _on_set_out(self, command: MotionCommand) -> None:
+        replay = self._replay
+        if replay is None:
+            return
+        self._passed = self._context.gate().passed(command)
         self._since_s = self._looked_s = self._context.clock()
         self._waited_s, self._untold = 0.0, False
         self._watch = ArrivalWatch(Waypoint(MoveMode.MOVE_J, replay.first_deg), self._since_s)
-        sent = self._send_first(replay, CommandKind.RUN, self._approach_percent)
-        if isinstance(sent, Refusal):
-            self._fail(sent)
-            return
-        self._phase = RunPhase.MOVING
-        self._publish()
 
     def _follow_approach(self, watch: ArrivalWatch) -> None:
         now_s = self._context.clock()
@@ -245,23 +276,25 @@ class Replayer(Execution):
         replay = self._replay
         if replay is None:
             return
-        sent = self._send_first(replay, CommandKind.REPLAY, _FULL_PERCENT)
+        sent = self._send_first(replay)
         if isinstance(sent, Refusal):
             self._fail(sent)
             return
         self._command, self._watch = sent, None
         self._since_s, self._at_s, self._pace = now_s, 0.0, self._share
 
-    def _send_first(
-        self, replay: Replay, kind: CommandKind, speed_percent: int
-    ) -> MotionCommand | Refusal:
-        """Send the first sample as a target of all joints."""
+    def _send_first(self, replay: Replay) -> MotionCommand | Refusal:
+        """Send the first sample, at which the arm stands, at full speed."""
+        passed = self._context.gate().ask_within(self._passed)
+        if isinstance(passed, Refusal):
+            return passed
         return self._context.send_motion(
-            kind,
-            commands.move_joints(self._codec, replay.first_deg, speed_percent=speed_percent),
+            CommandKind.REPLAY,
+            commands.move_joints(self._codec, replay.first_deg, speed_percent=_FULL_PERCENT),
+            passed=passed,
             started=record_start(self.start),
             move_mode=MoveMode.MOVE_J,
-            speed_percent=speed_percent,
+            speed_percent=_FULL_PERCENT,
             joints_deg=replay.first_deg,
         )
 
@@ -312,8 +345,12 @@ class Replayer(Execution):
         command = self._command
         if command is None:
             return False
+        passed = self._context.gate().ask_within(self._passed)
+        if isinstance(passed, Refusal):
+            self._fail(passed)
+            return False
         frames = commands.joint_target(self._codec, target_deg)
-        sent = self._context.send_on(command, frames, joints_deg=target_deg)
+        sent = self._context.send_on(command, frames, passed=passed, joints_deg=target_deg)
         if isinstance(sent, Refusal):
             self._fail(sent)
             return False
@@ -328,7 +365,7 @@ class Replayer(Execution):
         ):
             return
         self._gripper_mm = opening_mm
-        self._send(
+        self._act(
             commands.move_gripper_opening(
                 self._codec, opening_mm=opening_mm, torque_nm=_GRIPPER_TORQUE_NM
             )
@@ -342,7 +379,9 @@ class Replayer(Execution):
             return
         self._cycle += 1
         self._at_s = 0.0
-        self._approach(replay)
+        refusal = self._approach(replay)
+        if refusal is not None:
+            self._fail(refusal)
 
     def _follow_rest(self, replay: Replay) -> None:
         now_s = self._context.clock()

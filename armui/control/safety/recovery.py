@@ -396,7 +396,12 @@ class Recovery(ControllerPart):
         """Send until the arm is in another state, or time is up; ``shown`` tells of that state."""
         context = self._context
         kind = self._look().kind
-        request = Request(context, frames, lambda _state: self._look().kind is not kind)
+        request = Request(
+            context,
+            frames,
+            lambda _state: self._look().kind is not kind,
+            passed=context.gate().ask_no_way(),
+        )
         self._request, self._started, self._shown = request, started, shown
         context.tell(notice, started)
         if self._request is request:  # a failure in who is told ends what is under way

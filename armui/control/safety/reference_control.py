@@ -8,14 +8,14 @@ from dataclasses import replace
 from datetime import datetime
 from typing import Final, Protocol
 
-from armui.arm.limits import JOINTS, check_joints
+from armui.arm.limits import JOINTS
 from armui.arm.reference_record import ReferenceRecord
 from armui.arm.refusal import Reason, Refusal
 from armui.control.context import Context, ControllerPart
 from armui.control.devices.teaching_phase import TeachingPhase, phase_of
 from armui.control.events import Notice
 from armui.control.link.arm_key import arm_key
-from armui.control.motion.motion_command import CommandKind
+from armui.control.motion.requests import joint_request
 from armui.control.operating_state import LinkState, OperatingState, StopState
 from armui.control.operations.operation import Consent, operation, record_start
 from armui.control.operations.started import Ending, Started
@@ -24,8 +24,6 @@ from armui.control.safety.interlocks import JOINTS_UNKNOWN, MOVABLE_MODES, joint
 from armui.control.safety.reference_check import ReferenceCheck
 from armui.control.safety.reference_status import REFERENCE_CHECK_OPEN, ReferenceStatus
 from armui.control.safety.reference_watch import AngleListener, ReferenceWatch, WatchedArm
-from armui.protocol import commands
-from armui.protocol.codes import MoveMode
 from armui.telemetry.events import Asker, EventKind, Level
 
 NO_DOUBT = Reason("no_doubt", "No joint's reference is in doubt.")
@@ -162,7 +160,6 @@ class ReferenceControl(ControllerPart):
         context: The context that the controller's parts share.
         memory: Keeps the records of arms.
         wall: Returns the local time now.
-        why_no_way: Returns why the work area forbids the way to six angles, or ``None``.
 
     Attributes:
         check: The check that is open, or ``None``.
@@ -174,12 +171,10 @@ class ReferenceControl(ControllerPart):
         context: Context,
         memory: ReferenceMemory | None,
         wall: Callable[[], datetime],
-        why_no_way: Callable[[Sequence[float]], Refusal | None],
     ) -> None:
         self._context = context
         self._memory = memory
         self._wall = wall
-        self._why_no_way = why_no_way
         self._listener = AngleListener()
         self._watch = ReferenceWatch()
         self._key: str | None = None
@@ -263,24 +258,15 @@ class ReferenceControl(ControllerPart):
             return context.refuse(refusal or CHECK_NOT_OPEN())
         target_deg = list(measured_deg)
         target_deg[joint - 1] = step.mark_deg
-        refusal = check_joints(target_deg, now.limits) or self._why_no_way(target_deg)
-        if refusal is not None:
-            return context.refuse(refusal)
-        started = record_start(self.drive)
-        sent = context.send_motion(
-            CommandKind.JOINTS,
-            commands.move_joints(
-                context.connection.codec, target_deg, speed_percent=_DRIVE_PERCENT
-            ),
-            started=started,
-            move_mode=MoveMode.MOVE_J,
-            speed_percent=_DRIVE_PERCENT,
-            joints_deg=target_deg,
+        request = joint_request(
+            context,
+            record_start(self.drive),
+            target_deg,
+            _DRIVE_PERCENT,
+            why_not=lambda now: why_not_drive(now, joint),
+            told=(REFERENCE_DRIVEN, {"joint": joint, "target": step.mark_deg}),
         )
-        if isinstance(sent, Refusal):
-            return context.refuse(sent)
-        context.tell(REFERENCE_DRIVEN, started, joint=joint, target=step.mark_deg)
-        return started
+        return context.gate().begin(request)
 
     @operation(
         "reference.finish", "Finish the reference check", why_not_finish, consent=Consent.PRESS

@@ -1,0 +1,64 @@
+"""The requests that motions of the joints and of the tool make of the gate."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from armui.arm.refusal import Refusal
+from armui.control.motion.motion_command import CommandKind
+from armui.control.safety.gate import MotionRequest
+from armui.protocol import commands
+from armui.protocol.codes import MoveMode
+
+if TYPE_CHECKING:
+    from armui.control.context import Context
+    from armui.control.events import Notice
+    from armui.control.operating_state import OperatingState
+    from armui.control.operations.started import Started
+    from armui.ways.way import Way
+
+
+def joint_request(
+    context: Context,
+    started: Started,
+    target_deg: Sequence[float],
+    speed_percent: int,
+    *,
+    why_not: Callable[[OperatingState], Refusal | None],
+    told: tuple[Notice, Mapping[str, object]] | None = None,
+    kind: CommandKind = CommandKind.JOINTS,
+    accepts: Collection[str] = (),
+) -> MotionRequest:
+    """Return the request of a motion of the joints to six angles (MOVE J, 0x155–0x157, 0x151).
+
+    Args:
+        context: The context that the controller's parts share.
+        started: The record of its operation.
+        target_deg: The six angles.
+        speed_percent: The speed in the mode word.
+        why_not: Returns what speaks against it beside its way.
+        told: The notice, with its figures, that it is sent.
+        kind: The kind of the command.
+        accepts: The names of rules whose breach the operator has accepted.
+    """
+
+    def plan(begin_deg: Sequence[float]) -> Way:
+        from armui.ways.way import straight_way  # noqa: PLC0415 - numpy
+
+        return straight_way(begin_deg, target_deg)
+
+    return MotionRequest(
+        started=started,
+        kind=kind,
+        move_mode=MoveMode.MOVE_J,
+        speed_percent=speed_percent,
+        plan=plan,
+        frames=lambda: commands.move_joints(
+            context.connection.codec, target_deg, speed_percent=speed_percent
+        ),
+        why_not=why_not,
+        joints_deg=tuple(target_deg),
+        told=told,
+        accepts=accepts,
+    )

@@ -1,0 +1,521 @@
+"""The one gate: every motion of this program passes it, or its frames reach no bus (safety S35).
+
+A part that moves the arm tells the gate what it wants as a :class:`MotionRequest`, or asks it about
+a way. The gate asks who moves the arm now, has an arm that moves otherwise brake first, asks the
+rules in force about the whole way (:mod:`armui.ways`), and sends. What takes longer than a moment is
+worked out in a thread, and counts only while nothing it depends on has changed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Mapping, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Final
+
+from armui.arm.models import model_data
+from armui.arm.refusal import Reason, Refusal
+from armui.control.context import REFUSED, Context, ControllerPart
+from armui.control.events import Notice
+from armui.control.motion.jog_pace import accelerations
+from armui.control.motion.motion_command import CommandKind, MotionCommand, Mover
+from armui.control.motion_end import abort_motion
+from armui.control.operations.started import Ending, Started, close_and_tell
+from armui.control.safety.interlocks import JOINTS_UNKNOWN
+from armui.control.safety.momentum import FLUENT_DEG, astray_deg, braking_deg
+from armui.control.safety.standstill import QUIET_DEG, QUIET_S, RestWatch
+from armui.telemetry.events import EventKind, Level
+from armui.ways.passes import Pass
+
+# The rules bring numpy along. They are loaded with the first arm: the window starts without them.
+if TYPE_CHECKING:
+    from armui.control.operating_state import OperatingState
+    from armui.kinematics.poses import Matrix
+    from armui.protocol.codes import MoveMode
+    from armui.protocol.frame import Frame
+    from armui.ways.law import Judgement, Marks
+    from armui.ways.rules import Rules
+    from armui.ways.way import Way
+
+NOT_IN_TIME = Reason(
+    "not_in_time",
+    "Nothing was sent: a second after the press the arm did not rest yet, or its way was still "
+    "being checked. Press again.",
+)
+BEGAN_ELSEWHERE = Reason(
+    "began_elsewhere",
+    "Nothing was sent: while its way was checked the arm moved, or what it was checked against has "
+    "changed. Press again.",
+)
+WAY_UNKNOWN = Reason(
+    "way_unknown",
+    "Nobody knows which way the arm would take, and a work area is in force. Switch its planes and "
+    "boxes off under Cell first.",
+)
+CHECKING = Notice("checking", "Checking the way…", Level.INFO, EventKind.COMMAND, streams=True)
+
+_WITHIN_S: Final = 1.0
+"""What could not be sent within this time of its press is dropped (safety S14)."""
+_SAID_AFTER_S: Final = 0.05
+_SAME_DEG: Final = 0.2
+"""A check counts for an arm measured this near to where the checked way begins."""
+_AT_ONCE: Final = 400.0
+"""A way is checked in the call if its turn in degrees times what it is checked against is less."""
+_SET_ANEW: Final = frozenset({Mover.HAND, Mover.OTHER_HOST, Mover.LEADER, Mover.GRAVITY})
+"""Who brings the arm where our motions did not: it is found outside anew."""
+
+Plan = Callable[[Sequence[float]], "Way | Refusal"]
+"""Returns the way from six angles at which the arm rests, or why there is none."""
+Background = Callable[[Callable[[], Any]], "Future[Any]"]
+"""Has a thread work something out."""
+
+
+def _nothing(_: object) -> None:
+    """Do nothing."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MotionRequest:
+    """A motion that a part wants.
+
+    Attributes:
+        started: The record of its operation.
+        kind, move_mode, speed_percent: As in :meth:`Context.send_motion`.
+        plan: Returns its way.
+        frames: Returns the targets and the mode word in order, or why there are none.
+        why_not: Returns what speaks against it beside its way, from the operating state.
+        joints_deg, tool, leads_away, tool_way, keep_s: As in :meth:`Context.send_motion`.
+        told: The notice, with its figures, that the operator is told once it is sent.
+        sent: Called with the command once it is sent.
+        refused: Called with the reason if it is refused after :meth:`Gate.send` has returned.
+        accepts: The names of rules whose breach the operator has accepted.
+    """
+
+    started: Started
+    kind: CommandKind
+    move_mode: MoveMode
+    speed_percent: int
+    plan: Plan
+    frames: Callable[[], Sequence[Frame] | Refusal]
+    why_not: Callable[[OperatingState], Refusal | None]
+    joints_deg: Sequence[float] | None = None
+    tool: Matrix | None = None
+    leads_away: bool = False
+    tool_way: Sequence[Sequence[float]] = ()
+    keep_s: float | None = None
+    told: tuple[Notice, Mapping[str, object]] | None = None
+    sent: Callable[[MotionCommand], object] = _nothing
+    refused: Callable[[Refusal], object] | None = None
+    accepts: Collection[str] = ()
+
+
+@dataclass(slots=True)
+class _Pending:
+    """A motion that waits for the arm to rest, or for the answer of its check.
+
+    Attributes:
+        since_s: The time of the press.
+        number: The authority's number then: with another one it is void.
+        job: Its check; ``None`` while the arm does not rest.
+        rules: Those it is checked against.
+        told: True once the operator was told that it is checked.
+    """
+
+    request: MotionRequest
+    since_s: float
+    number: int
+    job: Future[tuple[Judgement, Way]] | None = None
+    rules: Rules | None = None
+    told: bool = False
+
+
+class StreamCheck:
+    """Checks the setpoints of a jog one by one; a look holds as far as the free room around.
+
+    Args:
+        gate: Knows the rules in force.
+    """
+
+    def __init__(self, gate: Gate) -> None:
+        self._gate = gate
+        self._rules: Rules | None = None
+        self._room_mm = 0.0
+
+    def why_not(self, ahead_deg: Sequence[float], now_deg: Sequence[float]) -> Refusal | None:
+        """Return why the setpoint may not go on to six angles, or ``None``."""
+        rules = self._gate.rules()
+        if rules is None:
+            return None
+        if rules is not self._rules:
+            self._rules, self._room_mm = rules, 0.0
+        travel_mm = rules.travel_mm(ahead_deg, now_deg)
+        if travel_mm < self._room_mm and rules.within_limits(ahead_deg):
+            self._room_mm -= travel_mm
+            return None
+        from armui.ways.way import straight_way  # noqa: PLC0415 - numpy
+
+        answer = self._gate.ask(straight_way(now_deg, ahead_deg))
+        self._room_mm = 0.0 if isinstance(answer, Refusal) else rules.room_mm(ahead_deg)
+        return answer if isinstance(answer, Refusal) else None
+
+
+class Gate(ControllerPart):
+    """Checks every motion, and hands out the passes without which no motion frame is sent.
+
+    Args:
+        context: The context that the controller's parts share.
+        scene: Returns what the rules depend on, and a function that makes them; the same objects
+            as long as nothing has changed.
+        background: Has a thread work something out; by default one of the gate's own.
+    """
+
+    def __init__(
+        self,
+        context: Context,
+        scene: Callable[[], tuple[object, Callable[[], Rules]]],
+        background: Background | None = None,
+    ) -> None:
+        self._context = context
+        self._scene = scene
+        self._background = background
+        self._threads: ThreadPoolExecutor | None = None
+        self._of: object = None
+        self._rules: Rules | None = None
+        self._marks: Marks = {}
+        self._rest = RestWatch(QUIET_DEG, QUIET_S)
+        self._pending: _Pending | None = None
+
+    # What is known ------------------------------------------------------------------------------
+
+    def rules(self) -> Rules | None:
+        """Return the rules in force; ``None`` while no arm is connected."""
+        if self._context.connection.device is None:
+            return None
+        of, make = self._scene()
+        if self._rules is None or of != self._of:
+            self._of, self._rules, self._marks = of, make(), {}
+        return self._rules
+
+    @property
+    def pending(self) -> bool:
+        """True while a motion waits for the arm to rest, or for its check."""
+        return self._pending is not None
+
+    # What is asked ------------------------------------------------------------------------------
+
+    def judge(self, way: Way, accepts: Collection[str] = ()) -> Refusal | None:
+        """Return why a way may not be driven now, or ``None``; nothing is sent, or noted."""
+        rules = self.rules()
+        return None if rules is None else _judge(way, rules, self._marks, accepts).refusal
+
+    def ask(self, way: Way, accepts: Collection[str] = ()) -> Pass | Refusal:
+        """Return the pass for a way, or why it may not be driven."""
+        rules = self.rules()
+        if rules is None:
+            return Pass(way)
+        judged = _judge(way, rules, self._marks, accepts)
+        return judged.refusal or self._let_through(judged, way)
+
+    def ask_on(self, command: MotionCommand | None) -> Pass | Refusal:
+        """Return the pass for what is left of a motion that was held back, or why it may not go on.
+
+        Args:
+            command: Our command; ``None`` if its target is not known any more.
+        """
+        begin_deg = self._context.authority.measured_deg()
+        if command is None or command.way is None or begin_deg is None:
+            return self.ask_unknown()
+        from armui.ways.way import rest_of  # noqa: PLC0415 - numpy
+
+        return self.ask(rest_of(command.way, begin_deg))
+
+    def ask_unknown(self) -> Pass | Refusal:
+        """Return the pass for a motion whose way nobody knows, or why it may not be begun."""
+        now = self._context.operating_state()
+        return WAY_UNKNOWN() if now.keeps_area else Pass()
+
+    def passed(self, command: MotionCommand) -> Pass:
+        """Return the pass that a command of ours was sent with."""
+        return Pass(command.way, self.rules())
+
+    def ask_within(self, passed: Pass | None) -> Pass | Refusal:
+        """Return the pass for the next setpoint of a stream whose whole way was passed.
+
+        Args:
+            passed: The pass of its way; ``None`` if it has none.
+        """
+        if passed is None or passed.rules is not self.rules():
+            return BEGAN_ELSEWHERE()
+        return passed
+
+    def ask_held(self) -> Pass:
+        """Return the pass for a frame typed by hand: nobody reads its way, and its button is held."""
+        return Pass()
+
+    def ask_no_way(self) -> Pass:
+        """Return the pass for frames that move no joint: a speed, a mounting, the gripper.
+
+        The rules enclose the gripper at every opening, so that it needs no way of its own.
+        """
+        return Pass()
+
+    def stream(self) -> StreamCheck:
+        """Return what checks the setpoints of a new jog."""
+        return StreamCheck(self)
+
+    def _let_through(self, judged: Judgement, way: Way) -> Pass:
+        self._marks = judged.marks
+        return Pass(way)
+
+    # What is sent -------------------------------------------------------------------------------
+
+    def begin(self, request: MotionRequest) -> Started | Refusal:
+        """Do the same as :meth:`send`; the operator is told of a refusal."""
+        answer = self.send(request)
+        if not isinstance(answer, Refusal):
+            return answer
+        request.started.close(Ending.REFUSED)
+        return self._context.refuse(answer)
+
+    def send(self, request: MotionRequest) -> Started | Refusal:
+        """Check a motion and send it, at once or within a second; another one that waits is void.
+
+        Returns:
+            The record of the motion, which is closed if it is refused later, or why nothing was
+            sent.
+        """
+        self._drop(Ending.CUT_OFF)
+        context = self._context
+        now = context.refresh()
+        refusal = request.why_not(now) or context.why_no_motion()
+        measured_deg = context.authority.measured_deg()
+        if refusal is None and measured_deg is None:
+            refusal = JOINTS_UNKNOWN()
+        if refusal is not None or measured_deg is None:
+            return refusal or JOINTS_UNKNOWN()
+        planned = request.plan(measured_deg)
+        if isinstance(planned, Refusal):
+            return planned
+        state = context.connection.newest
+        braking = braking_deg(state, self._accelerations(), context.clock())
+        self._rest.observe(state, context.clock())
+        if braking is None and not self._rest.at_rest:
+            return self._brake_first(request, None)
+        braking = braking or (0.0,) * 6
+        fluent = self._fluent(planned, braking)
+        if fluent is None:
+            return self._brake_first(request, braking)
+        moving = any(fluent.spread_deg)
+        rules = self.rules()
+        if rules is None or _is_short(fluent, rules):
+            passed = self.ask(fluent, request.accepts)
+            if isinstance(passed, Refusal):
+                return self._brake_first(request, braking) if moving else passed
+            return self._send(request, passed)
+        if moving:
+            return self._brake_first(request, braking)
+        pending = self._wait_for(request)
+        self._begin_check(pending, rules, planned)
+        return self._follow(pending) or request.started
+
+    def _fluent(self, way: Way, braking: Sequence[float]) -> Way | None:
+        """Return the way of an arm that goes on to it from its motion; ``None``: it must brake."""
+        if not any(braking):
+            return way
+        first, *_ = way.joints_deg
+        turns = (way.joints_deg[-1] - first).tolist()
+        astray = astray_deg(braking, turns)
+        if max(astray) > FLUENT_DEG:
+            return None
+        from armui.ways.way import Way  # noqa: PLC0415 - numpy
+
+        return Way(way.joints_deg, astray)
+
+    def _brake_first(
+        self, request: MotionRequest, braking: Sequence[float] | None
+    ) -> Started | Refusal:
+        """Have the arm end what it does; the motion follows once it rests.
+
+        A motion that could not follow anyway ends no other one: where the arm will rest is known
+        nearly.
+        """
+        refusal = self._why_not_from(request, braking)
+        if refusal is not None:
+            return refusal
+        if not self._context.authority.is_ending:
+            abort_motion(self._context)
+        self._rest.reset()
+        self._wait_for(request)
+        return request.started
+
+    def _why_not_from(
+        self, request: MotionRequest, braking: Sequence[float] | None
+    ) -> Refusal | None:
+        """Return why a motion could not begin where the arm comes to rest, as far as is known."""
+        measured_deg, rules = self._context.authority.measured_deg(), self.rules()
+        if measured_deg is None or rules is None:
+            return None
+        begin_deg = [a + b for a, b in zip(measured_deg, braking or (0.0,) * 6, strict=True)]
+        way = request.plan(begin_deg)
+        if isinstance(way, Refusal):
+            return way
+        if _is_short(way, rules):
+            return _judge(way, rules, self._marks, request.accepts).refusal
+        from armui.ways.law import judge_end  # noqa: PLC0415 - numpy
+
+        return judge_end(way, rules.without(*request.accepts), self._marks)
+
+    def _wait_for(self, request: MotionRequest) -> _Pending:
+        context = self._context
+        self._pending = _Pending(request, context.clock(), context.authority.number)
+        return self._pending
+
+    def _begin_check(self, pending: _Pending, rules: Rules, way: Way) -> None:
+        marks, accepts = self._marks, pending.request.accepts
+        pending.rules = rules
+        pending.job = self._in_background(lambda: (_judge(way, rules, marks, accepts), way))
+
+    def _in_background(self, work: Callable[[], Any]) -> Future[Any]:
+        if self._background is not None:
+            return self._background(work)
+        if self._threads is None:
+            self._threads = ThreadPoolExecutor(2, "armui-gate")
+        return self._threads.submit(work)
+
+    def _send(self, request: MotionRequest, passed: Pass) -> Started | Refusal:
+        frames = request.frames()
+        if isinstance(frames, Refusal):
+            return frames
+        sent = self._context.send_motion(
+            request.kind,
+            frames,
+            passed=passed,
+            started=request.started,
+            move_mode=request.move_mode,
+            speed_percent=request.speed_percent,
+            joints_deg=request.joints_deg,
+            tool=request.tool,
+            leads_away=request.leads_away,
+            way=request.tool_way,
+            keep_s=request.keep_s,
+        )
+        if isinstance(sent, Refusal):
+            return sent
+        request.sent(sent)
+        if request.told is not None:
+            notice, figures = request.told
+            self._context.tell(notice, request.started, **figures)
+        return request.started
+
+    # The controller's tick ------------------------------------------------------------------
+
+    def follow_arm(self) -> None:
+        """Go on with what waits, and note who else has moved the arm."""
+        context = self._context
+        self._rest.observe(context.connection.newest, context.clock())
+        authority = context.authority
+        if authority.mover in _SET_ANEW or authority.why_silent() is not None:
+            self._marks = {}
+        pending = self._pending
+        if pending is None:
+            return
+        refusal = self._follow(pending)
+        if refusal is not None:
+            self._refuse(pending.request, refusal)
+
+    def _follow(self, pending: _Pending) -> Refusal | None:
+        """Go on with what waits; return why it is refused, or ``None``."""
+        context, request = self._context, pending.request
+        now_s = context.clock()
+        if context.authority.number != pending.number:
+            self._drop(Ending.CUT_OFF)
+            return None
+        refusal = request.why_not(context.operating_state()) or context.why_no_motion()
+        if refusal is None and now_s - pending.since_s > _WITHIN_S:
+            refusal = NOT_IN_TIME()
+        if refusal is None and pending.job is None:
+            refusal = self._check_at_rest(pending)
+        if refusal is None and pending.job is not None and pending.job.done():
+            return self._take(pending, pending.job)
+        if refusal is not None:
+            self._pending = None
+            return refusal
+        if not pending.told and now_s - pending.since_s >= _SAID_AFTER_S:
+            pending.told = True
+            context.report(request.started, CHECKING)
+        return None
+
+    def _check_at_rest(self, pending: _Pending) -> Refusal | None:
+        """Begin the check of a motion that waits for the arm, if it rests now."""
+        begin_deg = self._context.authority.measured_deg()
+        rules = self.rules()
+        if not self._rest.at_rest or begin_deg is None or rules is None:
+            return None
+        way = pending.request.plan(begin_deg)
+        if isinstance(way, Refusal):
+            return way
+        self._begin_check(pending, rules, way)
+        return None
+
+    def _take(self, pending: _Pending, job: Future[tuple[Judgement, Way]]) -> Refusal | None:
+        """Take the answer of a check: send, or return why not."""
+        self._pending = None
+        judged, way = job.result()
+        if judged.refusal is not None:
+            return judged.refusal
+        measured_deg = self._context.authority.measured_deg()
+        if measured_deg is None:
+            return JOINTS_UNKNOWN()
+        away_deg = max(abs(a - b) for a, b in zip(measured_deg, judged.begin_deg, strict=True))
+        if self.rules() is not pending.rules or away_deg > _SAME_DEG:
+            return BEGAN_ELSEWHERE()
+        sent = self._send(pending.request, self._let_through(judged, way))
+        return sent if isinstance(sent, Refusal) else None
+
+    def _refuse(self, request: MotionRequest, refusal: Refusal) -> None:
+        if request.refused is not None:
+            request.started.close(Ending.REFUSED)
+            request.refused(refusal)
+            return
+        context = self._context
+        close_and_tell(
+            context.tell, context.clock(), request.started, Ending.REFUSED, REFUSED, reason=refusal
+        )
+
+    def _drop(self, ending: Ending) -> None:
+        pending, self._pending = self._pending, None
+        if pending is not None:
+            pending.request.started.close(ending)
+
+    def _accelerations(self) -> tuple[float, ...]:
+        now = self._context.operating_state()
+        heard = self._context.connection.newest.accelerations_deg_s2
+        return accelerations(heard, model_data(now.model).accelerations_deg_s2)
+
+    def halt(self) -> None:
+        """Drop what waits: the arm is to stop, or to halt."""
+        self._drop(Ending.CUT_OFF)
+
+    def forget_arm(self) -> None:
+        """Drop what waits, and forget where the arm was found: another one may come."""
+        self._drop(Ending.CUT_OFF)
+        self._rest.reset()
+        self._of = self._rules = None
+        self._marks = {}
+
+    def end(self) -> None:
+        """End the gate's threads; what they work out counts no more."""
+        if self._threads is not None:
+            self._threads.shutdown(wait=False, cancel_futures=True)
+            self._threads = None
+
+
+def _is_short(way: Way, rules: Rules) -> bool:
+    """Return whether a way is checked in a moment, or ends nowhere at all."""
+    return not rules.effort(way) > _AT_ONCE
+
+
+def _judge(way: Way, rules: Rules, marks: Marks, accepts: Collection[str]) -> Judgement:
+    from armui.ways.law import judge  # noqa: PLC0415 - numpy
+
+    return judge(way, rules.without(*accepts), marks)

@@ -1,0 +1,208 @@
+"""The law over all rules: who is outside may only stay or come back (safety S36).
+
+A rule says of each of its bounds how far outside it a pose is. A target keeps every bound in full.
+On the way to it, and where the arm begins, measured noise is allowed, by so much once: it is
+counted from the *mark*, how far outside the arm was found when somebody else had brought it there.
+Our motions only tighten the mark, so that many small steps lead no further than a single one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Final, Protocol
+
+import numpy as np
+import numpy.typing as npt
+
+from armui.arm.refusal import Refusal
+from armui.ways.way import Array, Way
+
+Marks = Mapping[tuple[str, str], float]
+"""How far outside the arm was found, by the name of a rule and that of its bound."""
+
+_EXACT: Final = 1e-2
+"""A target may miss a bound by this much, in mm or degrees: rounding to the steps of the bus."""
+
+
+@dataclass(frozen=True, slots=True)
+class Breach:
+    """The first place on a way that is further outside a bound than allowed.
+
+    Attributes:
+        bound: The index of the bound in the rule.
+        outside: How far outside it is there, in the rule's unit.
+        joints_deg: The six angles there.
+        part: The part of the arm that is outside; "" where the bound says it.
+    """
+
+    bound: int
+    outside: float
+    joints_deg: tuple[float, ...]
+    part: str = ""
+
+
+class Rule(Protocol):
+    """What restricts where the arm may be.
+
+    Attributes:
+        name: The name, which is no other rule's.
+        bounds: The names of its bounds.
+        noise: By how much a pose that is measured may be outside without being so, in its unit.
+        may_stay: True if an arm outside may be sent to a place that is outside, too, as along the
+            plane it is too near to; false if a target is inside always, as the firmware wants of
+            the joints' limits.
+        reaches_mm: How far each joint moves any part at most for a radian; empty where mm are not
+            what it is about.
+    """
+
+    name: str
+    bounds: tuple[str, ...]
+    noise: float
+    may_stay: bool
+    reaches_mm: tuple[float, ...]
+
+    def outside(self, joints_deg: Array) -> Array:
+        """Return (n, bounds) how far outside each bound (n, 6) angles are; below 0: inside."""
+        ...
+
+    def breach(self, way: Way, allowed: Array) -> Breach | None:
+        """Return the first place that is further outside than allowed, or ``None``.
+
+        Args:
+            way: The way.
+            allowed: (bounds,) how far outside it may be; infinite where it is not asked.
+        """
+        ...
+
+    def finely(self, way: Way) -> Array:
+        """Return (n, 6) poses on a way between which nothing changes by more than the noise."""
+        ...
+
+    def refuse(self, breach: Breach, *, found_outside: bool) -> Refusal:
+        """Return a breach as a reason.
+
+        Args:
+            breach: The breach.
+            found_outside: True if the arm was outside that bound before.
+        """
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Judgement:
+    """What the law says of a way.
+
+    Attributes:
+        refusal: Why it may not be driven, or ``None``.
+        marks: The marks once it is driven.
+        begin_deg, end_deg: Where it begins and ends.
+    """
+
+    refusal: Refusal | None
+    marks: Marks
+    begin_deg: tuple[float, ...]
+    end_deg: tuple[float, ...]
+
+
+def judge(way: Way, rules: Iterable[Rule], marks: Marks) -> Judgement:
+    """Return what the law says of a way.
+
+    Args:
+        way: The way.
+        rules: All rules in force.
+        marks: Those known; a bound without one gets its own here.
+    """
+    after = dict(marks)
+    for rule in rules:
+        refusal = _judge(way, rule, after)
+        if refusal is not None:
+            return Judgement(refusal, marks, way.begin_deg, way.end_deg)
+    return Judgement(None, after, way.begin_deg, way.end_deg)
+
+
+def judge_end(way: Way, rules: Iterable[Rule], marks: Marks) -> Refusal | None:
+    """Return why a way may not end where it does, wherever it begins, or ``None``."""
+    for rule in rules:
+        if not rule.bounds:
+            continue
+        begin, end = rule.outside(way.joints_deg[[0, -1]])
+        over = end - _allowed_at_end(rule, _marks_of(rule, begin, marks), begin)
+        if (over > 0.0).any():
+            bound = int(np.argmax(over))
+            breach = Breach(bound, float(end[bound]), way.end_deg)
+            return rule.refuse(breach, found_outside=False)
+    return None
+
+
+def _marks_of(rule: Rule, begin: Array, marks: Marks) -> Array:
+    found = np.array([marks.get((rule.name, bound), np.nan) for bound in rule.bounds])
+    return np.where(np.isnan(found), np.where(begin > rule.noise, begin, 0.0), found)
+
+
+def _allowed_at_end(rule: Rule, mark: Array, begin: Array) -> Array:
+    """Return (bounds,) how far outside a target may be.
+
+    It is inside, unless the arm was found outside. What trembles at a bound may stay there, and
+    what has sagged far beyond it may come back a part of the way.
+    """
+    if not rule.may_stay:
+        return np.full(len(mark), _EXACT)
+    trembling = np.clip(begin, _EXACT, rule.noise)
+    found = np.where(mark > 0.0, mark + rule.noise, trembling)
+    return np.maximum(found, begin - rule.noise)
+
+
+def _judge(way: Way, rule: Rule, marks: dict[tuple[str, str], float]) -> Refusal | None:
+    if not rule.bounds:
+        return None
+    begin, end = rule.outside(way.joints_deg[[0, -1]])
+    mark = _marks_of(rule, begin, marks)
+    at_end = _allowed_at_end(rule, mark, begin)
+    beyond = np.flatnonzero(end > at_end)
+    # what is found outside is followed pose by pose, as it may only come back
+    outside = (begin > mark + rule.noise) | (mark > 0.0)
+    breach = rule.breach(way, np.where(outside, np.inf, rule.noise))
+    if breach is None and outside.any():
+        breach = _deeper(way, rule, mark, outside)
+    if breach is None and len(beyond):
+        worst = int(beyond[np.argmax((end - at_end)[beyond])])
+        breach = Breach(worst, float(end[worst]), way.end_deg)
+    if breach is not None:
+        return rule.refuse(breach, found_outside=bool(outside[breach.bound]))
+    for index, bound in enumerate(rule.bounds):
+        marks[rule.name, bound] = max(0.0, min(float(mark[index]), float(end[index])))
+    return None
+
+
+def _deeper(way: Way, rule: Rule, mark: Array, outside: npt.NDArray[np.bool_]) -> Breach | None:
+    """Return the first place that is further outside than a place before it was, or ``None``."""
+    poses = rule.finely(way)
+    found = rule.outside(poses)
+    least = np.minimum.accumulate(found, axis=0)
+    # an arm that sags stands further outside than its mark: it is held to where it stands
+    sagged = found[0] > mark + rule.noise
+    allowed = np.where(sagged, np.maximum(least, 0.0), np.clip(np.minimum(mark, least), 0.0, None))
+    allowed = allowed + np.where(sagged & (least > 0.0), 0.0, rule.noise)
+    allowed = np.maximum(allowed, rule.noise)
+    over = (found > allowed + _EXACT) & outside
+    places = np.flatnonzero(over.any(axis=1))
+    if not len(places):
+        return None
+    place = int(places[0])
+    bound = int(np.argmax(np.where(over[place], found[place], -np.inf)))
+    return Breach(bound, float(found[place, bound]), tuple(poses[place].tolist()))
+
+
+def found_outside(
+    joints_deg: Sequence[float], rules: Iterable[Rule]
+) -> tuple[tuple[Rule, Breach], ...]:
+    """Return the bounds that an arm measured at six angles is outside of, by more than noise."""
+    found: list[tuple[Rule, Breach]] = []
+    for rule in rules:
+        if not rule.bounds:
+            continue
+        outside = rule.outside(np.array([joints_deg], dtype=float))[0]
+        for bound in np.flatnonzero(outside > rule.noise).tolist():
+            found.append((rule, Breach(bound, float(outside[bound]), tuple(joints_deg))))
+    return tuple(found)
