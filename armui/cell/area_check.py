@@ -21,7 +21,7 @@ from armui.cell.clearance import box_gaps, plane_gaps
 from armui.cell.enclosure import Body, Capsule, Capsules, body_of, enclose
 from armui.cell.first_place import PlaceSearch
 from armui.cell.held_shape import held_shape
-from armui.cell.moving import Moving
+from armui.cell.moved_capsules import MovedCapsules
 from armui.cell.nearness import Obstacles
 from armui.cell.work_area import Area, Zone
 from armui.kinematics.poses import pose_to_matrix
@@ -114,13 +114,13 @@ class AreaCheck:
         self._skipped = np.array(
             [[name in each.skips for name in names] for each in body.capsules], dtype=bool
         ).reshape(len(body.capsules), len(names))
-        self._moving = Moving(body.geometry, body.capsules)
+        self._moving = MovedCapsules(body.geometry, body.capsules)
         self._obstacles = Obstacles(self._area.planes, self._area.boxes)
         coarse, enclosing = _by_part(body)
         self._search = PlaceSearch(
             self._moving,
             self._obstacles,
-            (Moving(body.geometry, coarse), enclosing, self._obstacles),
+            (MovedCapsules(body.geometry, coarse), enclosing, self._obstacles),
         )
 
     @property

@@ -16,7 +16,7 @@ from typing import Final, Protocol
 import numpy as np
 import numpy.typing as npt
 
-from armui.cell.moving import Moving
+from armui.cell.moved_capsules import MovedCapsules
 from armui.kinematics.geometry import JOINT_COUNT
 
 Array = npt.NDArray[np.float64]
@@ -182,9 +182,9 @@ class PlaceSearch:
 
     def __init__(
         self,
-        moving: Moving,
+        moving: MovedCapsules,
         obstacles: Supports,
-        coarse: tuple[Moving, Whole, Facing] | None = None,
+        coarse: tuple[MovedCapsules, Whole, Facing] | None = None,
     ) -> None:
         self._moving = moving
         self._obstacles = obstacles

@@ -17,7 +17,7 @@ Whole = npt.NDArray[np.int64]
 _FRAMES = JOINT_COUNT + 1
 
 
-class Moving:
+class MovedCapsules:
     """Capsules fixed to the links of an arm, seen from a link before.
 
     Args:
