@@ -19,7 +19,10 @@ from armui.arm.models import STANDING, Rising, model_data
 from armui.arm.refusal import Reason, Refusal
 from armui.cell.clearance import box_gaps, plane_gaps
 from armui.cell.enclosure import Body, Capsule, Capsules, body_of, enclose
+from armui.cell.first_place import PlaceSearch
 from armui.cell.held_shape import held_shape
+from armui.cell.moved_capsules import MovedCapsules
+from armui.cell.nearness import Obstacles
 from armui.cell.work_area import Area, Zone
 from armui.kinematics.poses import pose_to_matrix
 
@@ -47,6 +50,7 @@ _LOOKED_MM: Final = 2.0 * SLACK_MM
 _SAME_MM: Final = 1e-6
 _FLANGE: Final = 6
 _MOST_AT_ONCE: Final = 4096
+_MOST_PAIRS: Final = 200_000
 _DROP_MM: Final = 25.0
 _BESIDE_MM: Final = 50.0
 """What is this near to the way straight down counts as below."""
@@ -64,6 +68,25 @@ class AreaEntry:
         gap_mm: Its distance; below 0 it is inside.
     """
 
+    zone: Zone
+    part: str
+    gap_mm: float
+
+
+@dataclass(frozen=True, slots=True)
+class Breach:
+    """The first place on a way at which the arm is nearer to something than it may be.
+
+    Attributes:
+        index: The pose of the way before the place, by its index.
+        share: The share of the way from that pose to the next one.
+        zone: The plane or box.
+        part: The part of the arm, a name of `PARTS`.
+        gap_mm: Its distance there; below 0 it is inside.
+    """
+
+    index: int
+    share: float
     zone: Zone
     part: str
     gap_mm: float
@@ -89,13 +112,26 @@ class AreaCheck:
         self._reaches_mm = _reaches_mm(body)
         names = [zone.name for zone in self._area.zones]
         self._skipped = np.array(
-            [[name in each.skips for name in names] for each in body.capsules]
+            [[name in each.skips for name in names] for each in body.capsules], dtype=bool
         ).reshape(len(body.capsules), len(names))
+        self._moving = MovedCapsules(body.geometry, body.capsules)
+        self._obstacles = Obstacles(self._area.planes, self._area.boxes)
+        coarse, enclosing = _by_part(body)
+        self._search = PlaceSearch(
+            self._moving,
+            self._obstacles,
+            (MovedCapsules(body.geometry, coarse), enclosing, self._obstacles),
+        )
 
     @property
     def is_free(self) -> bool:
         """True if nothing is switched on: the arm may go anywhere."""
         return self._area.is_free
+
+    @property
+    def zones(self) -> tuple[Zone, ...]:
+        """What is switched on: planes, then boxes."""
+        return self._area.zones
 
     @property
     def margin_mm(self) -> float:
@@ -106,14 +142,47 @@ class AreaCheck:
         """Return whether a standing arm is too near; what is measured wavers within the slack."""
         return entry.gap_mm < self.margin_mm - SLACK_MM
 
+    def gaps(self, joints_deg: npt.ArrayLike) -> Array:
+        """Return (n, zones) the least gap of the arm to each plane and box at (n, 6) angles.
+
+        What nothing of the arm counts against is infinitely far.
+        """
+        return self._nearest(joints_deg)[0]
+
+    def breach(
+        self,
+        way_deg: npt.ArrayLike,
+        least_mm: npt.ArrayLike,
+        spread_deg: npt.ArrayLike | None = None,
+    ) -> Breach | None:
+        """Return the first place on a way at which the arm is too near to something, or ``None``.
+
+        Args:
+            way_deg: (n, 6) the way; between two of them the joints turn evenly.
+            least_mm: (zones,) the gap that is kept to each; minus infinity for what is not asked.
+            spread_deg: (6,) how far each joint may be off, either way, at the beginning; that
+                shrinks evenly to 0 at the end. The answer holds for every such way.
+
+        Returns:
+            The place; where the way only just keeps the gap, by less than 0.5 mm, there may be one.
+            ``None`` holds for all of the way.
+
+        Raises:
+            ValueError: A figure is none.
+        """
+        least = np.where(self._skipped, -np.inf, np.asarray(least_mm, dtype=float))
+        found = self._search.first(way_deg, least, spread_deg)
+        if found is None:
+            return None
+        index = max(min(int(found.at), len(np.asarray(way_deg)) - 2), 0)
+        zone, part = self._area.zones[found.obstacle], self._body.capsules[found.capsule].part
+        return Breach(index, found.at - index, zone, part, found.gap_mm)
+
     def look(self, joints_deg: Sequence[float]) -> tuple[AreaEntry, ...]:
         """Return what of the arm is nearest to each plane and box at six angles, nearest first."""
-        gaps, capsules = self._gaps(np.array([joints_deg], dtype=float))
-        nearest = gaps[0].argmin(axis=0).tolist()
-        entries = [
-            AreaEntry(zone, capsules.parts[capsule], float(gaps[0, capsule, place]))
-            for place, (zone, capsule) in enumerate(zip(self._area.zones, nearest, strict=True))
-        ]
+        gaps, nearest = (each[0].tolist() for each in self._nearest([joints_deg]))
+        parts = [self._body.capsules[capsule].part for capsule in nearest]
+        entries = map(AreaEntry, self._area.zones, parts, gaps)
         return tuple(sorted(entries, key=lambda entry: entry.gap_mm))
 
     def below(self, joints_deg: Sequence[float]) -> tuple[str, ...]:
@@ -194,6 +263,32 @@ class AreaCheck:
                 if index not in found or entry.gap_mm < found[index].gap_mm:
                     found[index] = entry
         return found
+
+    def _nearest(self, joints_deg: npt.ArrayLike) -> tuple[Array, npt.NDArray[np.int64]]:
+        """Return (n, zones) the least gaps at (n, 6) angles, and the capsules that have them."""
+        poses = np.asarray(joints_deg, dtype=float).reshape(-1, len(self._reaches_mm))
+        shape = (len(poses), len(self._obstacles))
+        gaps, nearest = np.full(shape, np.inf), np.zeros(shape, dtype=np.int64)
+        size = max(1, _MOST_PAIRS // max(1, len(self._moving) * shape[1]))
+        for begin in range(0, len(poses), size):
+            block = slice(begin, begin + size)
+            ends = self._moving.all_ends(self._moving.frames(poses[block]))
+            middles = ends.mean(axis=2)
+            known = self._obstacles.distances(middles.reshape(-1, 3)).T
+            known = known.reshape(*middles.shape[:2], -1) - self._moving.radii_mm[:, None]
+            known[:, self._skipped] = np.inf
+            half = np.linalg.norm(ends[:, :, 1] - middles, axis=2)
+            # only what may be nearer than the middle of something else is looked at exactly
+            pose, capsule, zone = np.nonzero(
+                known - half[:, :, None] <= known.min(axis=1, keepdims=True) + _SAME_MM
+            )
+            exact = self._obstacles.supports(ends[pose, capsule], zone)[:, 0]
+            known[:] = np.inf
+            known[pose, capsule, zone] = exact - self._moving.radii_mm[capsule]
+            known[:, self._skipped] = np.inf
+            nearest[block] = known.argmin(axis=1)
+            gaps[block] = known.min(axis=1)
+        return gaps, nearest
 
     def _finely(self, joints_deg: Array) -> tuple[Array, npt.NDArray[np.int64]]:
         """Return a way with poses between those that are far apart and near to something.
@@ -318,18 +413,36 @@ def carried_body(
 
 def _coarse(body: Body) -> Body:
     """Return a body with one capsule for each link, which encloses all of the link's."""
-    found = []
-    for link in sorted({each.link for each in body.capsules}):
-        capsules = [each for each in body.capsules if each.link == link]
-        ends = np.array([end for each in capsules for end in (each.start_mm, each.end_mm)])
-        apart = np.linalg.norm(ends[:, None] - ends[None], axis=2)
-        start, end = (ends[which] for which in np.unravel_index(apart.argmax(), apart.shape))
-        along = end - start
-        shares = np.clip((ends - start) @ along / max(float(along @ along), 1e-9), 0.0, 1.0)
-        off = np.linalg.norm(ends - start - shares[:, None] * along, axis=1)
-        radius_mm = float((off + np.repeat([each.radius_mm for each in capsules], 2)).max())
-        found.append(Capsule("base", link, tuple(start), tuple(end), radius_mm))
-    return replace(body, capsules=tuple(found))
+    links = sorted({each.link for each in body.capsules})
+    return replace(
+        body,
+        capsules=tuple(
+            _around([each for each in body.capsules if each.link == link]) for link in links
+        ),
+    )
+
+
+def _by_part(body: Body) -> tuple[tuple[Capsule, ...], npt.NDArray[np.int64]]:
+    """Return a capsule around what each part has on each link, and which one each is in."""
+    names = [(each.link, each.part) for each in body.capsules]
+    groups = sorted(set(names))
+    around = tuple(
+        _around([each for each, name in zip(body.capsules, names, strict=True) if name == group])
+        for group in groups
+    )
+    return around, np.array([groups.index(name) for name in names], dtype=np.int64)
+
+
+def _around(capsules: Sequence[Capsule]) -> Capsule:
+    """Return a capsule that encloses others of one link."""
+    ends = np.array([end for each in capsules for end in (each.start_mm, each.end_mm)])
+    apart = np.linalg.norm(ends[:, None] - ends[None], axis=2)
+    start, end = (ends[which] for which in np.unravel_index(apart.argmax(), apart.shape))
+    along = end - start
+    shares = np.clip((ends - start) @ along / max(float(along @ along), 1e-9), 0.0, 1.0)
+    off = np.linalg.norm(ends - start - shares[:, None] * along, axis=1)
+    radius_mm = float((off + np.repeat([each.radius_mm for each in capsules], 2)).max())
+    return Capsule("base", capsules[0].link, tuple(start), tuple(end), radius_mm)
 
 
 def _blocks(indices: npt.NDArray[np.int64]) -> list[npt.NDArray[np.int64]]:

@@ -1,0 +1,409 @@
+"""Finds the first place on a way of the joints at which something that moves is too near.
+
+A part of the way is clear if a support of the obstacle (`armui.cell.nearness`) stays below
+everything that moves over all of it. From one end of the part to the other a place goes along a
+straight line, less a bulge: with turns h of the joints, in radians, and R_j its distance from the
+axis of joint j, its second derivative is at most Σ R_max(i,j)·h_i·h_j; over the part that is a
+bulge of an eighth of it. What is not clear is cut into shorter parts, until it moves by no more
+than :data:`RESOLUTION_MM`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final, Protocol
+
+import numpy as np
+import numpy.typing as npt
+
+from armui.cell.moved_capsules import MovedCapsules
+from armui.kinematics.geometry import JOINT_COUNT
+
+Array = npt.NDArray[np.float64]
+Whole = npt.NDArray[np.int64]
+Flags = npt.NDArray[np.bool_]
+
+RESOLUTION_MM: Final = 0.5
+"""What is too near by less than this may be told as too near, or not; nothing nearer is missed."""
+_ROUNDING_MM: Final = 1e-6
+_CUT: Final = 4
+"""Each part that is not clear is cut into so many."""
+_BULGE_MM: Final = 25.0
+"""The first parts are as long as bulges of about this allow."""
+_MOST_AT_ONCE: Final = 200_000
+_TINY: Final = 1e-300
+
+
+class Supports(Protocol):
+    """Obstacles: what `Obstacles` is, or anything else that is convex."""
+
+    def __len__(self) -> int:
+        """Return how many."""
+
+    def supports(self, ends: Array, which: Whole) -> Array:
+        """Return what `Obstacles.supports` returns."""
+
+
+class Facing(Supports, Protocol):
+    """Obstacles that can be looked at coarsely, too."""
+
+    def facing(self, places: Array) -> tuple[Array, Array]:
+        """Return what `Obstacles.facing` returns."""
+
+
+@dataclass(frozen=True, slots=True)
+class FirstPlace:
+    """The first place at which something is too near.
+
+    Attributes:
+        at: The place on the way: 0 is its first pose, 1 the next one, 1.5 midway to the third.
+        capsule: The index of what moves.
+        obstacle: The index of what it is too near to.
+        gap_mm: How near; with a spread, how near it may be at most.
+    """
+
+    at: float
+    capsule: int
+    obstacle: int
+    gap_mm: float
+
+
+@dataclass(frozen=True, slots=True)
+class _Parts:
+    """Parts of the way.
+
+    Attributes:
+        begins, ends: (c,) the places between which each lies.
+        turns: (c, 6) how far each joint turns, in radians.
+        strays: (c, 6) how far each may be off the straight way, in radians: poses between the ends.
+        spreads: (c, 6) the same of the arm itself.
+    """
+
+    begins: Array
+    ends: Array
+    turns: Array
+    strays: Array
+    spreads: Array
+
+
+@dataclass(frozen=True, slots=True)
+class _Rows:
+    """What is not known to be clear.
+
+    Attributes:
+        part, capsule, obstacle: (m,) which.
+        begin, end: (m, 11) at the part's ends: the capsule's ends, six figures; what `supports`
+            returns, five.
+    """
+
+    part: Whole
+    capsule: Whole
+    obstacle: Whole
+    begin: Array
+    end: Array
+
+    def chosen(self, which: Flags | Whole) -> _Rows:
+        return _Rows(
+            self.part[which],
+            self.capsule[which],
+            self.obstacle[which],
+            self.begin[which],
+            self.end[which],
+        )
+
+
+class _Way:
+    """A way of the joints.
+
+    Args:
+        way_deg: (n, 6) its poses, two at least; between them the joints turn evenly.
+        spread_deg: (6,) how far each joint may be off at the beginning.
+    """
+
+    def __init__(self, way_deg: Array, spread_deg: Array) -> None:
+        self._way_deg = way_deg
+        self._spread = np.radians(spread_deg)
+        self.last = len(way_deg) - 1.0
+
+    def poses(self, at: Array) -> Array:
+        """Return (c, 6) the angles at places."""
+        index = np.minimum(at.astype(np.int64), len(self._way_deg) - 2)
+        begin, end = self._way_deg[index], self._way_deg[index + 1]
+        poses: Array = begin + (at - index)[:, None] * (end - begin)
+        return poses
+
+    def first_parts(self, bulges_mm: Array) -> Array:
+        """Return places between which the way bulges by about `_BULGE_MM` at most.
+
+        Args:
+            bulges_mm: (n - 1,) how far it does between two poses.
+        """
+        lengths = np.sqrt(bulges_mm / _BULGE_MM)
+        counts = np.maximum(np.ceil(lengths), 1.0).astype(np.int64)
+        # short ones on end are taken together
+        strides = np.floor(np.cumsum(lengths))
+        alone = lengths > 0.5
+        kept = np.ones(len(lengths), dtype=bool)
+        kept[1:] = alone[1:] | alone[:-1] | (np.diff(strides) > 0.0)
+        begins = np.flatnonzero(kept)
+        counts = counts[begins]
+        steps = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
+        places = np.repeat(begins, counts) + steps / np.repeat(counts, counts)
+        return np.append(places, self.last)
+
+    def parts(self, begins: Array, ends: Array) -> _Parts:
+        """Return what is between some places and others."""
+        first, last = self.poses(begins), self.poses(ends)
+        strays = np.zeros((len(begins), JOINT_COUNT))
+        long = np.flatnonzero(ends - begins > 1.0)
+        if len(long):
+            low = begins[long].astype(np.int64)
+            counts = ends[long].astype(np.int64) - low - 1
+            starts = np.cumsum(counts) - counts
+            steps = np.arange(counts.sum()) - np.repeat(starts, counts) + 1
+            rows = np.repeat(long, counts)
+            shares = (steps / np.repeat(counts + 1, counts))[:, None]
+            straight = first[rows] + shares * (last[rows] - first[rows])
+            off = np.abs(self._way_deg[np.repeat(low, counts) + steps] - straight)
+            strays[long] = np.radians(np.maximum.reduceat(off, starts, axis=0))
+        spreads = (1.0 - begins / self.last)[:, None] * self._spread
+        return _Parts(begins, ends, np.radians(np.abs(last - first)), strays, spreads)
+
+
+class PlaceSearch:
+    """Searches ways for the first place at which something that moves is too near to an obstacle.
+
+    Args:
+        moving: What moves.
+        obstacles: What it may be too near to.
+        coarse: Fewer capsules that enclose all of it, and which of them each is in; needs
+            obstacles that are `Facing`.
+    """
+
+    def __init__(
+        self,
+        moving: MovedCapsules,
+        obstacles: Supports,
+        coarse: tuple[MovedCapsules, Whole, Facing] | None = None,
+    ) -> None:
+        self._moving = moving
+        self._obstacles = obstacles
+        self._coarse = coarse
+        self._furthest_mm = moving.reaches_mm.max(axis=0, initial=0.0)
+
+    def first(
+        self, way_deg: npt.ArrayLike, least_mm: Array, spread_deg: npt.ArrayLike | None = None
+    ) -> FirstPlace | None:
+        """Return the first place on a way at which something is nearer than it may be, or ``None``.
+
+        ``None`` holds for all of the way. A place that is told may be too near by up to
+        `RESOLUTION_MM` less than nothing; it never lies behind the first that is.
+
+        Args:
+            way_deg: (n, 6) the way; between two poses the joints turn evenly.
+            least_mm: (k, z) how near each capsule may come to each obstacle; minus infinity where
+                nothing is asked.
+            spread_deg: (6,) how far each joint may be off at the way's beginning; that shrinks
+                evenly to 0 at its end. The answer holds for every such way; how far it is told too
+                early grows with the spread.
+
+        Raises:
+            ValueError: Something is no number, or no way of six joints.
+        """
+        way, spread, least = _checked(way_deg, least_mm, spread_deg)
+        if not len(way) or not (least > -np.inf).any():
+            return None
+        path = _Way(way if len(way) > 1 else np.repeat(way, 2, axis=0), spread)
+        turns = np.radians(np.abs(np.diff(way, axis=0, append=way[-1:])))[: int(path.last)]
+        places = path.first_parts(_bulges_mm(turns, self._furthest_mm) / 8.0)
+        size = max(8, _MOST_AT_ONCE // (len(self._moving) * len(self._obstacles)))
+        for begin in range(0, len(places) - 1, size):
+            found = self._first(path, places[begin : begin + size + 1], least)
+            if found is not None:
+                return found
+        return None
+
+    def _first(self, way: _Way, places: Array, least_mm: Array) -> FirstPlace | None:
+        """Return the first place between some that follow each other."""
+        parts = way.parts(places[:-1], places[1:])
+        frames = self._moving.frames(way.poses(places))
+        part, capsule, obstacle = self._not_clear(parts, frames, least_mm)
+        both = np.concatenate((part, part + 1))
+        ends = self._states(frames, both, np.tile(capsule, 2), np.tile(obstacle, 2))
+        rows = _Rows(part, capsule, obstacle, *np.split(ends, 2))
+        found: FirstPlace | None = None
+        while len(rows.part):
+            rows, told = self._judged(parts, rows, least_mm)
+            if told is not None and (found is None or told.at <= found.at):
+                found = told
+            if found is not None:
+                rows = rows.chosen(parts.begins[rows.part] < found.at)
+            if len(rows.part):
+                parts, rows = self._cut(way, parts, rows)
+        return found
+
+    def _states(self, frames: Array, poses: Whole, capsules: Whole, obstacles: Whole) -> Array:
+        ends = self._moving.ends(frames, poses, capsules)
+        supports = self._obstacles.supports(ends, obstacles)
+        return np.concatenate((ends.reshape(-1, 6), supports), axis=1)
+
+    def _cut(self, way: _Way, parts: _Parts, rows: _Rows) -> tuple[_Parts, _Rows]:
+        """Return shorter parts, and the rows of them."""
+        used, which = np.unique(rows.part, return_inverse=True)
+        begins, ends = parts.begins[used, None], parts.ends[used, None]
+        places = begins + (ends - begins) * (np.arange(_CUT + 1) / _CUT)
+        # where a part has poses in it, it is cut at them
+        np.rint(places, out=places, where=ends - begins > 1.0)
+        frames = self._moving.frames(way.poses(places[:, 1:-1].ravel()))
+        inner = (which[:, None] * (_CUT - 1) + np.arange(_CUT - 1)).ravel()
+        capsule, obstacle = (np.repeat(each, _CUT - 1) for each in (rows.capsule, rows.obstacle))
+        between = self._states(frames, inner, capsule, obstacle)
+        states = np.concatenate(
+            (rows.begin[:, None], between.reshape(len(which), _CUT - 1, -1), rows.end[:, None]),
+            axis=1,
+        )
+        width = states.shape[2]
+        shorter = _Rows(
+            (which[:, None] * _CUT + np.arange(_CUT)).ravel(),
+            np.repeat(rows.capsule, _CUT),
+            np.repeat(rows.obstacle, _CUT),
+            states[:, :-1].reshape(-1, width),
+            states[:, 1:].reshape(-1, width),
+        )
+        return way.parts(places[:, :-1].ravel(), places[:, 1:].ravel()), shorter
+
+    def _judged(
+        self, parts: _Parts, rows: _Rows, least_mm: Array
+    ) -> tuple[_Rows, FirstPlace | None]:
+        """Return what is neither clear nor told, and the first place that is told."""
+        moving, capsule = self._moving, rows.capsule
+        least = least_mm[capsule, rows.obstacle] - _ROUNDING_MM
+        radii, reaches = moving.radii_mm[capsule], moving.reaches_mm[capsule]
+        turns = parts.turns[rows.part] * moving.moves[capsule]
+        bulges = _bulges_mm(turns, reaches)
+        ends = np.concatenate((rows.begin[:, :6], rows.end[:, :6]), axis=1).reshape(-1, 4, 3)
+        supports = np.stack((rows.begin[:, 6:], rows.end[:, 6:]), axis=1)
+        heights = supports[:, :, 1:4] @ ends.swapaxes(1, 2) - supports[:, :, 4:]
+        # a mean of two supports is one, too
+        heights = np.concatenate((heights, heights.mean(axis=1, keepdims=True)), axis=1)
+        axes = moving.first_axes[capsule]
+        across = _across(supports[:, :, 1:4], axes[:, None]).max(axis=1)
+        first = moving.first_joints[capsule]
+        lead = _lead_mm(turns, reaches, first)
+        risen = _lowest(heights[..., :2], heights[..., 2:], bulges - (1.0 - across) * lead)
+        strays = np.einsum("mj,mj->m", parts.strays[rows.part], reaches)
+        spreads = np.einsum("mj,mj->m", parts.spreads[rows.part], reaches)
+        moved = np.linalg.norm(ends[:, 2:] - ends[:, :2], axis=2).max(axis=1) + bulges / 4.0
+        gaps = (supports[:, :, 0] - radii[:, None]).T
+        bounds = np.maximum(
+            risen.min(axis=2).max(axis=1) - radii, (gaps[0] + gaps[1] - moved) / 2.0
+        )
+        left = np.flatnonzero(~(bounds - strays - spreads >= least))
+        gaps, least = gaps[:, left], least[left]
+        near, ahead = gaps[0] - spreads[left], gaps[1] < least
+        told = near < least
+        told |= ahead & (near < least + RESOLUTION_MM)
+        told |= moved[left] + strays[left] <= RESOLUTION_MM
+        part = rows.part[left]
+        at = np.where(told, parts.begins[part], np.where(ahead, parts.ends[part], np.inf))
+        rows_left = rows.chosen(left[~told])
+        if not len(at) or at.min() == np.inf:
+            return rows_left, None
+        nearest = np.flatnonzero(at == at.min())
+        value = np.where(told, near, gaps[1])
+        chosen = int(nearest[(value - least)[nearest].argmin()])
+        place = FirstPlace(
+            float(at[chosen]),
+            int(capsule[left[chosen]]),
+            int(rows.obstacle[left[chosen]]),
+            float(value[chosen]),
+        )
+        return rows_left, place
+
+    def _not_clear(
+        self, parts: _Parts, frames: Array, least_mm: Array
+    ) -> tuple[Whole, Whole, Whole]:
+        """Return part, capsule and obstacle of what is not clear by the coarse capsules."""
+        asked = least_mm > -np.inf
+        if self._coarse is None:
+            capsule, obstacle = np.nonzero(asked)
+            count = len(parts.begins)
+            part = np.repeat(np.arange(count), len(capsule))
+            return part, np.tile(capsule, count), np.tile(obstacle, count)
+        coarse, enclosing, obstacles = self._coarse
+        ends = coarse.all_ends(frames)
+        ends = np.concatenate((ends[:-1], ends[1:]), axis=2).reshape(-1, 4, 3)
+        directions, heights = obstacles.facing(ends.mean(axis=1))
+        directions = directions.swapaxes(0, 1)
+        along = directions @ ends.swapaxes(1, 2) - heights.T[..., None]
+        count = len(coarse)
+        turns = np.repeat(parts.turns, count, axis=0)
+        reaches = np.tile(coarse.reaches_mm, (len(parts.begins), 1))
+        bulges = _bulges_mm(turns, reaches)
+        lead = _lead_mm(turns, reaches, np.zeros(len(turns), dtype=np.int64))
+        across = _across(directions, coarse.first_axes[0])
+        bulges = bulges[:, None] - (1.0 - across) * lead[:, None]
+        bounds = _lowest(along[..., :2], along[..., 2:], bulges).min(axis=2)
+        off = np.einsum("mj,mj->m", np.repeat(parts.strays + parts.spreads, count, axis=0), reaches)
+        off += np.tile(coarse.radii_mm, len(parts.begins))
+        least = np.full((count, len(obstacles)), -np.inf)
+        np.maximum.at(least, enclosing, least_mm)
+        bounds = (bounds - off[:, None]).reshape(-1, count, len(obstacles))
+        near = ~(bounds >= least - _ROUNDING_MM)
+        part, capsule, obstacle = np.nonzero(near[:, enclosing] & asked)
+        return part, capsule, obstacle
+
+
+def _checked(
+    way_deg: npt.ArrayLike, least_mm: Array, spread_deg: npt.ArrayLike | None
+) -> tuple[Array, Array, Array]:
+    way = np.asarray(way_deg, dtype=float)
+    spread = np.zeros(JOINT_COUNT) if spread_deg is None else np.asarray(spread_deg, dtype=float)
+    if way.shape[1:] != (JOINT_COUNT,) or spread.shape != (JOINT_COUNT,):
+        raise ValueError(f"way_deg, spread_deg: {way.shape}, {spread.shape}: six joints are needed")
+    if not (np.isfinite(way).all() and np.isfinite(spread).all() and (spread >= 0.0).all()):
+        raise ValueError(f"way_deg, spread_deg: {way}, {spread}: finite angles are needed")
+    if np.isnan(least_mm).any():
+        raise ValueError(f"least_mm: {least_mm}: distances, or -inf for what is not asked")
+    return way, spread, least_mm
+
+
+def _bulges_mm(turns: Array, reaches_mm: Array) -> Array:
+    """Return (…) how much a place's velocity changes over a part, in mm, at most.
+
+    Args:
+        turns: (…, 6) the turns of the joints, in radians.
+        reaches_mm: (…, 6) how far the place is from their axes.
+    """
+    weights = turns * (2.0 * np.cumsum(turns, axis=-1) - turns)
+    bulges: Array = np.einsum("...j,...j->...", weights, reaches_mm)
+    return bulges
+
+
+def _lead_mm(turns: Array, reaches_mm: Array, first: Whole) -> Array:
+    """Return (m,) the part of `_bulges_mm` that is square to the axis of the first joint."""
+    rows = np.arange(len(turns))
+    turn, reach = turns[rows, first], reaches_mm[rows, first]
+    moved: Array = np.einsum("mj,mj->m", turns, reaches_mm)
+    return turn * (2.0 * moved - reach * turn)
+
+
+def _across(directions: Array, axes: Array) -> Array:
+    """Return (…) how much of directions of length 1 at most is square to axes."""
+    along = np.einsum("...i,...i->...", directions, axes)
+    across: Array = np.sqrt(np.maximum(1.0 - along**2, 0.0))
+    return across
+
+
+def _lowest(begins: Array, ends: Array, bulges_mm: Array) -> Array:
+    """Return (m, s, e) the least height on ways from some to others.
+
+    Args:
+        begins: (m, s, e) the heights at which they begin.
+        ends: (m, s, e) the heights at which they end.
+        bulges_mm: (m, s) or (m,) what `_bulges_mm` returned.
+    """
+    half = bulges_mm.reshape(*bulges_mm.shape, *(1,) * (begins.ndim - bulges_mm.ndim)) / 2.0
+    dips = np.maximum(half - np.abs(ends - begins), 0.0)
+    lowest: Array = np.minimum(begins, ends) - dips**2 / (4.0 * half + _TINY)
+    return lowest
