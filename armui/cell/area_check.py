@@ -134,6 +134,11 @@ class AreaCheck:
         return self._area.zones
 
     @property
+    def reaches_mm(self) -> tuple[float, ...]:
+        """How far each joint moves any part at most, in mm for a radian."""
+        return tuple(self._reaches_mm.tolist())
+
+    @property
     def margin_mm(self) -> float:
         """The distance that is kept."""
         return self._area.margin_mm
@@ -289,6 +294,10 @@ class AreaCheck:
             nearest[block] = known.argmin(axis=1)
             gaps[block] = known.min(axis=1)
         return gaps, nearest
+
+    def finely(self, way_deg: Array) -> Array:
+        """Return (n, 6) poses on a way; between two that are near to anything little moves."""
+        return self._finely(way_deg)[0]
 
     def _finely(self, joints_deg: Array) -> tuple[Array, npt.NDArray[np.int64]]:
         """Return a way with poses between those that are far apart and near to something.

@@ -99,7 +99,7 @@ class ControllerParts(QObject):
         """Return what the rules depend on, and what makes them."""
         now, lowest_mm = self._context.operating_state(), self.jog_floor.lowest_mm
         tool = (self.cartesian.tool, self.cartesian.tool_radius_mm)
-        of = (now.limits, now.model_fit, self.cell.cell, tool, lowest_mm)
+        of = (now.limits, now.model, now.model_fit.geometry, self.cell.cell, tool, lowest_mm)
 
         def make() -> Rules:
             from armui.ways.rules import rules_of  # noqa: PLC0415 - numpy

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from typing import Any, cast
+from unittest.mock import Mock
 
 import pytest
 
@@ -17,9 +18,11 @@ from armui.protocol.codec import Codec
 from armui.protocol.codes import ControlMode, MoveMode
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from armui.ways.passes import Pass
 from tests.control.heard_arm import HERE, NOWHERE, THERE, Arm, status
 
 TARGET = Frame(0x155, bytes(8))
+PASSED = Pass()
 TOOL = (object(),)
 
 
@@ -34,7 +37,8 @@ class Connection:
     def void(self, newest) -> None:
         self.happened.append(("void", newest))
 
-    def send(self, frames, keep_s, number) -> bool:
+    def send(self, frames, keep_s, number, passed) -> bool:
+        assert passed is PASSED
         self.happened.append((list(frames), keep_s, number))
         return self.works
 
@@ -56,6 +60,7 @@ class Part:
             refresh=OperatingState,
             observe=self._look,
             authority=self.arm.authority,
+            gate=Mock(),
         )
 
     def _look(self) -> None:
@@ -64,7 +69,7 @@ class Part:
 
     def send(self, percent=30, **fields):
         """A motion to joint angles."""
-        given = {"joints_deg": THERE, "move_mode": MoveMode.MOVE_J, **fields}
+        given = {"passed": PASSED, "joints_deg": THERE, "move_mode": MoveMode.MOVE_J, **fields}
         return self.context.send_motion(
             CommandKind.JOINTS, [TARGET], started=Started("a"), speed_percent=percent, **given
         )
@@ -148,7 +153,9 @@ def test_where_no_target_starts_nothing_goes_before_it(part, changes):
 
 
 def go_on(part, command, keep_s=None):
-    return part.context.send_on(command, [TARGET], joints_deg=NOWHERE, keep_s=keep_s)
+    return part.context.send_on(
+        command, [TARGET], passed=PASSED, joints_deg=NOWHERE, keep_s=keep_s
+    )
 
 
 def test_the_next_setpoint_goes_out_alone_under_the_same_number(part):

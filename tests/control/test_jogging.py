@@ -320,17 +320,37 @@ def test_an_arm_that_does_not_follow_is_given_up(rig):
     assert rig.events[-1].params["reason"].code == "jog_not_following"
 
 
-def test_a_joint_beyond_its_limits_is_said_to_be_there(rig):
-    """It follows no jog back: the arm takes no target before the first within them."""
+def test_a_joint_beyond_its_limits_is_led_back_to_them_while_held(rig):
+    """The arm takes no target before the first within them."""
     bend(rig, (100.0, *BENT_DEG[1:]))
     accepted(rig.controller.settings.save({Parameter("max_angle_deg", 1): 50.0}))
     rig.run_until(lambda: rig.controller.operating_state.limits[0].max_deg == 50.0)
     accepted(rig.controller.jogging.start(JointJog(1, -1)))
     hold(rig, 1.0)
-    assert not rig.controller.jogging.active
-    reason = rig.events[-1].params["reason"]
-    assert reason.code == "joint_out_of_limits"
-    assert (reason.params["joint"], reason.params["maximum"]) == (1, 50.0)
+    assert 60.0 < angles(rig)[0] < 99.0
+    rig.controller.jogging.stop()
+    rig.run(1.0)
+    let_go_deg = angles(rig)[0]
+    assert let_go_deg > 60.0
+    rig.run(1.0)
+    assert angles(rig)[0] == pytest.approx(let_go_deg, abs=0.1)
+    accepted(rig.controller.jogging.start(JointJog(1, -1)))
+    hold(rig, 8.0)
+    assert angles(rig)[0] < 49.0
+
+
+def test_a_joint_beyond_its_limits_is_led_no_further(rig):
+    bend(rig, (100.0, *BENT_DEG[1:]))
+    accepted(rig.controller.settings.save({Parameter("max_angle_deg", 1): 50.0}))
+    rig.run_until(lambda: rig.controller.operating_state.limits[0].max_deg == 50.0)
+    for jog in (JointJog(1, 1), JointJog(2, 1)):
+        rig.controller.jogging.start(jog)
+        hold(rig, 0.5)
+        assert not rig.controller.jogging.active
+        reason = rig.events[-1].params["reason"]
+        assert reason.code == "joints_outside"
+        assert reason.params["joints"] == "J1 100.0° [-150° … 50°]"
+    assert angles(rig)[0] == pytest.approx(100.0, abs=0.1)
 
 
 def test_an_arm_in_motion_is_not_jogged(rig):

@@ -234,13 +234,13 @@ def test_gripper_and_lamps_act_on_arrival(ready):
     assert (heard.opening_mm, heard.angle_deg) in {(30.0, None), (None, 10.0)}
 
 
-def test_a_point_beyond_the_limits_ends_the_run_with_the_arms_word(ready):
+def test_a_point_beyond_the_limits_ends_the_run_and_is_not_sent(ready):
     beyond = (170.0, *OUT[1:])
     ready.controller.player.start(run_of(to(OUT), to(beyond)))
     ready.run_until(over(ready))
     progress = ready.controller.player.progress
     assert (progress.phase, progress.index) == (RunPhase.FAILED, 1)
-    assert progress.refusal.reason == ARM_FAULT
+    assert progress.refusal.reason == JOINT_OUT_OF_LIMITS
     assert _near(ready.firmware.joints_deg, OUT)
 
 

@@ -146,7 +146,7 @@ def test_a_joint_may_be_as_late_as_the_one_that_brakes_longest(ready):
     ("replay", "code"),
     [
         (Replay(Recording("nothing")), "run_empty"),
-        (Replay(wave(swing_deg=170.0)), "joint_out_of_limits"),
+        (Replay(wave(seconds=60.0, swing_deg=170.0)), "joint_out_of_limits"),
         (Replay(wave(seconds=1.0, swing_deg=40.0)), "replay_too_fast"),
         (Replay(wave(), factor=20.0), "replay_too_fast"),
     ],

@@ -9,12 +9,12 @@ from armui.cell.cell import Cell, with_part
 from armui.cell.user_frames import UserFrame
 from armui.control.cell.cell_reasons import CELL_NOT_CONFIRMED
 from armui.control.motion.cartesian import FRAME_NOT_IN_FORCE
-from armui.ways.rules import TOO_LOW
 from armui.control.motion.jog_path import ToolJog
 from armui.control.motion.jogging import JOG_NO_FEEDBACK
 from armui.control.motion.steered_path import SteeredJog
 from armui.control.operating_state import JOG_UNDER_WAY
 from armui.kinematics.axes import JogFrame
+from armui.ways.rules import TOO_LOW
 from tests.accepted import accepted
 from tests.cell.areas import area_of, gap_mm, wall
 from tests.control.jogger import BENT_DEG, bend, hold

@@ -107,7 +107,7 @@ def test_an_end_is_not_told_again_after_what_came_since(moving, after):
         rig.firmware.hand_guiding.lead_to((0.0, 20.0, -20.0, 0.0, 0.0, 0.0), speed_deg_s=20.0)
     else:
         accepted(controller.motion.send_joints((0.0, 20.0, -20.0, 0.0, 0.0, 0.0)))
-    rig.run(1.5)
+    rig.run(1.5 if after != "a motion of ours" else 3.0)
     heard = list(rig.heard())
     if after == "a motion of ours":
         # the arm brakes for it: once it is sent, no end follows it

@@ -14,13 +14,13 @@ from armui.control.cell.cell_reasons import (
     CELL_WHILE_MOVING,
     HELD_IN_HAND,
 )
-from armui.ways.rules import TOO_LOW
 from armui.control.operating_state import JOG_UNDER_WAY, RUN_UNDER_WAY
 from armui.control.parameters.arm_model import arm_model
 from armui.control.safety.recovery_steps import StepKind
 from armui.kinematics.forward import flange_transforms
 from armui.kinematics.poses import pose_to_matrix
 from armui.trajectory.planning.check import AREA_TOO_NEAR, CheckRequest, check
+from armui.ways.rules import TOO_LOW
 from tests.accepted import accepted
 from tests.cell.areas import area_of, wall
 from tests.control.jogger import BENT_DEG, bend, hold

@@ -3,7 +3,6 @@
 import pytest
 from PySide6.QtWidgets import QCheckBox, QSpinBox
 
-from armui.ways.rules import TOO_LOW
 from armui.control.motion.jog_path import JointJog, ToolJog
 from armui.control.motion.steered_path import SteeredJog
 from armui.control.safety.recovery_steps import StepKind
@@ -14,6 +13,7 @@ from armui.trajectory.planning.findings import Approach
 from armui.ui import words
 from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.words import findings
+from armui.ways.rules import TOO_LOW
 from tests.accepted import accepted
 from tests.control.jogger import BENT_DEG, bend, hold
 from tests.family import PIPER

@@ -11,7 +11,6 @@ from armui.cell.cell import Cell, placed
 from armui.cell.placement import Placement
 from armui.cell.work_area import Area, AreaBox
 from armui.control.cell.cell_reasons import CELL_NOT_CONFIRMED, CELL_WHILE_MOVING
-from armui.ways.rules import TOO_LOW
 from armui.control.motion.jog_path import JointJog, ToolJog
 from armui.control.operating_state import JOG_UNDER_WAY
 from armui.control.parameters.arm_model import arm_model, start_deg
@@ -23,6 +22,7 @@ from armui.trajectory.library.run_options import RunOptions
 from armui.trajectory.planning.check import CheckRequest, check
 from armui.trajectory.points.program import Trajectory
 from armui.ui.trajectory.running.run_request import CHANGED_SINCE_CHECK, CheckBasis, Preflight
+from armui.ways.rules import TOO_LOW
 from tests.accepted import accepted
 from tests.control.jogger import BENT_DEG, bend, hold
 from tests.control.under_way import OUT, to

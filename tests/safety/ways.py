@@ -12,7 +12,7 @@ import random
 import sys
 import time
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 from unittest.mock import Mock
@@ -33,6 +33,7 @@ from armui.control.run.player import Player
 from armui.control.run.progress import ENDLESS, OVER, Progress, Run, RunPhase
 from armui.control.run.replay import Replay
 from armui.control.run.replayer import Replayer
+from armui.control.safety.gate import Gate
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol import commands
 from armui.protocol.codec import Codec
@@ -64,7 +65,9 @@ from armui.trajectory.points.program import (
 from armui.trajectory.samples.recording import Recording
 from armui.ui import words
 from armui.ui.words.findings import finding as finding_text
+from armui.ways.rules import rules_of
 from tests.accepted import accepted
+from tests.arm_rig import at_once
 
 STEP_S: Final = 0.25
 """Between two looks at an arm that runs points by itself."""
@@ -95,13 +98,19 @@ class Bus:
 
     device = Mock(listen_only=False)
 
-    def __init__(self, firmware: Firmware, codec: Codec) -> None:
+    def __init__(self, firmware: Firmware, codec: Codec, newest: Callable[[], ArmState]) -> None:
         self._firmware = firmware
+        self._newest = newest
         self.lost: frozenset[int] = frozenset()
         self.codec = codec
         self.generation = firmware.generation
 
-    def send(self, frames: Sequence[Frame], *_: object) -> bool:
+    @property
+    def newest(self) -> ArmState:
+        """The arm as heard."""
+        return self._newest()
+
+    def send(self, frames: Sequence[Frame], *_: object, **__: object) -> bool:
         """Let the arm hear frames."""
         for frame in frames:
             if frame.arbitration_id not in self.lost:
@@ -137,7 +146,7 @@ class Driver:
         self.firmware._schedule.next_ns = round(step_s * 1e9)
         codec = Codec(generation)
         self._codec, self._tracker, self._model = codec, Tracker(codec), model
-        self.bus = Bus(self.firmware, codec)
+        self.bus = Bus(self.firmware, codec, self.state)
         self.authority = Authority()
         limits = tuple(self.firmware.settings.limits)
         state = Mock(
@@ -157,7 +166,10 @@ class Driver:
             refresh=lambda: state,
             observe=self._observe,
             authority=self.authority,
+            gate=lambda: self.gate,
         )
+        rules = rules_of(self.arm_model())
+        self.gate = Gate(context, lambda: (None, lambda: rules), at_once)
         self.player, self.replayer = Player(context), Replayer(context)
         self.bus.send(commands.enable_motors(codec))
         self.bus.send(
@@ -189,8 +201,8 @@ class Driver:
         self._observe()
         if self.authority.overspeed is not None:
             self.player.end_run(self.authority.overspeed)
-        self.player.follow_arm()
-        self.replayer.follow_arm()
+        for part in (self.gate, self.player, self.replayer):
+            part.follow_arm()
 
     def arm_model(self) -> ArmModel:
         """What the check is told of it."""

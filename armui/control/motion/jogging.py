@@ -42,6 +42,7 @@ from armui.control.motion.jog_stream import JOG_NOT_FOLLOWING, JogStream
 from armui.control.motion.joint_motion import why_not_move
 from armui.control.motion.motion_command import CommandKind, MotionCommand
 from armui.control.motion.steered_path import SteeredJog, SteeredToolPath
+from armui.control.motion_end import abort_motion
 from armui.control.operations.operation import Consent, operation, record_start
 from armui.control.operations.started import Ending, Started
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
@@ -112,6 +113,8 @@ _FEEDBACK_S: Final = 0.1
 """A jog needs angles younger than this."""
 _KEEP_S: Final = 0.03
 """A setpoint that could not be sent within this time is dropped."""
+_LED_BACK_DEG: Final = 3.0
+"""No jog within the limits leads further ahead of a joint, its sag included."""
 _SETTLE_S: Final = 0.3
 """A jog waits for this time at most for the arm to come to rest from the last one."""
 
@@ -241,9 +244,21 @@ class Jogging(ControllerPart):
     def _let_go(self) -> None:
         hold, self._hold = self._hold, None
         self._timer.stop()
-        if hold is not None and hold.command is None:
+        if hold is None:
+            return
+        if hold.command is None:
             # what was sent is followed until the arm has come to rest
             hold.started.close(Ending.CUT_OFF)
+        elif self._is_led_back(hold):
+            abort_motion(self._context)
+
+    def _is_led_back(self, hold: _Hold) -> bool:
+        """Return whether the arm is far behind: it is led to its limits from outside."""
+        measured_deg = self._context.state().angles_deg()
+        if hold.stream is None or measured_deg is None:
+            return False
+        pairs = zip(hold.stream.setpoint_deg, measured_deg, strict=True)
+        return any(abs(asked - angle) > _LED_BACK_DEG for asked, angle in pairs)
 
     def tick(self) -> None:
         """Send the next setpoint; called by the jog's own timer and by the controller's."""

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Final
 
 from armui.arm.models import model_data
@@ -22,7 +22,7 @@ from armui.control.motion.motion_command import CommandKind, MotionCommand, Move
 from armui.control.motion_end import abort_motion
 from armui.control.operations.started import Ending, Started, close_and_tell
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
-from armui.control.safety.momentum import FLUENT_DEG, astray_deg, braking_deg
+from armui.control.safety.momentum import FLUENT_DEG, Momentum, momentum
 from armui.control.safety.standstill import QUIET_DEG, QUIET_S, RestWatch
 from armui.telemetry.events import EventKind, Level
 from armui.ways.passes import Pass
@@ -296,50 +296,45 @@ class Gate(ControllerPart):
         planned = request.plan(measured_deg)
         if isinstance(planned, Refusal):
             return planned
-        state = context.connection.newest
-        braking = braking_deg(state, self._accelerations(), context.clock())
-        self._rest.observe(state, context.clock())
-        if braking is None and not self._rest.at_rest:
-            return self._brake_first(request, None)
-        braking = braking or (0.0,) * 6
-        fluent = self._fluent(planned, braking)
-        if fluent is None:
-            return self._brake_first(request, braking)
-        moving = any(fluent.spread_deg)
+        state, now_s = context.connection.newest, context.clock()
+        self._rest.observe(state, now_s)
+        motion = momentum(state, self._accelerations(), now_s)
+        if motion is None and not self._rest.at_rest:
+            return self._brake_first(request, measured_deg)
+        way = planned if motion is None else self._fluent(planned, motion)
+        if way is None:
+            return self._brake_first(request, measured_deg, motion)
         rules = self.rules()
-        if rules is None or _is_short(fluent, rules):
-            passed = self.ask(fluent, request.accepts)
-            if isinstance(passed, Refusal):
-                return self._brake_first(request, braking) if moving else passed
-            return self._send(request, passed)
-        if moving:
-            return self._brake_first(request, braking)
+        if rules is None or _is_short(way, rules):
+            passed = self.ask(way, request.accepts)
+            if not isinstance(passed, Refusal):
+                return self._send(request, passed)
+            if not any(way.spread_deg):
+                return passed
+        if any(way.spread_deg):
+            return self._brake_first(request, measured_deg, motion)
         pending = self._wait_for(request)
         self._begin_check(pending, rules, planned)
         return self._follow(pending) or request.started
 
-    def _fluent(self, way: Way, braking: Sequence[float]) -> Way | None:
+    def _fluent(self, way: Way, motion: Momentum) -> Way | None:
         """Return the way of an arm that goes on to it from its motion; ``None``: it must brake."""
-        if not any(braking):
-            return way
-        first, *_ = way.joints_deg
-        turns = (way.joints_deg[-1] - first).tolist()
-        astray = astray_deg(braking, turns)
-        if max(astray) > FLUENT_DEG:
+        first, *_, last = way.joints_deg.tolist()
+        astray_deg = motion.astray_deg([b - a for a, b in zip(first, last, strict=True)])
+        if not max(astray_deg) <= FLUENT_DEG:
             return None
-        from armui.ways.way import Way  # noqa: PLC0415 - numpy
-
-        return Way(way.joints_deg, astray)
+        return replace(way, spread_deg=astray_deg)
 
     def _brake_first(
-        self, request: MotionRequest, braking: Sequence[float] | None
+        self, request: MotionRequest, measured_deg: Sequence[float], motion: Momentum | None = None
     ) -> Started | Refusal:
         """Have the arm end what it does; the motion follows once it rests.
 
         A motion that could not follow anyway ends no other one: where the arm will rest is known
         nearly.
         """
-        refusal = self._why_not_from(request, braking)
+        begin_deg = measured_deg if motion is None else motion.stops_at(measured_deg)
+        refusal = self._why_not_from(request, begin_deg)
         if refusal is not None:
             return refusal
         if not self._context.authority.is_ending:
@@ -348,17 +343,11 @@ class Gate(ControllerPart):
         self._wait_for(request)
         return request.started
 
-    def _why_not_from(
-        self, request: MotionRequest, braking: Sequence[float] | None
-    ) -> Refusal | None:
-        """Return why a motion could not begin where the arm comes to rest, as far as is known."""
-        measured_deg, rules = self._context.authority.measured_deg(), self.rules()
-        if measured_deg is None or rules is None:
-            return None
-        begin_deg = [a + b for a, b in zip(measured_deg, braking or (0.0,) * 6, strict=True)]
-        way = request.plan(begin_deg)
-        if isinstance(way, Refusal):
-            return way
+    def _why_not_from(self, request: MotionRequest, begin_deg: Sequence[float]) -> Refusal | None:
+        """Return why a motion could not begin at six angles, as far as that is known at once."""
+        way, rules = request.plan(begin_deg), self.rules()
+        if isinstance(way, Refusal) or rules is None:
+            return way if isinstance(way, Refusal) else None
         if _is_short(way, rules):
             return _judge(way, rules, self._marks, request.accepts).refusal
         from armui.ways.law import judge_end  # noqa: PLC0415 - numpy

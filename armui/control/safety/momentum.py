@@ -1,9 +1,9 @@
-"""How far a moving arm goes on before it could follow another target: pure."""
+"""How a moving arm comes to another target: straight on, or astray by what it must brake first."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 from armui.control.safety.standstill import STILL_DEG_S
@@ -18,45 +18,83 @@ _DELAY_S: Final = 0.02
 """A target takes effect this long after it was sent, at the latest."""
 
 
-def braking_deg(
+@dataclass(frozen=True, slots=True)
+class Momentum:
+    """How the joints move, and how they can brake.
+
+    Attributes:
+        speeds_deg_s: Their speeds; 0 of what stands.
+        accelerations_deg_s2: With which they brake.
+        late_s: How long ago the speeds were measured, and what a target needs to take effect.
+    """
+
+    speeds_deg_s: tuple[float, ...]
+    accelerations_deg_s2: tuple[float, ...]
+    late_s: float
+
+    @property
+    def at_rest(self) -> bool:
+        """True if no joint moves."""
+        return not any(self.speeds_deg_s)
+
+    def stops_at(self, measured_deg: Sequence[float]) -> tuple[float, ...]:
+        """Return about where the joints come to rest if they brake from where they were measured."""
+        return tuple(
+            angle + speed * self.late_s + speed * abs(speed) / (2.0 * acceleration)
+            for angle, speed, acceleration in zip(
+                measured_deg, self.speeds_deg_s, self.accelerations_deg_s2, strict=True
+            )
+        )
+
+    def astray_deg(self, way_deg: Sequence[float]) -> tuple[float, ...]:
+        """Return how far each joint may come off a straight way by its motion.
+
+        What goes on in the way's direction stays on it, as long as it can brake at its end.
+
+        Args:
+            way_deg: How far each joint is to turn from where it was measured.
+        """
+        if self.at_rest:
+            return (0.0,) * len(way_deg)
+        length = sum(each * each for each in way_deg)
+        along = sum(a * b for a, b in zip(self.speeds_deg_s, way_deg, strict=True))
+        rate = max(along / length, 0.0) if length else 0.0
+        return tuple(
+            self._aside_deg(speed - rate * way, acceleration)
+            + self._beyond_deg(rate * abs(way), abs(way), acceleration)
+            for speed, way, acceleration in zip(
+                self.speeds_deg_s, way_deg, self.accelerations_deg_s2, strict=True
+            )
+        )
+
+    def _aside_deg(self, speed: float, acceleration: float) -> float:
+        """Return how far a joint goes on that must give up a speed."""
+        if abs(speed) < STILL_DEG_S:
+            return 0.0
+        fastest = abs(speed) + acceleration * self.late_s
+        return abs(speed) * self.late_s + fastest**2 / (2.0 * acceleration)
+
+    def _beyond_deg(self, speed: float, way: float, acceleration: float) -> float:
+        """Return how far a joint overshoots a target that it turns to."""
+        return max(0.0, speed * self.late_s + speed**2 / (2.0 * acceleration) - way)
+
+
+def momentum(
     state: ArmState, accelerations_deg_s2: Sequence[float], now_s: float
-) -> tuple[float, ...] | None:
-    """Return how far each joint goes on from where it was measured if it brakes, with its sign.
+) -> Momentum | None:
+    """Return how an arm moves; ``None`` where a joint's place or speed is not known.
 
     Args:
         state: The arm as heard.
-        accelerations_deg_s2: With which the joints brake.
+        accelerations_deg_s2: With which its joints brake.
         now_s: Monotonic time.
-
-    Returns:
-        Degrees; all 0 for an arm that stands still; ``None`` where a joint's place or speed is not
-        known.
     """
-    found = []
-    for heard, driver, acceleration in zip(
-        state.joints_deg, state.drivers_fast, accelerations_deg_s2, strict=True
-    ):
+    speeds, late_s = [], 0.0
+    for heard, driver in zip(state.joints_deg, state.drivers_fast, strict=True):
         if heard is None or driver is None or not driver.fresh(now_s):
             return None
         speed = driver.value.speed_deg_s
-        if abs(speed) < STILL_DEG_S:
-            found.append(0.0)
-            continue
-        late_s = max(0.0, now_s - min(heard.at_s, driver.at_s)) + _DELAY_S
-        fastest = abs(speed) + acceleration * late_s
-        way = abs(speed) * late_s + fastest**2 / (2.0 * max(acceleration, 1e-3))
-        found.append(math.copysign(way, speed))
-    return tuple(found)
-
-
-def astray_deg(braking: Sequence[float], way_deg: Sequence[float]) -> tuple[float, ...]:
-    """Return how far off a straight way each joint comes by what it goes on.
-
-    Args:
-        braking: What each joint goes on; see :func:`braking_deg`.
-        way_deg: How far each joint is to turn, from where it was measured.
-    """
-    length = sum(each * each for each in way_deg)
-    along = sum(a * b for a, b in zip(braking, way_deg, strict=True))
-    share = min(max(along / length, 0.0), 1.0) if length else 0.0
-    return tuple(abs(a - share * b) for a, b in zip(braking, way_deg, strict=True))
+        speeds.append(speed if abs(speed) >= STILL_DEG_S else 0.0)
+        late_s = max(late_s, now_s - min(heard.at_s, driver.at_s))
+    brakes = tuple(max(each, 1e-3) for each in accelerations_deg_s2)
+    return Momentum(tuple(speeds), brakes, late_s + _DELAY_S)
