@@ -97,3 +97,12 @@ def outside_limits(joints_deg: Sequence[float], limits: Sequence[JointLimits]) -
         for joint, angle, each in zip(JOINTS, joints_deg, limits, strict=True)
         if abs(clipped(angle, each) - angle) > SAG_DEG
     )
+
+
+def outside_list(joints_deg: Sequence[float], limits: Sequence[JointLimits]) -> str:
+    """Return the joints outside their limits for a sentence, as ``J2 -2.0° [0° … 180°]``."""
+    return ", ".join(
+        f"J{joint} {joints_deg[joint - 1]:.1f}° "
+        f"[{limits[joint - 1].min_deg:g}° … {limits[joint - 1].max_deg:g}°]"
+        for joint in outside_limits(joints_deg, limits)
+    )

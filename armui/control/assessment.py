@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 
 from armui.arm.device import Device
-from armui.arm.limits import plausible
+from armui.arm.limits import JointLimits, outside_list, plausible
 from armui.arm.model_check import ModelFit
 from armui.arm.models import model_data
 from armui.arm.refusal import Refusal
@@ -98,7 +98,8 @@ def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> Operating
         for heard in state.limits
     ]
     factory_limits = model_data(around.model_fit.chosen).limits
-    r1, r2, r3, r4, r5, r6 = (limits is not None for limits in read)
+    limits = tuple(known or factory for known, factory in zip(read, factory_limits, strict=True))
+    r1, r2, r3, r4, r5, r6 = (each is not None for each in read)
     return OperatingState(
         link=around.link,
         device=around.device,
@@ -134,9 +135,7 @@ def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> Operating
         pose_known=state.end_pose() is not None,
         gripper_heard=state.gripper is not None and is_fresh(state.gripper.at_s, now_s),
         cannot_enable=no_command,
-        limits=tuple(
-            limits or factory for limits, factory in zip(read, factory_limits, strict=True)
-        ),
+        limits=limits,
         limits_read=(r1, r2, r3, r4, r5, r6),
         speed_percent=around.speed_percent,
         override_percent=around.override_percent,
@@ -148,6 +147,7 @@ def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> Operating
         control_certain=around.offsets.certain,
         model_fit=around.model_fit,
         below_base_mm=around.below_base_mm,
+        outside=_outside(state, limits),
         intrusion=around.intrusion,
         keeps_area=around.keeps_area,
         reference=replace(
@@ -168,6 +168,11 @@ def _controller_heard(state: ArmState, now_s: float) -> bool:
 def _on_its_way(state: ArmState, authority: Authority) -> bool:
     status = state.status
     return not authority.at_rest and status is not None and not status.value.reached
+
+
+def _outside(state: ArmState, limits: Sequence[JointLimits]) -> str:
+    joints_deg = state.angles_deg()
+    return "" if joints_deg is None else outside_list(joints_deg, limits)
 
 
 def _fresh_enabled(state: ArmState, now_s: float) -> Six[bool | None]:

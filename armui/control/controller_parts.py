@@ -222,6 +222,7 @@ class ControllerParts(QObject):
             take_over=self.take_over,
             mode_exit=self.mode_exit,
             allow=lambda: self.reference.allow(),  # noqa: PLW0108 - made when it is needed
+            come_inside=self.motion.come_inside,
             cell=self.cell,
             announce=self.step_changed.emit,
         )

@@ -169,6 +169,8 @@ class OperatingState:
         reference: The state of the joints' reference.
         below_base_mm: The depth of flange or fingertip below the floor, or
             ``None``.
+        outside: The joints measured outside their limits, with their bounds, for a sentence; "" if
+            none is.
         intrusion: Where the arm is too near to its work area, or ``None``.
         keeps_area: True if a plane or a box of the work area is switched on.
         unconfirmed_cell: Why the cell kept for the adapter is not in force yet; nothing moves then.
@@ -214,6 +216,7 @@ class OperatingState:
     control_certain: bool = True
     model_fit: ModelFit = field(default_factory=ModelFit)
     below_base_mm: int | None = None
+    outside: str = ""
     intrusion: AreaIntrusion | None = None
     keeps_area: bool = False
     reference: ReferenceStatus = field(default_factory=ReferenceStatus)

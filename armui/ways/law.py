@@ -8,7 +8,7 @@ Our motions only tighten the mark, so that many small steps lead no further than
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Final, Protocol
 
@@ -192,17 +192,3 @@ def _deeper(way: Way, rule: Rule, mark: Array, outside: npt.NDArray[np.bool_]) -
     place = int(places[0])
     bound = int(np.argmax(np.where(over[place], found[place], -np.inf)))
     return Breach(bound, float(found[place, bound]), tuple(poses[place].tolist()))
-
-
-def found_outside(
-    joints_deg: Sequence[float], rules: Iterable[Rule]
-) -> tuple[tuple[Rule, Breach], ...]:
-    """Return the bounds that an arm measured at six angles is outside of, by more than noise."""
-    found: list[tuple[Rule, Breach]] = []
-    for rule in rules:
-        if not rule.bounds:
-            continue
-        outside = rule.outside(np.array([joints_deg], dtype=float))[0]
-        for bound in np.flatnonzero(outside > rule.noise).tolist():
-            found.append((rule, Breach(bound, float(outside[bound]), tuple(joints_deg))))
-    return tuple(found)

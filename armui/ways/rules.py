@@ -20,7 +20,7 @@ from armui.arm.limits import (
     SAG_DEG,
     JointLimits,
     check_joint,
-    outside_limits,
+    outside_list,
 )
 from armui.arm.models import ArmModel
 from armui.arm.refusal import Reason, Refusal
@@ -284,15 +284,6 @@ class Rules:
     def without(self, *names: str) -> tuple[Rule, ...]:
         """Return them without those of some names, which the operator has accepted."""
         return tuple(rule for rule in self.every if rule.name not in names)
-
-
-def outside_list(joints_deg: Sequence[float], limits: Sequence[JointLimits]) -> str:
-    """Return the joints outside their limits for a sentence, as ``J2 -2.0° [0° … 180°]``."""
-    return ", ".join(
-        f"J{joint} {joints_deg[joint - 1]:.1f}° "
-        f"[{limits[joint - 1].min_deg:g}° … {limits[joint - 1].max_deg:g}°]"
-        for joint in outside_limits(joints_deg, limits)
-    )
 
 
 def rules_of(arm: ArmModel, area: AreaCheck | None = None, lowest_mm: float | None = None) -> Rules:

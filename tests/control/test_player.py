@@ -5,6 +5,7 @@ from dataclasses import replace
 import can
 import pytest
 
+from armui.arm.limits import JOINT_OUT_OF_LIMITS
 from armui.control.motion.point_frames import GRIPPER_OTHER_GENERATION
 from armui.control.motion_end import RUN_STOPPED
 from armui.control.operating_state import LINK_LOST, OFFLINE, RUN_UNDER_WAY

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Final
+from dataclasses import replace
+from typing import TYPE_CHECKING, Final
 
 from armui.arm.limits import ANGLE_STEP_DEG, JointLimits, check_joint, clipped, settled
 from armui.arm.refusal import Reason, Refusal
@@ -13,7 +14,7 @@ from armui.control.motion.jog_path import JOG_AT_LIMIT
 from armui.control.motion.requests import joint_request
 from armui.control.motion.retransmission import Retransmission
 from armui.control.operating_state import RUN_UNDER_WAY, OperatingState
-from armui.control.operations.operation import operation, record_start
+from armui.control.operations.operation import Consent, operation, record_start
 from armui.control.operations.started import Ending, Started
 from armui.control.requests import reports
 from armui.control.safety import interlocks
@@ -21,9 +22,22 @@ from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.telemetry.events import EventKind, Level
 from armui.trajectory.files.errors import SPEED_OUT_OF_RANGE
 
+if TYPE_CHECKING:
+    from armui.control.motion.motion_command import MotionCommand
+
 STEP_BEYOND_LIMIT = Reason(
     "step_beyond_limit",
     "J{joint}: this step would go beyond its limit of {limit}°. Take a smaller step.",
+)
+NOTHING_OUTSIDE = Reason(
+    "nothing_outside", "No joint lies outside its limits: there is no way back to go."
+)
+COMES_INSIDE = Notice(
+    "comes_inside",
+    "The arm is brought inside its limits: J1 {j1}°  J2 {j2}°  J3 {j3}°  J4 {j4}°  J5 {j5}°  "
+    "J6 {j6}°",
+    Level.INFO,
+    EventKind.COMMAND,
 )
 LED_TO_LIMIT = Notice(
     "led_to_limit",
@@ -50,6 +64,8 @@ SPEED_WAITS = Notice(
     streams=True,
 )
 _HOME_DEG: Final = (0.0,) * 6
+COME_INSIDE_PERCENT: Final = 10
+"""An arm found outside its limits comes back no faster."""
 _FIRST_SPEED_PERCENT: Final = 30
 _LAG_STEPS: Final = 2
 _SETTLE_S: Final = 0.3
@@ -98,6 +114,8 @@ class Motion(ControllerPart):
         self._context = context
         self.speed_percent = _FIRST_SPEED_PERCENT
         self._lower_speed = Retransmission(context)
+        self._next_deg: tuple[tuple[float, ...], ...] = ()
+        self._next_after = 0
 
     @property
     def setpoint_deg(self) -> tuple[float, ...] | None:
@@ -189,6 +207,55 @@ class Motion(ControllerPart):
         """Move to the factory zero angles."""
         return self._move(record_start(self.go_home), _HOME_DEG, WENT_HOME)
 
+    @operation(
+        "motion.come_inside",
+        "Bring the arm inside its limits",
+        why_not_move,
+        moves=True,
+        consent=Consent.HELD,
+    )
+    def come_inside(self) -> Started | Refusal:
+        """Bring an arm that lies outside its limits inside, slowly; its hand leaves its base then.
+
+        All joints come inside together: until then the arm takes no other target.
+        """
+        self._next_deg = ()
+        targets = self._context.gate().ways_inside()
+        started = record_start(self.come_inside)
+        if not targets:
+            return self._context.refuse(self._context.refresh().cannot_move or NOTHING_OUTSIDE())
+        return self._come_inside(started, targets)
+
+    def _come_inside(
+        self, started: Started, targets: Sequence[tuple[float, ...]]
+    ) -> Started | Refusal:
+        target_deg, *further = targets
+
+        def on_sent(command: MotionCommand) -> None:
+            self._next_deg, self._next_after = tuple(further), command.number
+
+        request = joint_request(
+            self._context,
+            started,
+            target_deg,
+            min(COME_INSIDE_PERCENT, self.speed_percent),
+            why_not=why_not_move,
+            told=(COMES_INSIDE, reports.numbered(target_deg)),
+        )
+        return self._context.gate().begin(replace(request, sent=on_sent))
+
+    def _go_on_inside(self) -> None:
+        """Take the second part of the way back once the first one has been gone."""
+        authority = self._context.authority
+        command = authority.command
+        if not self._next_deg:
+            return
+        if command is None or command.number != self._next_after:
+            self._next_deg = ()
+        elif authority.at_rest and not authority.under_way and command.started is not None:
+            targets, self._next_deg = self._next_deg, ()
+            self._come_inside(record_start(self.come_inside), targets)
+
     def _move(
         self, started: Started, angles_deg: Sequence[float], notice: Notice, **figures: object
     ) -> Started | Refusal:
@@ -211,6 +278,7 @@ class Motion(ControllerPart):
         end of the motion. One that was sent during a motion is sent once more.
         """
         self._tell_lower_speed_again()
+        self._go_on_inside()
         context = self._context
         authority = context.authority
         given = authority.arm_percent
@@ -241,10 +309,12 @@ class Motion(ControllerPart):
     def halt(self) -> None:
         """Do not repeat a lower speed: nothing may follow the frame that ends the motion."""
         self._lower_speed.drop()
+        self._next_deg = ()
 
     def forget_arm(self) -> None:
         """Do not repeat a lower speed, because another arm may come."""
         self._lower_speed.drop()
+        self._next_deg = ()
 
     def _settled(self) -> bool:
         command = self._context.authority.command

@@ -73,5 +73,9 @@ def tool_capsule(tool: Sequence[float], radius_mm: float) -> ToolCapsule | None:
 
 
 def start_deg(controller: ArmController) -> tuple[float, ...]:
-    """Return the six angles at which a run would begin: as measured, or home if unknown."""
-    return tuple(controller.state.angles_deg() or HOME_DEG)
+    """Return the six angles at which a run would begin: as measured, or home if unknown.
+
+    An arm that lies outside its limits is brought inside first.
+    """
+    ways = controller.gate.ways_inside()
+    return ways[-1] if ways else tuple(controller.state.angles_deg() or HOME_DEG)

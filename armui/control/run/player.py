@@ -12,6 +12,7 @@ from PySide6.QtCore import QObject
 from armui.arm.refusal import Reason, Refusal
 from armui.control.context import Context
 from armui.control.events import Notice
+from armui.control.motion.joint_motion import COME_INSIDE_PERCENT
 from armui.control.motion.motion_command import CommandKind
 from armui.control.motion.point_frames import (
     action_frames,
@@ -38,6 +39,7 @@ from armui.control.run.replay import RUN_EMPTY
 from armui.control.safety.feedback_freshness import FEEDBACK_SILENT
 from armui.control.safety.gate import MotionRequest
 from armui.control.safety.interlocks import ENABLED_UNKNOWN, JOINTS_UNKNOWN
+from armui.protocol.codes import MoveMode
 from armui.telemetry.events import Asker, EventKind, Level
 from armui.trajectory.points.program import GripperAction, Waypoint
 from armui.ways.passes import FLOOR
@@ -62,6 +64,12 @@ RUN_NOT_ENDED = Reason(
 RUN_NO_SUCH_ROW = Reason(
     "run_no_such_row", "There is no row {row}: the last one is {maximum}. Choose another row."
 )
+RUN_FROM_OUTSIDE = Notice(
+    "run_from_outside",
+    "The arm lies outside its limits: it is brought inside first, slowly.",
+    Level.INFO,
+    EventKind.COMMAND,
+)
 RUN_PAUSED = Notice(
     "run_paused", "Run paused in row {row}: the arm holds", Level.INFO, EventKind.COMMAND
 )
@@ -78,6 +86,7 @@ RUN_FAILED = Notice(
 )
 
 
+_INSIDE_WITHIN_S: Final = 60.0
 _REST_WITHIN_S: Final = 2.0
 """An arm told to end its motion stands within this time, or the operator is warned."""
 
@@ -130,6 +139,7 @@ class Player(Execution):
         self._index = 0
         self._cycle = 1
         self._watch: ArrivalWatch | None = None
+        self._way_in: list[Waypoint] = []
 
     @property
     def sets_lamps(self) -> bool:
@@ -152,8 +162,14 @@ class Player(Execution):
         # once: the question is asked at every look at the arm, and there may be 10,000 points
         self._has_lights = any(point.light for point in run.points)
         self._index, self._cycle = run.first, 1
+        self._way_in = [
+            Waypoint(MoveMode.MOVE_J, target_deg, speed_percent=COME_INSIDE_PERCENT)
+            for target_deg in context.gate().ways_inside()
+        ]
         started = self._started = record_start(self.start)
         context.tell(RUN_STARTED, started, name=run.name)
+        if self._way_in:
+            context.tell(RUN_FROM_OUTSIDE)
         self._send_point()
         return started
 
@@ -219,8 +235,12 @@ class Player(Execution):
         run = self._run
         if run is None:
             return 0
-        own = run.points[self._index].speed_percent
-        return sent_percent(own, run.speed_factor * self._share)
+        factor = self._share if self._way_in else run.speed_factor * self._share
+        return sent_percent(self._point(run).speed_percent, factor)
+
+    def _point(self, run: Run) -> Waypoint:
+        """Return where the arm is sent now: first the way inside, if it lay outside its limits."""
+        return self._way_in[0] if self._way_in else run.points[self._index]
 
     def stop(self) -> None:
         """End the run: the arm ends its motion where it is and stays powered (0x150 byte 1 = 6)."""
@@ -278,10 +298,16 @@ class Player(Execution):
         arrival = watch.look(self._context.state(), now_s)
         if isinstance(arrival, Refusal):
             self._fail(arrival)
+        elif arrival is Arrival.REACHED and self._way_in:
+            del self._way_in[0]
+            self._send_point()
         elif arrival is Arrival.REACHED:
             self._arrive(run, now_s)
-        elif now_s - self._since_s > (limit_s := schedule.time_limit_s(self._index)):
+        elif now_s - self._since_s > (limit_s := self._time_limit_s(schedule)):
             self._fail(RUN_TOO_SLOW(seconds=round(limit_s)))
+
+    def _time_limit_s(self, schedule: RunSchedule) -> float:
+        return _INSIDE_WITHIN_S if self._way_in else schedule.time_limit_s(self._index)
 
     def _keep_time(self) -> None:
         """Count the time that a motion is expected to take as slowly as the arm goes."""
@@ -335,7 +361,7 @@ class Player(Execution):
         run = self._run
         if run is None:
             return
-        point = run.points[self._index]
+        point = self._point(run)
         context, percent = self._context, self._percent
         self._since_s = self._looked_s = context.clock()
         self._watch, self._phase = None, RunPhase.MOVING

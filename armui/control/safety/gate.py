@@ -2,8 +2,8 @@
 
 A part that moves the arm tells the gate what it wants as a :class:`MotionRequest`, or asks it about
 a way. The gate asks who moves the arm now, has an arm that moves otherwise brake first, asks the
-rules in force about the whole way (:mod:`armui.ways`), and sends. What takes longer than a moment is
-worked out in a thread, and counts only while nothing it depends on has changed.
+rules in force about the whole way (:mod:`armui.ways`), and sends. What takes longer than a moment
+is worked out in a thread, and counts only while nothing it depends on has changed.
 """
 
 from __future__ import annotations
@@ -249,7 +249,7 @@ class Gate(ControllerPart):
         return passed
 
     def ask_held(self) -> Pass:
-        """Return the pass for a frame typed by hand: nobody reads its way, and its button is held."""
+        """Return the pass for a frame typed by hand, whose way nobody reads: its button is held."""
         return Pass()
 
     def ask_no_way(self) -> Pass:
@@ -258,6 +258,15 @@ class Gate(ControllerPart):
         The rules enclose the gripper at every opening, so that it needs no way of its own.
         """
         return Pass()
+
+    def ways_inside(self) -> tuple[tuple[float, ...], ...]:
+        """Return the targets that bring an arm that lies outside its limits inside, in turn."""
+        rules, measured_deg = self.rules(), self._context.authority.measured_deg()
+        if rules is None or measured_deg is None:
+            return ()
+        from armui.ways.inside import ways_inside  # noqa: PLC0415 - numpy
+
+        return ways_inside(measured_deg, rules)
 
     def stream(self) -> StreamCheck:
         """Return what checks the setpoints of a new jog."""

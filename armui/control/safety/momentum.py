@@ -38,7 +38,7 @@ class Momentum:
         return not any(self.speeds_deg_s)
 
     def stops_at(self, measured_deg: Sequence[float]) -> tuple[float, ...]:
-        """Return about where the joints come to rest if they brake from where they were measured."""
+        """Return about where joints measured at six angles come to rest if they brake."""
         return tuple(
             angle + speed * self.late_s + speed * abs(speed) / (2.0 * acceleration)
             for angle, speed, acceleration in zip(

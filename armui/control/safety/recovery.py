@@ -14,6 +14,7 @@ from armui.control.devices.joint_errors import JointErrors
 from armui.control.devices.motors import Motors
 from armui.control.devices.teaching import TeachingControl
 from armui.control.events import Notice
+from armui.control.motion.joint_motion import Motion
 from armui.control.motion.planned_motion import PlannedMotion
 from armui.control.operating_state import BUSY
 from armui.control.operations.operation import Operation, operation_of
@@ -81,6 +82,7 @@ _OPERATIONS: Final[Mapping[Action | None, tuple[Operation, Mapping[str, object]]
     Action.LEAD_BY_HAND: (_TEACH, {"command": TeachingState.START_RECORDING}),
     Action.GO_ON: (_PLAN, {"command": TrajectoryCommand.CONTINUE}),
     Action.GIVE_UP: (_PLAN, {"command": TrajectoryCommand.ABORT}),
+    Action.COME_INSIDE: (operation_of(Motion.come_inside), {}),
     Action.CONFIRM_CELL: (operation_of(CellControl.confirm), {}),
     Action.LEAVE_CELL: (operation_of(CellControl.choose), {}),
 }
@@ -96,6 +98,7 @@ _AT_ONCE: Final = frozenset(
         Action.TAKE_OVER,
         Action.LEAVE_MODE,
         Action.ALLOW,
+        Action.COME_INSIDE,
         Action.CONFIRM_CELL,
         Action.LEAVE_CELL,
     }
@@ -153,6 +156,7 @@ class Recovery(ControllerPart):
         take_over: Callable[[], Refusal | None],
         mode_exit: ModeExitCommand,
         allow: Callable[[], Started | Refusal],
+        come_inside: Callable[[], Started | Refusal],
         cell: CellControl,
         announce: Callable[[Step], object],
     ) -> None:
@@ -190,6 +194,7 @@ class Recovery(ControllerPart):
             Action.TAKE_OVER: lambda _step: take_over(),
             Action.LEAVE_MODE: lambda _step: mode_exit.send(),
             Action.ALLOW: lambda _step: allow(),
+            Action.COME_INSIDE: lambda _step: come_inside(),
             Action.CONFIRM_CELL: lambda _step: cell.confirm(),
             Action.LEAVE_CELL: lambda _step: cell.choose(""),
         }

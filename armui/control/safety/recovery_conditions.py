@@ -212,6 +212,14 @@ def below_base(view: RecoveryView) -> Params | None:
     return None if below is None else {"value": below}
 
 
+def outside(view: RecoveryView) -> Params | None:
+    """Return the joints that an arm at rest has outside its limits, or ``None``."""
+    operating_state = view.operating_state
+    if not operating_state.outside or operating_state.moving:
+        return None
+    return {"outside": operating_state.outside}
+
+
 def in_area(view: RecoveryView) -> Params | None:
     """Return where the arm is too near to its work area, or ``None``."""
     found = view.operating_state.intrusion

@@ -46,6 +46,7 @@ from armui.control.safety.recovery_conditions import (
     other_host_is,
     other_mode,
     other_mode_that_ends,
+    outside,
     overspeed,
     reference_in_doubt,
     run_is,
@@ -304,6 +305,7 @@ _RULES: Final = (
         alternative=Action.ALLOW,
     ),
     _Rule(StepKind.MOTORS_OFF, Level.INFO, Action.ENABLE, when(lambda view: not view.enabled)),
+    _Rule(StepKind.OUTSIDE, Level.WARNING, Action.COME_INSIDE, outside),
     # a target was refused; the arm stands where it was and takes the next
     _Rule(
         StepKind.BEYOND_LIMIT,

@@ -95,6 +95,8 @@ class Action(enum.Enum):
         "nobody relies on it.",
     )
     """This host takes the command from another controller; in standby nothing moves."""
+    COME_INSIDE = ActionText("come_inside", "Move inside")
+    """An arm that lies outside its limits is brought inside."""
     CONFIRM_CELL = ActionText("confirm_cell", "Confirm cell")
     """The cell kept for the adapter is that of this arm."""
     LEAVE_CELL = ActionText(
@@ -115,7 +117,7 @@ class Action(enum.Enum):
     """The stop is withdrawn; the stop button beside it is the other choice."""
 
 
-HELD: Final = frozenset({Action.GO_ON, Action.TAKE_OVER})
+HELD: Final = frozenset({Action.GO_ON, Action.TAKE_OVER, Action.COME_INSIDE})
 """The actions whose button is held for a second: the arm moves, or another host loses it."""
 
 
@@ -327,6 +329,11 @@ class StepKind(enum.Enum):
     REFERENCE_AGREED = StepText(
         "reference_agreed",
         "Motions are agreed to, though joint {joints} may stand elsewhere than it reports.",
+    )
+    OUTSIDE = StepText(
+        "outside",
+        "Outside its limits, as a resting arm lies: {outside}. Until it is brought inside the arm "
+        "takes no other target; hold Move inside: it moves slowly, all at once.",
     )
     BEYOND_LIMIT = StepText(
         "beyond_limit",

@@ -1,0 +1,50 @@
+"""The way back of an arm that is found outside its limits, as a resting one is when switched on."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Final
+
+import numpy as np
+
+from armui.arm.limits import clipped, outside_limits, settled
+from armui.ways.rules import OWN_BODY, Rules
+
+_INSIDE_DEG: Final = 0.5
+"""A joint is brought this far inside its limit, so that sag does not bring it out again."""
+_LIFTED: Final = 4
+_LIFTED_DEG: Final = 15.0
+"""The hand of an arm at rest lies on its base; with joint 5 turned back to this it is clear."""
+
+
+def ways_inside(joints_deg: Sequence[float], rules: Rules) -> tuple[tuple[float, ...], ...]:
+    """Return the targets, one after the other, that bring an arm inside; none if it is inside.
+
+    The arm takes no target before all of its joints are inside, so the first one brings them in
+    together. The second one turns joint 5 until hand and base are apart.
+
+    Args:
+        joints_deg: The six measured angles.
+        rules: Those in force.
+    """
+    limits = rules.arm.limits
+    outside = outside_limits(joints_deg, limits)
+    inside = list(settled(joints_deg, limits))
+    for joint in outside:
+        place = joint - 1
+        limit_deg = clipped(inside[place], limits[place])
+        step_deg = _INSIDE_DEG if inside[place] < limit_deg else -_INSIDE_DEG
+        inside[place] = clipped(limit_deg + step_deg, limits[place])
+    targets = [tuple(inside)] if outside else []
+    if touches_itself(inside, rules) and inside[_LIFTED] > _LIFTED_DEG:
+        inside[_LIFTED] = _LIFTED_DEG
+        targets.append(tuple(inside))
+    return tuple(targets)
+
+
+def touches_itself(joints_deg: Sequence[float], rules: Rules) -> bool:
+    """Return whether parts of the arm touch each other at six angles."""
+    pose = np.array([joints_deg], dtype=float)
+    return any(
+        bool((rule.outside(pose) > 0.0).any()) for rule in rules.every if rule.name == OWN_BODY
+    )

@@ -1,0 +1,301 @@
+"""S35: every motion of ours passes one gate, or nothing of it is sent."""
+
+import ast
+from concurrent.futures import Future
+from pathlib import Path
+
+import pytest
+
+from armui.arm.refusal import Refusal
+from armui.bus.outbox import Outbox, UnpassedMotionError
+from armui.cell.cell import Cell
+from armui.cell.work_area import Area, AreaBox
+from armui.control.context import REFUSED
+from armui.control.motion.jog_path import JointJog
+from armui.control.operations.started import Ending, Started
+from armui.control.safety import gate
+from armui.control.safety.gate import BEGAN_ELSEWHERE, NOT_IN_TIME
+from armui.kinematics.axes import JogFrame
+from armui.protocol.frame import Frame
+from armui.protocol.motion_frames import is_motion_frame
+from armui.ways.passes import Pass
+from tests.accepted import accepted
+from tests.arm_rig import ArmRig
+from tests.each import check_each
+
+HERE = (0.0, 40.0, -40.0, 0.0, 20.0, 0.0)
+THERE = (60.0, 40.0, -40.0, 0.0, 20.0, 0.0)
+BACK = (-60.0, 40.0, -40.0, 0.0, 20.0, 0.0)
+FAR_BOX = AreaBox("far", (2000.0, 0.0, 0.0, 0.0, 0.0, 0.0), (50.0, 50.0, 50.0))
+
+
+class Thread:
+    """Works out what the gate hands on when the test says so."""
+
+    def __init__(self) -> None:
+        self.waiting: list[tuple[Future, object]] = []
+
+    def __call__(self, work):
+        done: Future = Future()
+        self.waiting.append((done, work))
+        return done
+
+    def work(self):
+        """Work out all that waits."""
+        for done, work in self.waiting:
+            done.set_result(work())
+        self.waiting.clear()
+
+
+@pytest.fixture
+def moving(rig):
+    """The arm is on its way to a place."""
+    rig.lie(HERE)
+    rig.ready()
+    rig.controller.motion.set_speed_percent(50)
+    accepted(rig.controller.motion.send_joints(THERE))
+    rig.run(0.6)
+    assert rig.controller.operating_state.moving
+    rig.heard()
+    return rig
+
+
+@pytest.fixture
+def slow(rig, monkeypatch):
+    """A check that takes as long as the test wants; the arm rests."""
+    rig.lie(HERE)
+    rig.ready()
+    rig.controller.gate._background = thread = Thread()
+    monkeypatch.setattr(gate, "_AT_ONCE", -1.0)
+    rig.heard()
+    return rig, thread
+
+
+def ids(rig: ArmRig) -> list[int]:
+    return [frame.arbitration_id for frame in rig.heard()]
+
+
+def why(rig: ArmRig):
+    """Why the last motion was refused after its press."""
+    told = [event for event in rig.events if event.notice == REFUSED]
+    return told[-1].params["reason"].reason
+
+
+# The bus ---------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("offset", [0x00, 0x10, 0x20])
+def test_the_outbox_takes_no_motion_frame_without_a_pass(offset):
+    def check(entry):
+        arbitration_id, data, moves = entry
+        frame = Frame(arbitration_id, bytes.fromhex(data).ljust(8, b"\0"))
+        assert is_motion_frame(frame) is moves
+        box = Outbox()
+        if not moves:
+            box.put([frame])
+            return
+        with pytest.raises(UnpassedMotionError, match=f"0x{arbitration_id:03X}"):
+            box.put([frame])
+        box.put([frame], passed=Pass())
+
+    check_each(
+        (
+            *((each + offset, "", True) for each in range(0x151, 0x160)),
+            (0x150 + offset, "01", False),  # stop
+            (0x150 + offset, "02", False),  # resume
+            (0x150 + offset, "00 01", False),  # pause
+            (0x150 + offset, "00 02", True),  # continue
+            (0x150 + offset, "00 06", False),  # end
+            (0x150 + offset, "00 00 01", False),  # record by hand
+            (0x150 + offset, "00 00 03", True),  # replay within the arm
+            (0x150 + offset, "00 00 05", True),
+            (0x150 + offset, "00 00 07", True),
+            (0x181, "77", True),  # a motor
+            (0x181, "72", False),  # asks one
+            (0x471, "07 02", False),  # enable
+            (0x121, "01", False),  # a lamp
+        ),
+        check,
+    )
+
+
+def test_nobody_but_the_gate_makes_a_pass():
+    """And nobody asks the rules one by one but the gate, and the check of whole trajectories."""
+    root = Path(gate.__file__).parents[2]
+    makes, asks = set(), set()
+    for path in root.rglob("*.py"):
+        name = path.relative_to(root).as_posix()
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            called = node.func if isinstance(node, ast.Call) else None
+            if isinstance(called, ast.Name) and called.id == "Pass":
+                makes.add(name)
+            if isinstance(node, ast.ImportFrom) and node.module in {
+                "armui.ways.rules",
+                "armui.ways.law",
+                "armui.ways.own_body",
+            }:
+                asks.add(name)
+    assert makes == {"control/safety/gate.py"}
+    own = {name for name in asks if name.startswith("ways/")}
+    assert asks - own == {
+        "control/controller_parts.py",
+        "control/safety/gate.py",
+        "trajectory/planning/check.py",
+    }
+
+
+# A second motion into one under way --------------------------------------------------------------
+
+
+def test_a_target_the_other_way_brakes_first(moving):
+    rig = moving
+    accepted(rig.controller.motion.send_joints(BACK))
+    assert 0x155 not in ids(rig)
+    began_s = rig.time_s
+    rig.run_until(lambda: 0x155 in ids(rig), seconds=1.0)
+    assert rig.time_s - began_s <= 1.0
+    assert rig.firmware.joints_deg[0] < THERE[0]
+    rig.run(4.0)
+    assert rig.firmware.joints_deg == pytest.approx(BACK, abs=0.5)
+
+
+def test_a_target_further_on_is_sent_at_once(moving):
+    rig = moving
+    accepted(rig.controller.motion.send_joints((90.0, *THERE[1:])))
+    rig.step()
+    assert 0x155 in ids(rig)
+    rig.run(4.0)
+    assert rig.firmware.joints_deg[0] == pytest.approx(90.0, abs=0.5)
+
+
+def test_quick_steps_stay_fluent_and_add_up(rig):
+    rig.lie(HERE)
+    rig.ready()
+    for _ in range(12):
+        accepted(rig.controller.motion.jog(1, 1.0))
+        rig.run(0.04)
+    rig.run(3.0)
+    assert rig.firmware.joints_deg[0] == pytest.approx(12.0, abs=0.1)
+    assert not [frame for frame in rig.heard() if frame.arbitration_id == 0x150]
+
+
+def test_quick_steps_of_the_tool_stay_fluent_and_add_up(rig):
+    rig.lie(HERE)
+    rig.ready()
+    before = rig.controller.cartesian.tool_pose(rig.controller.state)[2]
+    for _ in range(12):
+        accepted(rig.controller.cartesian.step(2, 1.0, JogFrame.BASE))
+        rig.run(0.04)
+    rig.run(3.0)
+    after = rig.controller.cartesian.tool_pose(rig.controller.state)[2]
+    assert after - before == pytest.approx(12.0, abs=0.1)
+    assert not [frame for frame in rig.heard() if frame.arbitration_id == 0x150]
+
+
+def test_a_target_out_of_the_question_does_not_end_the_motion_under_way(moving):
+    rig = moving
+    assert isinstance(rig.controller.motion.send_joints((170.0, *HERE[1:])), Refusal)
+    rig.run(4.0)
+    assert ids(rig) == []
+    assert rig.firmware.joints_deg == pytest.approx(THERE, abs=0.5)
+
+
+@pytest.mark.parametrize("act", ["emergency_stop", "halt_and_hold"])
+def test_what_waits_for_the_arm_to_rest_is_void_after_a_stop(moving, act):
+    rig = moving
+    started = accepted(rig.controller.motion.send_joints(BACK))
+    rig.run(0.1)
+    getattr(rig.controller, act)()
+    rig.heard()
+    rig.run(3.0)
+    assert 0x155 not in ids(rig)
+    assert started.ending is Ending.CUT_OFF
+
+
+def test_the_last_of_several_presses_counts(moving):
+    rig = moving
+    first = accepted(rig.controller.motion.send_joints(BACK))
+    rig.run(0.1)
+    accepted(rig.controller.motion.send_joints(HERE))
+    assert first.ending is Ending.CUT_OFF
+    rig.run(5.0)
+    assert rig.firmware.joints_deg == pytest.approx(HERE, abs=0.5)
+
+
+def test_a_jog_voids_what_waits(moving):
+    rig = moving
+    waits = accepted(rig.controller.motion.send_joints(BACK))
+    rig.controller.jogging.start(JointJog(2, 1))
+    rig.controller.jogging.stop()
+    rig.run(3.0)
+    assert waits.ending is Ending.CUT_OFF
+    assert rig.firmware.joints_deg[0] > 0.0
+
+
+# A check that takes its time ---------------------------------------------------------------------
+
+
+def test_nothing_leaves_before_the_check_has_answered(slow):
+    rig, thread = slow
+    started = accepted(rig.controller.motion.send_joints(THERE))
+    rig.run(0.3)
+    assert ids(rig) == []
+    assert "checking" in rig.codes()
+    thread.work()
+    rig.step()
+    assert 0x155 in ids(rig)
+    assert isinstance(started, Started)
+
+
+def test_an_answer_a_second_late_counts_no_more(slow):
+    rig, thread = slow
+    started = accepted(rig.controller.motion.send_joints(THERE))
+    rig.run(1.1)
+    thread.work()
+    rig.run(0.5)
+    assert ids(rig) == []
+    assert (why(rig), started.ending) == (NOT_IN_TIME, Ending.REFUSED)
+
+
+@pytest.mark.parametrize("by", ["emergency_stop", "halt_and_hold", "end_all_motion"])
+def test_an_answer_after_a_stop_counts_no_more(slow, by):
+    rig, thread = slow
+    accepted(rig.controller.motion.send_joints(THERE))
+    rig.run(0.1)
+    getattr(rig.controller, by)()
+    thread.work()
+    rig.run(0.5)
+    assert 0x155 not in ids(rig)
+
+
+def test_an_answer_about_another_cell_counts_no_more(slow):
+    rig, thread = slow
+    accepted(rig.controller.cell.take(Cell("one")))
+    accepted(rig.controller.motion.send_joints(THERE))
+    rig.run(0.1)
+    accepted(rig.controller.cell.change(Cell("one", area=Area(boxes=(FAR_BOX,)))))
+    thread.work()
+    rig.run(0.5)
+    assert 0x155 not in ids(rig)
+    assert why(rig) == BEGAN_ELSEWHERE
+
+
+def test_an_answer_for_another_place_counts_no_more(slow):
+    rig, thread = slow
+    accepted(rig.controller.motion.send_joints(THERE))
+    rig.run(0.1)
+    rig.firmware.mechanics.place((5.0, *HERE[1:]))
+    rig.run(0.1)
+    thread.work()
+    rig.run(0.5)
+    assert 0x155 not in ids(rig)
+    assert why(rig) == BEGAN_ELSEWHERE
+
+
+def test_only_the_newest_answer_counts(slow):
+    rig, thread = slow
+    accepted(rig.controller.motion.send_joints(BACK))
+    accepted(rig.controller.motion.send_joints(THERE))
+    thread.work()
+    rig.run(4.0)
+    assert rig.firmware.joints_deg == pytest.approx(THERE, abs=0.5)
