@@ -67,6 +67,11 @@ class FirstPlace:
     obstacle: int
     gap_mm: float
 
+    def between(self, poses: int) -> tuple[int, float]:
+        """Return the pose before the place on a way of so many, and the share to the next one."""
+        index = max(min(int(self.at), poses - 2), 0)
+        return index, self.at - index
+
 
 @dataclass(frozen=True, slots=True)
 class _Parts:

@@ -12,6 +12,8 @@ from armui.ways.rules import OWN_BODY, Rules
 
 _INSIDE_DEG: Final = 0.5
 """A joint is brought this far inside its limit, so that sag does not bring it out again."""
+_NEAR_MM: Final = 5.0
+"""The capsules lie a little within the covers: parts this near to each other may touch."""
 _LIFTED: Final = 4
 _LIFTED_DEG: Final = 15.0
 """The hand of an arm at rest lies on its base; with joint 5 turned back to this it is clear."""
@@ -43,8 +45,8 @@ def ways_inside(joints_deg: Sequence[float], rules: Rules) -> tuple[tuple[float,
 
 
 def touches_itself(joints_deg: Sequence[float], rules: Rules) -> bool:
-    """Return whether parts of the arm touch each other at six angles."""
+    """Return whether parts of the arm touch each other at six angles, or nearly."""
     pose = np.array([joints_deg], dtype=float)
     return any(
-        bool((rule.outside(pose) > 0.0).any()) for rule in rules.every if rule.name == OWN_BODY
+        bool((rule.outside(pose) > -_NEAR_MM).any()) for rule in rules.every if rule.name == OWN_BODY
     )

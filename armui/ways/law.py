@@ -162,7 +162,10 @@ def _judge(way: Way, rule: Rule, marks: dict[tuple[str, str], float]) -> Refusal
     beyond = np.flatnonzero(end > at_end)
     # what is found outside is followed pose by pose, as it may only come back
     outside = (begin > mark + rule.noise) | (mark > 0.0)
-    breach = rule.breach(way, np.where(outside, np.inf, rule.noise))
+    # what is far from a bound at both ends of a short way cannot come to it between them
+    room = rule.noise - np.where(outside, -np.inf, np.maximum(begin, end)).max()
+    near = not rule.reaches_mm or way.travel_mm(rule.reaches_mm) / 2.0 > room
+    breach = rule.breach(way, np.where(outside, np.inf, rule.noise)) if near else None
     if breach is None and outside.any():
         breach = _deeper(way, rule, mark, outside)
     if breach is None and len(beyond):

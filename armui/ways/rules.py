@@ -218,7 +218,7 @@ class OwnBodyRule:
         found = self._body.breach(way.joints_deg, -allowed, np.array(way.spread_deg))
         if found is None:
             return None
-        bound = self.bounds.index(found.pair)
+        bound = self.bounds.index(f"{found.one}/{found.other}")
         return Breach(bound, -found.gap_mm, place_on(way.joints_deg, found.index, found.share))
 
     def finely(self, way: Way) -> Array:

@@ -39,6 +39,15 @@ class Way:
         """The six angles at which it ends."""
         return tuple(self.joints_deg[-1].tolist())
 
+    def travel_mm(self, reaches_mm: Sequence[float]) -> float:
+        """Return how far any part moves on it at most, what it may be off at first included.
+
+        Args:
+            reaches_mm: (6,) how far each joint moves any part at most for a radian.
+        """
+        turns_deg = np.abs(np.diff(self.joints_deg, axis=0)).sum(axis=0) / 2.0
+        return 2.0 * float(np.radians(turns_deg + self.spread_deg) @ np.array(reaches_mm))
+
     @property
     def turn_deg(self) -> float:
         """How far the joint that turns most turns on it."""
