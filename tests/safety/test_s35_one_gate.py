@@ -284,7 +284,7 @@ def test_an_answer_for_another_place_counts_no_more(slow):
     rig, thread = slow
     accepted(rig.controller.motion.send_joints(THERE))
     rig.run(0.1)
-    rig.firmware.mechanics._joints.put((5.0, *HERE[1:]))
+    rig.firmware.mechanics.sag_deg = (5.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     rig.run(0.1)
     thread.work()
     rig.run(0.5)

@@ -186,12 +186,12 @@ class SettingsDialog(ArmDialog):
             "by itself."
         )
         caption(self.stop_again_box, text, tip=tip)
-        text = self.tr("Jogs end at a lowest height of the fingertip")
+        text = self.tr("Motions end at a lowest height of the fingertip")
         tip = self.tr(
             "Above the floor: the plane the arm stands on, or the room's floor where the cell says "
             "under Base how the arm stands. 0 mm is the floor, negative is below it. "
-            "Single steps, buttons, keys and gamepad keep to it; an arm that is lower may only "
-            "go up."
+            "Jogs, steps and single motions keep to it; runs are checked against the floor. An arm "
+            "that is lower may only go up."
         )
         caption(self.jog_floor_box, text, tip=tip)
         self.jog_floor_spin.setAccessibleName(text)
