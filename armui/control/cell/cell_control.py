@@ -286,6 +286,7 @@ class CellControl(ControllerPart):
         renamed = check_cell(replace(cell, name=name))
         if refusal := self._refused(self.unconfirmed, same, renamed):
             return refusal
+        self._confirmed = True
         self.give_name(cell.name, name)
         started = self._done(record_start(self.rename), CELL_RENAMED, name)
         if self.store is not None:
@@ -331,7 +332,8 @@ class CellControl(ControllerPart):
             self._take_effect()
 
     def follow_arm(self) -> None:
-        """Say that the gripper has opened although something is marked as held."""
+        """Follow what another program keeps; say that the hand with something held has opened."""
+        self._follow_kept()
         cell, gripper = self.cell, self._context.state().gripper
         opening_mm = None if gripper is None else gripper.value.opening_mm
         if cell is None or not cell.held or opening_mm is None:
@@ -341,6 +343,15 @@ class CellControl(ControllerPart):
         elif not self._opened and opening_mm > self._least_mm + _OPENED_MM:
             self._opened = True
             self._context.tell(HELD_OPENED, name=cell.held, value=round(opening_mm))
+
+    def _follow_kept(self) -> None:
+        """Take the cell that is kept for this adapter by now, unless one was chosen here."""
+        if self._device is None or self._confirmed or self.store is None:
+            return
+        name = self.store.kept(self._device.arm_key())
+        if name != self._name and why_not_change(self._context.operating_state()) is None:
+            self._name = name
+            self._take_effect()
 
     def why_not_capture(self) -> Refusal | None:
         """Return why the pose of the flange cannot be taken now, or ``None``.
