@@ -39,7 +39,7 @@ from armui.setting_checks import (
 from armui.setting_maps import KeptMap, Revision
 from armui.system import paths
 from armui.system.alone import alone_with
-from armui.system.atomic import write_whole
+from armui.system.atomic import aside_name, write_whole
 from armui.system.files import error_text, open_file
 
 if TYPE_CHECKING:
@@ -72,8 +72,6 @@ SETTINGS_PUT_ASIDE = Reason(
 
 _MOST_BYTES: Final = 1_000_000
 """A thousand times what the settings need: a larger file is something else."""
-_MOST_ASIDE: Final = 10
-"""So many files are put aside; another one takes the place of the last."""
 
 
 class Choices(TypedDict, total=False):
@@ -418,7 +416,7 @@ class SettingsStore:
                 if found is None or _text(entries) != _text(found):
                     self._path.parent.mkdir(parents=True, exist_ok=True)
                     if found is not None and setting_maps.loses_map(found, entries):
-                        write_whole(_aside(self._path), _as_file(_text(found)))
+                        write_whole(aside_name(self._path), _as_file(_text(found)))
                     write_whole(self._path, _as_file(_text(entries)))
         except Timeout:
             return SETTINGS_IN_USE(path=str(self._path))
@@ -523,16 +521,9 @@ def _from_entries(entries: Mapping[str, Any]) -> tuple[Settings, tuple[Refusal, 
     return Settings(**good), tuple(problems)
 
 
-def _aside(path: Path) -> Path:
-    """The name for what is put aside; the first such files are kept, for they may say most."""
-    names = [f"{path.name}.broken", *(f"{path.name}.broken{n}" for n in range(2, _MOST_ASIDE))]
-    paths = [path.with_name(name) for name in names]
-    return next((each for each in paths if not os.path.lexists(each)), paths[-1])
-
-
 def _put_aside(path: Path, told: Reason) -> Refusal:
     """Keep a broken file for whoever wants to mend it, and return what is to be told."""
-    kept = _aside(path)
+    kept = aside_name(path)
     try:
         path.replace(kept)
     except OSError as error:

@@ -23,6 +23,8 @@ from armui.cell.cell_file import (
     write_cell,
 )
 from armui.system.alone import alone_with
+from armui.system.atomic import aside_name, replace_file
+from armui.system.files import error_text
 
 CELL_CHANGED_ELSEWHERE = Reason(
     "cell_changed_elsewhere",
@@ -35,7 +37,9 @@ class CellFolder:
     """Reads and writes the cells of a folder, and knows what was really read and written.
 
     Every function waits for the disk, and may be called from any thread. A file that differs from
-    what is known to be in it was changed by another program, and is left alone.
+    what is known to be in it was changed by another program, and is left alone. One that could not
+    be read is put aside where another takes its place or it is deleted: a newer program may read
+    it.
 
     Args:
         path: The folder; it need not exist.
@@ -117,14 +121,24 @@ class CellFolder:
 
     def _write(self, cell: Cell) -> Refusal | None:
         path = self._file(cell.name)
-        problem = write_cell(path, cell)
-        written = from_text(to_text(cell), cell.name)
-        if problem is None or read_cell(path) == written:  # a share may have lost its answer only
-            self._known[cell.name] = written
+        problem = self._put_aside(cell.name) or write_cell(path, cell)
+        if problem is None:
+            self._known[cell.name] = from_text(to_text(cell), cell.name)
         return problem
 
     def _delete(self, name: str) -> Refusal | None:
-        problem = delete_cell(self._file(name))
+        problem = self._put_aside(name) or delete_cell(self._file(name))
         if problem is None:
             self._known.pop(name, None)
         return problem
+
+    def _put_aside(self, name: str) -> Refusal | None:
+        path = self._file(name)
+        if not isinstance(self._known.get(name), Refusal) or not path.exists():
+            return None
+        try:
+            replace_file(path, aside_name(path))
+        except OSError as error:
+            return CELL_NOT_WRITTEN(path=str(path), text=error_text(error))
+        del self._known[name]
+        return None

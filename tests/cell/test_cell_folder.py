@@ -63,7 +63,7 @@ def test_a_broken_one_may_be_deleted_as_it_was_found(tmp_path):
     ours = CellFolder(tmp_path)
     ours.read()
     assert ours.delete("bench") is None
-    assert not torn.exists()
+    assert not torn.exists()  # it is put aside
     assert ours.save(BENCH) is None
 
 
