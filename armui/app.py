@@ -236,6 +236,7 @@ class Program:
         if isinstance(files, FileThread):
             look = QTimer(self._relay, interval=_LOOK_AT_FILES_MS)
             look.timeout.connect(partial(self._replace_hung, files))
+            look.timeout.connect(store.follow)
             look.start()
         self._failure_handler = FailureHandler(self._relay.failed.emit)
         for name in failures.LOGGERS:

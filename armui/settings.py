@@ -1,26 +1,28 @@
 """The operator's settings of the program, kept between its runs.
 
 One small JSON file in the user's configuration folder. An invalid setting falls back to its default
-alone; a file that is no JSON is moved aside, never overwritten. No file keeps the program from
-starting, whatever it holds (safety S22). Two programs may use one file: a change writes only the
-changed settings, and leaves the others in the file (S21).
+alone, and so does an invalid entry of one arm; a file that is no JSON is moved aside, never
+overwritten. No file keeps the program from starting, whatever it holds (safety S22). Two programs
+may use one file: a change is made to what is in the file by then, and leaves everything else there
+as it is; what another program keeps of arms and devices is followed (S21).
 """
 
 from __future__ import annotations
 
 import contextlib
 import errno
-import hashlib
 import json
 import os
 import threading
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass, field, fields, replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, fields, replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, TypedDict, Unpack
 
-from filelock import FileLock, Timeout
+from filelock import Timeout
 
+from armui import setting_maps
 from armui.arm.refusal import Reason, Refusal
 from armui.setting_checks import (
     SETTING_BAD,
@@ -34,8 +36,10 @@ from armui.setting_checks import (
     check,
     shown,
 )
+from armui.setting_maps import KeptMap, Revision
 from armui.system import paths
-from armui.system.atomic import write_whole
+from armui.system.alone import alone_with
+from armui.system.atomic import aside_name, write_whole
 from armui.system.files import error_text, open_file
 
 if TYPE_CHECKING:
@@ -59,12 +63,15 @@ SETTINGS_BROKEN = Reason(
     "The settings file could not be read and was put aside as {kept}. The program starts with "
     "default settings.",
 )
+SETTINGS_PUT_ASIDE = Reason(
+    "settings_put_aside",
+    "The settings file could not be read any more and was put aside as {kept}. The present "
+    "settings hold, and are saved with the next change.",
+)
 
 
 _MOST_BYTES: Final = 1_000_000
 """A thousand times what the settings need: a larger file is something else."""
-_LOCK_S: Final = 0.05
-"""The longest time for which a change waits for another program that writes the same file."""
 
 
 class Choices(TypedDict, total=False):
@@ -188,18 +195,46 @@ class SettingsStore:
         self._subscribers: list[Subscriber] = []
         self._files: Executor | None = None
         self._on_problem: Callable[[Refusal], object] = lambda _problem: None
-        self._unsaved: dict[str, Any] = {}
+        self._unsaved: list[Revision] = []
         self._turn, self._writing = threading.Lock(), threading.Lock()
-        self._kept, self.problems = _read(path)
+        self._maps: dict[str, KeptMap] = {}
+        self._news: dict[str, Any] | None = None
+        self._looked: tuple[int, int, int] | None = None
+        self._look: Future[None] | None = None
+        self._writes = 0
+        entries, problems = _read(path)
+        self._kept, more = _from_entries(entries)
         self._settings = replace(self._kept, **(for_this_run or {}))
+        self._take_maps(entries)
+        found = [setting_maps.problem_of(*each) for each in self._maps.items()]
+        self.problems = (*problems, *more, *(each for each in found if each is not None))
 
     @property
     def settings(self) -> Settings:
-        """The present settings."""
-        return self._settings
+        """The present settings; those of arms and devices as last known to be in the file."""
+        with self._turn:
+            self._take_news()
+            return self._settings
+
+    def strange(self, name: str, key: str) -> str | None:
+        """Return what the file has for an arm or device that is not understood.
+
+        Args:
+            name: The setting.
+            key: The arm or device.
+
+        Returns:
+            It as a text, shortened; ``None`` if there is nothing, or it is understood.
+        """
+        with self._turn:
+            self._take_news()
+            return self._maps[name].strange_at(key)
 
     def change(self, **choices: Unpack[Choices]) -> Refusal | None:
         """Change settings, save them, and notify the subscribers.
+
+        Of a setting with an entry for each arm or device, those that differ from the present ones
+        are changed.
 
         Returns:
             ``None``, or why a setting is not possible (then nothing is changed), or why the file
@@ -210,19 +245,43 @@ class SettingsStore:
             refusal = check(name, value)
             if refusal is not None:
                 return refusal
-        kept, before = self._kept, self._settings
-        self._kept = replace(kept, **choices)
-        self._settings = replace(before, **choices)
-        problem = None
-        if self._kept != kept:
-            values = asdict(self._kept)
-            with self._turn:
-                self._unsaved |= {name: values[name] for name in choices}
-            problem = self._save()
-        if self._settings != before:
-            for subscriber in list(self._subscribers):
-                subscriber(self._settings)
-        return problem
+        revisions: list[Revision] = []
+        for name, value in choices.items():
+            if isinstance(value, Mapping) and name in setting_maps.NAMES:
+                new = setting_maps.changes(getattr(self.settings, name), value)
+                revisions.append(_of_map(name, partial(setting_maps.put, name, new)))
+            else:
+                revisions.append(partial(_choose, name, value))
+        return self._revise(revisions)
+
+    def keep(self, name: str, new: Mapping[str, object]) -> Refusal | None:
+        """Keep something of arms or devices, whatever another program has kept of others.
+
+        Args:
+            name: The setting, one with an entry for each of them.
+            new: The entries by arm or device; ``None`` drops one.
+
+        Returns:
+            As of `change`.
+        """
+        for key, entry in new.items():
+            refusal = None if entry is None else check(name, {key: entry})
+            if refusal is not None:
+                return refusal
+        return self.revise(name, partial(setting_maps.put, name, new))
+
+    def revise(self, name: str, revision: Revision) -> Refusal | None:
+        """Change the entries of arms or devices by what they are when they are written.
+
+        Args:
+            name: The setting, one with an entry for each of them.
+            revision: Changes entries in place, and leaves what it does not understand; it is called
+                with those known now, and by another thread with those in the file.
+
+        Returns:
+            As of `change`.
+        """
+        return self._revise([_of_map(name, revision)])
 
     def write_by(self, files: Executor, on_problem: Callable[[Refusal], object]) -> None:
         """Have a thread write the file from now on, so that nobody waits for the disk.
@@ -233,8 +292,19 @@ class SettingsStore:
         """
         self._files, self._on_problem = files, on_problem
 
+    def follow(self) -> None:
+        """Look what other programs have kept of arms and devices, without waiting for the disk.
+
+        What could not be saved before is tried once more; to be called once a second.
+        """
+        if self._files is None:
+            self._look_at_file()
+        elif self._look is None or self._look.done():  # a disk that hangs is asked once
+            with contextlib.suppress(RuntimeError):  # the thread has ended, and the program ends
+                self._look = self._files.submit(self._look_at_file)
+
     def subscribe(self, subscriber: Subscriber) -> Callable[[], None]:
-        """Have a function called with the settings after each change.
+        """Have a function called with the settings after each change made here.
 
         Returns:
             A function that ends the subscription; calling it twice does no harm.
@@ -251,6 +321,47 @@ class SettingsStore:
     def path(self) -> Path:
         """The file."""
         return self._path
+
+    # What holds in this program -----------------------------------------------------------------
+
+    def _revise(self, revisions: Sequence[Revision]) -> Refusal | None:
+        with self._turn:
+            self._take_news()
+            before = self._settings
+            kept, settings = self._entries_of(self._kept), self._entries_of(before)
+            for revision in revisions:
+                revision(kept)
+                revision(settings)
+            self._kept, self._settings = Settings(**kept), Settings(**settings)
+            self._take_maps(kept)
+            self._unsaved += revisions
+        problem = self._save()
+        if self.settings != before:
+            for subscriber in list(self._subscribers):
+                subscriber(self.settings)
+        return problem
+
+    def _entries_of(self, settings: Settings) -> dict[str, Any]:
+        """Return settings as a file has them, with what is not understood of the maps."""
+        values = {each.name: getattr(settings, each.name) for each in fields(Settings)}
+        return values | {name: each.whole for name, each in self._maps.items()}
+
+    def _take_news(self) -> None:
+        """Take over what the file was found to have of arms and devices; `_turn` is held."""
+        entries, self._news = self._news, None
+        if entries is not None:
+            for revision in self._unsaved:
+                revision(entries)
+            self._take_maps(entries)
+
+    def _take_maps(self, entries: Mapping[str, Any]) -> None:
+        names = setting_maps.NAMES
+        self._maps = {name: setting_maps.read_map(name, entries.get(name)) for name in names}
+        understood: dict[str, Any] = {name: each.entries for name, each in self._maps.items()}
+        self._kept = replace(self._kept, **understood)
+        self._settings = replace(self._settings, **understood)
+
+    # The file ------------------------------------------------------------------------------------
 
     def _save(self) -> Refusal | None:
         """Have what is unsaved written; why it was not, as far as that is known at once."""
@@ -280,111 +391,126 @@ class SettingsStore:
             # a disk holds whoever writes it; he goes on with this once it lets go of him
             return self._not_saved(TimeoutError(errno.ETIMEDOUT, os.strerror(errno.ETIMEDOUT)))
         try:
-            while self._unsaved:
+            while True:
                 with self._turn:
-                    choices, self._unsaved = self._unsaved, {}
-                problem = self._write_choices(choices)
+                    unsaved, kept = list(self._unsaved), self._entries_of(self._kept)
+                if not unsaved:
+                    return None
+                problem = self._write_revised(unsaved, kept)
                 if problem is not None:
-                    with self._turn:
-                        self._unsaved = choices | self._unsaved
                     return problem
         finally:
             self._writing.release()
-        return None
 
-    def _write_choices(self, choices: Mapping[str, Any]) -> Refusal | None:
-        """Write what was chosen; what another program has written meanwhile stays."""
+    def _write_revised(self, unsaved: Sequence[Revision], kept: dict[str, Any]) -> Refusal | None:
+        """Make changes to what the file has by now; without one, all that is kept is written."""
         try:
-            with _alone_with(self._path):
-                in_file = _entries(self._path)
-                entries = asdict(self._kept) | in_file | dict(choices)
-                self._path.parent.mkdir(parents=True, exist_ok=True)
-                write_whole(self._path, f"{json.dumps(entries, indent=2)}\n".encode())
+            with alone_with(self._path):
+                try:
+                    found = _entries(self._path)
+                except (ValueError, RecursionError):
+                    return _put_aside(self._path, SETTINGS_PUT_ASIDE)
+                entries = kept if found is None else dict(found)
+                for revision in unsaved:
+                    revision(entries)
+                if found is None or _text(entries) != _text(found):
+                    self._path.parent.mkdir(parents=True, exist_ok=True)
+                    if found is not None and setting_maps.loses_map(found, entries):
+                        write_whole(aside_name(self._path), _as_file(_text(found)))
+                    write_whole(self._path, _as_file(_text(entries)))
         except Timeout:
             return SETTINGS_IN_USE(path=str(self._path))
-        except (OSError, ValueError, RecursionError) as error:
+        except (OSError, ValueError, RecursionError) as error:  # lists nested too deep to write
             return self._not_saved(error)
+        with self._turn:
+            del self._unsaved[: len(unsaved)]
+            self._news = entries
+            self._writes += 1
         return None
+
+    def _look_at_file(self) -> None:
+        """Read the file if another program has written it since; waits for a disk."""
+        if self._unsaved:
+            self._write()
+        writes = self._writes
+        try:
+            found = self._path.stat()
+            stamp = found.st_size, found.st_mtime_ns, found.st_ino
+            entries = None if stamp == self._looked else _entries(self._path)
+        except (OSError, ValueError, RecursionError):
+            return  # what is known holds
+        self._looked = stamp
+        with self._turn:
+            if entries is not None and writes == self._writes:
+                self._news = entries
 
     def _not_saved(self, error: BaseException) -> Refusal:
         params = {"path": str(self._path), "text": error_text(error)}
         return SETTINGS_NOT_SAVED(**params)
 
 
-@contextlib.contextmanager
-def _alone_with(path: Path) -> Iterator[None]:
-    """Keep other programs of the user from writing a file; where no lock can be had, nobody is.
-
-    Raises:
-        Timeout: Another one is writing it.
-    """
-    with contextlib.ExitStack() as locked:
-        try:
-            locked.enter_context(FileLock(_lock_path(path), timeout=_LOCK_S))
-        except Timeout:
-            raise
-        except (OSError, NotImplementedError):
-            pass  # that nobody can be met there is said by whoever looks for others
-        yield
+def _choose(name: str, value: object, settings: dict[str, Any]) -> None:
+    settings[name] = value
 
 
-def _lock_path(path: Path) -> Path:
-    """Where programs wait for each other to write a file; not beside it: that folder is not ours.
-
-    Raises:
-        OSError: The folder cannot be made, or is another user's.
-    """
-    folder = paths.runtime()
-    paths.make_private(folder)
-    name = hashlib.sha256(str(path.absolute()).encode("utf-8", "surrogatepass")).hexdigest()[:16]
-    return folder / f"settings-{name}.lock"
+def _of_map(name: str, revision: Revision) -> Revision:
+    return partial(setting_maps.revise, name, revision)
 
 
-def _entries(path: Path) -> dict[str, Any]:
-    """What stands in a file now; nothing, if it is none of ours."""
-    try:
-        entries = _parsed(path)
-    except (OSError, ValueError, RecursionError):
-        return {}
-    return entries if isinstance(entries, dict) else {}
-
-
-def _parsed(path: Path) -> object:
-    """The JSON in a file.
+def _entries(path: Path) -> dict[str, Any] | None:
+    """What stands in a file now; ``None`` if there is none.
 
     Raises:
         OSError: It cannot be read, or is no file: opening a pipe would wait for ever.
-        ValueError: It is no JSON, no UTF-8, or far too large.
+        ValueError: It is no JSON of ours, no UTF-8, or far too large.
         RecursionError: Its lists are nested too deep.
     """
-    with open_file(path) as file:
-        data = file.read(_MOST_BYTES + 1)
+    try:
+        with open_file(path) as file:
+            data = file.read(_MOST_BYTES + 1)
+    except FileNotFoundError:
+        return None
     if len(data) > _MOST_BYTES:
         raise ValueError("it is too large")
-    return json.loads(data.decode("utf-8"))
+    entries = json.loads(data.decode("utf-8"))
+    if not isinstance(entries, dict):
+        raise ValueError("it holds no settings")  # noqa: TRY004 - as what is no JSON
+    return entries
 
 
-def _read(path: Path) -> tuple[Settings, tuple[Refusal, ...]]:
+def _text(entries: Mapping[str, Any]) -> str:
+    return json.dumps(entries, indent=2)
+
+
+def _as_file(text: str) -> bytes:
+    """Return the bytes of a file.
+
+    Raises:
+        OSError: No program would read a file as large as that.
+    """
+    data = f"{text}\n".encode()
+    if len(data) > _MOST_BYTES:
+        raise OSError(errno.EFBIG, os.strerror(errno.EFBIG))
+    return data
+
+
+def _read(path: Path) -> tuple[dict[str, Any], tuple[Refusal, ...]]:
+    """What a file has for the start of the program, and what is to be told of it."""
     try:
-        entries = _parsed(path)
-    except FileNotFoundError:
-        return Settings(), ()
+        return _entries(path) or {}, ()
     except OSError as error:
         params = {"path": str(path), "text": error_text(error)}
-        return Settings(), (SETTINGS_UNREADABLE(**params),)
+        return {}, (SETTINGS_UNREADABLE(**params),)
     except (ValueError, RecursionError):
-        return Settings(), (_put_aside(path),)
-    if not isinstance(entries, dict):
-        return Settings(), (_put_aside(path),)
-    return _from_entries(entries)
+        return {}, (_put_aside(path, SETTINGS_BROKEN),)
 
 
 def _from_entries(entries: Mapping[str, Any]) -> tuple[Settings, tuple[Refusal, ...]]:
-    """The settings of a file; what it says that is not possible is left at its first value."""
+    """The settings of a file but for the maps; what is not possible is left at its first value."""
     good: dict[str, Any] = {}
     problems = []
     for each in fields(Settings):
-        if each.name not in entries:
+        if each.name not in entries or each.name in setting_maps.NAMES:
             continue
         value = entries[each.name]
         if check(each.name, value) is None:
@@ -395,12 +521,12 @@ def _from_entries(entries: Mapping[str, Any]) -> tuple[Settings, tuple[Refusal, 
     return Settings(**good), tuple(problems)
 
 
-def _put_aside(path: Path) -> Refusal:
-    """Keep a broken file for whoever wants to mend it."""
-    kept = path.with_name(path.name + ".broken")
+def _put_aside(path: Path, told: Reason) -> Refusal:
+    """Keep a broken file for whoever wants to mend it, and return what is to be told."""
+    kept = aside_name(path)
     try:
         path.replace(kept)
     except OSError as error:
         params = {"path": str(path), "text": error_text(error)}
         return SETTINGS_UNREADABLE(**params)
-    return SETTINGS_BROKEN(kept=str(kept))
+    return told(kept=str(kept))

@@ -71,5 +71,37 @@ def read_record(entry: object) -> ReferenceRecord | None:
     )
 
 
+def record_in(entry: object) -> ReferenceRecord | None:
+    """Return the record in a JSON entry; ``None`` if there is none.
+
+    Of an arm whose entry is not understood every joint is in doubt: it may tell of one.
+    """
+    if entry is None:
+        return None
+    return read_record(entry) or ReferenceRecord(doubtful=tuple(JOINTS))
+
+
+def merged_entry(before: ReferenceRecord, now: ReferenceRecord, found: object) -> dict[str, object]:
+    """Return the entry to keep of a record that was changed, where another program may have been.
+
+    What was changed counts, the rest is as it was found. A doubt goes only with what cleared it:
+    one that another program has noted meanwhile stays.
+
+    Args:
+        before: The record as it was before the change.
+        now: The record after it.
+        found: The entry in whose place it comes.
+    """
+    entry = now.as_entry()
+    theirs = read_record(found)
+    if theirs is None or not isinstance(found, Mapping):
+        return entry
+    known = before.as_entry()
+    changed = {name: value for name, value in entry.items() if value != known[name]}
+    noted, cleared = ({*now.doubtful} - {*before.doubtful}, {*before.doubtful} - {*now.doubtful})
+    doubtful = ({*theirs.doubtful} | noted) - cleared
+    return {**theirs.as_entry(), **found, **changed, "doubtful": tuple(sorted(doubtful))}
+
+
 def _is_joint(value: object) -> bool:
     return isinstance(value, int) and not isinstance(value, bool) and value in JOINTS

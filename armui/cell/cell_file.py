@@ -52,12 +52,6 @@ CELL_NOT_WRITTEN = Reason(
     "The cell could not be written to {path}: {text}. It holds until the program ends; export it "
     "to another folder.",
 )
-CELL_CHANGED_ELSEWHERE = Reason(
-    "cell_changed_elsewhere",
-    "Another program has changed the file {path} meanwhile; it was not overwritten. Export your "
-    "cell under another name, then start the program again.",
-)
-
 SUFFIX: Final = ".armui-cell"
 FORMAT: Final = "armui-cell"
 VERSION: Final = 2
@@ -131,38 +125,6 @@ def write_cell(path: Path, cell: Cell) -> Refusal | None:
     except OSError as error:
         return CELL_NOT_WRITTEN(path=str(path), text=error_text(error))
     return None
-
-
-def save_cell(path: Path, cell: Cell, expected: Cell | None) -> Refusal | None:
-    """Write a cell to its own file, unless another program has changed that.
-
-    Args:
-        path: The file.
-        cell: The cell.
-        expected: The cell that this program has last read from there, or written; ``None`` if it
-            knows of none.
-    """
-    if path.exists() and read_cell(path) != expected:
-        return CELL_CHANGED_ELSEWHERE(path=str(path))
-    return write_cell(path, cell)
-
-
-def rename_cell(path: Path, new: Path, cell: Cell, expected: Cell | None) -> Refusal | None:
-    """Move a cell to a file of another name, which must be free; see :func:`save_cell`."""
-    if new.exists():
-        return CELL_CHANGED_ELSEWHERE(path=str(new))
-    if path.exists() and read_cell(path) != expected:
-        return CELL_CHANGED_ELSEWHERE(path=str(path))
-    return write_cell(new, cell) or delete_cell(path)
-
-
-def read_cells(folder: Path) -> Mapping[str, Cell | Refusal]:
-    """Return all cells of a folder by name, with the reasons against those that are broken."""
-    try:
-        paths = sorted(folder.glob(f"[!.]*{SUFFIX}"))
-    except OSError:
-        return {}
-    return {path.stem: read_cell(path) for path in paths}
 
 
 def delete_cell(path: Path) -> Refusal | None:

@@ -23,6 +23,9 @@ UNFINISHED: Final = ".unfinished"
 _SCANNER_PAUSES_S: Final = (0.01, 0.02, 0.04, 0.08, 0.15, 0.2)
 """The pauses between attempts, half a second in all."""
 
+_MOST_ASIDE: Final = 10
+"""So many files of a name are put aside; another one takes the place of the last."""
+
 _ABANDONED_S: Final = 600.0
 """An unfinished file this old is abandoned; a younger one may belong to another running program."""
 
@@ -82,9 +85,20 @@ class WholeFile:
                 os.fsync(self.stream.fileno())
             self.stream.close()
         self._check()
-        replace_file(self.unfinished, self._path)
+        written = self.unfinished.stat()
+        try:
+            replace_file(self.unfinished, self._path)
+        except OSError:
+            if not self._is_in_place(written):
+                raise
         if self._to_disk:
             sync_folder(self._path.parent)
+
+    def _is_in_place(self, written: os.stat_result) -> bool:
+        """Return whether the file has its name: a share may have lost its answer only."""
+        with contextlib.suppress(OSError):
+            return os.path.samestat(self._path.stat(), written)
+        return False
 
     def __enter__(self) -> Self:
         return self
@@ -125,6 +139,16 @@ def _exists(path: Path) -> FileExistsError:
 def unfinished_name(path: Path) -> Path:
     """Return a unique temporary name beside a file or folder."""
     return path.with_name(f".{os.urandom(8).hex()}{UNFINISHED}")
+
+
+def aside_name(path: Path) -> Path:
+    """Return where to keep a file that cannot be read, for whoever wants to mend it.
+
+    The first ones that were kept stay, for they may say most.
+    """
+    endings = (".broken", *(f".broken{number}" for number in range(2, _MOST_ASIDE + 1)))
+    paths = [path.with_name(path.name + ending) for ending in endings]
+    return next((each for each in paths if not os.path.lexists(each)), paths[-1])
 
 
 def write_whole(path: Path, data: bytes, *, to_disk: bool = True) -> None:

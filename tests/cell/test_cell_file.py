@@ -7,18 +7,14 @@ import pytest
 from armui.arm.refusal import Refusal
 from armui.cell.cell import Cell, with_part, without_part
 from armui.cell.cell_file import (
-    CELL_CHANGED_ELSEWHERE,
     CELL_FIELD_BAD,
     CELL_FOREIGN,
     CELL_NO_JSON,
-    CELL_UNREADABLE,
     CELL_VERSION,
     Difference,
     differences,
     from_text,
     read_cell,
-    read_cells,
-    save_cell,
     to_text,
     write_cell,
 )
@@ -97,28 +93,6 @@ def test_a_place_is_named_of_what_is_wrong():
     assert answer.params["field"] == "tools[1].z_mm"
     assert from_text(changed(version=7), "bench").params == {"version": 7, "known": 2}
     assert from_text('{\n "format": x', "bench").params == {"line": 2, "column": 12}
-
-
-def test_a_folder_is_read_with_what_is_broken_in_it(tmp_path):
-    write_cell(tmp_path / "bench.armui-cell", BENCH)
-    (tmp_path / "torn.armui-cell").write_text("{", encoding="utf-8")
-    (tmp_path / "one.json").write_text("{}", encoding="utf-8")
-    (tmp_path / "folder.armui-cell").mkdir()
-    read = read_cells(tmp_path)
-    assert read["bench"] == BENCH
-    assert read["torn"].reason == CELL_NO_JSON
-    assert read["folder"].reason == CELL_UNREADABLE
-    assert set(read) == {"bench", "torn", "folder"}
-    assert read_cells(tmp_path / "nowhere") == {}
-
-
-def test_what_another_program_wrote_is_not_overwritten(tmp_path):
-    path = tmp_path / "bench.armui-cell"
-    assert save_cell(path, BENCH, None) is None
-    assert save_cell(path, without_part(BENCH, Tool, "hook"), BENCH) is None
-    other = save_cell(path, BENCH, BENCH)
-    assert other.reason == CELL_CHANGED_ELSEWHERE
-    assert read_cell(path) == without_part(BENCH, Tool, "hook")
 
 
 def test_names_are_those_that_every_file_system_takes():

@@ -1,11 +1,13 @@
 """An operator at the panel 单元: cells and tools by clicking, judged by what then holds."""
 
 import json
+from dataclasses import replace
 
 import pytest
 
 from armui.cell.cell import Cell
 from armui.cell.cell_file import read_cell, to_text
+from armui.cell.held_objects import HeldObject
 from armui.cell.tools import Tool
 from armui.cell.work_area import Area, AreaBox
 from armui.protocol.generation import Generation
@@ -304,3 +306,88 @@ def test_no_figure_is_cut_in_a_small_window(app_driver, tab, language):
     for field in fields:
         digits = field.fontMetrics().horizontalAdvance("1000.0")
         assert field.contentsRect().width() - field._unit_px() - digits >= 8, field.objectName()
+
+
+# A backup of a cell is taken whole or not at all --------------------------------------------------
+
+
+def backup(panel, tmp_path, cell):
+    theirs = tmp_path / f"{cell.name}.armui-cell"
+    theirs.write_text(to_text(cell), encoding="utf-8")
+    panel.controller.cell.store.read(theirs, panel.window.findChild(CellPanel)._on_read)
+
+
+def test_a_backup_that_is_refused_leaves_the_cell_in_force(panel, tmp_path):
+    """That of its name, for which the hand holds something, was put in force before the refusal."""
+    cells = panel.controller.cell
+    holding = Cell("bench", (PEN,), "pen", held_objects=(HeldObject("cube"),), held="cube")
+    panel.type_into("cell_name", "stand")
+    accepted(cells.take(Cell("other")))
+    accepted(cells.choose("stand"))
+    cells.take_loaded({"bench": holding})
+    backup(panel, tmp_path, Cell("bench", (PEN,)))
+    panel.confirm()
+    assert "“cube” is marked as held" in panel.read("cell_message")
+    assert (cells.cell, cells.cells["bench"]) == (Cell("stand"), holding)
+    assert panel.store.settings.cells == {panel.device.arm_key(): "stand"}
+
+
+def test_a_backup_of_the_cell_in_force_drops_no_mark_of_what_is_held(panel, tmp_path):
+    cells = panel.controller.cell
+    accepted(cells.take(Cell("bench", held_objects=(HeldObject("cube"),))))
+    accepted(cells.hold("cube"))
+    backup(panel, tmp_path, Cell("bench", (PEN,), "pen"))
+    panel.confirm()
+    assert "“cube” is marked as held" in panel.read("cell_message")
+    accepted(cells.hold(""))
+    backup(panel, tmp_path, Cell("bench", (PEN,), "pen"))
+    panel.confirm()
+    assert cells.cell == read_cell(file_of(panel, "bench")) == Cell("bench", (PEN,), "pen")
+
+
+@pytest.mark.parametrize("broken", ["{", to_text(Cell("bench")).replace("1", "9")])
+def test_a_backup_of_a_cell_that_cannot_be_read_takes_its_place(make_driver, tmp_path, broken):
+    driver = make_driver(Generation.TWO)
+    try:
+        file = driver.library_folder / "bench.armui-cell"
+        driver.library_folder.mkdir(exist_ok=True)
+        file.write_text(broken, encoding="utf-8")
+        driver.store.keep("cells", {driver.device.arm_key(): "bench"})
+        driver.program._cell_keeper._do(
+            driver.program._cell_keeper._on_read, driver.program._cell_keeper._folder.read
+        )
+        driver.connect()
+        driver.click("menu_cell")
+        theirs = tmp_path / "backup" / "bench.armui-cell"
+        theirs.parent.mkdir()
+        theirs.write_text(to_text(Cell("bench", (PEN,), "pen")), encoding="utf-8")
+        driver.controller.cell.store.read(theirs, driver.window.findChild(CellPanel)._on_read)
+        question = driver.dialog(ConfirmDialog)
+        assert "that could not be read, which is put aside" in question._text.text()
+        driver.confirm()
+        assert read_cell(file) == driver.controller.cell.in_force == Cell("bench", (PEN,), "pen")
+        aside = file.with_name("bench.armui-cell.broken")
+        assert aside.read_text(encoding="utf-8") == broken
+        assert driver.controller.cell.broken == {}
+    finally:
+        driver.close()
+
+
+@pytest.mark.parametrize("fault", ["newer", "cut short", "a figure too large", "more than known"])
+def test_a_backup_that_is_not_understood_changes_nothing(panel, tmp_path, fault):
+    panel.type_into("cell_name", "bench")
+    add_pen(panel)
+    before = panel.controller.cell.cell
+    text = to_text(replace(before, tool=""))
+    wrong = {
+        "newer": text.replace('"version": 1', '"version": 3'),
+        "cut short": text[: len(text) // 2],
+        "a figure too large": text.replace("120.0", "1e9"),
+        "more than known": text.replace('"tool": ""', '"tool": "", "conveyor": 2'),
+    }[fault]
+    assert wrong != text
+    theirs = tmp_path / "bench.armui-cell"
+    theirs.write_text(wrong, encoding="utf-8")
+    panel.controller.cell.store.read(theirs, panel.window.findChild(CellPanel)._on_read)
+    assert panel.read("cell_message")
+    assert panel.controller.cell.cell == read_cell(file_of(panel, "bench")) == before

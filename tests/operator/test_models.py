@@ -9,9 +9,10 @@ from armui.arm.device import Device
 from armui.arm.models import model_data, robot_description
 from armui.control.operating_state import LinkState
 from armui.protocol.generation import PiperModel
+from armui.setting_maps import MOST
 from armui.settings import SettingsStore
 from armui.ui.dialogs.connect import ConnectDialog
-from armui.ui.dialogs.kept_models import MOST, KeptModels, last_model
+from armui.ui.dialogs.kept_models import KeptModels, last_model
 from tests.accepted import accepted
 from tests.family import MODELS
 from tests.moments import now

@@ -13,7 +13,8 @@ from armui.arm.device import Device
 from armui.control.events import Event
 from armui.control.link.instance_registry import InstanceRegistry
 from armui.control.operating_state import OperatingState
-from armui.settings import SETTINGS_IN_USE, SettingsStore, _lock_path
+from armui.settings import SETTINGS_IN_USE, SettingsStore
+from armui.system.alone import lock_path
 from armui.system.presence import Presence
 from tests.posix import kill
 from tests.ui.fake_controller import FakeController
@@ -66,7 +67,7 @@ def test_changes_at_the_same_time_lose_none(tmp_path):
 def test_a_file_another_program_holds_is_not_waited_for(tmp_path):
     path = tmp_path / "settings.json"
     store = SettingsStore(path)
-    with FileLock(_lock_path(path)):
+    with FileLock(lock_path(path)):
         began_s = time.perf_counter()
         assert store.change(theme="dark").reason == SETTINGS_IN_USE
         assert time.perf_counter() - began_s < 2.0

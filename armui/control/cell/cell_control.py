@@ -230,15 +230,24 @@ class CellControl(ControllerPart):
     # What the operator does -----------------------------------------------------------------
 
     @operation("cell.take", "Make or import a cell", why_not_change)
-    def take(self, cell: Cell) -> Started | Refusal:
-        """Add a cell of a new name, and put it in force."""
-        taken = cell.name.casefold() in map(str.casefold, (*self._cells, *self._broken))
-        taken_name = CELL_NAME_TAKEN(value=cell.name) if taken else None
-        if refusal := self._refused(check_cell(cell), taken_name, self._why_holding()):
+    def take(self, cell: Cell, *, replacing: bool = False) -> Started | Refusal:
+        """Add a cell, and put it in force.
+
+        Args:
+            cell: The cell.
+            replacing: True if it may take the place of one of its name; a file of that name that
+                could not be read is put aside.
+        """
+        others = {*self._cells, *self._broken} - ({cell.name} if replacing else set())
+        taken = cell.name.casefold() in map(str.casefold, others)
+        reasons = check_cell(cell), CELL_NAME_TAKEN(value=cell.name) if taken else None
+        if refusal := self._refused(*reasons, self._why_holding_for(cell)):
             return refusal
+        notice = CELL_CHANGED if cell.name in self._cells else CELL_CHOSEN
+        self._broken.pop(cell.name, None)
         self._save(cell)
         self._put_in_force(cell.name)
-        return self._done(record_start(self.take), CELL_CHOSEN, cell.name)
+        return self._done(record_start(self.take), notice, cell.name)
 
     @operation("cell.choose", "Choose the cell", why_not_change)
     def choose(self, name: str) -> Started | Refusal:
@@ -286,6 +295,7 @@ class CellControl(ControllerPart):
         renamed = check_cell(replace(cell, name=name))
         if refusal := self._refused(self.unconfirmed, same, renamed):
             return refusal
+        self._confirmed = True
         self.give_name(cell.name, name)
         started = self._done(record_start(self.rename), CELL_RENAMED, name)
         if self.store is not None:
@@ -331,7 +341,8 @@ class CellControl(ControllerPart):
             self._take_effect()
 
     def follow_arm(self) -> None:
-        """Say that the gripper has opened although something is marked as held."""
+        """Follow what another program keeps; say that the hand with something held has opened."""
+        self._follow_kept()
         cell, gripper = self.cell, self._context.state().gripper
         opening_mm = None if gripper is None else gripper.value.opening_mm
         if cell is None or not cell.held or opening_mm is None:
@@ -341,6 +352,15 @@ class CellControl(ControllerPart):
         elif not self._opened and opening_mm > self._least_mm + _OPENED_MM:
             self._opened = True
             self._context.tell(HELD_OPENED, name=cell.held, value=round(opening_mm))
+
+    def _follow_kept(self) -> None:
+        """Take the cell that is kept for this adapter by now, unless one was chosen here."""
+        if self._device is None or self._confirmed or self.store is None:
+            return
+        name = self.store.kept(self._device.arm_key())
+        if name != self._name and why_not_change(self._context.operating_state()) is None:
+            self._name = name
+            self._take_effect()
 
     def why_not_capture(self) -> Refusal | None:
         """Return why the pose of the flange cannot be taken now, or ``None``.
@@ -376,6 +396,14 @@ class CellControl(ControllerPart):
         """Return why the cell may not be left: what is held would count no more."""
         held = "" if self.in_force is None else self.in_force.held
         return HELD_IN_HAND(name=held) if held else None
+
+    def _why_holding_for(self, cell: Cell) -> Refusal | None:
+        """Return why a cell may not take the place of the one in force, and of that of its name."""
+        marked = self._cells.get(cell.name)
+        if marked is not None and marked.held and not cell.held:
+            return HELD_IN_HAND(name=marked.held)
+        same = self.in_force is not None and cell.name == self._name
+        return None if same else self._why_holding()
 
     def _save(self, cell: Cell) -> None:
         self._cells[cell.name] = cell

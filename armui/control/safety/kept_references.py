@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from armui.arm.reference_record import ReferenceRecord, read_record
+from armui.arm.reference_record import ReferenceRecord, merged_entry, record_in
 
 if TYPE_CHECKING:
     from armui.arm.refusal import Refusal
@@ -20,13 +20,27 @@ class KeptReferences:
 
     def __init__(self, store: SettingsStore) -> None:
         self._store = store
+        self._told: dict[str, ReferenceRecord] = {}
 
     def get(self, arm: str) -> ReferenceRecord | None:
-        """Return the record of an arm, by its key, or ``None``."""
-        return read_record(self._store.settings.references.get(arm))
+        """Return the record of an arm, by its key, or ``None``.
+
+        Of an arm whose entry cannot be read every joint is in doubt.
+        """
+        entry = self._store.settings.references.get(arm) or self._store.strange("references", arm)
+        record = record_in(entry)
+        self._told[arm] = record or ReferenceRecord()
+        return record
 
     def keep(self, arm: str, record: ReferenceRecord) -> Refusal | None:
-        """Keep the record of an arm; return why it could not be saved, or ``None``."""
-        kept = dict(self._store.settings.references)
-        kept[arm] = record.as_entry()
-        return self._store.change(references=kept)
+        """Keep the record of an arm; return why it could not be saved, or ``None``.
+
+        What differs from the record that was told, or kept, last is changed; the rest is left to
+        other programs.
+        """
+        before, self._told[arm] = self._told.get(arm, ReferenceRecord()), record
+
+        def put(entries: dict[str, Any]) -> None:
+            entries[arm] = merged_entry(before, record, entries.pop(arm, None))
+
+        return self._store.revise("references", put)

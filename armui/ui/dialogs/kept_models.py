@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
@@ -18,9 +18,6 @@ if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.control.operating_state import OperatingState
     from armui.settings import SettingsStore
-
-MOST: Final = 200
-"""The most arms remembered; those connected longest ago are dropped."""
 
 
 class KeptModels:
@@ -53,12 +50,8 @@ class KeptModels:
         """Store the model chosen for a device; return ``None``, or why it could not be written."""
         if self._store is None:
             return None
-        kept = dict(self._kept())
-        for key in (device.arm_key(), device.arm_key(node)):
-            kept.pop(key, None)
-            kept[key] = device.model.value
-        newest = dict(list(kept.items())[-MOST:])
-        return None if newest == self._kept() else self._store.change(models=newest)
+        keys = device.arm_key(), device.arm_key(node)
+        return self._store.keep("models", dict.fromkeys(keys, device.model.value))
 
     def _kept(self) -> Mapping[str, str]:
         return {} if self._store is None else self._store.settings.models

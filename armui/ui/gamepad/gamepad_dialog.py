@@ -448,8 +448,8 @@ class GamepadDialog(ArmDialog):
     def _on_assigned(self, wanted: Assignment) -> None:
         if self._shown is None:
             return
-        kept = dict(self._store.settings.gamepad_buttons) | {self._shown.name: asdict(wanted)}
-        self._take(words.why_not(self._store.change(gamepad_buttons=kept)))
+        new = {self._shown.name: asdict(wanted)}
+        self._take(words.why_not(self._store.keep("gamepad_buttons", new)))
 
     def _on_copy(self) -> None:
         QGuiApplication.clipboard().setText(PIP_COMMAND)

@@ -1,11 +1,16 @@
 """Edits of many rows are worked out in the background, one at a time, and only for those rows."""
 
+from functools import partial
+
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QLineEdit
 
+from armui.cell.cell import Cell
+from armui.cell.user_frames import UserFrame
 from armui.protocol.codes import MoveMode
+from tests.accepted import accepted
 from tests.operator.editor.actions import CTRL, OUT, Editor, to
 
 MANY = 600
@@ -110,3 +115,107 @@ def test_few_rows_are_converted_at_once(editor):
     editor.choose(3)
     editor.act("convert")
     assert not editor.points[3].is_joint
+
+
+# The rows and the place of an edit are those of its press ---------------------------------------
+
+FIRST, COUNT = 20, 550
+"""The rows that are selected when an edit is asked for: so many are worked out elsewhere."""
+
+
+def replace_all(editor):
+    editor.keys(Qt.Key.Key_F, CTRL)
+    editor.child("find_field").setCurrentText("J2")
+    editor.child("find_text", QLineEdit).setText("40")
+    editor.child("replace_text", QLineEdit).setText("41")
+    editor.click("replace_all")
+
+
+def paste(editor):
+    text = "\n".join(["1\t2\t-3\t4\t5\t6"] * 300)
+    QGuiApplication.clipboard().setText(text)
+    editor.act("paste")
+
+
+def to_poses(editor):
+    editor.act("convert")
+    work(editor)
+    editor.table.select_rows(FIRST, COUNT)
+
+
+def into_a_frame(editor):
+    frame = UserFrame("stand", (100.0, 0.0, 0.0, 0.0, 0.0, 90.0))
+    accepted(editor.app_driver.controller.cell.take(Cell("bench", frames=(frame,))))
+    to_poses(editor)
+    editor.window._do(partial(editor.window._edits.set_frame, "stand"))
+
+
+LONG = {
+    "convert": lambda editor: editor.act("convert"),
+    "cut": lambda editor: editor.act("cut"),
+    "copy": lambda editor: editor.act("copy"),
+    "paste": paste,
+    "frame": into_a_frame,
+    "replace all": replace_all,
+}
+
+MEANWHILE = {
+    "another row is clicked": lambda editor: editor.choose(3),
+    "nothing is selected any more": lambda editor: editor.table.clearSelection(),
+    "more rows are selected": lambda editor: editor.table.selectAll(),
+    "it is scrolled to the end": lambda editor: editor.table.select_row(MANY - 1),
+}
+
+
+@pytest.mark.parametrize("name", LONG)
+def test_an_edit_is_of_the_rows_that_were_selected_when_it_was_asked_for(editor, name):
+    outcomes = []
+    for meanwhile in (lambda _editor: None, *MEANWHILE.values()):
+        QGuiApplication.clipboard().clear()
+        begun = editor.window.document.stack.index()
+        editor.table.setFocus()
+        editor.table.select_rows(FIRST, COUNT)
+        LONG[name](editor)
+        assert editor.window._long_edits.busy
+        meanwhile(editor)
+        work(editor)
+        assert not editor.window._long_edits.busy
+        outcomes.append((editor.points, QGuiApplication.clipboard().text()))
+        editor.window.document.stack.setIndex(begun)
+        if editor.app_driver.controller.cell.cell is not None:
+            accepted(editor.app_driver.controller.cell.delete())
+    assert [each == outcomes[0] for each in outcomes] == [True] * len(outcomes)
+    changed = outcomes[0][0] != editor.points
+    assert changed != (name == "copy")
+
+
+def test_a_cut_takes_its_rows_and_no_other(editor):
+    before = editor.points
+    editor.table.select_rows(FIRST, COUNT)
+    editor.act("cut")
+    editor.choose(3)
+    work(editor)
+    assert editor.points == (*before[:FIRST], *before[FIRST + COUNT :])
+    assert QGuiApplication.clipboard().text().count("\n") == COUNT - 1
+    assert editor.table.rows() == [FIRST]
+
+
+def test_what_is_pasted_comes_below_the_rows_it_was_pasted_at(editor):
+    before = editor.points
+    editor.table.select_rows(FIRST, 5)
+    paste(editor)
+    editor.choose(3)
+    work(editor)
+    place = FIRST + 5
+    assert editor.points[:place] == before[:place]
+    assert editor.points[place + 300 :] == before[place:]
+    assert editor.points[place].target == (1.0, 2.0, -3.0, 4.0, 5.0, 6.0)
+
+
+def test_a_cut_whose_rows_have_changed_meanwhile_takes_none(editor):
+    editor.table.select_rows(FIRST, COUNT)
+    editor.act("cut")
+    editor.window.document.edit(editor.points[1:], "Shortened")
+    work(editor)
+    assert len(editor.points) == MANY - 1
+    assert editor.message().startswith("The points were changed while the program worked on them.")

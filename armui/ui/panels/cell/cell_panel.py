@@ -269,7 +269,13 @@ class CellPanel(Panel):
         same = cells.cells.get(cell.name)
         other = same or cells.cell or Cell("")
         lines = self._differing(other, cell)
-        if same is not None:
+        if cell.name in cells.broken:
+            head = self.tr(
+                "It takes the place of the file of this name that could not be read, which is put "
+                "aside. What it holds:"
+            )
+            lines = self._differing(Cell(""), cell)
+        elif same is not None:
             head = self.tr("It takes the place of the cell of this name. What changes:")
         elif other.name:
             head = self.tr("In what it differs from “{name}”:").format(name=other.name)
@@ -286,11 +292,7 @@ class CellPanel(Panel):
         )
 
     def _take_over(self, cell: Cell) -> None:
-        cells = self._controller.cell
-        if cell.name not in cells.cells:
-            self._accepted(cells.take(cell))
-        elif self._accepted(cells.choose(cell.name)):
-            self._accepted(cells.change(cell))
+        self._accepted(self._controller.cell.take(cell, replacing=True))
 
     # -- appearance ---------------------------------------------------------------------------
 

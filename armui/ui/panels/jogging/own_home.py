@@ -41,8 +41,6 @@ NO_OWN_HOME = Reason(
 OWN_HOME_KEPT = Notice("own_home_kept", "Own home set: {angles}", Level.DONE)
 
 
-_MOST: Final = 200
-"""The most arms remembered."""
 _ARROW_PX: Final = 28
 
 Angles = tuple[float, ...]
@@ -155,10 +153,7 @@ class OwnHome(Translated, QWidget):
         beyond = check_joints(angles_deg, self._controller.operating_state.limits)
         if beyond is not None:
             return beyond
-        kept = dict(self._preferences.settings.home_poses)
-        kept.pop(arm, None)
-        kept[arm] = angles_deg
-        return self._preferences.change(home_poses=dict(list(kept.items())[-_MOST:]))
+        return self._preferences.keep("home_poses", {arm: angles_deg})
 
     def show_possible(self) -> None:
         """Enable it, or show why not; the tooltip contains the pose."""

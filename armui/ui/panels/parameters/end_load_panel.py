@@ -64,8 +64,6 @@ _CHOICES: Final[dict[Mounting, MountingName]] = {
     Mounting.ON_THE_RIGHT_SIDE: "on_the_right_side",
     Mounting.UPSIDE_DOWN: "upside_down",
 }
-_MOST: Final = 200
-"""The most arms remembered; those set longest ago are dropped."""
 
 
 class MountingCard(QFrame):
@@ -146,10 +144,7 @@ class MountingCard(QFrame):
     def _keep(self, mounting: Mounting) -> Refusal | None:
         if self._arm is None:
             return None
-        kept = dict(self._preferences.settings.mountings)
-        kept.pop(self._arm, None)
-        kept[self._arm] = _CHOICES[mounting]
-        return self._preferences.change(mountings=dict(list(kept.items())[-_MOST:]))
+        return self._preferences.keep("mountings", {self._arm: _CHOICES[mounting]})
 
     def question(self) -> tuple[str, str]:
         """Return title and text of the question before it is sent."""

@@ -229,10 +229,9 @@ class PointEdits(QObject):
 
     def delete(self) -> Outcome:
         """Delete the selected rows."""
-        return self._remove(self.tr("Delete"))
+        return self._remove(self._table.rows(), self.tr("Delete"))
 
-    def _remove(self, label: str) -> Outcome:
-        rows = self._table.rows()
+    def _remove(self, rows: Sequence[int], label: str) -> Outcome:
         if not rows:
             return _no_rows()
         self._document.edit(edits.remove(self._document.points, rows), label)
@@ -357,14 +356,14 @@ class PointEdits(QObject):
 
     def copy(self) -> Outcome:
         """Copy the selected rows to the clipboard, in a form for spreadsheets."""
-        return self._copied(lambda: None)
+        return self._copied(self._table.rows(), lambda: None)
 
     def cut(self) -> Outcome:
         """Copy the selected rows to the clipboard, and delete them."""
-        return self._copied(lambda: self._remove(self.tr("Cut")))
-
-    def _copied(self, then: Callable[[], Outcome]) -> Outcome:
         rows = self._table.rows()
+        return self._copied(rows, lambda: self._remove(rows, self.tr("Cut")))
+
+    def _copied(self, rows: Sequence[int], then: Callable[[], Outcome]) -> Outcome:
         if not rows:
             return _no_rows()
         tool, taught_on = self._table.points.tool, self._document.taught_on
@@ -384,30 +383,32 @@ class PointEdits(QObject):
         return LongEdit(len(rows), _COPIED_AT_ONCE, copied, (points, tool), finish)
 
     def paste(self) -> Outcome:
-        """Insert the points in the clipboard below the selected rows."""
-        rows = self._table.rows()
+        """Insert the points in the clipboard below the rows that are selected now."""
+        rows, below = self._table.rows(), self._below()
         like = self._document.points[rows[-1]].move if rows else MoveMode.MOVE_J
         like = MoveMode.MOVE_L if like is MoveMode.MOVE_C else like
         text, told = QGuiApplication.clipboard().text(), _tool_in_clipboard()
         shown, arm = self._table.points, _arm_in_clipboard()
+        tool, named_tool = shown.tool, shown.named_tool
 
         def finish(new: PastedPoints | Refusal | TrajectoryFileError) -> Outcome:
             if not isinstance(new, PastedPoints):
                 return new
-            unsaid = not new.is_file and not shown.tool.is_flange and told is None
-            return self._take_pasted(new, new.taught_on or arm, unsaid=unsaid)
+            warning = self._take_pasted(new, new.taught_on or arm, below)
+            unsaid = not new.is_file and not tool.is_flange and told is None
+            poses = unsaid and not all(point.is_joint for point in new.points)
+            return warning or (OfShownTool(named_tool) if poses else None)
 
-        arguments = text, like, shown.tool, told
+        arguments = text, like, tool, told
         return LongEdit(text.count("\n"), _PASTED_AT_ONCE, kept_from, arguments, finish)
 
-    def _take_pasted(self, new: PastedPoints, arm: str, *, unsaid: bool) -> Outcome:
+    def _take_pasted(self, new: PastedPoints, arm: str, below: int) -> OfOtherArm | None:
         here = self._document.taught_on
-        self._insert(self._below(), new.points)
+        self._insert(below, new.points)
         if arm and here and arm != here:
             return OfOtherArm(arm, here)
         self._document.note_taught(arm, len(new.points))
-        poses = unsaid and not all(point.is_joint for point in new.points)
-        return OfShownTool(self._table.points.named_tool) if poses else None
+        return None
 
     # The arm ----------------------------------------------------------------------------------
 
