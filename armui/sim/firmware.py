@@ -422,6 +422,8 @@ class Firmware:
             self._motion_commands.drop_work()
             self._moves.abort_motion()
             self.mechanics.power_off(indices, UnpoweredJoints.FREE)
+            if joint == ALL_JOINTS and self.type.quirks.disable_frees_gripper:
+                self.gripper.release()
         return [self._parameter_server.answer(SettingIndex.MOTOR_ENABLE)]
 
     def _gripper_command(self, signals: Signals) -> list[Frame]:
