@@ -176,7 +176,7 @@ class Program:
         files: Runs work that waits for a disk, in a thread of this process; ended with the program.
             By default the workers.
         events: The folder of the event log; by default none.
-        hand: Gives access to the hand that leads the simulated arm of this process; by default
+        hand: Gives access to the hand that leads the simulated arm of this program; by default
             none.
 
     Attributes:

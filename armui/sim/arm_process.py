@@ -137,10 +137,10 @@ def live(frames: socket.socket, hand: socket.socket, choice: ArmChoice) -> None:
         choice: What it is.
     """
     end_with_the_program()
-    raise_in_background()  # a real arm waits for no other program of the computer
     from armui.sim.line_arm import LineArm  # noqa: PLC0415 - the program itself needs none of it
 
     hand_line = RecordSocket(hand, HAND.size)
     arm = LineArm(choice, RecordSocket(frames, RECORD_BYTES), hand_line)
     hand_line.send(HAND.pack(*LETS_GO))
+    raise_in_background()  # a real arm waits for no other program of the computer
     arm.run()
