@@ -10,7 +10,7 @@ import pkgutil
 import sys
 import threading
 from collections.abc import Callable, Collection, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import replace
 from datetime import datetime
 from functools import partial
@@ -57,7 +57,7 @@ if TYPE_CHECKING:
 
     import can
 
-    from armui.sim.mechanics.mechanics import HandGuiding
+    from armui.sim.arm_process import ArmChoice, ArmProcess
     from armui.ui.picture.target_drag import HandGuide
     from armui.viewport.client import PictureClient
 
@@ -176,7 +176,7 @@ class Program:
         files: Runs work that waits for a disk, in a thread of this process; ended with the program.
             By default the workers.
         events: The folder of the event log; by default none.
-        hand: Gives access to the hand that leads the simulated arm of this process; by default
+        hand: Gives access to the hand that leads the simulated arm of this program; by default
             none.
 
     Attributes:
@@ -379,9 +379,11 @@ def _run(options: StartOptions) -> int:
     GarbageSearch(app)  # before any other thread begins
     chosen: Choices = {} if options.language is None else {"language": options.language}
     store = SettingsStore(default_path(), for_this_run=chosen)
-    hand = SimulatedHand()
-    opener = partial(open_device, sim_firmware=options.sim_firmware, hand=hand)
-    controller = ArmController(opener, SIMULATED)
+    arms = SimulatedArms(options.sim_firmware, options.sim_joints_deg)
+    device = _started_with(options, store)
+    if device is not None and device.simulated:
+        arms.begin(device)  # it loads while the window is built
+    controller = ArmController(partial(open_device, arms=arms), SIMULATED)
     program = Program(
         app,
         store,
@@ -390,36 +392,32 @@ def _run(options: StartOptions) -> int:
         meeting_place=paths.runtime(),
         files=FileThread(),
         events=paths.logs(),
-        hand=lambda: hand.guiding,
+        hand=lambda: arms.hand,
     )
     app.aboutToQuit.connect(program.shutdown)
     program.note_version(paths.trajectories())
     with SystemEnd(app, program) as system_end:
-        code = _run_window(app, program, store, options, system_end)
+        code = _run_window(app, program, options, device, system_end)
     if not program.ended:
         # a driver hangs: what it holds can be neither waited for nor destroyed
         logging.shutdown()
         os._exit(code)
-    gc.unfreeze()  # a simulated arm's planner complains of what was never destroyed
+    arms.end()
     return code
 
 
 def _run_window(
     app: QApplication,
     program: Program,
-    store: SettingsStore,
     options: StartOptions,
+    device: Device | None,
     system_end: SystemEnd,
 ) -> int:
     program.window.show()
     _load_pages_when_idle(app, then=program.window.page_actions.reopen)
     _GoingFirst(app, program.controller)
-    device = chosen_device(options)
     if device is not None:
         # the bus waits for nothing: the picture is loaded in a process of its own
-        model = options.model or KeptModels(store).of(device) or PiperModel.PIPER
-        assumed = options.model is None
-        device = replace(device, model=PiperModel(model), model_assumed=assumed)
         program.controller.connect_device(device)
     if options.replay is not None:
         program.window.open_replay(options.replay)
@@ -475,6 +473,15 @@ def keep_from_collector() -> None:
     QTimer.singleShot(_CONNECTED_MS, gc.freeze)
 
 
+def _started_with(options: StartOptions, store: SettingsStore) -> Device | None:
+    """Return the device to connect to at the start with its model, or ``None``."""
+    device = chosen_device(options)
+    if device is None:
+        return None
+    model = options.model or KeptModels(store).of(device) or PiperModel.PIPER
+    return replace(device, model=PiperModel(model), model_assumed=options.model is None)
+
+
 def chosen_device(options: StartOptions) -> Device | None:
     """Return the device to connect to at the start, or ``None``."""
     if options.sim_generation is not None:
@@ -496,46 +503,91 @@ SIMULATED: Final = tuple(
 """The simulated arms, today's protocol first."""
 
 
-class SimulatedHand:
-    """Holds the hand that leads the simulated arm in this process, while there is such an arm.
+class SimulatedArms:
+    """The simulated arms of this program: each a process, for as long as it is connected.
+
+    Args:
+        firmware: The version of one of generation 2, ``None`` for today's.
+        joints_deg: The angles at which it lies, joint 1 first; ``None`` for the rest pose.
 
     Attributes:
-        guiding: The simulator's own interface for it; set and cleared by the bus thread.
+        hand: The hand that leads the connected one; set and cleared by the bus thread.
     """
 
-    def __init__(self) -> None:
-        self.guiding: HandGuiding | None = None
+    def __init__(
+        self, firmware: str | None = None, joints_deg: tuple[float, ...] | None = None
+    ) -> None:
+        self._firmware = firmware
+        self._joints_deg = joints_deg
+        self._begun: tuple[ArmChoice, ArmProcess] | None = None
+        self.hand: HandGuide | None = None
+
+    def begin(self, device: Device) -> None:
+        """Start the process of an arm that is about to be connected: it takes a second to load.
+
+        One that cannot be started is told of where it is connected.
+        """
+        from armui.sim.arm_process import ArmProcess  # noqa: PLC0415 - for those who drive it
+
+        choice = self._choice(device)
+        with suppress(OSError):
+            self._begun = choice, ArmProcess(choice)
+
+    @contextmanager
+    def connected(self, device: Device) -> Iterator[can.BusABC]:
+        """Connect to a simulated arm, which ends with the connection.
+
+        Raises:
+            OSError: Its process cannot be started, or has ended.
+        """
+        from armui.bus.line_bus import LineBus  # noqa: PLC0415 - python-can, as in `open_device`
+
+        arm = self._process_of(self._choice(device))
+        try:
+            arm.wait_until_it_lives()
+            with LineBus(str(device.channel), arm.line) as bus:
+                self.hand = arm.hand
+                yield bus
+        finally:
+            self.hand = None
+            arm.end()
+
+    def end(self) -> None:
+        """End the process of an arm that was not connected."""
+        begun, self._begun = self._begun, None
+        if begun is not None:
+            begun[1].end()
+
+    def _choice(self, device: Device) -> ArmChoice:
+        from armui.sim.arm_process import ArmChoice  # noqa: PLC0415 - as above
+
+        generation = Generation(device.generation or 2)
+        version = self._firmware if generation is Generation.TWO else None
+        return ArmChoice(generation, device.model, version, self._joints_deg)
+
+    def _process_of(self, choice: ArmChoice) -> ArmProcess:
+        from armui.sim.arm_process import ArmProcess  # noqa: PLC0415 - as above
+
+        if self._begun is not None and self._begun[0] == choice:
+            (_choice, begun), self._begun = self._begun, None
+            return begun
+        self.end()
+        return ArmProcess(choice)
 
 
 @contextmanager
-def open_device(
-    device: Device, sim_firmware: str | None = None, hand: SimulatedHand | None = None
-) -> Iterator[can.BusABC]:
-    """Open a device; for a simulated one an arm runs until it is closed again.
+def open_device(device: Device, arms: SimulatedArms | None = None) -> Iterator[can.BusABC]:
+    """Open a device.
 
     Args:
         device: The device.
-        sim_firmware: The version of a simulated arm of generation 2, ``None`` for today's.
-        hand: Receives the hand that leads a simulated arm, until that is closed.
+        arms: Connects to a simulated one; by default to today's, in the rest pose.
     """
-    from armui.bus.adapters import open_bus  # noqa: PLC0415 - python-can, loaded with the first device
-
-    if not device.simulated:
-        with open_bus(device) as bus:
+    if device.simulated:
+        with (arms or SimulatedArms()).connected(device) as bus:
             yield bus
         return
-    # loaded only for those who drive it
-    from armui.sim.firmware import Firmware  # noqa: PLC0415
-    from armui.sim.node import Node  # noqa: PLC0415
+    from armui.bus.adapters import open_bus  # noqa: PLC0415 - python-can, loaded with the first device
 
-    generation = Generation(device.generation or 2)
-    arm = Firmware(generation, model=device.model, version=sim_firmware)
-    with open_bus(device) as arm_side, open_bus(device) as bus, Node(arm, arm_side):
-        if hand is None:
-            yield bus
-            return
-        hand.guiding = arm.hand_guiding
-        try:
-            yield bus
-        finally:
-            hand.guiding = None
+    with open_bus(device) as bus:
+        yield bus

@@ -11,7 +11,13 @@ from pathlib import Path
 from typing import Final
 
 from armui import __version__
-from armui.system.command_line import CommandParser, add_device, has_display, list_names
+from armui.system.command_line import (
+    CommandParser,
+    add_device,
+    add_joints,
+    has_display,
+    list_names,
+)
 from armui.system.end_signals import end_at_once_on_ctrl_c, ignore_from_now_on, interrupting
 from armui.system.files import open_file
 
@@ -87,6 +93,8 @@ def _run_window(parser: CommandParser, options: argparse.Namespace) -> int:
         parser.error("--generation belongs to --sim: a real arm says for itself which it is")
     if options.firmware is not None and (not options.sim or options.generation == 1):
         parser.error("--firmware belongs to --sim in generation 2: a real arm tells its own")
+    if options.joints is not None and not options.sim:
+        parser.error("--joints belongs to --sim: a real arm says for itself how it lies")
     log = getattr(options, "replay", None)
     if log is not None and (problem := _why_no_log(log)):
         print(f"armui replay: {log}: {problem}", file=sys.stderr)
@@ -116,6 +124,7 @@ def _run_window(parser: CommandParser, options: argparse.Namespace) -> int:
         StartOptions(
             sim_generation=(options.generation or 2) if options.sim else None,
             sim_firmware=options.firmware,
+            sim_joints_deg=None if options.joints is None else tuple(options.joints),
             interface=options.interface,
             channel=options.channel,
             bitrate=options.bitrate,
@@ -146,7 +155,7 @@ def _replay_parser() -> CommandParser:
         "replay", type=Path, metavar="FILE", help="the log: .blf, .asc, .log, .trc, .csv, ..."
     )
     parser.add_argument("--lang", choices=("zh", "en"), help="language of the windows")
-    parser.set_defaults(sim=False, generation=None, firmware=None)
+    parser.set_defaults(sim=False, generation=None, firmware=None, joints=None)
     parser.set_defaults(interface=None, channel=None, bitrate=None)
     return parser
 
@@ -203,5 +212,10 @@ def _parser() -> CommandParser:
         type=_version,
         metavar="VERSION",
         help="its firmware version, as S-V1.7-3 (S-V1.8-9)",
+    )
+    add_joints(
+        simulated,
+        "the angles in degrees at which it lies when it is switched on (as a real arm lies: "
+        "0 -1.999 1.971 -1.412 22.11 -2.608)",
     )
     return parser

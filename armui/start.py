@@ -15,6 +15,7 @@ class StartOptions:
     Attributes:
         sim_generation: The generation of the simulated arm to connect to.
         sim_firmware: Its version, as ``S-V1.8-9``; ``None`` for today's.
+        sim_joints_deg: The six angles at which it lies, joint 1 first; ``None`` for the rest pose.
         interface, channel, bitrate: The device to connect to.
         model: The model of the arm; by default the one chosen for it the last time.
         replay: The log to show in the window 回放.
@@ -24,6 +25,7 @@ class StartOptions:
 
     sim_generation: int | None = None
     sim_firmware: str | None = None
+    sim_joints_deg: tuple[float, ...] | None = None
     interface: str | None = None
     channel: str | None = None
     bitrate: int | None = None

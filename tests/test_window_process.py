@@ -11,13 +11,19 @@ from PySide6.QtCore import QDeadlineTimer
 
 from armui.doctor.probes.program import try_priority
 from armui.system.thread_priority import NICE, RaisedBy
-from tests.posix import of_system, stand_still
+from tests.posix import kill, of_system, stand_still
 
 linux = pytest.mark.skipif(sys.platform != "linux", reason="reads /proc and /dev/shm")
 LIMIT_MS = 120_000
 
 PROGRAM = """
-import json, sys
+import json, multiprocessing, sys
+
+def arm():
+    # the number of the simulated arm's process
+    from armui.sim.arm_process import PROCESS_NAME
+    children = multiprocessing.active_children()
+    return next((each.pid for each in children if each.name == PROCESS_NAME), None)
 
 def main():
     # not above: the picture's process imports this file, too
@@ -30,9 +36,19 @@ def main():
         def __init__(self, *arguments, **more):
             super().__init__(*arguments, **more)
             self.online_before = False
+            self.link = None
+            self.controller.operating_state_changed.connect(self.tell_link)
             self.watch = QTimer(interval=20)
             self.watch.timeout.connect(self.look)
             self.watch.start()
+
+        def tell_link(self, state):
+            if state.link is not self.link:
+                self.link = state.link
+                if not self.watch.isActive():
+                    problem = self.controller._connection.problem
+                    told = {"link": self.link.name, "arm": arm()}
+                    print(json.dumps({**told, "problem": problem and problem.code}), flush=True)
 
         def look(self):
             online = self.controller.operating_state.link is LinkState.ONLINE
@@ -41,10 +57,11 @@ def main():
             if self.view.is_settled and online:
                 self.watch.stop()
                 heavy = {name.partition(".")[0] for name in sys.modules}
-                heavy &= {"vtkmodules", "vtk", "pyvista", "trimesh", "yourdfpy"}
+                heavy &= {"vtkmodules", "vtk", "pyvista", "trimesh", "yourdfpy", "ruckig"}
                 told = {
                     "heavy": sorted(heavy),
                     "picture": self.view._client.pid,
+                    "arm": arm(),
                     "online_before_the_picture": self.online_before,
                 }
                 print(json.dumps(told), flush=True)
@@ -101,6 +118,7 @@ def wait_until_it_goes_first(pid):
 @linux
 @pytest.mark.timeout(300)
 def test_it_never_loads_vtk_and_a_killed_one_leaves_nothing(tmp_path):
+    """Nor what the simulated arm is made of: that is a process, too, which may be killed itself."""
     script = tmp_path / "program.py"
     script.write_text(PROGRAM)
     root = str(Path(__file__).resolve().parent.parent)
@@ -121,9 +139,18 @@ def test_it_never_loads_vtk_and_a_killed_one_leaves_nothing(tmp_path):
             assert is_running(told["picture"])
             wait_until_it_goes_first(process.pid)
             assert min(nice_of(told["picture"], "").values()) >= 0
+            arm = told["arm"]
+            assert is_running(arm)
+            kill(arm)
+            lost = json.loads(process.stdout.readline())
+            assert (lost["link"], lost["problem"]) == ("LOST", "simulated_arm_ended")
+            while (told_then := json.loads(process.stdout.readline()))["link"] != "ONLINE":
+                pass
+            assert told_then["arm"] not in {arm, None}  # another one, as after a power cut
             stand_still(told["picture"])  # the worst case: it can do nothing for itself
         finally:  # also when it has hung: leaving the block waits for its end
             process.kill()
         process.wait()
         wait_for_the_end_of(told["picture"])
+        wait_for_the_end_of(told_then["arm"])
         assert shared_memory_of(process.pid) == []

@@ -46,7 +46,7 @@ class Device:
         bitrate: In bit/s; ``None`` if the operating system sets it.
         label: The name shown to the operator.
         serial: The adapter's serial number, if it reports one.
-        simulated: True for the simulated arm inside this program.
+        simulated: True for a simulated arm of this program.
         generation: The protocol of the simulated arm.
         model: The model the operator has chosen; that of the simulated arm.
         model_assumed: True if the model was only offered, and the operator has not chosen it this

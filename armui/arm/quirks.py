@@ -29,6 +29,12 @@ def told_quirks(state: ArmState) -> FirmwareQuirks | None:
     return None if version is None else quirks_of(version)
 
 
+def frees_gripper(state: ArmState) -> bool | None:
+    """Return whether disabling all joints frees the gripper; ``None``: no version was named."""
+    quirks = told_quirks(state)
+    return None if quirks is None else quirks.disable_frees_gripper
+
+
 def leaves_by_mode_word(version: str) -> bool:
     """Return whether firmware of this version leaves MIT and its like by a mode word."""
     parsed = FirmwareVersion.parse(version)

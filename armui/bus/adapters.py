@@ -57,6 +57,11 @@ BUS_LIBUSB_MISSING = Reason(
     "on Windows and macOS pip install libusb-package, "
     "on Debian and Ubuntu sudo apt install libusb-1.0-0",
 )
+SIMULATED_ARM_ENDED = Reason(
+    "simulated_arm_ended",
+    "The process of the simulated arm has ended. One that was connected is started anew by "
+    "itself, as after a power cut; otherwise connect again.",
+)
 BUS_PERMISSION = Reason(
     "bus_permission",
     "You may not open {device}. On Linux add your account to the group dialout (serial "
@@ -168,6 +173,8 @@ def _keep_kernel_queue_short(bus: can.BusABC) -> None:
 def explain(device: Device, error: BaseException) -> Refusal:
     """Return the reason why opening or using a device raised this exception."""
     params: dict[str, str] = {"device": device.name, "interface": device.interface}
+    if device.simulated and isinstance(error, ConnectionError):
+        return SIMULATED_ARM_ENDED()
     for cause in causes(error):
         code = _CODE_OF_ERRNO.get(_errno(cause) or 0)
         if code is not None:

@@ -48,6 +48,7 @@ _PROMPT_SENDERS: Final = frozenset(
     {
         "can.interfaces.socketcan.socketcan",
         "can.interfaces.virtual",
+        "armui.bus.line_bus",
         "armui.bus.multicast",
     }
 )

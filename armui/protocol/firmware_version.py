@@ -108,6 +108,7 @@ class FirmwareQuirks(NamedTuple):
         has_ik_solution: 0x2AA-0x2AC, after MOVE P.
         has_upside_down: Mounting 4 of 0x151 byte 5.
         has_gripper_angle: 0x159 byte 6 bit 2.
+        disable_frees_gripper: 0x471 «disable» for all joints (7) lets go of the gripper, too.
         bugs: The faults that users reported of this version.
     """
 
@@ -131,6 +132,7 @@ class FirmwareQuirks(NamedTuple):
     has_ik_solution: bool = False
     has_upside_down: bool = False
     has_gripper_angle: bool = False
+    disable_frees_gripper: bool = False
     bugs: frozenset[FirmwareBug] = frozenset()
 
 
@@ -173,8 +175,11 @@ _CHANGES: Final = (
         "mit_signs": (1, 1, 1, -1, -1, 1), "mit_signs_known": True,
     }),
     _Change(FirmwareVersion(1, 8, 9), _X, {"mit_signs": _AS_MOVE_J}),
+    _Change(FirmwareVersion(1, 9, 0), _ALL, {"disable_frees_gripper": True}),
 )  # fmt: skip
-"""The changes in order of versions. No list of changes is public for 1.9-0; it counts as 1.8-9."""
+"""The changes in order of versions. No list of changes is public for 1.9-0; it counts as 1.8-9 but
+for the gripper, which an owner has reported.
+"""
 
 _BUGS: Final = {
     FirmwareVersion(1, 5, 8): frozenset({FirmwareBug.ZERO_FEEDBACK}),

@@ -101,7 +101,7 @@ class Firmware:
             generation: The protocol it speaks.
             seed: The seed of the noise; the same seed and calls give the same frames.
             joints_deg: The joint angles at the start, joint 1 first, counted from the factory's
-                zeros.
+                zeros. A joint may lie outside its limits.
             version: The firmware's version, as ``S-V1.8-9`` (generation 2); today's with None.
             model: The model of the family.
             flash: The storage of its settings; without it they end with this object.
@@ -149,6 +149,7 @@ class Firmware:
             self.condition,
             self._schedule,
             self.type,
+            found_deg=joints_deg,
             flash=self.flash,
             drop_targets=self._moves.drop_targets,
         )
@@ -422,6 +423,8 @@ class Firmware:
             self._motion_commands.drop_work()
             self._moves.abort_motion()
             self.mechanics.power_off(indices, UnpoweredJoints.FREE)
+            if joint == ALL_JOINTS and self.type.quirks.disable_frees_gripper:
+                self.gripper.release()
         return [self._parameter_server.answer(SettingIndex.MOTOR_ENABLE)]
 
     def _gripper_command(self, signals: Signals) -> list[Frame]:

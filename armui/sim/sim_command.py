@@ -21,11 +21,12 @@ from armui.sim.faults.schedule import FAULTS, Fault, FaultError, FaultParameter,
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
 from armui.sim.parameters.flash import FileFlash, Flash, MemoryFlash
-from armui.system.command_line import list_names
+from armui.system.command_line import add_joints, list_names
 
 EXIT_OK: Final = 0
 EXIT_CANNOT_BEGIN: Final = 2
 
+_ZEROS_DEG: Final = (0.0,) * 6
 _VERSION: Final = str(RECOMMENDED)
 _OF_THE_VERSION: Final = "those of the version"
 
@@ -68,6 +69,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default=PiperModel.PIPER,
         metavar="MODEL",
         help=f"which arm of the family it is: {', '.join(PiperModel)} ({PiperModel.PIPER})",
+    )
+    add_joints(
+        arm,
+        "the angles in degrees at which it lies when it is switched on; a real arm lies at "
+        "0 -1.999 1.971 -1.412 22.11 -2.608 (0 0 0 0 0 0)",
     )
     arm.add_argument(
         "--flash",
@@ -123,6 +129,7 @@ def run(options: argparse.Namespace) -> int:
     firmware = Firmware(
         Generation(options.generation),
         seed=options.seed,
+        joints_deg=options.joints or _ZEROS_DEG,
         version=version,
         model=options.model,
         flash=flash,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import errno
+import math
 import os
 import re
 import sys
@@ -219,6 +220,32 @@ def add_device(parser: argparse._ActionsContainer) -> None:
     parser.add_argument("--interface", help="python-can's name of the adapter, e.g. socketcan")
     parser.add_argument("--channel", help="the adapter's channel, e.g. can0")
     parser.add_argument("--bitrate", type=int, help="bit/s, where the program sets it (1000000)")
+
+
+_WHOLE_TURN_DEG: Final = 360.0
+
+
+def add_joints(parser: argparse._ActionsContainer, meaning: str) -> None:
+    """Declares the option that says where a simulated arm lies.
+
+    Args:
+        parser: Where.
+        meaning: What it is for, and where the arm lies without it.
+    """
+    joints = tuple(f"J{joint}" for joint in range(1, 7))
+    parser.add_argument("--joints", type=_angle, nargs=6, metavar=joints, help=meaning)
+
+
+def _angle(text: str) -> float:
+    try:
+        angle_deg = float(text)
+    except ValueError:
+        angle_deg = math.nan
+    if not abs(angle_deg) <= _WHOLE_TURN_DEG:
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is no angle; give degrees from -{_WHOLE_TURN_DEG:g} to {_WHOLE_TURN_DEG:g}"
+        )
+    return angle_deg
 
 
 def write_out(text: str) -> None:

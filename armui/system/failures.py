@@ -52,7 +52,12 @@ def key_of(error: BaseException) -> Key:
 
 
 def is_our_own(error: BaseException) -> bool:
-    """Return whether an exception was raised by this program, not by a library or driver."""
+    """Return whether an exception was raised by this program, not by a library or driver.
+
+    That another process has closed its end of a line is none of ours either.
+    """
+    if isinstance(error, ConnectionError):
+        return False
     last = None
     for frame, _line in traceback.walk_tb(error.__traceback__):
         last = frame.f_globals.get("__name__", "")

@@ -126,6 +126,9 @@ def call_packed(packed: Packed, folder: Path) -> Packed:
 
 _LOG: Final = logging.getLogger(__name__)
 
+OURS: Final = "armui-"
+"""How the names begin of processes that are not a pool's."""
+
 _NICER_BY: Final = 5
 """The nice value's increase, so that window and bus come first if there are too few cores."""
 _END_S: Final = 10.0
@@ -197,7 +200,9 @@ class HelperProcess(Executor):
             self._pool = ProcessPoolExecutor(1, mp_context=context, initializer=configure_process)
         future = self._pool.submit(call_packed, packed, folder)
         future.add_done_callback(partial(_log_failure, self._called_off))
-        self._children |= set(multiprocessing.active_children()) - before
+        begun = set(multiprocessing.active_children()) - before
+        # another thread may have started one of the others just now; those have names of ours
+        self._children |= {child for child in begun if not child.name.startswith(OURS)}
         return future
 
     def _end_process(self, *, wait: bool) -> None:
@@ -444,13 +449,18 @@ def _log_failure(called_off: threading.Event, future: Future[Any]) -> None:
 
 def configure_process() -> None:
     """Set up the new process: ignore Ctrl-C, lower its priority, end with the program."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    end_with_the_program()
     if hasattr(os, "nice"):
         os.nice(_NICER_BY)
-    threading.Thread(target=_end_with_the_program, daemon=True).start()
 
 
-def _end_with_the_program() -> None:
+def end_with_the_program() -> None:
+    """Have a process that this program has started end with it, and not by Ctrl-C before it."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    threading.Thread(target=_await_the_program, daemon=True).start()
+
+
+def _await_the_program() -> None:
     program = multiprocessing.parent_process()
     if program is not None:
         program.join()

@@ -85,7 +85,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         workers: Runs long work.
         files: Runs work that waits for a disk, in a thread of this process; by default the workers.
         trajectories: The folder of the library; the user's own by default.
-        hand: Gives access to the hand that leads the simulated arm of this process; by default
+        hand: Gives access to the hand that leads the simulated arm of this program; by default
             none.
 
     Attributes:

@@ -15,8 +15,8 @@ from collections.abc import Callable, Iterable
 
 import pytest
 
+from armui.sim.arm_loop import PERIOD_S
 from armui.sim.firmware import Firmware
-from armui.sim.node import PERIOD_S
 from tests.sim.talk import frame, mode, ready, target
 from tests.sim.test_direct_control import MIT, hold
 

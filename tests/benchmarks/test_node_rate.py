@@ -26,8 +26,9 @@ import numpy as np
 import pytest
 
 from armui.protocol.generation import Generation
+from armui.sim.arm_loop import PERIOD_S
 from armui.sim.firmware import Firmware
-from armui.sim.node import PERIOD_S, Node
+from armui.sim.node import Node
 from tests.posix import of_system
 from tests.sim.talk import ENABLE, frame, mode, target
 

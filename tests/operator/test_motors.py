@@ -5,7 +5,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
+from armui.arm.state import ArmState
 from armui.protocol.frame import Frame
+from armui.protocol.generation import Generation
+from armui.ui import words
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from tests.faulty_arm import FaultyDrivers, HardOfHearing
 from tests.generations import ONE_IS_ENOUGH
@@ -70,6 +73,46 @@ def test_all_motors_on_and_off(motors):
     motors.run(0.4)
     assert sent(motors, 0x471)[1:] == [frame(0x471, "07 01 00 00 00 00 00 00")]
     assert motors.firmware.mechanics.powered == (False,) * 6
+
+
+DROPS = "The arm will drop when its motors are disabled. Hold the arm."
+LETS_GO = (
+    "The gripper lets go, too, and what it holds falls. To keep it, disable joints 1–6 singly."
+)
+MAY_LET_GO = f"From firmware S-V1.9-0 on t{LETS_GO[1:]}"
+
+
+@pytest.mark.parametrize(
+    ("version", "added"), [("S-V1.8-9", ""), ("S-V1.9-0", LETS_GO), ("S-V2.0-0", LETS_GO)]
+)
+def test_disabling_all_says_that_the_gripper_lets_go_where_it_does(app_driver, version, added):
+    app_driver.lie((0.0,) * 6, version=version)
+    app_driver.ready()
+    app_driver.click("enable_button")
+    assert app_driver.dialog(ConfirmDialog).text().removeprefix(DROPS).strip() == added
+    app_driver.dialog(ConfirmDialog).reject()
+    app_driver.click("menu_motor")
+    for joint in (7, 2):
+        app_driver.click(f"disable_motor_{joint}")
+        text = app_driver.dialog(ConfirmDialog).text()
+        assert text.endswith(LETS_GO) is bool(added and joint == 7)
+        app_driver.dialog(ConfirmDialog).reject()
+
+
+@pytest.mark.parametrize(
+    ("generation", "firmware", "added"),
+    [
+        (Generation.ONE, None, ""),
+        (Generation.TWO, None, MAY_LET_GO),
+        (Generation.TWO, "?", MAY_LET_GO),
+        (None, None, MAY_LET_GO),
+    ],
+)
+def test_of_a_version_that_is_not_known_it_is_said_with_the_version(
+    qapp, generation, firmware, added
+):
+    text = words.disabling(DROPS, generation, ArmState(firmware=firmware))
+    assert text.removeprefix(DROPS).strip() == added
 
 
 @pytest.mark.parametrize("name", ["disable_motor_2", "zero_motor_2", "zero_motor_7"])

@@ -57,6 +57,7 @@ def test_what_is_no_version_is_none(text):
         ("has_ik_solution", "S-V1.8-7", "S-V1.8-8", False, True),
         ("has_upside_down", "S-V1.8-7", "S-V1.8-8", False, True),
         ("has_gripper_angle", "S-V1.8-7", "S-V1.8-8", False, True),
+        ("disable_frees_gripper", "S-V1.8-9", "S-V1.9-0", False, True),
     ],
 )
 def test_what_a_version_changed(field, before, since, was, then):

@@ -1,13 +1,18 @@
 """S7: the mouse leads a simulated arm that gives way, by the simulator's hand, and no other arm."""
 
+import time
 from dataclasses import replace
 
+import can
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from armui.app import SIMULATED, SimulatedHand, open_device
+from armui.app import SIMULATED, SimulatedArms, open_device
+from armui.protocol.codec import Codec
+from armui.protocol.frame import Frame
+from armui.protocol.generation import Generation
 from armui.system.paths import URDF
 from armui.viewport.client import PictureClient
 from armui.viewport.grips import GripKind
@@ -15,7 +20,10 @@ from armui.viewport.handles import HandleKind
 from armui.viewport.process.robot import shape_of
 from armui.viewport.process.urdf_file import load_robot
 from tests.picture_hand import Hand
+from tests.sim.talk import ENABLE, frame
 
+RECORD = "150#0000010000000000"
+WITHIN_S = 30.0
 MOTION_FRAMES = {*range(0x150, 0x160)} - {0x15A, 0x15F}
 
 
@@ -193,12 +201,37 @@ def test_a_late_picture_leads_nothing(teacher, monkeypatch):
 
 
 def test_the_hand_is_there_for_as_long_as_the_simulated_arm():
-    hand = SimulatedHand()
+    arms = SimulatedArms()
     there = []
     real = replace(SIMULATED[0], simulated=False, channel="nothing-simulated")
     for device in (SIMULATED[0], real):
-        there.append(hand.guiding is not None)
-        with open_device(device, hand=hand):
-            there.append(hand.guiding is not None)
-        there.append(hand.guiding is not None)
+        there.append(arms.hand is not None)
+        with open_device(device, arms):
+            there.append(arms.hand is not None)
+        there.append(arms.hand is not None)
     assert there == [False, True, False, False, False, False]
+
+
+def test_the_hand_reaches_the_arm_in_its_process():
+    """In drag teaching it follows, as it is told on the bus; without a hand it stays."""
+    arms, codec = SimulatedArms(joints_deg=(0.0,) * 6), Codec(Generation.TWO)
+
+    def turned_to(bus, angle_deg):
+        until_s = time.monotonic() + WITHIN_S
+        while time.monotonic() < until_s:
+            if (heard := bus.recv(1.0)) is None or heard.arbitration_id != 0x2A5:
+                continue
+            message = codec.decode(Frame(heard.arbitration_id, bytes(heard.data)))
+            if abs(message.signals["J1"] - angle_deg) < 0.05:
+                return True
+        return False
+
+    with open_device(SIMULATED[0], arms) as bus:
+        arms.hand.lead_to((10.0, 0.0, 0.0, 0.0, 0.0, 0.0))  # does not give way yet
+        for text in (ENABLE, RECORD):
+            identifier, data = frame(text)
+            bus.send(can.Message(arbitration_id=identifier, data=data, is_extended_id=False))
+        arms.hand.lead_to((20.0, 0.0, 0.0, 0.0, 0.0, 0.0), 60.0)
+        assert turned_to(bus, 20.0)
+        arms.hand.let_go()
+        assert turned_to(bus, 20.0)

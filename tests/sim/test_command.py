@@ -79,12 +79,24 @@ def test_options_left_out() -> None:
         "generation": 2,
         "firmware": None,
         "flash": None,
+        "joints": None,
         "fault": [],
         "offset": None,
         "seed": 0,
         "bugs": frozenset(),
         "model": PiperModel.PIPER,
     }
+
+
+@pytest.mark.parametrize(
+    ("words", "joints"),
+    [([], (0.0,) * 6), (["--joints", "1", "-2", "3", "-4.5", "5", "-6"], (1, -2, 3, -4.5, 5, -6))],
+)
+def test_it_lies_at_zero_or_as_told(words, joints, monkeypatch) -> None:
+    made = []
+    monkeypatch.setattr(sim_command, "run_arm", lambda arm, *_rest, **_more: made.append(arm) or 0)
+    assert sim_command.run(read(*words)) == 0
+    assert made[0].joints_deg == joints
 
 
 def test_bugs() -> None:

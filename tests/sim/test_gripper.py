@@ -62,6 +62,29 @@ def test_it_grips_what_is_between_its_jaws_with_the_torque_asked_for() -> None:
     assert said(arm, 1.0) == "000000000000C000"
 
 
+@pytest.mark.parametrize(
+    ("version", "disable", "said_then"),
+    [
+        # 25 mm = 0x61A8; 1 N·m and bit 6 (enabled) as long as it holds
+        ("S-V1.8-9", "471#0701000000000000", "000061A803E8C000"),
+        ("S-V1.9-0", "471#0701000000000000", "000061A800008000"),
+        ("S-V2.0-0", "471#0701000000000000", "000061A800008000"),
+        *[("S-V1.9-0", f"471#0{joint}01000000000000", "000061A803E8C000") for joint in range(1, 7)],
+    ],
+)
+def test_disabling_all_joints_lets_go_of_the_gripper_too_from_1_9_0_on(
+    version: str, disable: str, said_then: str
+) -> None:
+    arm = Firmware(TWO, version=version)
+    tell(arm, "471#0702000000000000", OPEN)
+    arm.step(1.0)
+    arm.gripper.object_width = 25.0
+    tell(arm, CLOSE)
+    assert said(arm, 1.0) == "000061A803E8C000"
+    tell(arm, disable)
+    assert said(arm, 0.1) == said_then
+
+
 def test_an_object_wider_than_the_opening_is_not_between_the_jaws() -> None:
     arm = Firmware(TWO)
     arm.gripper.object_width = 25.0

@@ -10,8 +10,9 @@ import pytest
 
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from armui.sim.arm_loop import PERIOD_S
 from armui.sim.firmware import Firmware
-from armui.sim.node import PERIOD_S, Node
+from armui.sim.node import Node
 from tests.moments import now
 from tests.sim.talk import ENABLE, FRAMES_A_SECOND, STOP, frame, mode, target
 

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from typing import Final
 
 from armui.arm.refusal import Reason, Refusal
+from armui.arm.rest_pose import from_rest_deg
 from armui.arm.state import ArmState, Status
 from armui.control.operating_state import OperatingState
 from armui.control.safety import interlocks
@@ -38,8 +39,9 @@ TEACHING_PAUSED = Reason("teaching_paused", "The replay is paused. Continue or t
 
 
 NEAR_REST_DEG: Final = 15.0
-"""Each joint must be this near to its zero for a reset to end drag teaching. The maker says «near
-the rest pose» and gives no figure; the simulated arm assumes this one.
+"""Each joint must be this near to its zero or its rest pose, or between them, for a reset to end
+drag teaching. The maker says «near the rest pose» and gives no figure; the simulated arm assumes
+this one.
 """
 
 
@@ -135,12 +137,19 @@ def why_under_way(phase: TeachingPhase) -> Refusal | None:
 
 
 def farthest_from_rest(state: ArmState) -> tuple[int, float] | None:
-    """Return the joint (1–6) farthest from its zero and its angle in °; ``None``: not heard."""
+    """Return the joint farthest from its rest (1–6) and its angle in °; ``None``: not heard."""
     angles_deg = state.angles_deg()
     if angles_deg is None:
         return None
-    joint = max(range(len(angles_deg)), key=lambda index: abs(angles_deg[index]))
+    distances_deg = from_rest_deg(angles_deg)
+    joint = max(range(len(angles_deg)), key=distances_deg.__getitem__)
     return joint + 1, angles_deg[joint]
+
+
+def is_near_rest(state: ArmState) -> bool:
+    """Return whether every joint is heard to be so near to its rest that a reset ends teaching."""
+    angles_deg = state.angles_deg()
+    return angles_deg is not None and max(from_rest_deg(angles_deg)) <= NEAR_REST_DEG
 
 
 def why_not_teach(now: OperatingState, command: TeachingState) -> Refusal | None:

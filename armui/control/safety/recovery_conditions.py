@@ -14,6 +14,7 @@ from armui.control.devices.teaching_phase import (
     NEAR_REST_DEG,
     TeachingPhase,
     farthest_from_rest,
+    is_near_rest,
     phase_of,
 )
 from armui.control.motion.motion_command import Hold
@@ -242,8 +243,7 @@ def reference_in_doubt(*, agreed: bool) -> Applies:
 
 def near_rest(view: RecoveryView) -> bool:
     """Return whether the arm is led by hand and near the rest pose."""
-    farthest = farthest_from_rest(view.state) if view.in_drag_mode else None
-    return farthest is not None and abs(farthest[1]) <= NEAR_REST_DEG
+    return view.in_drag_mode and is_near_rest(view.state)
 
 
 def far_from_rest(condition: Callable[[RecoveryView], bool]) -> Applies:

@@ -6,6 +6,7 @@ import enum
 from collections.abc import Callable
 from typing import Final
 
+from armui.arm.rest_pose import from_rest_deg
 from armui.protocol.codes import ArmStatusCode, ControlMode, MotionState, TeachingState
 from armui.sim.condition import Condition
 from armui.sim.mechanics.mechanics import HandGuiding, Mechanics
@@ -81,7 +82,7 @@ class SimulatedTeaching:
 
     def reset(self) -> bool:
         """Leaves drag teaching if the arm is near its rest pose; returns whether it was left."""
-        if self.entered and max(map(abs, self._mechanics.positions_deg)) > _NEAR_REST_DEG:
+        if self.entered and max(from_rest_deg(self._mechanics.positions_deg)) > _NEAR_REST_DEG:
             return False
         self.entered = False
         return True

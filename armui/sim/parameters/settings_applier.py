@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Collection, Iterable, Sequence
 
 from armui.arm.limits import JointLimits
 from armui.protocol.addressing import Addressing
@@ -21,7 +21,8 @@ class SettingsApplier:
 
     Attributes:
         model: The arm's type.
-        stops: The mechanical stops, joint 1 first, whatever limits and zeros were set.
+        stops: The mechanical stops, joint 1 first, whatever limits and zeros were set. A joint that
+            was found beyond the model's range can be there: its stop is where it lay.
     """
 
     def __init__(
@@ -32,10 +33,22 @@ class SettingsApplier:
         schedule: FeedbackSchedule,
         arm_type: ArmType,
         *,
+        found_deg: Sequence[float],
         flash: Flash,
         drop_targets: Callable[[], None],
     ) -> None:
-        """Manages the parts of one arm; `drop_targets` drops its targets."""
+        """Manages the parts of one arm.
+
+        Args:
+            settings: The values it keeps.
+            mechanics: Its joints.
+            condition: Its modes.
+            schedule: The schedule of its feedback.
+            arm_type: Its type.
+            found_deg: The angles at which it was found, counted from the factory's zeros.
+            flash: The storage of its settings.
+            drop_targets: Drops its targets.
+        """
         self.model = arm_type.model
         self._quirks = arm_type.quirks
         self._settings = settings
@@ -46,7 +59,11 @@ class SettingsApplier:
         self._drop_targets = drop_targets
         self._hanging_kg: float | None = None
         self._slips_deg = [0.0] * len(self.model.limits)
-        self.stops: tuple[JointLimits, ...] = self.model.limits
+        self._widest = tuple(
+            each._replace(min_deg=min(each.min_deg, angle), max_deg=max(each.max_deg, angle))
+            for each, angle in zip(self.model.limits, found_deg, strict=True)
+        )
+        self.stops: tuple[JointLimits, ...] = self._widest
         self._refresh()
 
     @property
@@ -152,5 +169,5 @@ class SettingsApplier:
         weight.payload_kg = told_kg if self._hanging_kg is None else self._hanging_kg
         self.stops = tuple(
             each._replace(min_deg=each.min_deg - zero, max_deg=each.max_deg - zero)
-            for each, zero in zip(self.model.limits, zeros_deg, strict=True)
+            for each, zero in zip(self._widest, zeros_deg, strict=True)
         )

@@ -119,7 +119,9 @@ class MotorPanel(Panel):
         danger = self.tr("The arm will drop when it loses its power. Hold the arm.")
         if joint == ALL_JOINTS:
             title = self.tr("Disable all six motors")
-            text = danger
+            controller = self._controller
+            generation = controller.operating_state.generation
+            text = words.disabling(danger, generation, controller.state)
         else:
             title = self.tr("Disable the motor of joint {joint}").format(joint=joint)
             text = self.tr("Joint {joint} and what hangs on it gives way.").format(joint=joint)

@@ -311,7 +311,7 @@ class PictureWork(QObject):
 
     It sends nothing to a real arm.
 
-    The mouse can lead a simulated arm of this process in drag teaching, as a hand would.
+    The mouse can lead a simulated arm of this program in drag teaching, as a hand would.
 
     Args:
         controller: Gives the limits and the tool.
@@ -320,7 +320,7 @@ class PictureWork(QObject):
         background: Writes files.
         preview: Shows the path of a trajectory.
         window: The main window.
-        hand: Gives access to the hand that leads the simulated arm of this process.
+        hand: Gives access to the hand that leads the simulated arm of this program.
 
     Attributes:
         bar: Buttons and menu for the picture.

@@ -338,12 +338,12 @@ _LEAD_DEG_S: Final = 30.0
 class LedArm(_InForce):
     """A simulated arm in drag teaching, led by the mouse as a real one is by the hand.
 
-    No frame is sent for it: it only calls the simulator in this process, and only if its arm gives
+    No frame is sent for it: it only tells the simulator of this program, and only if its arm gives
     way. It never moves a real arm.
 
     Args:
         controller: Gives the connected arm and its state of drag teaching.
-        hand: Returns the hand of the simulated arm in this process, or None.
+        hand: Returns the hand of the simulated arm of this program, or None.
     """
 
     def __init__(self, controller: ArmController, hand: Callable[[], HandGuide | None]) -> None:

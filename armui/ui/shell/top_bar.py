@@ -489,11 +489,13 @@ class TopBar(Translated, QWidget):
         if not self._enable.turns_off:
             self._controller.motors.enable()
             return
+        danger = self.tr("The arm will drop when its motors are disabled. Hold the arm.")
+        generation = self._controller.operating_state.generation
         confirm(
             self.window(),
             self._controller,
             title=self.tr("Disable the motors"),
-            text=self.tr("The arm will drop when its motors are disabled. Hold the arm."),
+            text=words.disabling(danger, generation, self._controller.state),
             action_label=self.tr("Disable"),
             on_confirmed=self._controller.motors.disable,
             hold=True,

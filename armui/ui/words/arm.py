@@ -6,13 +6,14 @@ no table is shown as unknown with its number, never as its nearest neighbour.
 
 from __future__ import annotations
 
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
 
 from armui.arm.device import Device
 from armui.arm.joint_status import Item, StatusVerdict, Word
 from armui.arm.model_check import OLDER_ZEROS
+from armui.arm.quirks import frees_gripper
 from armui.arm.state import GripperFault, Status
 from armui.protocol.codes import (
     ControlMode,
@@ -21,7 +22,11 @@ from armui.protocol.codes import (
     TeachingState,
     TrajectoryCommand,
 )
+from armui.protocol.generation import Generation
 from armui.ui.words.text import Texts, sentence
+
+if TYPE_CHECKING:
+    from armui.arm.state import ArmState
 
 _CONTROL_MODES: Final = Texts("ControlMode") | {
     0x00: "Standby mode",
@@ -241,6 +246,30 @@ def device_name(device: Device) -> str:
         return device.name
     source = QT_TRANSLATE_NOOP("Device", "Simulated arm, gen. {generation}")
     return sentence("Device", source, {"generation": device.generation})
+
+
+def disabling(danger: str, generation: Generation | None, state: ArmState) -> str:
+    """Return what disabling all joints does, the gripper included.
+
+    Args:
+        danger: What it does to the arm.
+        generation: The protocol it speaks.
+        state: The arm's state.
+    """
+    freed = False if generation is Generation.ONE else frees_gripper(state)
+    if freed is None:
+        text = QCoreApplication.translate(
+            "Disabling",
+            "From firmware S-V1.9-0 on the gripper lets go, too, and what it holds falls. To keep "
+            "it, disable joints 1–6 singly.",
+        )
+    elif freed:
+        text = QCoreApplication.translate(
+            "Disabling",
+            "The gripper lets go, too, and what it holds falls. To keep it, disable joints 1–6 "
+            "singly.",
+        )
+    return danger if freed is False else f"{danger}\n{text}"
 
 
 def mounting(how: Mounting) -> str:

@@ -1,0 +1,146 @@
+"""The simulated arm in a process of its own.
+
+There neither the window's work nor Python's lock holds it up, and it holds up nobody: like a real
+arm it says what is due when it is due. Frames travel on one line, several in a message; what the
+hand does that leads the arm, on another. The end of the frames' line ends the process.
+"""
+
+from __future__ import annotations
+
+import multiprocessing
+import socket
+import struct
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+from armui.protocol.frame_records import RECORD_BYTES
+from armui.protocol.generation import Generation, PiperModel
+from armui.system.helper_process import end_with_the_program
+from armui.system.record_socket import RecordSocket
+from armui.system.thread_priority import raise_in_background
+
+PROCESS_NAME: Final = "armui-simulated-arm"
+
+HAND: Final = struct.Struct("<7d")
+"""Six angles in degrees and a speed in degrees a second; a speed of 0 lets go."""
+LETS_GO: Final = (0.0,) * 7
+"""What the hand's line says of a hand that is not there."""
+
+_BEGINS_WITHIN_S: Final = 60.0
+"""A loaded computer takes some seconds to load what the arm is made of."""
+_ENDS_WITHIN_S: Final = 2.0
+
+
+@dataclass(frozen=True, slots=True)
+class ArmChoice:
+    """What a simulated arm is to be.
+
+    Attributes:
+        generation: The protocol it speaks.
+        model: The model of the family.
+        version: Its firmware's version (generation 2), ``None`` for today's.
+        joints_deg: The angles at which it lies, joint 1 first; ``None`` for the rest pose.
+    """
+
+    generation: Generation
+    model: PiperModel = PiperModel.PIPER
+    version: str | None = None
+    joints_deg: tuple[float, ...] | None = None
+
+
+class LineHand:
+    """The hand that leads the arm of another process.
+
+    Where that process takes nothing any more, the hand lets go: its line is closed.
+    """
+
+    def __init__(self, line: RecordSocket) -> None:
+        self._line = line
+
+    def lead_to(self, joints_deg: Sequence[float], speed_deg_s: float = 30.0) -> None:
+        """Lead all joints to six angles; the joint with the longest way turns at this speed."""
+        self._tell(*joints_deg, speed_deg_s)
+
+    def let_go(self) -> None:
+        """Release the arm, which stays where it is."""
+        self._tell(*LETS_GO)
+
+    def _tell(self, *figures: float) -> None:
+        try:
+            self._line.send(HAND.pack(*figures))
+        except OSError:
+            self._line.close()
+
+
+class ArmProcess:
+    """One process with a simulated arm, from its start to `end`.
+
+    Attributes:
+        line: Our end of the line of frames.
+        hand: The hand that leads the arm.
+
+    Raises:
+        OSError: The process cannot be started.
+    """
+
+    def __init__(self, choice: ArmChoice) -> None:
+        frames, frames_there = socket.socketpair()
+        hand, hand_there = socket.socketpair()
+        self.line = RecordSocket(frames, RECORD_BYTES)
+        self._hand_line = RecordSocket(hand, HAND.size)
+        self.hand = LineHand(self._hand_line)
+        # a fork would inherit Qt, its threads and every lock they hold
+        self._process = multiprocessing.get_context("spawn").Process(
+            target=live, args=(frames_there, hand_there, choice), name=PROCESS_NAME, daemon=True
+        )
+        try:
+            self._process.start()
+        except BaseException:
+            self._close()
+            raise
+        finally:
+            frames_there.close()  # so that the process's end is the end of the line
+            hand_there.close()
+
+    @property
+    def pid(self) -> int | None:
+        """The process's number."""
+        return self._process.pid
+
+    def wait_until_it_lives(self, within_s: float = _BEGINS_WITHIN_S) -> None:
+        """Wait until the arm is about to speak.
+
+        Raises:
+            OSError: The process has ended before, or takes longer.
+        """
+        if not self._hand_line.receive(within_s):
+            raise TimeoutError(f"the simulated arm has not begun within {within_s:.0f} s")
+
+    def end(self) -> None:
+        """End the process, and wait for that."""
+        self._close()
+        self._process.kill()  # it keeps nothing
+        self._process.join(_ENDS_WITHIN_S)
+
+    def _close(self) -> None:
+        self.line.close()
+        self._hand_line.close()
+
+
+def live(frames: socket.socket, hand: socket.socket, choice: ArmChoice) -> None:
+    """Be the arm, in the new process, until the other end of its line is closed.
+
+    Args:
+        frames: Its end of the line of frames.
+        hand: Its end of the hand's line; a record from this end says that the arm lives.
+        choice: What it is.
+    """
+    end_with_the_program()
+    from armui.sim.line_arm import LineArm  # noqa: PLC0415 - the program itself needs none of it
+
+    hand_line = RecordSocket(hand, HAND.size)
+    arm = LineArm(choice, RecordSocket(frames, RECORD_BYTES), hand_line)
+    hand_line.send(HAND.pack(*LETS_GO))
+    raise_in_background()  # a real arm waits for no other program of the computer
+    arm.run()

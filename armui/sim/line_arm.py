@@ -1,0 +1,70 @@
+"""A simulated arm on a line to the program that has started its process."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from armui.arm.models import model_data
+from armui.arm.rest_pose import rest_pose_deg
+from armui.protocol.frame import Frame
+from armui.protocol.frame_records import pack, unpack
+from armui.sim.arm_loop import ArmLoop
+from armui.sim.arm_process import HAND, LETS_GO, ArmChoice
+from armui.sim.firmware import Firmware
+from armui.system.record_socket import RecordSocket
+
+_REMEMBERED: Final = 0
+"""The frames kept in `heard`: nobody looks at them here."""
+
+
+class LineArm(ArmLoop):
+    """One simulated arm on one line; the end of the line ends its loop.
+
+    Args:
+        choice: What it is.
+        line: Its end of the line of frames.
+        hand_line: Its end of the line by which a hand leads it.
+    """
+
+    def __init__(self, choice: ArmChoice, line: RecordSocket, hand_line: RecordSocket) -> None:
+        older_zeros = model_data(choice.model).older_zeros(choice.version or "")
+        arm = Firmware(
+            choice.generation,
+            model=choice.model,
+            version=choice.version,
+            joints_deg=choice.joints_deg or rest_pose_deg(older_zeros=older_zeros),
+        )
+        super().__init__(arm, remember=_REMEMBERED, faults=(), seed=0)
+        self._line = line
+        self._hand_line: RecordSocket | None = hand_line
+
+    def _receive(self) -> list[Frame]:
+        self._feel_hand()
+        try:
+            return unpack(self._line.receive())
+        except OSError:  # the program has let go of it, or is gone
+            self._ending.set()
+            return []
+
+    def _send(self, frames: list[Frame]) -> int:
+        """Sends a burst as one message, whole or not at all."""
+        try:
+            self._line.send(pack(frames))
+        except OSError:
+            return 0
+        return len(frames)
+
+    def _feel_hand(self) -> None:
+        """Obeys the hand, which has let go where its line has ended."""
+        if self._hand_line is None:
+            return
+        try:
+            told = self._hand_line.receive()
+        except OSError:
+            self._hand_line = None
+            told = HAND.pack(*LETS_GO)
+        for *joints_deg, speed_deg_s in HAND.iter_unpack(told):
+            if speed_deg_s:
+                self.firmware.hand_guiding.lead_to(joints_deg, speed_deg_s)
+            else:
+                self.firmware.hand_guiding.let_go()
