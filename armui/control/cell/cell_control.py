@@ -99,6 +99,8 @@ class CellControl(ControllerPart):
     Attributes:
         store: Keeps the cells; ``None`` if they end with the program, as in a replay.
         candidate: A user frame that is shown before it is taken; nothing moves by it.
+        arms: Grows with each arm that comes and has not shown that it is the one before: what was
+            measured of one says nothing of another.
     """
 
     def __init__(
@@ -118,6 +120,7 @@ class CellControl(ControllerPart):
         self._own_tool: tuple[float, ...] = NO_TOOL
         self._least_mm: float | None = None
         self._opened = False
+        self.arms = 0
         self.store: CellKeeper | None = None
         self.candidate: UserFrame | None = None
 
@@ -235,6 +238,7 @@ class CellControl(ControllerPart):
     def forget_arm(self) -> None:
         """Have the cell confirmed again: what is heard next may be another arm."""
         self._confirmed, self._evidence, self._came_s = False, None, None
+        self.arms += 1
         self._take_effect()
 
     def arm_came(self) -> None:
@@ -242,17 +246,19 @@ class CellControl(ControllerPart):
 
         Until it has answered nothing moves.
         """
-        in_force = self._confirmed or self._came_s is not None
+        in_force = self.confirmed or self._came_s is not None
         self._confirmed, self._came_s = False, None
         if in_force and self._evidence is not None:
             self._came_s = self._context.clock()
+        else:
+            self.arms += 1
         self._take_effect()
 
     def _recognise(self) -> None:
         """Keep what the arm of the cell shows of itself; after a silence compare it."""
         connection, state = self._context.connection, self._context.state()
         if self._came_s is None or self._evidence is None:
-            if self._confirmed and connection.arm is not None:
+            if self.confirmed and connection.arm is not None:
                 self._evidence = evidence_of(state, connection.handshake)
             return
         before_s, waits = self._evidence.heard_s, self.unconfirmed is not None
@@ -262,6 +268,7 @@ class CellControl(ControllerPart):
         silent_s, self._came_s = self._came_s - before_s, None
         if likeness is Likeness.OTHER:
             self._evidence = None
+            self.arms += 1
             return
         self._confirmed = True
         self._take_effect()
