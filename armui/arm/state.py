@@ -7,11 +7,13 @@ Nothing here is assumed: a value that has not been heard is ``None``. Times are 
 from __future__ import annotations
 
 import enum
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Annotated, Final, Generic, NamedTuple, Self, TypeVar, cast
 
+from armui.arm.arrivals import LATE_S
 from armui.arm.limits import JOINTS, JointLimits
 from armui.protocol.firmware_version import ArmIdentity, NamedVersion
 
@@ -238,6 +240,10 @@ class ArmState(NamedTuple):
             :data:`PAUSE_S`, silences among them: long enough to take another arm in its place, so
             it is asked who it is.
         joints_deg: Joint angles, 0x2A5–0x2A7.
+        in_time_since_s: Since when all six have arrived in time (:mod:`armui.arm.arrivals`): no
+            speed, and no standing still, is concluded from what was measured before.
+        gap: For how long angles did not arrive the last time that this was a gap, and when it
+            ended; ``None`` if there was none.
         pose: X, Y, Z in mm and RX, RY, RZ in degrees of the flange, 0x2A2–0x2A4.
         limits: Angle range and highest speed of each joint, 0x473.
         accelerations_deg_s2: Highest acceleration of each joint, 0x47C.
@@ -265,6 +271,8 @@ class ArmState(NamedTuple):
     pauses: int = 0
     status: Reading[Status] | None = None
     joints_deg: Six[Reading[float] | None] = _NOTHING
+    in_time_since_s: float = -math.inf
+    gap: Reading[float] | None = None
     pose: Six[Reading[float] | None] = _NOTHING
     gripper: Reading[GripperState] | None = None
     drivers_fast: Six[Reading[DriverFast] | None] = _NOTHING
@@ -292,6 +300,29 @@ class ArmState(NamedTuple):
     def angles_deg(self) -> Six[float] | None:
         """Return six joint angles, or ``None`` while one of them has never been heard."""
         return _six_values(self.joints_deg)
+
+    def in_time_for_s(self, now_s: float, since_s: float = -math.inf) -> float:
+        """Return for how long the six angles have arrived in time, up to the last that did.
+
+        Whoever holds it against the arm that something has not happened within a time takes this
+        for the time: it is 0 while angles do not arrive, and after a gap it begins anew.
+
+        Args:
+            now_s: Monotonic time.
+            since_s: Only what arrived after this moment counts.
+        """
+        newest_s = math.inf
+        for each in self.joints_deg:
+            if each is None:
+                return 0.0
+            newest_s = min(newest_s, each.at_s)
+        if now_s - newest_s > LATE_S:
+            return 0.0
+        return max(0.0, newest_s - max(since_s, self.in_time_since_s))
+
+    def in_time(self, now_s: float) -> bool:
+        """Return whether the last two reports of each angle arrived in time, and no gap is open."""
+        return self.in_time_for_s(now_s) > 0.0
 
     def end_pose(self) -> Six[float] | None:
         """Return X, Y, Z in mm and RX, RY, RZ in degrees, or ``None`` while one is unknown."""
@@ -334,6 +365,8 @@ _ALIKE: Final = frozenset(
         "pauses",
         "status",
         "joints_deg",
+        "in_time_since_s",
+        "gap",
         "pose",
         "firmware",
         "identity",

@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any, Final
 
+from armui.arm.arrivals import Arrivals
 from armui.arm.limits import JOINTS, JointLimits
 from armui.arm.state import (
     EACH_JOINT,
@@ -75,6 +76,7 @@ class Tracker:
         self._status: Reading[Status] | None = None
         self._gripper: Reading[GripperState] | None = None
         self._joints: list[Reading[float] | None] = [None] * 6
+        self._arrivals = [Arrivals() for _ in _ANGLE_MESSAGES]
         self._pose: list[Reading[float] | None] = [None] * 6
         self._drivers_fast = PerJoint[Reading[DriverFast] | None](None)
         self._drivers_slow = PerJoint[Reading[DriverSlow] | None](None)
@@ -124,6 +126,8 @@ class Tracker:
         """Reset the counts of silences, after frames were read from a log out of their time."""
         self._silences = self._pauses = 0
         self._before_pause = []
+        for each in self._arrivals:
+            each.forget()
         self._sequence += 1
 
     def _look_for_another_arm(self) -> None:
@@ -160,6 +164,8 @@ class Tracker:
             last_feedback_s=self._last_feedback_s,
             status=self._status,
             joints_deg=_six(self._joints),
+            in_time_since_s=max(each.since_s for each in self._arrivals),
+            gap=self._last_gap(),
             pose=_six(self._pose),
             gripper=self._gripper,
             drivers_fast=self._drivers_fast.six(),
@@ -191,9 +197,9 @@ class Tracker:
             "CollisionFeedback": self._levels_handler("CollisionFeedback"),
             "DragAssistanceFeedback": self._levels_handler("DragAssistanceFeedback"),
             "FirmwareVersion": self._on_firmware,
-            "JointFeedback12": _pair(self._joints, 0, "J1", "J2"),
-            "JointFeedback34": _pair(self._joints, 2, "J3", "J4"),
-            "JointFeedback56": _pair(self._joints, 4, "J5", "J6"),
+            "JointFeedback12": self._angles_handler(0, "J1", "J2"),
+            "JointFeedback34": self._angles_handler(2, "J3", "J4"),
+            "JointFeedback56": self._angles_handler(4, "J5", "J6"),
             "EndPose1": _pair(self._pose, 0, "X", "Y"),
             "EndPose2": _pair(self._pose, 2, "Z", "RX"),
             "EndPose3": _pair(self._pose, 4, "RY", "RZ"),
@@ -205,6 +211,23 @@ class Tracker:
             handlers[f"DriverSlow{joint}"] = self._driver_slow_handler(joint)
             handlers[f"EndMotion{joint}"] = self._end_motion_handler(joint)
         return handlers
+
+    def _angles_handler(
+        self, index: int, first: str, second: str
+    ) -> Callable[[_Signals, float], None]:
+        on_pair = _pair(self._joints, index, first, second)
+        arrivals = self._arrivals[index // 2]
+
+        def on_angles(signals: _Signals, at_s: float) -> None:
+            arrivals.note(at_s)
+            on_pair(signals, at_s)
+
+        return on_angles
+
+    def _last_gap(self) -> Reading[float] | None:
+        """Return the last time for which a pair of angles did not arrive, and when it ended."""
+        last = max(self._arrivals, key=lambda each: each.gap_ended_s)
+        return Reading(last.gap_s, last.gap_ended_s) if last.gap_s else None
 
     def _note_status(self, offset: int, at_s: float) -> None:
         if offset in OFFSETS:

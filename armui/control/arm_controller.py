@@ -383,7 +383,7 @@ class ArmController(ControllerParts):
     def _on_arm_came(self) -> None:
         """Forget what was read and saved before: it may have been another arm's."""
         self._link_watch.arm_came()
-        self.cell.forget_arm()
+        self.cell.arm_came()
         self._authority.end_command(End.SILENT)
         self.settings.forget_arm()
         self.model_watch.forget_arm()

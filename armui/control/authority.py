@@ -6,6 +6,7 @@ the place the next step starts from while it is the last one the arm got; `End` 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Final
@@ -96,6 +97,8 @@ class Authority:
         self._zero_since_s = 0.0
         self._mode_sent: tuple[MoveMode, float] | None = None
         self._limits: tuple[JointLimits | None, ...] = ()
+        self._taken_in_s = -math.inf
+        """When that was sent which the arm has had the time to take in, by what is heard of it."""
         self._braking: tuple[float, int] | None = None
         self._stood = False
         self._left_by_another = True
@@ -119,6 +122,9 @@ class Authority:
         """Take in an observation; end our command if something has ended it."""
         self._seen, self._silent = seen, why_silent(seen.state, seen.now_s)
         state, now_s = seen.state, seen.now_s
+        command = self.command
+        if command is not None and state.in_time_for_s(now_s, command.sent_s) >= _TAKEN_IN_S:
+            self._taken_in_s = command.sent_s
         self._rest.observe(state, now_s)
         if self.other.observe(seen.traffic, seen.offsets, state, now_s, at_rest=self.at_rest):
             self.arm_percent = self._mode_sent = None
@@ -154,7 +160,7 @@ class Authority:
         seen, command = self._seen, self.command
         if seen is None or command is None:
             return False
-        return seen.now_s - command.sent_s < _TAKEN_IN_S or self.moves
+        return command.sent_s > self._taken_in_s or self.moves
 
     @property
     def moves(self) -> bool:
@@ -524,13 +530,17 @@ class Authority:
             return End.TAUGHT
         if status.value.arm_status not in MOVABLE_STATUSES:  # it may move on, but not to there
             self.command = replace(command, joints_deg=None, tool=None)
-        late = status.at_s - command.sent_s > _TAKEN_IN_S
+        taken_in = command.sent_s <= self._taken_in_s
+        late = taken_in and status.at_s - command.sent_s > _TAKEN_IN_S
         if late and status.value.control_mode != ControlMode.CAN_CONTROL:
             return End.OTHER_MODE
         return None
 
     def _whether_moved(self, state: ArmState, command: MotionCommand) -> End | None:
         measured_deg = state.angles_deg()
+        seen = self._seen
+        if seen is None or not state.in_time(seen.now_s):
+            return None  # one angle that was late shows nothing
         if self.under_way or self.holds or measured_deg is None:
             return None
         if command.joints_deg is None:
@@ -548,7 +558,8 @@ class Authority:
         status = seen.state.status
         if not self.holds or status is None or not status.fresh(seen.now_s):
             return
-        if status.value.reached and status.at_s - self._zero_since_s > _TAKEN_IN_S:
+        taken_in = seen.state.in_time_for_s(seen.now_s, self._zero_since_s) > _TAKEN_IN_S
+        if status.value.reached and taken_in and status.at_s - self._zero_since_s > _TAKEN_IN_S:
             self.holds -= {Hold.SPEED_ZERO}  # it had arrived: nothing is left to hold back
         left = status.value.control_mode != ControlMode.CAN_CONTROL
         stopped = status.value.arm_status == ArmStatusCode.EMERGENCY_STOP
@@ -559,11 +570,15 @@ class Authority:
         if self._cancelled_s is None:
             return
         since_s = now_s - self._cancelled_s
-        status = None if self._seen is None else self._seen.state.status
+        state = None if self._seen is None else self._seen.state
+        status = None if state is None else state.status
+        # what is late in arriving shows neither rest nor motion
+        in_time_s = 0.0 if state is None else state.in_time_for_s(now_s, self._cancelled_s)
+        shows = in_time_s >= _REST_SHOWS_S
         stopped = status is not None and status.value.arm_status == ArmStatusCode.EMERGENCY_STOP
-        led = self._seen is not None and in_drag_teaching(self._seen.state)
+        led = state is not None and in_drag_teaching(state)
         moved = self.other.commands or stopped or led  # by somebody else from now on
-        if moved or (self.at_rest and since_s >= _REST_SHOWS_S):
+        if moved or (self.at_rest and shows):
             self._cancelled_s, self.cancel_unheeded = None, False
-        elif since_s > _CANCEL_WITHIN_S:
+        elif since_s > _CANCEL_WITHIN_S and shows:
             self.cancel_unheeded = True

@@ -25,7 +25,7 @@ from armui.control.devices.teaching import TeachingControl
 from armui.control.devices.zeroing import Zeroing
 from armui.control.gamepad.pilot import GamepadPilot
 from armui.control.link.bus_access import BusAccess
-from armui.control.link.link_watch import DroppedFrames
+from armui.control.link.link_watch import DroppedFrames, LateFeedback
 from armui.control.link.model_watch import ModelWatch
 from armui.control.motion.cartesian import Cartesian
 from armui.control.motion.jog_floor import JogFloor
@@ -318,6 +318,10 @@ class ControllerParts(QObject):
     def _dropped_frames(self) -> DroppedFrames:
         return DroppedFrames(self._context)
 
+    @cached_property
+    def _late_feedback(self) -> LateFeedback:
+        return LateFeedback(self._context)
+
     def _all_parts(self) -> tuple[ControllerPart, ...]:
         """Return those that follow an arm, in the order in which they act; recovery is last."""
         return (
@@ -341,6 +345,7 @@ class ControllerParts(QObject):
             self.reference,
             self.mode_exit,
             self._dropped_frames,
+            self._late_feedback,
             self.model_watch,
             self.event_collector,
         )

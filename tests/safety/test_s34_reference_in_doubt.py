@@ -1,11 +1,13 @@
 """S34: a joint that leaves its place uncommanded while enabled has its reference in doubt."""
 
 import json
+from dataclasses import replace
 
 import pytest
 
 from armui.arm.reference_record import ReferenceRecord, read_record
 from armui.control.motion.jog_path import JointJog
+from armui.control.operating_state import LinkState
 from armui.control.run.progress import RunPhase
 from armui.control.safety.recovery_steps import Action, StepKind
 from armui.control.safety.reference_control import BROUGHT_BY_HAND, JOINTS_UNANSWERED, LOOK_FIRST
@@ -565,6 +567,7 @@ class Memory(dict[str, ReferenceRecord]):
 
 @pytest.mark.parametrize("how", ["again", "another program", "another arm"])
 def test_it_is_kept_for_the_arm(app_driver, how):
+    app_driver.device = replace(app_driver.device, simulated=False)
     app_driver.ready()
     app_driver.run(1.5)
     lose(app_driver)
@@ -583,6 +586,48 @@ def test_it_is_kept_for_the_arm(app_driver, how):
     app_driver.connect()
     app_driver.run(0.5)
     assert doubtful(app_driver) == (() if how == "another arm" else (5,))
+
+
+def test_that_of_a_simulated_arm_ends_with_it(app_driver):
+    """Each connection begins with a new one; what the operator has taught is kept."""
+    app_driver.ready()
+    app_driver.run(1.5)
+    accepted(app_driver.controller.reference.teach())
+    lose(app_driver)
+    app_driver.run(2.0)
+    assert doubtful(app_driver) == (5,)
+    ((key, entry),) = app_driver.store.settings.references.items()
+    assert (entry["doubtful"], entry["pose_deg"]) == ((), (0.0,) * 6)
+    app_driver.controller.disconnect_device()
+    app_driver.connect()
+    app_driver.run(0.5)
+    assert doubtful(app_driver) == ()
+    assert app_driver.controller.reference.record.pose_deg == (0.0,) * 6
+    before = ReferenceRecord((3,), pose_deg=(1.0,) * 6)
+    app_driver.controller.disconnect_device()
+    app_driver.store.change(references={key: before.as_entry()})
+    app_driver.connect()
+    app_driver.run(0.5)
+    assert doubtful(app_driver) == (), "kept by an earlier version"
+    assert app_driver.controller.reference.record.pose_deg == (1.0,) * 6
+
+
+def test_a_silence_of_the_same_simulated_arm_ends_no_doubt(lost):
+    lost.firmware.feedback_stopped = True
+    lost.run(1.0)
+    lost.firmware.feedback_stopped = False
+    lost.run(3.0)
+    assert doubtful(lost) == (5,)
+
+
+def test_a_simulated_arm_whose_device_was_lost_is_another_one(lost, qtbot):
+    lost.unplug(OSError(19, "No such device"))
+    lost.run_until(lambda: lost.controller.operating_state.link is LinkState.LOST)
+    lost.plug_in()
+    qtbot.waitUntil(lambda: "reconnected" in lost.codes())
+    lost.run(3.0)
+    assert now(lost.controller.operating_state.link) is LinkState.ONLINE
+    assert doubtful(lost) == ()
 
 
 @pytest.mark.parametrize(

@@ -14,6 +14,7 @@ from armui.cell.cell import Cell, check_cell
 from armui.cell.cell_in_force import CellInForce, cell_in_force
 from armui.cell.checks import CELL_NAME_TAKEN
 from armui.cell.tools import NO_TOOL, Tool
+from armui.control.cell.arm_evidence import ArmEvidence, Likeness, evidence_of
 from armui.control.cell.cell_reasons import (
     CAPTURE_MOVING,
     CAPTURE_STALE,
@@ -58,6 +59,13 @@ HELD_NOW = Notice(
 HELD_NOTHING = Notice(
     "held_nothing", "From here on the hand holds nothing.", Level.INFO, EventKind.COMMAND
 )
+CELL_STAYS = Notice(
+    "cell_stays",
+    "The same arm answers after {seconds} s of silence: the cell “{name}” stays in force.",
+    Level.INFO,
+    EventKind.STATUS,
+    Asker.PROGRAM,
+)
 HELD_OPENED = Notice(
     "held_opened",
     "The gripper has opened to {value} mm. “{name}” counts as held until it is let go under Cell, "
@@ -91,6 +99,8 @@ class CellControl(ControllerPart):
     Attributes:
         store: Keeps the cells; ``None`` if they end with the program, as in a replay.
         candidate: A user frame that is shown before it is taken; nothing moves by it.
+        arms: Grows with each arm that comes and has not shown that it is the one before: what was
+            measured of one says nothing of another.
     """
 
     def __init__(
@@ -103,10 +113,14 @@ class CellControl(ControllerPart):
         self._broken: dict[str, Refusal] = {}
         self._name = ""
         self._confirmed = False
+        self._evidence: ArmEvidence | None = None
+        self._came_s: float | None = None
+        """When an arm came after a silence of which it is not known yet whether it is the same."""
         self._device: Device | None = None
         self._own_tool: tuple[float, ...] = NO_TOOL
         self._least_mm: float | None = None
         self._opened = False
+        self.arms = 0
         self.store: CellKeeper | None = None
         self.candidate: UserFrame | None = None
 
@@ -214,8 +228,7 @@ class CellControl(ControllerPart):
         """A device is opened: its own cell is to be confirmed before anything moves."""
         self._device = device
         self._name = "" if self.store is None else self.store.kept(device.arm_key())
-        self._confirmed = False
-        self._take_effect()
+        self.forget_arm()
 
     def end_device(self) -> None:
         """The device was closed by the operator: the cell stays chosen."""
@@ -224,8 +237,44 @@ class CellControl(ControllerPart):
 
     def forget_arm(self) -> None:
         """Have the cell confirmed again: what is heard next may be another arm."""
-        self._confirmed = False
+        self._confirmed, self._evidence, self._came_s = False, None, None
+        self.arms += 1
         self._take_effect()
+
+    def arm_came(self) -> None:
+        """Have the cell confirmed again, unless the arm shows that it is the one of before.
+
+        Until it has answered nothing moves.
+        """
+        in_force = self.confirmed or self._came_s is not None
+        self._confirmed, self._came_s = False, None
+        if in_force and self._evidence is not None:
+            self._came_s = self._context.clock()
+        else:
+            self.arms += 1
+        self._take_effect()
+
+    def _recognise(self) -> None:
+        """Keep what the arm of the cell shows of itself; after a silence compare it."""
+        connection, state = self._context.connection, self._context.state()
+        if self._came_s is None or self._evidence is None:
+            if self.confirmed and connection.arm is not None:
+                self._evidence = evidence_of(state, connection.handshake)
+            return
+        before_s, waits = self._evidence.heard_s, self.unconfirmed is not None
+        likeness = self._evidence.likeness(state, connection.handshake, self._came_s)
+        if likeness is Likeness.NOT_KNOWN:
+            return
+        silent_s, self._came_s = self._came_s - before_s, None
+        if likeness is Likeness.OTHER:
+            self._evidence = None
+            self.arms += 1
+            return
+        self._confirmed = True
+        self._take_effect()
+        if waits:
+            self._context.tell(CELL_STAYS, name=self._name, seconds=round(silent_s, 1))
+            self._context.refresh()
 
     # What the operator does -----------------------------------------------------------------
 
@@ -280,7 +329,7 @@ class CellControl(ControllerPart):
         if refusal := self._refused(self.unconfirmed, none, other, holding, check_cell(cell)):
             return refusal
         self._save(cell)
-        self._confirmed = True
+        self._confirmed, self._came_s = True, None
         self._take_effect()
         return self._done(record_start(self.change), CELL_CHANGED, cell.name)
 
@@ -341,8 +390,13 @@ class CellControl(ControllerPart):
             self._take_effect()
 
     def follow_arm(self) -> None:
-        """Follow what another program keeps; say that the hand with something held has opened."""
+        """Look at what another program keeps, whether it is the arm of before, at the gripper."""
         self._follow_kept()
+        self._recognise()
+        self._follow_gripper()
+
+    def _follow_gripper(self) -> None:
+        """Say that the gripper has opened although something is marked as held."""
         cell, gripper = self.cell, self._context.state().gripper
         opening_mm = None if gripper is None else gripper.value.opening_mm
         if cell is None or not cell.held or opening_mm is None:
@@ -411,7 +465,7 @@ class CellControl(ControllerPart):
             self.store.save(cell)
 
     def _put_in_force(self, name: str) -> None:
-        self._name, self._confirmed = name, True
+        self._name, self._confirmed, self._came_s = name, True, None
         if self._device is not None and self.store is not None:
             self.store.keep(self._device.arm_key(), name)
         self._take_effect()

@@ -22,6 +22,11 @@ CAPTURE_MOVING = Reason(
     "capture_moving",
     "The arm is not at rest: a pose that is taken now would be wrong. Wait until it stands still.",
 )
+CAPTURED_OF_ANOTHER = Reason(
+    "captured_of_another",
+    "The arm was silent or exchanged meanwhile, and may be another one: the points taken before "
+    "were dropped. Take them anew.",
+)
 CAPTURE_STALE = Reason(
     "capture_stale",
     "The pose is not heard any more: nothing was taken. Wait until the arm reports it again.",

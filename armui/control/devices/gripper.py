@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Final
 
+from armui.arm.arrivals import LATE_S
 from armui.arm.parameters import Parameter
 from armui.arm.quirks import why_not_by_firmware
 from armui.arm.refusal import Reason, Refusal
@@ -99,7 +100,8 @@ class _Travel:
     Attributes:
         target: Where it was sent, mm or degrees.
         last: Where it was seen last.
-        moved_s: When it was last seen to move.
+        moved_s: When it was last seen to move, or heard again after a gap in its feedback.
+        heard_s: When it was last heard.
         unit: Of both.
         effort: What it was sent with.
         started: The command; of a run, which tells of itself, there is none.
@@ -108,6 +110,7 @@ class _Travel:
     target: float
     last: float
     moved_s: float
+    heard_s: float
     unit: str
     effort: float
     started: Started | None = None
@@ -305,7 +308,8 @@ class GripperControl(ControllerPart):
             return self._context.refuse(LINK_LOST())
         self._drop_request()
         unit, started = figures.travel.unit, record_start(self.move)
-        self._travel = _Travel(asked, heard.travel, self._context.clock(), unit, effort, started)
+        now_s = self._context.clock()
+        self._travel = _Travel(asked, heard.travel, now_s, now_s, unit, effort, started)
         told = unit if uncalibrated else self._unit_shown(unit)
         self._context.tell(GRIPPER_SENT, started, value=travel, unit=told)
         return started
@@ -431,7 +435,7 @@ class GripperControl(ControllerPart):
         heard = self._heard()
         if heard is not None:
             now_s = self._context.clock()
-            self._travel = _Travel(target, heard.travel, now_s, heard.unit, effort)
+            self._travel = _Travel(target, heard.travel, now_s, now_s, heard.unit, effort)
 
     # A part of the controller -----------------------------------------------------------------
 
@@ -461,10 +465,12 @@ class GripperControl(ControllerPart):
             if now_s - travel.moved_s >= _STANDS_S:
                 self._lose(travel)  # it goes on telling itself in the other way
             return
-        if abs(heard.travel - travel.last) > _STILL:
-            travel.last, travel.moved_s = heard.travel, now_s
+        late = feedback.at_s - travel.heard_s > LATE_S
+        travel.heard_s = max(travel.heard_s, feedback.at_s)
+        if late or abs(heard.travel - travel.last) > _STILL:
+            travel.last, travel.moved_s = heard.travel, feedback.at_s
         gap = abs(heard.travel - travel.target)
-        stands = now_s - travel.moved_s >= _STANDS_S
+        stands = feedback.at_s - travel.moved_s >= _STANDS_S
         if not stands and (gap > _STILL or not heard.enabled):
             return
         there = heard.enabled and gap <= _THERE

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Final
 
+from armui.arm.state import PAUSE_S
 from armui.control.context import Context, ControllerPart
 from armui.control.events import Notice
 from armui.control.operating_state import LinkState
@@ -20,6 +22,15 @@ FRAMES_DROPPED = Notice(
     "frames_dropped",
     "{count} frames were lost before the program could read them ({total} since connecting): "
     "the computer is too busy, or the adapter too slow.",
+    Level.WARNING,
+    EventKind.ODDITY,
+    streams=True,
+)
+
+FEEDBACK_LATE = Notice(
+    "feedback_late",
+    "Feedback arrived late: no joint angles came for {value} ms. The computer, the adapter or the "
+    "bus was busy; nothing about the arm is concluded from that.",
     Level.WARNING,
     EventKind.ODDITY,
     streams=True,
@@ -97,3 +108,34 @@ class DroppedFrames(ControllerPart):
     def forget_arm(self) -> None:
         """Count from 0 again, as the next device does."""
         self._told, self._told_s = 0, None
+
+
+class LateFeedback(ControllerPart):
+    """Tells the first gap in the arrival of the angles at once, and the longest of 10 s later.
+
+    Shorter ones than :data:`PAUSE_S` end nothing and are not told; after half a second without any
+    feedback the arm is offline, and that is told instead.
+
+    Args:
+        context: The context that the controller's parts share.
+    """
+
+    def __init__(self, context: Context) -> None:
+        self._context = context
+        self._seen_s = self._told_s = -math.inf
+        self._longest_s = 0.0
+
+    def follow_arm(self) -> None:
+        """Look for another gap; called regularly while a device is open."""
+        context = self._context
+        gap, device, now_s = context.state().gap, context.connection.device, context.clock()
+        if gap is not None and gap.at_s > self._seen_s:
+            self._seen_s, self._longest_s = gap.at_s, max(self._longest_s, gap.value)
+        live = device is not None and device.recorded is None
+        if live and self._longest_s > PAUSE_S and now_s - self._told_s >= _EVERY_S:
+            context.tell(FEEDBACK_LATE, value=round(1e3 * self._longest_s))
+            self._told_s, self._longest_s = now_s, 0.0
+
+    def forget_arm(self) -> None:
+        """Forget what was not told yet: it was of another connection."""
+        self._longest_s = 0.0

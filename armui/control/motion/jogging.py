@@ -372,6 +372,8 @@ class Jogging(ControllerPart):
         )
         reason = stream.advance_setpoint(measured_deg, dt_s, present)
         if reason is not None and reason.reason == JOG_NOT_FOLLOWING:
+            if not context.connection.newest.in_time(context.clock()):
+                return  # it may have followed: its angles are late
             # an arm beyond its limits follows no target before the first within them
             reason = check_joints(stream.setpoint_deg, operating_state.limits) or reason
         target_deg = tuple(round(angle, 3) for angle in stream.setpoint_deg)

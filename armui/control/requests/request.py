@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import enum
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -44,6 +45,7 @@ class Request:
     attempts: int = 3
     passed: Pass | None = None
     _sent: int = 0
+    _sent_s: float = 0.0
     _next_s: float = 0.0
 
     def advance(self) -> RequestOutcome:
@@ -53,9 +55,14 @@ class Request:
             return RequestOutcome.DONE
         if now_s < self._next_s:
             return RequestOutcome.WAITING
+        gap = state.gap
+        if self._sent and gap is not None and gap.at_s > self._sent_s:
+            # what shows the effect may have been held up: it gets its time once more
+            self._sent_s, self._next_s = math.inf, now_s + self.repeat_s
+            return RequestOutcome.WAITING
         if self._sent == self.attempts:
             return RequestOutcome.TIMED_OUT
         self.context.connection.send(self.frames, passed=self.passed)
         self._sent += 1
-        self._next_s = now_s + self.repeat_s
+        self._sent_s, self._next_s = now_s, now_s + self.repeat_s
         return RequestOutcome.WAITING

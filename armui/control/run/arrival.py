@@ -66,7 +66,7 @@ class ArrivalWatch:
             return Arrival.REACHED
         if self._elsewhere_since_s is None:
             self._elsewhere_since_s = now_s
-        if now_s - self._elsewhere_since_s < _AT_REST_S:
+        if state.in_time_for_s(now_s, self._elsewhere_since_s) < _AT_REST_S:
             return Arrival.UNDER_WAY
         return RUN_ELSEWHERE(away=_away_text(self._point, state))
 

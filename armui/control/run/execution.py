@@ -15,7 +15,7 @@ from armui.control.motion_end import RUN_STOPPED, abort_motion, abort_motion_for
 from armui.control.operating_state import LINK_LOST
 from armui.control.operations.started import Ending
 from armui.control.run.progress import OVER, Progress, RunPhase
-from armui.control.safety.standstill import RestWatch
+from armui.control.safety.standstill import SETTLED_S, RestWatch
 from armui.protocol import commands
 from armui.protocol.codes import TrajectoryCommand
 from armui.telemetry.events import Asker, EventKind, Level
@@ -177,6 +177,12 @@ class Execution(QObject, ControllerPart):
         """Return whether the arm is measured to have come to rest since the motion was ended."""
         self._rest.observe(self._context.state(), self._context.clock())
         return self._rest.at_rest
+
+    @property
+    def _rest_shows(self) -> bool:
+        """Whether angles have arrived in time for long enough since then to show the rest."""
+        context = self._context
+        return context.state().in_time_for_s(context.clock(), self._since_s) > SETTLED_S
 
     @property
     def _codec(self) -> Codec:

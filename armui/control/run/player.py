@@ -303,7 +303,9 @@ class Player(Execution):
             self._send_point()
         elif arrival is Arrival.REACHED:
             self._arrive(run, now_s)
-        elif now_s - self._since_s > (limit_s := self._time_limit_s(schedule)):
+        elif now_s - self._since_s > (limit_s := self._time_limit_s(schedule)) and (
+            self._context.state().in_time(now_s)
+        ):
             self._fail(RUN_TOO_SLOW(seconds=round(limit_s)))
 
     def _time_limit_s(self, schedule: RunSchedule) -> float:
@@ -401,7 +403,7 @@ class Player(Execution):
             self._phase = RunPhase.STOPPED
             row = self._index + 1
             self._context.close(self._started, Ending.CUT_OFF, RUN_ENDED, row=row)
-        elif now_s - self._since_s > _REST_WITHIN_S:
+        elif now_s - self._since_s > _REST_WITHIN_S and self._rest_shows:
             self._fail(RUN_NOT_ENDED())
 
     def _end(self, phase: RunPhase) -> None:

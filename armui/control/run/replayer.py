@@ -268,7 +268,7 @@ class Replayer(Execution):
             self._fail(arrival)
         elif arrival is Arrival.REACHED:
             self._begin_stream(now_s)
-        elif self._waited_s > _APPROACH_WITHIN_S:
+        elif self._waited_s > _APPROACH_WITHIN_S and self._context.state().in_time(now_s):
             self._fail(RUN_TOO_SLOW(seconds=round(_APPROACH_WITHIN_S)))
 
     def _begin_stream(self, now_s: float) -> None:
@@ -318,8 +318,9 @@ class Replayer(Execution):
         gone_s = gap_s if gap_s <= _GAP_S else PERIOD_MS / 1e3
         self._change_pace(replay, gone_s)
         self._at_s = min(self._at_s + gone_s * self._pace, replay.duration_s)
-        behind = why_behind(replay, self._at_s, self._context.state())
-        if behind is not None:
+        state = self._context.state()
+        behind = why_behind(replay, self._at_s, state)
+        if behind is not None and state.in_time(now_s):
             self._fail(behind)
             return
         target_deg = replay.joints_deg_at(self._at_s)
@@ -392,7 +393,7 @@ class Replayer(Execution):
             else:
                 ending, notice = Ending.CUT_OFF, REPLAY_ENDED
             self._context.close(self._started, ending, notice, name=replay.recording.name)
-        elif now_s - self._since_s > _REST_WITHIN_S:
+        elif now_s - self._since_s > _REST_WITHIN_S and self._rest_shows:
             self._fail(RUN_NOT_ENDED())
 
     def _tell_failed(self, reason: Refusal, ending: Ending) -> None:

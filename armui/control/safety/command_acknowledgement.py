@@ -24,6 +24,8 @@ _AWAY_DEG: Final = 0.5
 """A nearer target may be where the arm stands already, sagging under its load."""
 _WITHIN_S: Final = 1.0
 """Within this time even the slowest motion shows, at 1 % of 180°/s."""
+_IN_TIME_S: Final = 0.5
+"""Of that time the angles have arrived in time for at least the last part, without a gap."""
 
 _SINGLE: Final = frozenset({CommandKind.JOINTS, CommandKind.POSE, CommandKind.JOG})
 """The kinds that are watched; runs and replays notice by themselves an arm that is elsewhere."""
@@ -76,7 +78,9 @@ class AcknowledgementMonitor:
         self._command = command
         # the setpoints of a jog follow one another: the first of them counts
         sent_s = self._since_s if command.kind is CommandKind.JOG else command.sent_s
-        if now_s - max(self._since_s, sent_s) < _WITHIN_S or not self._leads_away(command):
+        since_s = max(self._since_s, sent_s)
+        early = now_s - since_s < _WITHIN_S or state.in_time_for_s(now_s, since_s) < _IN_TIME_S
+        if early or not self._leads_away(command):
             return False
         self._command = None
         return True

@@ -167,6 +167,11 @@ class OverspeedWatch:
         samples = self._samples
         if not samples or last.at_s > samples[-1].at_s:
             samples.append(_Sample(last.at_s, angles_deg))
+        # across a gap in arrival, or reports that were held up, no speed is known
+        while samples and samples[0].at_s < state.in_time_since_s:
+            samples.popleft()
+        if not samples:
+            return None
         while len(samples) > 2 and samples[1].at_s <= last.at_s - _FOR_S:
             samples.popleft()
         first, newest = samples[0], samples[-1]

@@ -182,6 +182,8 @@ class ReferenceControl(ControllerPart):
         self._looked_s = -math.inf
         self._allowed_until_s = -math.inf
         self._left_over_deg: tuple[float, ...] | None = None
+        self._simulated: ReferenceRecord | None = None
+        """What is known of the simulated arm of this device: the next one is new."""
         self.check: ReferenceCheck | None = None
         self.record = ReferenceRecord()
         context.connection.add_listener(self._listener)
@@ -358,7 +360,7 @@ class ReferenceControl(ControllerPart):
         if connection.device is None or connection.device.recorded is not None:
             return
         if connection.arm != self._arm:
-            self.forget_arm()
+            self._leave()
             self._arm = connection.arm
         self._remember()
         stalled, self._looked_s = now_s - self._looked_s > _STALLED_S, now_s
@@ -379,7 +381,11 @@ class ReferenceControl(ControllerPart):
         self._allowed_until_s = -math.inf
 
     def forget_arm(self) -> None:
-        """Forget the arm; what is kept of it is kept."""
+        """Forget the arm; what is kept of it is kept, but a simulated arm ends with its device."""
+        self._leave()
+        self._simulated = None
+
+    def _leave(self) -> None:
         self._key = self._arm = self._left_over_deg = self.check = None
         self._allowed_until_s = -math.inf
         self.record = ReferenceRecord()
@@ -405,7 +411,7 @@ class ReferenceControl(ControllerPart):
         self._key = arm_key(connection.device, connection.generation, context.state().identity)
         if self._key is None or self._memory is None:
             return
-        kept, early = self._memory.get(self._key), self.record.doubtful
+        kept, early = self._recall(self._memory, self._key), self.record.doubtful
         if kept is not None:
             doubtful = tuple(sorted({*kept.doubtful, *early}))
             self.record = replace(kept, doubtful=doubtful)
@@ -415,10 +421,25 @@ class ReferenceControl(ControllerPart):
             self._keep(replace(self.record, doubted_at=self._now()))
         context.refresh()
 
+    def _recall(self, memory: ReferenceMemory, key: str) -> ReferenceRecord | None:
+        """Return what is kept of the arm; of a simulated one that began just now only its pose."""
+        kept = memory.get(key)
+        if not self._is_simulated:
+            return kept
+        return self._simulated or (None if kept is None else _lasting(kept))
+
+    @property
+    def _is_simulated(self) -> bool:
+        device = self._context.connection.device
+        return device is not None and device.simulated
+
     def _keep(self, record: ReferenceRecord) -> None:
         self.record = record
+        if self._is_simulated:
+            self._simulated = record
         if self._key is not None and self._memory is not None:
-            refusal = self._memory.keep(self._key, record)
+            lasting = _lasting(record) if self._is_simulated else record
+            refusal = self._memory.keep(self._key, lasting)
             if refusal is not None:
                 self._context.refuse(refusal)
 
@@ -465,3 +486,8 @@ class ReferenceControl(ControllerPart):
         recent = other.last_s is not None and now_s - other.last_s < _STALLED_S
         off = any_motor_off(state, now_s) is not False
         return led or other.drives or recent or off or len(now.limits) != len(JOINTS)
+
+
+def _lasting(record: ReferenceRecord) -> ReferenceRecord:
+    """Return what of a simulated arm's record outlives it: the operator's pose and photo."""
+    return ReferenceRecord(pose_deg=record.pose_deg, photo=record.photo)

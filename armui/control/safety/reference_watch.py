@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
+from armui.arm.arrivals import Arrivals
 from armui.arm.limits import JOINTS
 from armui.protocol.codec import Message
 from armui.telemetry.listener import Listener, ReceivedFrame
@@ -39,18 +40,22 @@ class AngleReport:
         at_s: When its frame was received.
         joint: The joint (1–6).
         angle_deg: Its angle.
+        in_time: False if it, or the one before it, was late in arriving: how the joint came there
+            from where it was reported before is not known.
     """
 
     at_s: float
     joint: int
     angle_deg: float
+    in_time: bool = True
 
 
 class AngleListener(Listener):
     """Keeps every reported angle, so that none is missed between two looks of the controller."""
 
     def __init__(self) -> None:
-        self._reports: deque[tuple[float, int, float, float]] = deque(maxlen=_MOST_WAITING)
+        self._reports: deque[tuple[float, int, float, float, bool]] = deque(maxlen=_MOST_WAITING)
+        self._arrivals = {first: Arrivals() for first in _PAIRS.values()}
 
     def on_heard(self, batch: Sequence[ReceivedFrame]) -> None:
         """Keep the angles in a batch of frames; called by the bus thread."""
@@ -58,14 +63,15 @@ class AngleListener(Listener):
             if isinstance(heard, Message) and (first := _PAIRS.get(heard.name)) is not None:
                 signals = heard.signals
                 pair = signals[f"J{first}"], signals[f"J{first + 1}"]
-                self._reports.append((at_s, first, *pair))
+                self._reports.append((at_s, first, *pair, self._arrivals[first].note(at_s)))
 
     def take_reports(self) -> list[AngleReport]:
         """Return the angles reported since the last call."""
         taken = []
         while self._reports:
-            at_s, first, one, other = self._reports.popleft()
-            taken += [AngleReport(at_s, first, one), AngleReport(at_s, first + 1, other)]
+            at_s, first, one, other, in_time = self._reports.popleft()
+            taken.append(AngleReport(at_s, first, one, in_time))
+            taken.append(AngleReport(at_s, first + 1, other, in_time))
         return taken
 
 
@@ -121,11 +127,9 @@ class _Joint:
         self.between: tuple[float, float] | None = None
         self.last: tuple[float, float] | None = None
         self.suspicion: _Suspicion | None = None
-        self._gap_s = 0.0
 
     def exempt(self) -> None:
         self.between = self.last = self.suspicion = None
-        self._gap_s = 0.0
 
     def extend(self, target_deg: float | None) -> None:
         if target_deg is None:
@@ -143,16 +147,15 @@ class _Joint:
             angle = min(max(angle, self.between[0]), self.between[1])
         self.between = angle, angle
 
-    def report(self, at_s: float, angle_deg: float, top_speed_deg_s: float) -> None:
+    def report(self, report: AngleReport, top_speed_deg_s: float) -> None:
+        at_s, angle_deg = report.at_s, report.angle_deg
         before, self.last = self.last, (at_s, angle_deg)
-        place_deg = angle_deg if before is None else before[1]
-        jumps = False
-        if before is not None:
-            since_s = max(0.0, at_s - before[0])
-            # frames that were held back come all at once: the gap before them counts for them, too
-            self._gap_s = max(since_s, self._gap_s - since_s)
-            reach_deg = LEFT_DEG + _FASTER * top_speed_deg_s * (since_s + self._gap_s)
-            jumps = abs(angle_deg - before[1]) > reach_deg
+        if before is None or not report.in_time:
+            return  # the next one shows whether it stays there
+        place_deg = before[1]
+        since_s = max(0.0, at_s - before[0])
+        reach_deg = LEFT_DEG + _FASTER * top_speed_deg_s * since_s
+        jumps = abs(angle_deg - before[1]) > reach_deg
         left = False
         if self.between is not None:
             low, high = self.between
@@ -197,7 +200,7 @@ class ReferenceWatch:
                 watched.extend(None if arm.target_deg is None else arm.target_deg[joint - 1])
         for report in reports:
             top_deg_s = arm.top_speed_deg_s[report.joint - 1]
-            self._joints[report.joint].report(report.at_s, report.angle_deg, top_deg_s)
+            self._joints[report.joint].report(report, top_deg_s)
         found = [self._confirm(joint, arm) for joint in JOINTS]
         if arm.at_rest:
             for watched in self._joints.values():

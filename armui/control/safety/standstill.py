@@ -35,15 +35,18 @@ STILL_DEG_S: Final = 1.0
 
 @dataclass(slots=True)
 class _Standing:
-    """Where the joints stand, since when, and when they were last measured there."""
+    """Where the joints stand, since when, and whether that was measured for long enough."""
 
     angles_deg: Sequence[float]
     since_s: float
-    measured_s: float
+    rests: bool = False
 
 
 class RestWatch:
     """Compares the measured angles over time.
+
+    Joints come to rest only in angles that arrive in time: what they did in a gap is not known.
+    Those that are found where they rested before the gap still rest.
 
     Args:
         within_deg: The most that a joint may move and still count as standing.
@@ -65,15 +68,13 @@ class RestWatch:
             return
         standing = self._standing
         if standing is None or _apart(angles_deg, standing.angles_deg, self._within_deg):
-            self._standing = _Standing(angles_deg, measured_s, measured_s)
-        else:
-            standing.measured_s = measured_s
+            standing = self._standing = _Standing(angles_deg, measured_s)
+        standing.rests |= state.in_time_for_s(now_s, standing.since_s) >= self._for_s
 
     @property
     def at_rest(self) -> bool:
         """True if no joint has moved recently."""
-        standing = self._standing
-        return standing is not None and standing.measured_s - standing.since_s >= self._for_s
+        return self._standing is not None and self._standing.rests
 
     def reset(self) -> None:
         """Forget the measured angles."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Final
 
@@ -209,7 +210,7 @@ class Stopping:
             self._tell(STOP_UNDONE)
             if self.stop_again:
                 self.stop()
-        self._follow_halt(now_s, still=still)
+        self._follow_halt(state, now_s, still=still)
 
     def state(self, state: ArmState, now_s: float, *, resuming: bool) -> StopState:
         """Return the state of the stop; see :meth:`EmergencyStop.state`."""
@@ -278,13 +279,13 @@ class Stopping:
             TeachingPhase.PAUSED,
         }
 
-    def _follow_halt(self, now_s: float, *, still: bool) -> None:
+    def _follow_halt(self, state: ArmState, now_s: float, *, still: bool) -> None:
         if self._halted_s is None:
             return
         if still:
             self._halted_s = None
             self._close(self._halt_started, Ending.DONE, HALT_AT_REST)
-        elif now_s - self._halted_s > _AT_REST_S:
+        elif now_s - max(self._halted_s, _gap_ended_s(state)) > _AT_REST_S:
             self._halted_s = None  # the authority reports a cancel without effect
             if self._halt_started is not None:
                 self._halt_started.close(Ending.FAILED)
@@ -304,3 +305,8 @@ class Stopping:
         self, started: Started | None, ending: Ending, notice: Notice, **params: object
     ) -> None:
         close_and_tell(self._tell, self._clock(), started, ending, notice, **params)
+
+
+def _gap_ended_s(state: ArmState) -> float:
+    """Return when feedback last came back after a gap: only from then on rest can be measured."""
+    return -math.inf if state.gap is None else state.gap.at_s

@@ -313,6 +313,7 @@ class NamedTab(CellTab):
     def show_state(self, _state: ArmState) -> None:
         """Show what the present pose would tell in the search."""
         if self._search is not None and self._search.isVisible():
+            self._search.drop_others()
             self._search.show_live()
 
     def _show_news(self) -> None:

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QWidget
 
 from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
+from armui.control.cell.cell_reasons import CAPTURED_OF_ANOTHER
 from armui.ui.panels.cell.cell_tab import NARROW_PX, Answered, hint_label
 from armui.ui.widgets.buttons import push_button
 from armui.ui.widgets.text_label import text_label
@@ -38,6 +39,7 @@ class PointSearch(Translated, QWidget):
         self._controller = controller
         self._answered = answered
         self._why_not = ""
+        self._arms = controller.cell.arms
         self._next = hint_label(f"{name}_next", lines=3)
         self._live = text_label(f"{name}_live", rank="muted", wraps=True)
         self._result = text_label(f"{name}_result", wraps=True)
@@ -55,6 +57,15 @@ class PointSearch(Translated, QWidget):
     def restart(self) -> None:
         """Forget the points."""
         raise NotImplementedError
+
+    def drop_others(self) -> bool:
+        """Drop the points of an arm that may be another one by now; return whether that was so."""
+        arms, self._arms = self._arms, self._controller.cell.arms
+        if arms == self._arms or not self._restart.isEnabled():
+            return False
+        self.restart()
+        self._answered(CAPTURED_OF_ANOTHER())
+        return True
 
     def show_chosen(self, chosen: Any, why_not: str) -> None:
         """Show which tool or frame the result can be put in the place of.
@@ -74,6 +85,8 @@ class PointSearch(Translated, QWidget):
 
     def _captured(self, then: Callable[[Pose], object]) -> None:
         """Take the measured pose of the flange, or say why it cannot be taken."""
+        if self.drop_others():
+            return
         pose = self._controller.cell.capture()
         if isinstance(pose, Refusal):
             self._answered(pose)
@@ -83,6 +96,6 @@ class PointSearch(Translated, QWidget):
         self._show()
 
     def _on_apply(self, *, anew: bool) -> None:
-        found = self.found()
+        found = None if self.drop_others() else self.found()
         if isinstance(found, tuple):
             self.applied.emit(found, anew)
