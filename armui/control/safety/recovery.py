@@ -303,7 +303,7 @@ class Recovery(ControllerPart):
         if attempt is None:
             return step
         if step.kind is StepKind.WORKING:
-            return replace(attempt.step, waiting=True)
+            return replace(attempt.step, waiting=True, motion=step.motion)
         if step.kind is not attempt.step.kind or step.joints != attempt.step.joints:
             self._give_up()
             return step

@@ -9,6 +9,7 @@ from typing import ClassVar, Final
 
 from armui.arm.refusal import Refusal
 from armui.control.events import Level
+from armui.control.safety.uncommanded_motion import UncommandedMotion
 from armui.system.sentence import Sentence
 
 
@@ -394,6 +395,7 @@ class Step:
         joints: The joints it is about, where some are.
         waiting: True if the action was taken and the arm has not shown it yet.
         failed: The reason why the action came to nothing, once it was taken.
+        motion: What the arm is measured to do meanwhile, though nothing holds it or told it to.
     """
 
     kind: StepKind
@@ -404,6 +406,7 @@ class Step:
     waiting: bool = False
     failed: Refusal | None = None
     alternative: Action | None = None
+    motion: UncommandedMotion | None = None
 
     @property
     def actions(self) -> frozenset[Action]:

@@ -135,11 +135,16 @@ class RecoveryLine(Translated, QWidget):
     @property
     def says_more_than_a_run(self) -> bool:
         """True if the step has to be seen beside the strip of a run."""
-        return self._asks or self._step.kind not in _OF_A_RUN
+        return self._asks or self._warns or self._step.kind not in _OF_A_RUN
 
     @property
     def _is_calm(self) -> bool:
-        return self._step.kind in _CALM and not self._asks
+        return self._step.kind in _CALM and not self._asks and not self._warns
+
+    @property
+    def _warns(self) -> bool:
+        """True if the arm moves by itself, or may."""
+        return self._step.motion is not None and self._step.motion.is_danger
 
     @property
     def _asks(self) -> bool:

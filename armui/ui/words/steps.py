@@ -5,12 +5,13 @@ from __future__ import annotations
 from armui.control.safety.recovery_steps import Action, Step
 from armui.ui.words import arm
 from armui.ui.words.arm import held_target, other_mode
+from armui.ui.words.motion import uncommanded_motion
 from armui.ui.words.refusals import refusal, under_way
 from armui.ui.words.text import said, sentence
 
 
 def step(this: Step) -> str:
-    """Return the obstacle and the remedy, preceded by the result of the last attempt."""
+    """Return the obstacle and the remedy, preceded by what the arm does and the last attempt."""
     params: dict[str, object] = dict(this.params)
     if isinstance(mode := params.get("mode"), int):
         params["mode"] = arm.control_mode(mode)
@@ -27,7 +28,9 @@ def step(this: Step) -> str:
     told = this.kind.value
     source = told.source if this.joints else told.somewhere or told.source
     text = sentence(told.context, source, params)
-    return text if this.failed is None else f"{refusal(this.failed)} {text}"
+    failed = "" if this.failed is None else refusal(this.failed)
+    moves = "" if this.motion is None else uncommanded_motion(this.motion)
+    return " ".join(filter(None, (moves, failed, text)))
 
 
 def step_action(action: Action) -> str:
