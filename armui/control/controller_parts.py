@@ -219,7 +219,12 @@ class ControllerParts(QObject):
     @cached_property
     def sinking(self) -> SinkingControl:
         """Tells as long as the arm moves though no motor holds it or nothing told it to."""
-        return SinkingControl(self._context, self.jog_floor.height_mm, self.area_guard.below)
+        return SinkingControl(
+            self._context,
+            self.jog_floor.height_mm,
+            lambda: self.cell.rising,
+            self.area_guard.below,
+        )
 
     @cached_property
     def mode_exit(self) -> ModeExitCommand:

@@ -331,19 +331,19 @@ class StepKind(enum.Enum):
     )
     BEYOND_LIMIT = StepText(
         "beyond_limit",
-        "Joint {joints} beyond its limit. The arm stands still; send a target within the limits.",
+        "Joint {joints} beyond its limit: the target was not taken. Send one within the limits.",
     )
     TARGET_BEYOND_LIMIT = StepText(
         "target_beyond_limit",
-        "The last target is beyond a limit. The arm stands still; send another target.",
+        "The last target is beyond a limit and was not taken. Send another one.",
     )
     NO_SOLUTION = StepText(
         "no_solution",
-        "The last target has no solution. The arm stands still; send another target.",
+        "The last target has no solution and was not taken. Send another one.",
     )
     SINGULARITY = StepText(
         "singularity",
-        "The way to the last target is singular. The arm stands still; send another target, or by "
+        "The way to the last target is singular, and it was not taken. Send another target, or by "
         "joints.",
     )
     RUN_PAUSED = StepText("run_paused", "Paused: hold “Continue” for 1 s")

@@ -21,8 +21,8 @@ ALL_JOINTS: Final = tuple(JOINTS)
 SHOWN_AGAIN_S: Final = 0.25
 """Figures are shown anew this often, so that they can be read."""
 
-_MOVED_DEG: Final = 0.1
-"""A joint this far from where it stood has moved; however slowly, it comes to that."""
+_MOVED_DEG: Final = 0.2
+"""A joint this far from where it stood has moved: more than a limp one trembles."""
 _SAGGED_DEG: Final = 1.0
 """The same with power: under a new load a joint gives way by half a degree and holds."""
 _REST_S: Final = 0.5
@@ -33,8 +33,6 @@ _SHORTEST_S: Final = 0.05
 _JUMP_DEG: Final = 2.0
 _JUMP_DEG_S: Final = 400.0
 """No joint turns that fast: the angles are counted from another zero, and nothing has moved."""
-_DOWNWARDS: Final = 0.1
-"""A way of which at least this share leads down is sinking."""
 _BY_WEIGHT: Final = frozenset({Unheld.STOPPED, Unheld.MOTORS_OFF, Unheld.NOT_TOLD})
 """Where a way down is the arm's weight: elsewhere a motor or a hand may have led it."""
 _SOON_S: Final = 10.0
@@ -78,6 +76,8 @@ class SinkingWatch:
         height_mm: Returns the height of the lowest of flange, fingertip and held object at six
             angles.
         flange_mm: Returns the place of the flange at six angles.
+        weight_mm: Returns the height of the arm's weight at six angles, near enough to tell whether
+            it comes down.
         below: Returns the names of what is below the arm; "" for nothing.
 
     Attributes:
@@ -90,10 +90,12 @@ class SinkingWatch:
         self,
         height_mm: Callable[[Sequence[float]], float],
         flange_mm: Callable[[Sequence[float]], Sequence[float]],
+        weight_mm: Callable[[Sequence[float]], float],
         below: Callable[[], str],
     ) -> None:
         self._height_mm = height_mm
         self._flange_mm = flange_mm
+        self._weight_mm = weight_mm
         self._below = below
         self._rest = RestWatch(for_s=_REST_S)
         self.reset()
@@ -125,9 +127,9 @@ class SinkingWatch:
         if watched.cause is None:
             self._let_rest(watched)
             return
-        if self._cause is None or watched.joints != self._joints:
-            self._begin_cause(watched)
-        self._cause = watched.cause
+        if self._cause is None:
+            self._count_from_here()
+        self._cause, self._joints = watched.cause, watched.joints
         self._judge(watched, fresh=fresh)
 
     # What arrives -----------------------------------------------------------------------------
@@ -176,19 +178,13 @@ class SinkingWatch:
 
     # What is made of it -----------------------------------------------------------------------
 
-    def _begin_cause(self, watched: WatchedMotion) -> None:
-        """Count from here on: it moves by itself only from now."""
-        self._end(watched.now_s, at_rest=False)
-        self._joints = watched.joints
-        if self._samples:
-            self._anchor_deg = self._samples[-1].joints_deg
-        self._stands = self._rest.at_rest
-
     def _let_rest(self, watched: WatchedMotion) -> None:
         """Follow an arm that is held, or moved by a command: it is where it is."""
         self._end(watched.now_s, at_rest=False)
-        self._cause = self.motion = None
-        self._joints = watched.joints
+        self._cause, self._joints = None, watched.joints
+        self._count_from_here()
+
+    def _count_from_here(self) -> None:
         if self._samples:
             self._anchor_deg = self._samples[-1].joints_deg
         self._stands = self._rest.at_rest
@@ -199,10 +195,11 @@ class SinkingWatch:
         newest = self._samples[-1]
         if self._since_s is not None and self._rest.at_rest:
             self._end(watched.now_s - _REST_S, at_rest=True)
-            self._anchor_deg, self._stands = newest.joints_deg, True
+            self._count_from_here()
         if self._since_s is None:
-            self._stands = self._stands or self._rest.at_rest
-            if fresh and self._turned(newest)[1] > self._threshold_deg:
+            at_rest = self._rest.at_rest
+            self._stands = self._stands or at_rest
+            if fresh and not at_rest and self._turned(newest)[1] > self._threshold_deg:
                 self._since_s, self._shown_s = watched.now_s, -math.inf
             elif not self._stands and watched.cause is not Unheld.NOT_TOLD:
                 self.motion = UncommandedMotion(MotionKind.UNMEASURED, watched.cause)
@@ -231,7 +228,7 @@ class SinkingWatch:
         speed_mm_s, leads_down = pace
         if self._cause is Unheld.LED:
             kind = MotionKind.LED
-        elif leads_down and whole.down_mm > 0 and self._cause in _BY_WEIGHT:
+        elif leads_down and self._cause in _BY_WEIGHT:
             kind = MotionKind.SINKS
         else:
             kind = MotionKind.MOVES
@@ -245,7 +242,12 @@ class SinkingWatch:
         joint, turned_deg = self._turned(newest)
         kind = MotionKind.MOVES if self.motion is None else self.motion.kind
         return UncommandedMotion(
-            kind, self._cause, max(0, int(since_s)), round(down_mm), joint, round(turned_deg, 1)
+            kind,
+            self._cause,
+            max(0, round(since_s)),
+            max(0, round(down_mm)),
+            joint,
+            round(turned_deg, 1),
         )
 
     def _end(self, ended_s: float, *, at_rest: bool) -> None:
@@ -256,7 +258,10 @@ class SinkingWatch:
         self._since_s = self.motion = None
 
     def _pace(self) -> tuple[float, bool] | None:
-        """Return the speed of the flange in mm/s, and whether it leads down; ``None``: unknown."""
+        """Return the speed of the flange in mm/s, and whether the arm's weight comes down.
+
+        ``None``: too little was measured. The hand may swing up where forearm and upper arm sink.
+        """
         if len(self._samples) < 2:
             return None
         first, newest = self._samples[0], self._samples[-1]
@@ -265,8 +270,7 @@ class SinkingWatch:
             return None
         before_deg, now_deg = self._alone(first), self._alone(newest)
         way_mm = math.dist(self._flange_mm(before_deg), self._flange_mm(now_deg))
-        fallen_mm = self._height_mm(before_deg) - self._height_mm(now_deg)
-        return way_mm / passed_s, fallen_mm > _DOWNWARDS * way_mm
+        return way_mm / passed_s, self._weight_mm(now_deg) < self._weight_mm(before_deg)
 
     def _alone(self, sample: _Sample) -> tuple[float, ...]:
         """Return the angles as if only those joints had moved that this is about."""
@@ -290,7 +294,7 @@ class SinkingWatch:
             self._last_mm_s = 0 if self._rest.at_rest else moved_mm_s
         since_s = now_s - self._samples[-1].at_s
         step_s = 1 if since_s < _SOON_S else 5 if since_s < _LATER_S else 60
-        seconds = int(since_s / step_s) * step_s
+        seconds = max(1, int(since_s / step_s) * step_s)
         self.motion = UncommandedMotion(
             MotionKind.UNHEARD, seconds=seconds, speed_mm_s=self._last_mm_s
         )

@@ -15,11 +15,12 @@ from armui.control.safety.emergency_stop import is_stopped
 from armui.control.safety.feedback_freshness import in_drag_teaching
 from armui.control.safety.sinking import ALL_JOINTS, SinkingWatch, WatchedMotion
 from armui.control.safety.uncommanded_motion import MotionKind, UncommandedMotion, Unheld
-from armui.kinematics.forward import flange_rows
+from armui.kinematics.forward import flange_rows, joint_places
 from armui.protocol.codes import ControlMode
 from armui.telemetry.events import Asker, EventKind, Level
 
 if TYPE_CHECKING:
+    from armui.arm.models import Rising
     from armui.arm.state import Status
     from armui.control.context import Context
     from armui.control.operating_state import OperatingState
@@ -100,6 +101,7 @@ class SinkingControl(ControllerPart):
         context: The context that the controller's parts share.
         height_mm: Returns the height of the lowest of flange, fingertip and held object at six
             angles.
+        rising: Returns how the base stands in the room.
         below: Returns the names of the parts of the work area below the arm; "" for none.
     """
 
@@ -107,11 +109,13 @@ class SinkingControl(ControllerPart):
         self,
         context: Context,
         height_mm: Callable[[Sequence[float]], float],
+        rising: Callable[[], Rising],
         below: Callable[[], str],
     ) -> None:
         self._context = context
+        self._rising = rising
         self._look_below = below
-        self._watch = SinkingWatch(height_mm, self._flange_mm, self._below)
+        self._watch = SinkingWatch(height_mm, self._flange_mm, self._weight_mm, self._below)
         self._below_now = ""
         self._reset()
 
@@ -139,6 +143,7 @@ class SinkingControl(ControllerPart):
         if not heard and device.recorded is not None:
             self._reset()  # a log that stands still, or is jumped in
             return
+        self._expects_motion |= not heard
         cause, joints = self._cause(now) if heard else (None, ALL_JOINTS)
         self._watch.observe(
             WatchedMotion(
@@ -198,6 +203,16 @@ class SinkingControl(ControllerPart):
     def _flange_mm(self, joints_deg: Sequence[float]) -> Sequence[float]:
         rows = flange_rows(self._context.operating_state().model_fit.geometry, joints_deg)
         return rows[3::4]
+
+    def _weight_mm(self, joints_deg: Sequence[float]) -> float:
+        """Return the mean height of elbow, wrist and flange: where they come down, so does it."""
+        geometry = self._context.operating_state().model_fit.geometry
+        up = self._rising()[:3]
+        heights_mm: list[float] = [
+            sum(part * value for part, value in zip(up, place, strict=True))
+            for place in joint_places(geometry, joints_deg)
+        ]
+        return sum(heights_mm) / len(heights_mm)
 
     def _below(self) -> str:
         """Return what is below, looked at once a second: it asks every part of the area."""

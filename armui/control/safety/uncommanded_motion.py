@@ -49,7 +49,8 @@ class UncommandedMotion:
         kind: What is seen.
         cause: Why it may move; ``None`` of an arm that is not heard.
         seconds: The time since it began to move, or since it was last heard.
-        down_mm: How far the lowest of flange, fingertip and held object has come down meanwhile.
+        down_mm: How far the lowest of flange, fingertip and held object has come down meanwhile;
+            0 if it has not.
         joint: The joint (1–6) that has turned furthest.
         turned_deg: How far that joint has turned.
         speed_mm_s: The speed of the flange now, or when it was last heard; 0: it stood still,

@@ -35,7 +35,7 @@ from armui.ui.words.motion import (
     uncommanded_motion_word,
 )
 from armui.ui.words.refusals import file_error, point_figure, refusal, why_not
-from armui.ui.words.steps import step, step_action, step_danger, step_question
+from armui.ui.words.steps import step, step_action, step_danger, step_question, step_texts
 
 __all__ = [
     "arm_kind",
@@ -64,6 +64,7 @@ __all__ = [
     "step_action",
     "step_danger",
     "step_question",
+    "step_texts",
     "teaching",
     "teaching_command",
     "teaching_now",

@@ -5,13 +5,29 @@ from __future__ import annotations
 from armui.control.safety.recovery_steps import Action, Step
 from armui.ui.words import arm
 from armui.ui.words.arm import held_target, other_mode
-from armui.ui.words.motion import uncommanded_motion
+from armui.ui.words.motion import uncommanded_motion, uncommanded_motion_short
 from armui.ui.words.refusals import refusal, under_way
 from armui.ui.words.text import said, sentence
 
 
 def step(this: Step) -> str:
     """Return the obstacle and the remedy, preceded by what the arm does and the last attempt."""
+    return step_texts(this)[0]
+
+
+def step_texts(this: Step) -> tuple[str, ...]:
+    """Return the same in full and then shorter and shorter; what the arm does is in all of them."""
+    text = _obstacle(this)
+    if this.motion is None:
+        return (text,)
+    moves, short = uncommanded_motion(this.motion), uncommanded_motion_short(this.motion)
+    if not moves:
+        return (text,)
+    return f"{moves} {text}", f"{short}. {text}", moves, short
+
+
+def _obstacle(this: Step) -> str:
+    """Return the obstacle and the remedy, preceded by the result of the last attempt."""
     params: dict[str, object] = dict(this.params)
     if isinstance(mode := params.get("mode"), int):
         params["mode"] = arm.control_mode(mode)
@@ -28,9 +44,7 @@ def step(this: Step) -> str:
     told = this.kind.value
     source = told.source if this.joints else told.somewhere or told.source
     text = sentence(told.context, source, params)
-    failed = "" if this.failed is None else refusal(this.failed)
-    moves = "" if this.motion is None else uncommanded_motion(this.motion)
-    return " ".join(filter(None, (moves, failed, text)))
+    return text if this.failed is None else f"{refusal(this.failed)} {text}"
 
 
 def step_action(action: Action) -> str:
