@@ -28,6 +28,7 @@ from armui.control.run.progress import RunPhase
 from armui.control.safety import interlocks
 from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN, SPEED_ZERO
 from armui.control.safety.reference_status import ReferenceStatus
+from armui.control.safety.uncommanded_motion import UncommandedMotion
 from armui.protocol.generation import Generation
 
 
@@ -73,6 +74,7 @@ class AssessmentInputs:
     keeps_area: bool = False
     offsets: OffsetFollower = field(default_factory=OffsetFollower)
     reference: ReferenceStatus = field(default_factory=ReferenceStatus)
+    uncommanded: UncommandedMotion | None = None
 
 
 def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> OperatingState:
@@ -150,6 +152,7 @@ def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> Operating
         outside=_outside(state, limits),
         intrusion=around.intrusion,
         keeps_area=around.keeps_area,
+        uncommanded=around.uncommanded,
         reference=replace(
             reference, cannot_drive=cannot_drive or (RUN_UNDER_WAY() if tasks.running else held)
         ),

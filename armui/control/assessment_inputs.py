@@ -104,6 +104,7 @@ class Assessor:
             intrusion=controller.area_guard.intrusion(controller.state),
             keeps_area=controller.area_guard.area is not None,
             reference=controller.reference.status,
+            uncommanded=controller.sinking.motion,
             authority=self._watch.authority,
             other_host=self._watch.report(),
             tasks=ActiveTasks(

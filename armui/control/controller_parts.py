@@ -44,6 +44,7 @@ from armui.control.run.speed_override import SpeedOverride
 from armui.control.safety.gate import Gate
 from armui.control.safety.mode_exit import ModeExitCommand
 from armui.control.safety.recovery import Recovery
+from armui.control.safety.sinking_control import SinkingControl
 from armui.control.sessions.session_recorder import SessionRecorder
 
 if TYPE_CHECKING:
@@ -241,6 +242,16 @@ class ControllerParts(QObject):
         )
 
     @cached_property
+    def sinking(self) -> SinkingControl:
+        """Tells as long as the arm moves though no motor holds it or nothing told it to."""
+        return SinkingControl(
+            self._context,
+            self.jog_floor.height_mm,
+            lambda: self.cell.rising,
+            self.area_guard.below,
+        )
+
+    @cached_property
     def mode_exit(self) -> ModeExitCommand:
         """Takes the arm out of another host's mode."""
         return ModeExitCommand(self._context, lambda: self.motion.speed_percent)
@@ -343,6 +354,7 @@ class ControllerParts(QObject):
             self.settings,
             self.teaching,
             self.reference,
+            self.sinking,
             self.mode_exit,
             self._dropped_frames,
             self._late_feedback,

@@ -16,6 +16,7 @@ from armui.control.cell.intrusion import AreaIntrusion
 from armui.control.motion.motion_command import Hold, Mover, why_held
 from armui.control.run.progress import RunPhase
 from armui.control.safety.reference_status import ReferenceStatus
+from armui.control.safety.uncommanded_motion import UncommandedMotion
 from armui.protocol.addressing import Addressing
 from armui.protocol.generation import Generation, PiperModel
 
@@ -174,6 +175,8 @@ class OperatingState:
         intrusion: Where the arm is too near to its work area, or ``None``.
         keeps_area: True if a plane or a box of the work area is switched on.
         unconfirmed_cell: Why the cell kept for the adapter is not in force yet; nothing moves then.
+        uncommanded: What is measured of an arm that moves though no motor holds it or nothing told
+            it to, and of one that is not heard; ``None``: it is held, or measured at rest.
         teaching_input: Commands are heard and no feedback: the arm is a teaching input (0x470).
     """
 
@@ -221,6 +224,7 @@ class OperatingState:
     keeps_area: bool = False
     reference: ReferenceStatus = field(default_factory=ReferenceStatus)
     unconfirmed_cell: Refusal | None = None
+    uncommanded: UncommandedMotion | None = None
 
     @property
     def unreachable(self) -> Refusal | None:

@@ -153,6 +153,12 @@ def flange_rows(geometry: Geometry, joints_deg: Sequence[float]) -> list[float]:
     return [figure for row in rows for figure in row]
 
 
+def joint_places(geometry: Geometry, joints_deg: Sequence[float]) -> tuple[Vector, Vector, Vector]:
+    """Return the places of elbow, wrist and flange in the base in mm, at six joint angles."""
+    arm = _plane_vectors(geometry, joints_deg, math.cos, math.sin, math.radians)
+    return arm.turned(arm.elbow), arm.turned(arm.wrist), arm.turned(arm.flange)
+
+
 def flange_heights(geometry: Geometry, joints_deg: Matrix) -> Matrix:
     """Return (…) the heights of the flange in mm at (…, 6) joint angles, without the rest."""
     height: Matrix = plane_vectors(geometry, joints_deg).flange[2]

@@ -2378,6 +2378,10 @@
         <translation>其反馈 ID 从 {feedback} 起，详见“联动控制”。</translation>
     </message>
     <message>
+        <source>May be moving</source>
+        <translation>可能仍在运动</translation>
+    </message>
+    <message>
         <source>Choose a device</source>
         <translation>选择设备</translation>
     </message>
@@ -7678,6 +7682,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>零点设置失败。{reason}</translation>
     </message>
     <message>
+        <source>Connection to {device} lost: the arm is not heard, and it may be moving. The program keeps trying to reconnect. {reason}</source>
+        <translation>与 {device} 的连接断开：收不到反馈，机械臂可能仍在运动。程序会不断尝试重新连接。{reason}</translation>
+    </message>
+    <message>
         <source>Sent MOVE P (base) to X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°</source>
         <translation>已发送 MOVE P：基坐标系 X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°</translation>
     </message>
@@ -7728,6 +7736,46 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Reference check left without a result: it counts as not done.</source>
         <translation>零位基准检查未完成便已退出，视为未检查。</translation>
+    </message>
+    <message>
+        <source>The arm sinks, and no motor holds it. Hold it. Below it: {below}.</source>
+        <translation>机械臂正在下沉，没有电机支撑。请扶住。下方：{below}。</translation>
+    </message>
+    <message>
+        <source>The arm sinks though its motors are on. Hold it. Below it: {below}.</source>
+        <translation>电机已使能，但机械臂仍在下沉。请扶住。下方：{below}。</translation>
+    </message>
+    <message>
+        <source>The arm sinks on: {down} mm in {seconds} s, joint {joint} by {turned}°, now at {speed} mm/s.</source>
+        <translation>机械臂继续下沉：{seconds} 秒内下沉 {down} mm，关节 {joint} 转动 {turned}°，当前 {speed} mm/s。</translation>
+    </message>
+    <message>
+        <source>The arm moves, and no motor holds it: joint {joint} by {turned}°.</source>
+        <translation>机械臂在运动，且没有电机支撑：关节 {joint} 转动 {turned}°。</translation>
+    </message>
+    <message>
+        <source>The arm moves, and nothing told it to: joint {joint} by {turned}°.</source>
+        <translation>没有任何指令，机械臂却在运动：关节 {joint} 转动 {turned}°。</translation>
+    </message>
+    <message>
+        <source>The arm moves on: joint {joint} by {turned}° in {seconds} s, now at {speed} mm/s.</source>
+        <translation>机械臂继续运动：{seconds} 秒内关节 {joint} 转动 {turned}°，当前 {speed} mm/s。</translation>
+    </message>
+    <message>
+        <source>The arm is measured at rest: in {seconds} s it came down by {down} mm, joint {joint} turned by {turned}°.</source>
+        <translation>测得机械臂已静止：{seconds} 秒内下降 {down} mm，关节 {joint} 转动 {turned}°。</translation>
+    </message>
+    <message>
+        <source>The arm is held again: in {seconds} s it came down by {down} mm, joint {joint} turned by {turned}°.</source>
+        <translation>机械臂重新被电机支撑：{seconds} 秒内下降 {down} mm，关节 {joint} 转动 {turned}°。</translation>
+    </message>
+    <message>
+        <source>The arm moved at {speed} mm/s when it was last heard: it may be moving.</source>
+        <translation>最后一次收到反馈时机械臂以 {speed} mm/s 运动：它可能仍在运动。</translation>
+    </message>
+    <message>
+        <source>The outstanding emergency stop was withdrawn; the arm has not confirmed it.</source>
+        <translation>未完成的急停已撤销；机械臂尚未确认急停。</translation>
     </message>
     <message>
         <source>Own home set: {angles}</source>
@@ -7818,10 +7866,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>已断开 {device}</translation>
     </message>
     <message>
-        <source>Connection to {device} lost; the program keeps trying to reconnect. {reason}</source>
-        <translation>与 {device} 的连接已断开，程序正在尝试重新连接。{reason}</translation>
-    </message>
-    <message>
         <source>Connected to {device} again</source>
         <translation>已重新连接 {device}</translation>
     </message>
@@ -7864,10 +7908,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>A stop is outstanding: the arm was away for more than 10 seconds and has not confirmed it. It is not sent by itself any more. Press the emergency stop if the arm must stop.</source>
         <translation>有一次急停未完成：机械臂离线超过 10 秒，没有确认。程序不再自动发送。若机械臂必须停止，请按急停。</translation>
-    </message>
-    <message>
-        <source>The outstanding emergency stop was withdrawn; the arm has not stopped.</source>
-        <translation>未完成的急停已撤回；机械臂没有停止。</translation>
     </message>
     <message>
         <source>The arm on {device} has never confirmed its emergency stop, and another device is connected now. Cut that arm&apos;s power if it moves.</source>
@@ -10135,22 +10175,6 @@ The other program must have ended.</source>
         <translation>电机未使能。使能后可运动。</translation>
     </message>
     <message>
-        <source>Joint {joints} beyond its limit. The arm stands still; send a target within the limits.</source>
-        <translation>关节 {joints} 超过限位。机械臂未运动，请发送限位以内的目标。</translation>
-    </message>
-    <message>
-        <source>The last target is beyond a limit. The arm stands still; send another target.</source>
-        <translation>上一目标角度超过限位。机械臂未运动，请发送其他目标。</translation>
-    </message>
-    <message>
-        <source>The last target has no solution. The arm stands still; send another target.</source>
-        <translation>上一目标无解。机械臂未运动，请发送其他目标。</translation>
-    </message>
-    <message>
-        <source>The way to the last target is singular. The arm stands still; send another target, or by joints.</source>
-        <translation>上一目标经过奇异点。机械臂未运动，请发送其他目标或使用关节运动。</translation>
-    </message>
-    <message>
         <source>The fingertip is {value} mm below the floor. Jog upwards unless there is nothing there. Settings have a lowest height for jogs.</source>
         <translation>末端在地面以下 {value} mm。除非那里没有物体，请向上点动。“设置”中可选点动的最低高度。</translation>
     </message>
@@ -10197,6 +10221,22 @@ The other program must have ended.</source>
     <message>
         <source>Nothing is heard from the motor of joint {joints}. If it stays so, check power and cable, and connect again.</source>
         <translation>没有收到关节 {joints} 的电机反馈。若持续如此，请检查电源和线缆，然后重新连接。</translation>
+    </message>
+    <message>
+        <source>Joint {joints} beyond its limit: the target was not taken. Send one within the limits.</source>
+        <translation>关节 {joints} 超出限位：目标未被执行。请发送限位内的目标。</translation>
+    </message>
+    <message>
+        <source>The last target is beyond a limit and was not taken. Send another one.</source>
+        <translation>上一个目标超出限位，未被执行。请发送其它目标。</translation>
+    </message>
+    <message>
+        <source>The last target has no solution and was not taken. Send another one.</source>
+        <translation>上一个目标无解，未被执行。请发送其它目标。</translation>
+    </message>
+    <message>
+        <source>The way to the last target is singular, and it was not taken. Send another target, or by joints.</source>
+        <translation>到上一个目标的路径经过奇异点，目标未被执行。请发送其它目标，或按关节发送。</translation>
     </message>
     <message>
         <source>Paused: hold “Continue” for 1 s</source>
@@ -13793,14 +13833,6 @@ The other program must have ended.</source>
         <translation>恢复</translation>
     </message>
     <message>
-        <source>The arm has stopped. Press to resume: it will drop, so hold it first.</source>
-        <translation>机械臂已急停。点击恢复：机械臂会下落，请先扶住机械臂。</translation>
-    </message>
-    <message>
-        <source>Stops the arm at once. Key: {key}</source>
-        <translation>使机械臂立即停止。按键：{key}</translation>
-    </message>
-    <message>
         <source>Resuming…</source>
         <translation>恢复中…</translation>
     </message>
@@ -13817,10 +13849,6 @@ The other program must have ended.</source>
         <translation>急停</translation>
     </message>
     <message>
-        <source>The arm is stopped</source>
-        <translation>机械臂已急停</translation>
-    </message>
-    <message>
         <source>Waiting for the arm</source>
         <translation>等待机械臂确认</translation>
     </message>
@@ -13831,6 +13859,18 @@ The other program must have ended.</source>
     <message>
         <source>Stop outstanding</source>
         <translation>急停未完成</translation>
+    </message>
+    <message>
+        <source>The arm has taken the emergency stop. Press to resume: it will drop, so hold it first.</source>
+        <translation>机械臂已执行急停。点击恢复：机械臂会下落，请先扶住机械臂。</translation>
+    </message>
+    <message>
+        <source>Ends at once whatever drives the arm, and takes the power from its joints: they are only damped, and the arm sinks. Hold it. Key: {key}</source>
+        <translation>立即切断一切驱动，关节失去力矩，只有阻尼：机械臂会下沉，请扶住。快捷键：{key}</translation>
+    </message>
+    <message>
+        <source>The arm is at rest</source>
+        <translation>机械臂已静止</translation>
     </message>
     <message>
         <source>Press to send it</source>
@@ -14399,6 +14439,99 @@ Before: {before}</source>
     <message>
         <source>Pause, one frame further</source>
         <translation>暂停，前进一帧</translation>
+    </message>
+</context>
+<context>
+    <name>UncommandedMotion</name>
+    <message>
+        <source>The arm sinks: {down} mm lower after {seconds} s (J{joint} {turned}°), now at {speed} mm/s. Below it: {below}. Hold it.</source>
+        <translation>机械臂正在下沉：{seconds} 秒内下沉 {down} mm（J{joint} {turned}°），当前 {speed} mm/s。下方：{below}。请扶住。</translation>
+    </message>
+    <message>
+        <source>The arm sinks though its motors are on: {down} mm lower after {seconds} s (J{joint} {turned}°), now at {speed} mm/s. Below it: {below}. Hold it.</source>
+        <translation>电机已使能，但机械臂仍在下沉：{seconds} 秒内下沉 {down} mm（J{joint} {turned}°），当前 {speed} mm/s。下方：{below}。请扶住。</translation>
+    </message>
+    <message>
+        <source>The arm moves, and no motor holds it: J{joint} by {turned}° in {seconds} s, now at {speed} mm/s.</source>
+        <translation>机械臂在运动，且没有电机支撑：{seconds} 秒内 J{joint} 转动 {turned}°，当前 {speed} mm/s。</translation>
+    </message>
+    <message>
+        <source>The arm moves, and nothing told it to: J{joint} by {turned}° in {seconds} s, now at {speed} mm/s.</source>
+        <translation>没有任何指令，机械臂却在运动：{seconds} 秒内 J{joint} 转动 {turned}°，当前 {speed} mm/s。</translation>
+    </message>
+    <message>
+        <source>The arm moves, by a hand or its own weight: J{joint} by {turned}° in {seconds} s, {down} mm lower, now at {speed} mm/s.</source>
+        <translation>机械臂在运动（手拖动或自重）：{seconds} 秒内 J{joint} 转动 {turned}°，下降 {down} mm，当前 {speed} mm/s。</translation>
+    </message>
+    <message>
+        <source>The arm still moves: J{joint} by {turned}° in {seconds} s, now at {speed} mm/s.</source>
+        <translation>机械臂仍在运动：{seconds} 秒内 J{joint} 转动 {turned}°，当前 {speed} mm/s。</translation>
+    </message>
+    <message>
+        <source>The arm is moved by hand, at {speed} mm/s.</source>
+        <translation>正在用手拖动机械臂，{speed} mm/s。</translation>
+    </message>
+    <message>
+        <source>The arm may be moving: it was last heard {ago} ago.</source>
+        <translation>机械臂可能仍在运动：最后一次收到反馈是 {ago}前。</translation>
+    </message>
+    <message>
+        <source>The arm may be moving: it stood still when last heard, {ago} ago.</source>
+        <translation>机械臂可能仍在运动：{ago}前最后一次收到反馈时静止。</translation>
+    </message>
+    <message>
+        <source>The arm may be moving: it moved at {speed} mm/s when last heard, {ago} ago.</source>
+        <translation>机械臂可能仍在运动：{ago}前最后一次收到反馈时速度为 {speed} mm/s。</translation>
+    </message>
+    <message>
+        <source>table or floor</source>
+        <translation>台面或地面</translation>
+    </message>
+    <message>
+        <source>{count} s</source>
+        <translation>{count} 秒</translation>
+    </message>
+    <message>
+        <source>{count} min</source>
+        <translation>{count} 分钟</translation>
+    </message>
+</context>
+<context>
+    <name>UncommandedMotionShort</name>
+    <message>
+        <source>Sinks {down} mm, {speed} mm/s</source>
+        <translation>下沉 {down} mm，{speed} mm/s</translation>
+    </message>
+    <message>
+        <source>Moves, {speed} mm/s</source>
+        <translation>在运动，{speed} mm/s</translation>
+    </message>
+    <message>
+        <source>Moved by hand</source>
+        <translation>手动拖动中</translation>
+    </message>
+    <message>
+        <source>May be moving</source>
+        <translation>可能仍在运动</translation>
+    </message>
+</context>
+<context>
+    <name>UncommandedMotionWord</name>
+    <message>
+        <source>Sinking</source>
+        <translation>下沉中</translation>
+    </message>
+    <message>
+        <source>Moving</source>
+        <translation>运动中</translation>
+    </message>
+    <message>
+        <source>No power</source>
+        <translation>无力矩</translation>
+    </message>
+    <message>
+        <source>Not heard</source>
+        <translation>无反馈</translation>
     </message>
 </context>
 <context>

@@ -77,6 +77,38 @@ def stopped(app_driver: AppDriver) -> None:
     app_driver.run(0.3)
 
 
+def sinking(app_driver: AppDriver) -> None:
+    """Three seconds after the emergency stop of a raised arm."""
+    reached_out(app_driver)
+    app_driver.click("stop_button")
+    app_driver.run_until(lambda: app_driver.controller.operating_state.stop is StopState.STOPPED)
+    app_driver.run(3.0)
+
+
+def sinking_below_a_run(app_driver: AppDriver) -> None:
+    """The same, in a run."""
+    run(app_driver)
+    app_driver.click("stop_button")
+    app_driver.run(2.0)
+
+
+def dropping(app_driver: AppDriver) -> None:
+    """A moment after the motor of joint 2 was disabled."""
+    reached_out(app_driver)
+    app_driver.controller.motors.disable(2)
+    app_driver.run_until(lambda: app_driver.controller.operating_state.enabled[1] is False)
+    app_driver.run(0.2)
+
+
+def lost_moving(app_driver: AppDriver) -> None:
+    """The adapter has been pulled while the arm was on its way."""
+    app_driver.connect()
+    _set_off(app_driver)
+    app_driver.unplug(can.CanOperationError("gone", error_code=errno.ENODEV))
+    app_driver.wait(lambda: app_driver.controller.operating_state.link is LinkState.LOST)
+    app_driver.run(1.0)
+
+
 def stopped_in_another_theme(app_driver: AppDriver) -> None:
     """After the emergency stop, and then after another theme and back: still red."""
     stopped(app_driver)

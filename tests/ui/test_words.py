@@ -198,7 +198,10 @@ def test_a_notice_holds_the_reason_in_the_same_language(chinese: None) -> None:
 def test_a_notice_without_its_reason_ends_cleanly(qapp: QApplication) -> None:
     text = event(LINK_LOST_NOTICE, device="can0", reason=None)
 
-    assert text == "Connection to can0 lost; the program keeps trying to reconnect."
+    assert text == (
+        "Connection to can0 lost: the arm is not heard, and it may be moving. The program keeps "
+        "trying to reconnect."
+    )
 
 
 def test_six_angles_sent(chinese: None) -> None:

@@ -40,7 +40,8 @@ DISCONNECTED = Notice(
 )
 LINK_LOST_NOTICE = Notice(
     "link_lost",
-    "Connection to {device} lost; the program keeps trying to reconnect. {reason}",
+    "Connection to {device} lost: the arm is not heard, and it may be moving. The program keeps "
+    "trying to reconnect. {reason}",
     Level.FAULT,
     EventKind.LINK,
 )

@@ -308,7 +308,7 @@ class Recovery(ControllerPart):
         if attempt is None:
             return step
         if step.kind is StepKind.WORKING:
-            return replace(attempt.step, waiting=True)
+            return replace(attempt.step, waiting=True, motion=step.motion)
         if step.kind is not attempt.step.kind or step.joints != attempt.step.joints:
             self._give_up()
             return step
@@ -337,8 +337,12 @@ class Recovery(ControllerPart):
         )
 
     def _holds(self, step: Step, now_s: float) -> bool:
-        """Return whether a step is to be shown: some states are passed through in a moment."""
-        if step.kind not in _MAY_BE_BRIEF or step.kind is self.step.kind:
+        """Return whether a step is to be shown: some states are passed through in a moment.
+
+        Where the arm sinks no line that says less may stand in its place.
+        """
+        sinks = step.motion is not None and step.motion.is_danger
+        if step.kind not in _MAY_BE_BRIEF or step.kind is self.step.kind or sinks:
             self._brief_since_s = None
             return True
         if self._brief_since_s is None:

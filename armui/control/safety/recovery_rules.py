@@ -112,14 +112,17 @@ def next_step(
     failures = (in_vain or {}).get(rule.kind, 0)
     stronger = failures >= _IN_VAIN_TWICE and rule.escalation is not None
     joints = params.get("numbers", ()) if params else ()
+    motion = operating_state.uncommanded
+    warns = motion is not None and motion.is_danger and rule.level is not Level.FAULT
     return Step(
         rule.kind,
-        rule.level,
+        Level.WARNING if warns else rule.level,
         {name: value for name, value in (params or {}).items() if name != "numbers"},
         rule.escalation if stronger else rule.action,
         joints if isinstance(joints, tuple) else (),
         failed=STEP_IN_VAIN() if failures else None,
         alternative=rule.alternative,
+        motion=motion,
     )
 
 

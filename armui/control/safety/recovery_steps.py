@@ -9,6 +9,7 @@ from typing import ClassVar, Final
 
 from armui.arm.refusal import Refusal
 from armui.control.events import Level
+from armui.control.safety.uncommanded_motion import UncommandedMotion
 from armui.system.sentence import Sentence
 
 
@@ -337,19 +338,19 @@ class StepKind(enum.Enum):
     )
     BEYOND_LIMIT = StepText(
         "beyond_limit",
-        "Joint {joints} beyond its limit. The arm stands still; send a target within the limits.",
+        "Joint {joints} beyond its limit: the target was not taken. Send one within the limits.",
     )
     TARGET_BEYOND_LIMIT = StepText(
         "target_beyond_limit",
-        "The last target is beyond a limit. The arm stands still; send another target.",
+        "The last target is beyond a limit and was not taken. Send another one.",
     )
     NO_SOLUTION = StepText(
         "no_solution",
-        "The last target has no solution. The arm stands still; send another target.",
+        "The last target has no solution and was not taken. Send another one.",
     )
     SINGULARITY = StepText(
         "singularity",
-        "The way to the last target is singular. The arm stands still; send another target, or by "
+        "The way to the last target is singular, and it was not taken. Send another target, or by "
         "joints.",
     )
     RUN_PAUSED = StepText("run_paused", "Paused: hold “Continue” for 1 s")
@@ -401,6 +402,7 @@ class Step:
         joints: The joints it is about, where some are.
         waiting: True if the action was taken and the arm has not shown it yet.
         failed: The reason why the action came to nothing, once it was taken.
+        motion: What the arm is measured to do meanwhile, though nothing holds it or told it to.
     """
 
     kind: StepKind
@@ -411,6 +413,7 @@ class Step:
     waiting: bool = False
     failed: Refusal | None = None
     alternative: Action | None = None
+    motion: UncommandedMotion | None = None
 
     @property
     def actions(self) -> frozenset[Action]:

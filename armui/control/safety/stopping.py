@@ -68,7 +68,7 @@ STOP_LAPSED = Notice(
 )
 STOP_WITHDRAWN = Notice(
     "stop_withdrawn",
-    "The outstanding emergency stop was withdrawn; the arm has not stopped.",
+    "The outstanding emergency stop was withdrawn; the arm has not confirmed it.",
     Level.WARNING,
     EventKind.RESULT,
     Asker.OPERATOR,

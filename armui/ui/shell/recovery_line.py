@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QRect, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QMouseEvent, QPaintEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
 
@@ -86,6 +86,7 @@ class RecoveryLine(Translated, QWidget):
         self._open_connection = open_connection
         self._open_reference_check = open_reference_check
         self._asking = ""
+        self._texts: tuple[str, ...] = ("",)
         begun = controller.operating_state.link is not LinkState.NO_DEVICE
         self._step = controller.recovery.step if begun else NO_DEVICE
         self._pressed = self._step
@@ -94,6 +95,7 @@ class RecoveryLine(Translated, QWidget):
         self._icon.setFixedWidth(_ICON_PX)
         self._text = text_label("recovery_text", wraps=True, plain=True)
         self._text.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
+        self._text.installEventFilter(self)
         self._button = named("recovery_button", StepButton())
         self._button.setMinimumWidth(_BUTTON_PX)
         self._hold_button = named("recovery_hold_button", HoldButton(controller))
@@ -135,11 +137,16 @@ class RecoveryLine(Translated, QWidget):
     @property
     def says_more_than_a_run(self) -> bool:
         """True if the step has to be seen beside the strip of a run."""
-        return self._asks or self._step.kind not in _OF_A_RUN
+        return self._asks or self._warns or self._step.kind not in _OF_A_RUN
 
     @property
     def _is_calm(self) -> bool:
-        return self._step.kind in _CALM and not self._asks
+        return self._step.kind in _CALM and not self._asks and not self._warns
+
+    @property
+    def _warns(self) -> bool:
+        """True if the arm moves by itself, or may."""
+        return self._step.motion is not None and self._step.motion.is_danger
 
     @property
     def _asks(self) -> bool:
@@ -198,15 +205,17 @@ class RecoveryLine(Translated, QWidget):
     def _show_step(self) -> None:
         step = self._step
         text = words.step(step)
+        self._texts = words.step_texts(step)
         if self._asks:
             text = self.tr(
                 "“{name}” has not started: the check has warnings. Answer them on its page."
             ).format(name=self._asking)
+            self._texts = (text,)
         side = _MARGIN_PX + _GAP_PX
         confirms = step.action is Action.CONFIRM_CELL  # not where Enable is: two presses are two
         right = side + (_BUTTON_PX + _GAP_PX if confirms else 0)
         self._row.setContentsMargins(side, _TOP_PX + _PADDING_PX, right, _PADDING_PX)
-        self._text.setText(text)
+        self._fit_text()
         self._text.setProperty("rank", "muted" if self._is_calm else None)
         repolish(self._text)
         self.setAccessibleName(text)
@@ -215,6 +224,26 @@ class RecoveryLine(Translated, QWidget):
         self._recolor()
         self.update()
         self.step_shown.emit()
+
+    def _fit_text(self) -> None:
+        """Show as much of the text as there is room for, where a shorter one says enough."""
+        room = self._text.contentsRect()
+        flags = Qt.TextFlag.TextWordWrap | self._text.alignment()
+        unlimited = QRect(0, 0, max(room.width(), 1), 1 << 16)
+        measured = self._text.fontMetrics()
+        fitting = (
+            text
+            for text in self._texts
+            if measured.boundingRect(unlimited, flags, text).height() <= room.height()
+        )
+        self._text.setText(next(fitting, self._texts[-1] if room.height() else self._texts[0]))
+        self._text.setToolTip(self._texts[0] if self._text.text() != self._texts[0] else "")
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Fit the text into its room when that has changed."""
+        if watched is self._text and event.type() == QEvent.Type.Resize:
+            self._fit_text()
+        return super().eventFilter(watched, event)
 
     def _show_button(self) -> None:
         step = self._step

@@ -15,6 +15,7 @@ from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, Status
 from armui.control.events import Event, Level
 from armui.control.operating_state import LinkState, OperatingState
+from armui.control.safety.uncommanded_motion import UncommandedMotion
 from armui.protocol.codes import ArmStatusCode, TeachingState
 from armui.system.failures import Failure
 from armui.ui import format as fmt
@@ -233,11 +234,15 @@ class StatusBar(Translated, QWidget):
         self._notice_label = named("notice_label", ElidedLabel())
         self._notice_label.installEventFilter(self)
         self._status_icon = QLabel()
+        self._motion_label = named("status_motion", QLabel())
+        self._motion_label.setTextFormat(Qt.TextFormat.PlainText)
+        self._motion_label.hide()
         self._labels = {
             name: QLabel() for name in ("control", "arm", "mode", "teaching", "reached", "joints")
         }
         notice = (self._notice_icon, (self._notice_label, 1), 16)
-        self._layout = in_row(*notice, on=self, spacing=8, margins=(14, 6, 14, 6))
+        moves = self._motion_label
+        self._layout = in_row(*notice, moves, on=self, spacing=8, margins=(14, 6, 14, 6))
         self._separators: dict[str, QLabel] = {}
         for name, label in self._labels.items():
             label.setObjectName(f"status_{name}")
@@ -314,10 +319,19 @@ class StatusBar(Translated, QWidget):
         heard = state.status
         stale = is_stale(heard, state, self._controller.operating_state)
         now = self._controller.operating_state
+        self._show_motion(now.uncommanded)
         shown = (None if heard is None else heard.value, stale, _foreign_mode(now))
         if shown != self._shown:
             self._shown = shown
             self._spell_out(*shown)
+
+    def _show_motion(self, motion: UncommandedMotion | None) -> None:
+        """Show what an arm does by itself, as long as it does."""
+        text = "" if motion is None else words.uncommanded_motion_short(motion)
+        if text != self._motion_label.text():
+            self._motion_label.setText(text)
+            self._motion_label.setVisible(bool(text))
+            set_rank(self._motion_label, "warning" if motion and motion.is_danger else "")
 
     def _spell_out(self, status: Status | None, stale: bool, foreign_mode: str) -> None:
         """Put the codes into words; ``None`` is a status that has never been heard."""

@@ -23,6 +23,7 @@ from armui.control.operating_state import (
 )
 from armui.control.operations.operation import operation_of
 from armui.control.safety.recovery_steps import Action
+from armui.control.safety.uncommanded_motion import MotionKind, UncommandedMotion
 from armui.protocol.addressing import Addressing
 from armui.protocol.generation import Generation
 from armui.ui import format as fmt
@@ -63,6 +64,13 @@ _WORDS: Final = Texts("EnableButton") | {
     "disabled": "Disabled",
     "stopped": "Stopped",
 }
+_OF_ITSELF: Final = (
+    MotionKind.SINKS,
+    MotionKind.MOVES,
+    MotionKind.UNMEASURED,
+    MotionKind.UNHEARD,
+)
+"""What an arm does that is said in the place of what its motors are told."""
 _WIDEST_PX: Final = 620
 
 
@@ -147,7 +155,8 @@ class EnableButton(Translated, QAbstractButton):
     """Shows for each joint whether it is enabled: filled, hollow, or dashed if not heard.
 
     After an emergency stop the word is that of the stop: the motors report disabled, but resuming
-    is what cuts their power.
+    is what cuts their power. Of an arm that moves by itself it is what the arm does: «Stopped» is
+    said once it is measured at rest.
     """
 
     def __init__(self) -> None:
@@ -156,6 +165,7 @@ class EnableButton(Translated, QAbstractButton):
         self._enabled: tuple[bool | None, ...] = (None,) * len(JOINTS)
         self._busy: Busy | None = None
         self._stopped = False
+        self._motion: MotionKind | None = None
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         self.setAttribute(Qt.WidgetAttribute.WA_Hover)
@@ -174,14 +184,18 @@ class EnableButton(Translated, QAbstractButton):
     def show_operating_state(self, operating_state: OperatingState) -> None:
         """Show the state of the motors as reported by the arm."""
         stopped = operating_state.stop is StopState.STOPPED
-        now = operating_state.enabled, operating_state.busy, stopped
-        if now != (self._enabled, self._busy, self._stopped):
-            self._enabled, self._busy, self._stopped = now
+        motion = _told_as_a_word(operating_state.uncommanded, stopped=stopped)
+        now = operating_state.enabled, operating_state.busy, stopped, motion
+        if now != (self._enabled, self._busy, self._stopped, self._motion):
+            self._enabled, self._busy, self._stopped, self._motion = now
             self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
         """Set the text in the operator's language."""
-        self.setText(_WORDS.text(self._stands()))
+        motion = self._motion
+        self.setText(
+            _WORDS.text(self._stands()) if motion is None else words.uncommanded_motion_word(motion)
+        )
         known = [fmt.joints([j for j, on in zip(JOINTS, self._enabled, strict=True) if on])]
         self.setAccessibleName(f"{self.text()} {known[0]}".strip())
         self.updateGeometry()
@@ -202,7 +216,9 @@ class EnableButton(Translated, QAbstractButton):
 
     def _word_width(self) -> int:
         metrics = QFontMetrics(scaled_font(self, 1.0, bold=True))
-        return max(metrics.horizontalAdvance(_WORDS.text(word)) for word in _WORDS)
+        said = [_WORDS.text(word) for word in _WORDS]
+        said += [words.uncommanded_motion_word(kind) for kind in _OF_ITSELF]
+        return max(map(metrics.horizontalAdvance, said))
 
     def sizeHint(self) -> QSize:
         """Return the preferred size."""
@@ -220,9 +236,12 @@ class EnableButton(Translated, QAbstractButton):
         active = self.isEnabled() and (self.underMouse() or self.isDown())
         fill = colors.accent_pale if active else colors.surface
         line = colors.accent if active or self.hasFocus() else colors.border
+        ink = colors.text if self.isEnabled() else colors.muted
+        if self._motion is not None:
+            fill, line, ink = colors.warn_pale, colors.warn, colors.warn
         painting.panel(painter, QRectF(self.rect()), fill, line, 2 if self.hasFocus() else 1)
         painter.setFont(scaled_font(self, 1.0, bold=True))
-        painter.setPen(QColor(colors.text if self.isEnabled() else colors.muted))
+        painter.setPen(QColor(ink))
         area = QRectF(_PAD_PX, 0, self._word_width() + 2, self.height())
         painter.drawText(
             area, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, self.text()
@@ -233,6 +252,13 @@ class EnableButton(Translated, QAbstractButton):
             x = left + (joint - 1) * (_MARK_PX + _GAP_PX) + _MARK_PX / 2
             _draw_mark(painter, colors, QPointF(x, self.height() / 2), joint, enabled)
         painter.end()
+
+
+def _told_as_a_word(motion: UncommandedMotion | None, *, stopped: bool) -> MotionKind | None:
+    """Return what an arm does by itself, where that is to be said in the place of its motors."""
+    if motion is None or motion.kind not in _OF_ITSELF:
+        return None
+    return motion.kind if stopped or motion.is_danger else None
 
 
 def _draw_mark(
@@ -259,6 +285,7 @@ class CommunicationButton(Translated, QAbstractButton):
         self._link = LinkState.NO_DEVICE
         self._device: Device | None = None
         self._addressing = Addressing()
+        self._may_move = False
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
         self.setAttribute(Qt.WidgetAttribute.WA_Hover)
@@ -276,10 +303,12 @@ class CommunicationButton(Translated, QAbstractButton):
 
     def show_operating_state(self, operating_state: OperatingState) -> None:
         """Show the state of the connection."""
-        shown = (self._link, self._device, self._addressing)
-        if (operating_state.link, operating_state.device, operating_state.addressing) != shown:
-            self._link, self._device = operating_state.link, operating_state.device
-            self._addressing = operating_state.addressing
+        motion = operating_state.uncommanded
+        may_move = motion is not None and motion.kind is MotionKind.UNHEARD
+        device, addressing = operating_state.device, operating_state.addressing
+        now = (operating_state.link, device, addressing, may_move)
+        if now != (self._link, self._device, self._addressing, self._may_move):
+            self._link, self._device, self._addressing, self._may_move = now
             self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
@@ -335,6 +364,8 @@ class CommunicationButton(Translated, QAbstractButton):
         return scaled_font(self, 1.05, bold=True)
 
     def _second_line(self) -> str:
+        if self._may_move:
+            return self.tr("May be moving")
         return self.device_name or self.tr("Choose a device")
 
     def paintEvent(self, _event: QPaintEvent) -> None:
@@ -357,7 +388,7 @@ class CommunicationButton(Translated, QAbstractButton):
             self._second_line(), Qt.TextElideMode.ElideRight, int(width)
         )
         painter.setFont(font)
-        painter.setPen(QColor(colors.muted))
+        painter.setPen(QColor(colors.warn if self._may_move else colors.muted))
         below = QRectF(_TEXT_LEFT_PX, half + 1, width, half)
         painter.drawText(below, Qt.AlignmentFlag.AlignTop, name)
         painter.end()

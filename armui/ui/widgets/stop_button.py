@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 
 from armui.control.arm_controller import ArmController
 from armui.control.operating_state import OperatingState, StopState
+from armui.ui import words
 from armui.ui.theme import Colors, colors_of, scaled_font
 from armui.ui.widgets import painting
 from armui.ui.widgets.press_button import Face, PressButton
@@ -94,9 +95,15 @@ class StopButton(Translated, PressButton):
         self.setText(self._words())
         self.setAccessibleName(self.text())
         if self._offers_recovery():
-            tip = self.tr("The arm has stopped. Press to resume: it will drop, so hold it first.")
+            tip = self.tr(
+                "The arm has taken the emergency stop. Press to resume: it will drop, so hold it "
+                "first."
+            )
         else:
-            tip = self.tr("Stops the arm at once. Key: {key}").format(key=STOP_KEY_NAME)
+            tip = self.tr(
+                "Ends at once whatever drives the arm, and takes the power from its joints: they "
+                "are only damped, and the arm sinks. Hold it. Key: {key}"
+            ).format(key=STOP_KEY_NAME)
         self.setToolTip(tip)
         self.updateGeometry()
         self.update()
@@ -118,7 +125,10 @@ class StopButton(Translated, PressButton):
     def _caption(self) -> str:
         """Return what stands below the word, smaller."""
         if self._offers_recovery():
-            return self.tr("The arm is stopped")
+            motion = self._operating_state.uncommanded
+            if motion is not None:
+                return words.uncommanded_motion_short(motion) or STOP_KEY_NAME
+            return self.tr("The arm is at rest")
         if self._operating_state.stop_lapsed:
             return self.tr("Press to send it")
         return {
@@ -221,4 +231,5 @@ class StopButton(Translated, PressButton):
 
 def _shown(operating_state: OperatingState) -> tuple[object, ...]:
     """Return what its words depend on."""
-    return (operating_state.stop, operating_state.stop_unconfirmed, operating_state.stop_lapsed)
+    now = operating_state
+    return (now.stop, now.stop_unconfirmed, now.stop_lapsed, now.uncommanded)

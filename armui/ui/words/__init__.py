@@ -30,8 +30,13 @@ from armui.ui.words.arm import (
     trajectory_command,
 )
 from armui.ui.words.events import event
+from armui.ui.words.motion import (
+    uncommanded_motion,
+    uncommanded_motion_short,
+    uncommanded_motion_word,
+)
 from armui.ui.words.refusals import file_error, point_figure, refusal, why_not
-from armui.ui.words.steps import step, step_action, step_danger, step_question
+from armui.ui.words.steps import step, step_action, step_danger, step_question, step_texts
 
 __all__ = [
     "arm_kind",
@@ -61,9 +66,13 @@ __all__ = [
     "step_action",
     "step_danger",
     "step_question",
+    "step_texts",
     "teaching",
     "teaching_command",
     "teaching_now",
     "trajectory_command",
+    "uncommanded_motion",
+    "uncommanded_motion_short",
+    "uncommanded_motion_word",
     "why_not",
 ]

@@ -22,9 +22,11 @@ from armui.ui.words.arm import (
     teaching_command,
     trajectory_command,
 )
+from armui.ui.words.motion import what_is_below
 from armui.ui.words.refusals import refusal
 from armui.ui.words.text import sentence, source_of
 
+_NAMES: Final = {"act": gripper_act, "part": part_name, "below": what_is_below}
 _UNKNOWN: Final = QT_TRANSLATE_NOOP("Notice", "Event: {code}")
 
 
@@ -46,15 +48,14 @@ def notice_text(notice: Notice, figures: Mapping[str, object]) -> str:
         params["command"] = teaching_command(TeachingState(command))
     if isinstance(plan := params.get("plan"), int):
         params["plan"] = trajectory_command(TrajectoryCommand(plan))
-    if isinstance(act := params.get("act"), str):
-        params["act"] = gripper_act(act)
     if params.get("unit") == CALIBRATED_MM:
         params["unit"] = calibrated_mm()
     if isinstance(load := params.get("load"), int):
         params["load"] = end_load(EndLoad(load))
     if isinstance(how := params.get("mounting"), int):
         params["mounting"] = mounting(Mounting(how))
-    if isinstance(part := params.get("part"), str):
-        params["part"] = part_name(part)
+    for name, in_words in _NAMES.items():
+        if isinstance(value := params.get(name), str):
+            params[name] = in_words(value)
     params["code"] = notice.id
     return sentence(Notice.context, source_of(notice) or _UNKNOWN, params).rstrip()

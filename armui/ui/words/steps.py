@@ -5,11 +5,28 @@ from __future__ import annotations
 from armui.control.safety.recovery_steps import Action, Step
 from armui.ui.words import arm
 from armui.ui.words.arm import held_target, other_mode
+from armui.ui.words.motion import uncommanded_motion, uncommanded_motion_short
 from armui.ui.words.refusals import refusal, under_way
 from armui.ui.words.text import said, sentence
 
 
 def step(this: Step) -> str:
+    """Return the obstacle and the remedy, preceded by what the arm does and the last attempt."""
+    return step_texts(this)[0]
+
+
+def step_texts(this: Step) -> tuple[str, ...]:
+    """Return the same in full and then shorter and shorter; what the arm does is in all of them."""
+    text = _obstacle(this)
+    if this.motion is None:
+        return (text,)
+    moves, short = uncommanded_motion(this.motion), uncommanded_motion_short(this.motion)
+    if not moves:
+        return (text,)
+    return f"{moves} {text}", f"{short}. {text}", moves, short
+
+
+def _obstacle(this: Step) -> str:
     """Return the obstacle and the remedy, preceded by the result of the last attempt."""
     params: dict[str, object] = dict(this.params)
     if isinstance(mode := params.get("mode"), int):

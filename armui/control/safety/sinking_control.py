@@ -1,0 +1,286 @@
+"""Tells the operator as long as the arm moves though no motor holds it or nothing told it to."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Final
+
+from armui.arm.limits import JOINTS
+from armui.control.context import ControllerPart
+from armui.control.devices.teaching_phase import TeachingPhase, phase_of
+from armui.control.events import Notice
+from armui.control.operating_state import Busy, LinkState, StopState
+from armui.control.safety.emergency_stop import is_stopped
+from armui.control.safety.feedback_freshness import in_drag_teaching
+from armui.control.safety.sinking import ALL_JOINTS, SinkingWatch, WatchedMotion
+from armui.control.safety.uncommanded_motion import MotionKind, UncommandedMotion, Unheld
+from armui.kinematics.forward import flange_rows, joint_places
+from armui.protocol.codes import ControlMode
+from armui.telemetry.events import Asker, EventKind, Level
+
+if TYPE_CHECKING:
+    from armui.arm.models import Rising
+    from armui.arm.state import Status
+    from armui.control.context import Context
+    from armui.control.operating_state import OperatingState
+
+ARM_SINKS = Notice(
+    "arm_sinks",
+    "The arm sinks, and no motor holds it. Hold it. Below it: {below}.",
+    Level.WARNING,
+    EventKind.STATUS,
+)
+ARM_SINKS_POWERED = Notice(
+    "arm_sinks_powered",
+    "The arm sinks though its motors are on. Hold it. Below it: {below}.",
+    Level.WARNING,
+    EventKind.STATUS,
+)
+ARM_SINKS_ON = Notice(
+    "arm_sinks_on",
+    "The arm sinks on: {down} mm in {seconds} s, joint {joint} by {turned}°, now at {speed} mm/s.",
+    Level.WARNING,
+    EventKind.STATUS,
+)
+ARM_MOVES_UNHELD = Notice(
+    "arm_moves_unheld",
+    "The arm moves, and no motor holds it: joint {joint} by {turned}°.",
+    Level.WARNING,
+    EventKind.STATUS,
+)
+ARM_MOVES_UNTOLD = Notice(
+    "arm_moves_untold",
+    "The arm moves, and nothing told it to: joint {joint} by {turned}°.",
+    Level.WARNING,
+    EventKind.STATUS,
+)
+ARM_MOVES_ON = Notice(
+    "arm_moves_on",
+    "The arm moves on: joint {joint} by {turned}° in {seconds} s, now at {speed} mm/s.",
+    Level.WARNING,
+    EventKind.STATUS,
+)
+ARM_RESTS = Notice(
+    "arm_rests",
+    "The arm is measured at rest: in {seconds} s it came down by {down} mm, joint {joint} turned "
+    "by {turned}°.",
+    Level.INFO,
+    EventKind.STATUS,
+)
+ARM_HELD_AGAIN = Notice(
+    "arm_held_again",
+    "The arm is held again: in {seconds} s it came down by {down} mm, joint {joint} turned by "
+    "{turned}°.",
+    Level.INFO,
+    EventKind.STATUS,
+)
+ARM_UNHEARD_MOVING = Notice(
+    "arm_unheard_moving",
+    "The arm moved at {speed} mm/s when it was last heard: it may be moving.",
+    Level.WARNING,
+    EventKind.LINK,
+    Asker.PROGRAM,
+)
+
+FURTHER_MM: Final = 50
+FURTHER_DEG: Final = 10.0
+FURTHER_S: Final = 2.0
+"""A further distance is told when it is this long, and not more often than that."""
+
+_LOOKED_BELOW_S: Final = 1.0
+_UNTOLD: Final = frozenset({Unheld.STOP_AWAITED, Unheld.DRAG_TEACHING, Unheld.LED})
+"""Where the event of the stop says it, or a hand may lead: shown, and no event."""
+_OWN_WAY: Final = frozenset({TeachingPhase.REPLAYING, TeachingPhase.PAUSED})
+
+
+class SinkingControl(ControllerPart):
+    """Knows why the arm may move without a command, and tells how far it does.
+
+    Args:
+        context: The context that the controller's parts share.
+        height_mm: Returns the height of the lowest of flange, fingertip and held object at six
+            angles.
+        rising: Returns how the base stands in the room.
+        below: Returns the names of the parts of the work area below the arm; "" for none.
+    """
+
+    def __init__(
+        self,
+        context: Context,
+        height_mm: Callable[[Sequence[float]], float],
+        rising: Callable[[], Rising],
+        below: Callable[[], str],
+    ) -> None:
+        self._context = context
+        self._rising = rising
+        self._look_below = below
+        self._watch = SinkingWatch(height_mm, self._flange_mm, self._weight_mm, self._below)
+        self._below_now = ""
+        self._reset()
+
+    def _reset(self) -> None:
+        self._watch.reset()
+        self._expects_motion = True
+        self._told: UncommandedMotion | None = None
+        self._told_s = self._looked_s = -math.inf
+
+    @property
+    def motion(self) -> UncommandedMotion | None:
+        """What is seen of an arm that nothing holds or nothing told to move, or is not heard."""
+        return self._watch.motion
+
+    # A part of the controller -----------------------------------------------------------------
+
+    def follow_arm(self) -> None:
+        """Look at what is heard; called at each tick while a device is open."""
+        context = self._context
+        device = context.connection.device
+        if device is None:
+            return
+        now = context.operating_state()
+        heard = now.link is LinkState.ONLINE and context.authority.why_silent() is None
+        if not heard and device.recorded is not None:
+            self._reset()  # a log that stands still, or is jumped in
+            return
+        self._expects_motion |= not heard
+        cause, joints = self._cause(now) if heard else (None, ALL_JOINTS)
+        self._watch.observe(
+            WatchedMotion(
+                context.connection.newest,
+                context.clock(),
+                cause,
+                joints,
+                heard=heard,
+                counted_anew=now.busy is Busy.ZEROING,
+            )
+        )
+        self._tell_events()
+
+    def forget_arm(self) -> None:
+        """Forget the arm; one whose device is lost may be moving."""
+        context = self._context
+        device = context.connection.device
+        recorded = device is None or device.recorded is not None
+        if context.connection.link is not LinkState.LOST or recorded:
+            self._reset()
+            return
+        watched = WatchedMotion(context.connection.newest, context.clock(), None, heard=False)
+        self._watch.observe(watched)
+        self._tell_events()
+
+    # Why it may move --------------------------------------------------------------------------
+
+    def _cause(self, now: OperatingState) -> tuple[Unheld | None, tuple[int, ...]]:
+        """Return why the arm may move without a command, and the joints that may."""
+        context = self._context
+        authority, state = context.authority, context.connection.newest
+        status = None if state.status is None else state.status.value
+        off = tuple(joint for joint, on in zip(JOINTS, now.enabled, strict=True) if on is False)
+        if is_stopped(state):
+            self._expects_motion = False
+            return Unheld.STOPPED, ALL_JOINTS
+        if off:
+            self._expects_motion = False
+            return Unheld.MOTORS_OFF, off
+        if in_drag_teaching(state):
+            self._expects_motion = True
+            return (Unheld.LED if _is_led(status) else Unheld.DRAG_TEACHING), ALL_JOINTS
+        if now.stop is StopState.REQUESTED and not now.stop_lapsed:
+            return Unheld.STOP_AWAITED, ALL_JOINTS
+        told = authority.other.drives or authority.under_way or bool(authority.holds)
+        replays = status is not None and phase_of(status) in _OWN_WAY
+        if told or replays or authority.is_ending:
+            self._expects_motion = True
+        elif authority.at_rest:
+            self._expects_motion = False
+        untold = authority.cancel_unheeded or not self._expects_motion
+        powered = all(now.enabled)
+        return (Unheld.NOT_TOLD if untold and powered else None), ALL_JOINTS
+
+    # What is measured -------------------------------------------------------------------------
+
+    def _flange_mm(self, joints_deg: Sequence[float]) -> Sequence[float]:
+        rows = flange_rows(self._context.operating_state().model_fit.geometry, joints_deg)
+        return rows[3::4]
+
+    def _weight_mm(self, joints_deg: Sequence[float]) -> float:
+        """Return the mean height of elbow, wrist and flange: where they come down, so does it."""
+        geometry = self._context.operating_state().model_fit.geometry
+        up = self._rising()[:3]
+        heights_mm: list[float] = [
+            sum(part * value for part, value in zip(up, place, strict=True))
+            for place in joint_places(geometry, joints_deg)
+        ]
+        return sum(heights_mm) / len(heights_mm)
+
+    def _below(self) -> str:
+        """Return what is below, looked at once a second: it asks every part of the area."""
+        now_s = self._context.clock()
+        if now_s - self._looked_s >= _LOOKED_BELOW_S:
+            self._looked_s, self._below_now = now_s, self._look_below()
+        return self._below_now
+
+    # What is told -----------------------------------------------------------------------------
+
+    def _tell_events(self) -> None:
+        """Tell that it begins, each further distance worth it, and the whole of it at the end."""
+        watch = self._watch
+        if watch.ended is not None:
+            (whole, at_rest), watch.ended = watch.ended, None
+            if self._told is not None:
+                self._tell(ARM_RESTS if at_rest else ARM_HELD_AGAIN, whole)
+            self._told = None
+        motion, now_s, told = watch.motion, self._context.clock(), self._told
+        if motion is None or motion.kind in {MotionKind.UNMEASURED, MotionKind.LED}:
+            return
+        if motion.kind is MotionKind.UNHEARD:
+            unheard = told is not None and told.kind is MotionKind.UNHEARD
+            self._told = motion
+            if not unheard and motion.speed_mm_s:
+                self._context.tell(ARM_UNHEARD_MOVING, speed=motion.speed_mm_s)
+            return
+        if motion.cause in _UNTOLD:
+            return
+        if told is None or told.kind is MotionKind.UNHEARD:
+            self._tell(_begins(motion), motion)
+        elif now_s - self._told_s < FURTHER_S:
+            return
+        elif _is_further(motion, told):
+            sinks = motion.kind is MotionKind.SINKS
+            self._tell(ARM_SINKS_ON if sinks else ARM_MOVES_ON, motion)
+        else:
+            return
+        self._told, self._told_s = motion, now_s
+
+    def _tell(self, notice: Notice, motion: UncommandedMotion) -> None:
+        self._context.tell(
+            notice,
+            seconds=motion.seconds,
+            down=motion.down_mm,
+            joint=motion.joint,
+            turned=f"{motion.turned_deg:.1f}",
+            speed=motion.speed_mm_s,
+            below=motion.below,
+        )
+
+
+def _is_led(status: Status | None) -> bool:
+    """Return whether a hand is known to lead: it records, or is a teaching input."""
+    if status is None:
+        return False
+    leads = status.control_mode == ControlMode.LINKED_TEACHING_INPUT
+    return leads or phase_of(status) is TeachingPhase.RECORDING
+
+
+def _begins(motion: UncommandedMotion) -> Notice:
+    powered = motion.cause is Unheld.NOT_TOLD
+    if motion.kind is MotionKind.SINKS:
+        return ARM_SINKS_POWERED if powered else ARM_SINKS
+    return ARM_MOVES_UNTOLD if powered else ARM_MOVES_UNHELD
+
+
+def _is_further(motion: UncommandedMotion, told: UncommandedMotion) -> bool:
+    """Return whether the arm has come far enough since it was told last."""
+    turned = abs(motion.turned_deg - told.turned_deg) >= FURTHER_DEG
+    return turned or abs(motion.down_mm - told.down_mm) >= FURTHER_MM
