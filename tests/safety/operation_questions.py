@@ -1,0 +1,169 @@
+"""What is asked of which operation, what cannot be asked, and what is known to be broken."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Iterable, Mapping
+from typing import Final
+
+import pytest
+
+from tests.safety.operations_table import ENTRIES, LEAD, STAND
+
+
+class Question(enum.Enum):
+    """A promise that can be asked of any operation."""
+
+    FRAMES = "it is declared to move what it moves"
+    STOP = "S1, S2, S10: the stop is heard while it works, and it is not revived"
+    HALT = "S10, S26: the halt is heard while it works, and it is not revived"
+    UNHEARD = "S9: no motion frame while the arm is not heard"
+    SPEED = "S12: never faster than shown"
+    OTHER_HOST = "S13: no motion frame beside another host's"
+    LATE = "S14: its first frame leaves within 1 s or not at all"
+    EXCEPTION = "S23: an exception in its way ends every motion, is told, and leaves the stop alone"
+    THREAD = "S2: it holds the window's thread for less than 20 ms in a cell of 20 boxes"
+    ZONE = "S32: it leads into no zone"
+    SMALL = "S32: nor by small steps"
+    SECOND = "S32: nor begun while another motion is under way"
+    LIMIT = "S36: nothing leads further beyond a limit"
+    REST = "S36: nor out of the rest pose"
+    AREA = "S36: nor deeper into a work area"
+    FLOOR = "S36: nor further below the floor"
+    BACK_LIMIT = "S36: back within a limit it may go"
+    BACK_REST = "S36: and out of the rest pose"
+    BACK_AREA = "S36: and out of a work area"
+    BACK_FLOOR = "S36: and up from below the floor"
+
+
+Reasons = Mapping[str, Iterable[str]]
+"""Operations by the reason why something is not asked of them."""
+
+_NO_LEAD: Final[Reasons] = {"It leads the arm nowhere.": [n for n in ENTRIES if n not in LEAD]}
+_GOES_ON: Final[Reasons] = {
+    "It goes on with a motion that was begun before: the one that begins it is asked.": (
+        *("run.go_on", "replay.go_on", "planned.command"),
+    )
+}
+_FIXED: Final[Reasons] = {
+    "Where it leads is its own, and not this way.": ("motion.home", "reference.drive"),
+    "The arm follows its own recording: no frame of this program says where.": (
+        "teaching.command",
+    ),
+}
+_BACK: Final[Reasons] = {
+    **_NO_LEAD,
+    **_GOES_ON,
+    "It is no way for the operator to bring an arm back.": (
+        *("reference.drive", "teaching.command"),
+    ),
+}
+_NO_ARC: Final[Reasons] = {"An arc begins at a place that the arm may be sent to.": ("tool.arc",)}
+
+NOT_ASKED: Final[Mapping[Question, Reasons]] = {
+    Question.HALT: {
+        "It sends no motion frame, and a halt is no reason against it.": [
+            name for name in STAND if name not in {"run.pause", "replay.pause"}
+        ],
+    },
+    Question.LATE: {"It asks the arm, and changes nothing in it.": ("settings.read",)},
+    Question.SPEED: {
+        "It sends no motion frame.": STAND,
+        "The gripper has no speed percentage.": ("gripper.move", "gripper.enable"),
+        "The arm replays at the speed of its own recording.": ("teaching.command",),
+    },
+    Question.THREAD: {
+        **_NO_LEAD,
+        **_GOES_ON,
+        "It is refused while zones are on.": ("teaching.command",),
+    },
+    Question.ZONE: _NO_LEAD,
+    Question.SMALL: {
+        **_NO_LEAD,
+        **_GOES_ON,
+        **_FIXED,
+        "Each is a run of its own, which nobody begins sixty times.": ("run.start", "replay.start"),
+    },
+    Question.SECOND: {
+        **_NO_LEAD,
+        **_GOES_ON,
+        **_FIXED,
+        "It begins where the motion before ends, so that its straight way is another.": (
+            *("motion.step", "tool.step", "tool.arc", "jog.begin"),
+        ),
+    },
+    Question.LIMIT: {
+        **_NO_LEAD,
+        "The arm keeps its limits in its own recording: no frame names a place.": (
+            "teaching.command",
+        ),
+    },
+    Question.REST: {
+        **_NO_LEAD,
+        "The arm keeps its limits in its own recording: no frame names a place.": (
+            "teaching.command",
+        ),
+    },
+    Question.AREA: _NO_LEAD,
+    Question.FLOOR: _NO_LEAD,
+    Question.BACK_LIMIT: {**_BACK, **_NO_ARC},
+    Question.BACK_REST: {
+        **_BACK,
+        **_NO_ARC,
+        "It turns one joint or shifts the hand, and several joints have to come back.": (
+            *("motion.step", "tool.step", "jog.begin"),
+        ),
+    },
+    Question.BACK_AREA: _BACK,
+    Question.BACK_FLOOR: _BACK,
+}
+"""What cannot be asked of an operation, and why."""
+
+_NO_CHECK: Final = "whoever begins it has to have checked it; it asks no rule itself: "
+_FROM_START: Final = "as begun: "
+
+KNOWN: Final[Mapping[tuple[Question, str], str]] = {
+    (Question.FRAMES, "motion.set_speed"): "sends 0x151, is declared to move nothing",
+    (Question.FRAMES, "run.override"): "sends 0x151, is declared to move nothing",
+    (Question.FRAMES, "mounting.tell"): "sends 0x151, is declared to move nothing",
+    (Question.FRAMES, "gripper.enable"): "sends 0x159 with power, is declared to move nothing",
+    (Question.HALT, "teaching.command"): "0x150 byte 1 = 6 alone: the replay goes on, 12° in 0.5 s",
+    (Question.LATE, "gripper.enable"): "its second attempt is the first to leave, 1.10 s after",
+    (Question.LATE, "motors.enable"): "its second attempt is the first to leave, 1.10 s after",
+    (Question.LATE, "motors.disable"): "its second attempt is the first to leave, 1.10 s after",
+    (Question.LATE, "motors.resume"): "0x150 = 2, the arm drops, leaves 1.10 s after the press",
+    (Question.ZONE, "run.start"): _NO_CHECK,
+    (Question.ZONE, "replay.start"): _NO_CHECK,
+    (Question.ZONE, "run.go_on"): _FROM_START,
+    (Question.ZONE, "replay.go_on"): _FROM_START,
+    (Question.LIMIT, "run.start"): "7.0° are sent as a target; only the arm refuses it (0x04)",
+    (Question.LIMIT, "run.go_on"): _FROM_START,
+    (Question.REST, "run.start"): "9.0° are sent as a target; only the arm refuses it (0x04)",
+    (Question.REST, "run.go_on"): _FROM_START,
+    (Question.AREA, "run.start"): _NO_CHECK,
+    (Question.AREA, "replay.start"): _NO_CHECK,
+    (Question.AREA, "run.go_on"): _FROM_START,
+    (Question.AREA, "replay.go_on"): _FROM_START,
+}
+"""What is broken today, with the figure that was seen."""
+
+
+def excused(question: Question) -> dict[str, str]:
+    """Each operation that a question is not asked of, with the reason."""
+    return {name: reason for reason, names in NOT_ASKED.get(question, {}).items() for name in names}
+
+
+def asked(question: Question) -> pytest.MarkDecorator:
+    """Ask a question of every operation that it can be asked of."""
+    left_out = excused(question)
+    cases = [
+        pytest.param(
+            name,
+            marks=[pytest.mark.xfail(strict=True, raises=AssertionError, reason=known)]
+            if (known := KNOWN.get((question, name)))
+            else [],
+        )
+        for name in ENTRIES
+        if name not in left_out
+    ]
+    return pytest.mark.parametrize("name", cases)
