@@ -83,6 +83,8 @@ class Authority:
         other: Follows what another host does to the arm.
         overspeed: The measured speed and the speed shown, where our motion is far too fast.
         failed: A part of the program fails at each look: no motion of ours may begin.
+        revision: Counts up with each command of ours and with each end: what waited to be checked
+            before is void.
         unconfirmed_cell: The reason against a motion while the cell kept for the adapter is not
             confirmed, or ``None``.
     """
@@ -114,6 +116,7 @@ class Authority:
         self.cancel_unheeded = False
         self.overspeed: Refusal | None = None
         self.failed = False
+        self.revision = 0
         self.unconfirmed_cell: Refusal | None = None
 
     # What is heard ------------------------------------------------------------------------------
@@ -356,6 +359,7 @@ class Authority:
             self._braking = None
         self._end(End.REPLACED)
         self._number += 1
+        self.revision += 1
         target_deg = None if joints_deg is None else tuple(joints_deg)
         self.command = MotionCommand(
             *(self._number, kind, now_s, speed_percent, target_deg, tool, leads_away, pace),
@@ -419,10 +423,15 @@ class Authority:
         if self.command is not None:
             self.command = replace(self.command, sent_s=now_s)
 
-    def cancelled(self, now_s: float) -> None:
-        """Note that the arm was told to end its motion: an earlier command never comes back."""
-        self._end(End.CANCELLED)
-        self._number += 1  # void is also what waits to be checked
+    def cancelled(self, now_s: float, end: End = End.CANCELLED) -> None:
+        """Note that the arm was told to end its motion: an earlier command never comes back.
+
+        Args:
+            now_s: Monotonic time.
+            end: What ends our command by it.
+        """
+        self._end(end)
+        self.revision += 1
         self.holds = frozenset()
         self._left_by_another = self._met_moving = self._cancel_repeated = False
         self._cancelled_s, self.cancel_unheeded = now_s, False
@@ -441,7 +450,7 @@ class Authority:
     def end_command(self, reason: End) -> None:
         """End our command: no step starts from its target any more."""
         self._end(reason)
-        self._number += 1
+        self.revision += 1
         if reason in {End.STOPPED, End.DISABLED, End.FORGOTTEN}:
             self.holds = frozenset()
             self._cancelled_s, self.cancel_unheeded = None, False

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Reason, Refusal
 from armui.control.authority import PART_FAILED
+from armui.control.motion.motion_command import End
 from armui.control.operating_state import LINK_LOST, NOT_CONNECTED, LinkState
 from armui.control.safety.interlocks import (
     CONTROL_OFFSET_UNKNOWN,
@@ -67,17 +68,21 @@ _OWED_S: Final = 10.0
 """A lost device that comes back within this time is sent the end of the motion."""
 
 
-def abort_motion(context: Context) -> bool:
+def abort_motion(context: Context, end: End = End.CANCELLED) -> bool:
     """Have the arm end its motion where it is, powered, and drop its target (0x150 byte 1 = 6).
 
     The frame goes ahead of everything that waits: half a target must not follow it. Return whether
     it is on the bus.
+
+    Args:
+        context: The context that the controller's parts share.
+        end: What ends our command by it.
     """
     connection = context.connection
     if connection.device is None or connection.device.listen_only:
         return False
     frames = commands.trajectory_command(connection.codec, TrajectoryCommand.ABORT)
-    context.authority.cancelled(context.clock())
+    context.authority.cancelled(context.clock(), end)
     return connection.send_urgent(frames)
 
 

@@ -48,5 +48,7 @@ def touches_itself(joints_deg: Sequence[float], rules: Rules) -> bool:
     """Return whether parts of the arm touch each other at six angles, or nearly."""
     pose = np.array([joints_deg], dtype=float)
     return any(
-        bool((rule.outside(pose) > -_NEAR_MM).any()) for rule in rules.every if rule.name == OWN_BODY
+        bool((rule.outside(pose) > -_NEAR_MM).any())
+        for rule in rules.every
+        if rule.name == OWN_BODY
     )

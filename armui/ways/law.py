@@ -21,8 +21,8 @@ from armui.ways.way import Array, Way
 Marks = Mapping[tuple[str, str], float]
 """How far outside the arm was found, by the name of a rule and that of its bound."""
 
-_EXACT: Final = 1e-2
-"""A target may miss a bound by this much, in mm or degrees: rounding to the steps of the bus."""
+_EXACT: Final = 1e-3
+"""Figures that differ by less are the same."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,6 +49,7 @@ class Rule(Protocol):
         name: The name, which is no other rule's.
         bounds: The names of its bounds.
         noise: By how much a pose that is measured may be outside without being so, in its unit.
+        exact: By how much a target may miss a bound, in its unit: rounding to the steps of the bus.
         may_stay: True if an arm outside may be sent to a place that is outside, too, as along the
             plane it is too near to; false if a target is inside always, as the firmware wants of
             the joints' limits.
@@ -59,6 +60,7 @@ class Rule(Protocol):
     name: str
     bounds: tuple[str, ...]
     noise: float
+    exact: float
     may_stay: bool
     reaches_mm: tuple[float, ...]
 
@@ -147,8 +149,8 @@ def _allowed_at_end(rule: Rule, mark: Array, begin: Array) -> Array:
     what has sagged far beyond it may come back a part of the way.
     """
     if not rule.may_stay:
-        return np.full(len(mark), _EXACT)
-    trembling = np.clip(begin, _EXACT, rule.noise)
+        return np.full(len(mark), rule.exact)
+    trembling = np.clip(begin, rule.exact, rule.noise)
     found = np.where(mark > 0.0, mark + rule.noise, trembling)
     return np.maximum(found, begin - rule.noise)
 

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from armui.arm.limits import (
+    ANGLE_STEP_DEG,
     JOINT_OUT_OF_LIMITS,
     JOINTS,
     SAG_DEG,
@@ -62,6 +63,7 @@ OWN_BODY: Final = "own_body"
 """The names of the rules."""
 
 _NOISE_MM: Final = 1.0
+_EXACT_MM: Final = 0.01
 _FINE_DEG: Final = 0.1
 _FLANGE: Final = 6
 
@@ -75,6 +77,7 @@ class LimitsRule:
 
     name = LIMITS
     noise = SAG_DEG
+    exact = ANGLE_STEP_DEG / 2
     may_stay = False
     reaches_mm: tuple[float, ...] = ()
 
@@ -120,6 +123,7 @@ class AreaRule:
 
     name = AREA
     noise = _NOISE_MM
+    exact = _EXACT_MM
     may_stay = True
 
     def __init__(self, check: AreaCheck) -> None:
@@ -164,6 +168,7 @@ class FloorRule:
 
     name = FLOOR
     noise = _NOISE_MM
+    exact = _EXACT_MM
     may_stay = True
     bounds: tuple[str, ...] = (FLOOR,)
 
@@ -201,6 +206,7 @@ class OwnBodyRule:
 
     name = OWN_BODY
     noise = _NOISE_MM
+    exact = _EXACT_MM
     may_stay = True
 
     def __init__(self, body: OwnBody) -> None:

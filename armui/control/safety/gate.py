@@ -18,7 +18,7 @@ from armui.arm.refusal import Reason, Refusal
 from armui.control.context import REFUSED, Context, ControllerPart
 from armui.control.events import Notice
 from armui.control.motion.jog_pace import accelerations
-from armui.control.motion.motion_command import CommandKind, MotionCommand, Mover
+from armui.control.motion.motion_command import CommandKind, End, MotionCommand, Mover
 from armui.control.motion_end import abort_motion
 from armui.control.operations.started import Ending, Started, close_and_tell
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
@@ -115,7 +115,7 @@ class _Pending:
 
     Attributes:
         since_s: The time of the press.
-        number: The authority's number then: with another one it is void.
+        revision: The authority's then: with another one it is void.
         job: Its check; ``None`` while the arm does not rest.
         rules: Those it is checked against.
         told: True once the operator was told that it is checked.
@@ -123,7 +123,7 @@ class _Pending:
 
     request: MotionRequest
     since_s: float
-    number: int
+    revision: int
     job: Future[tuple[Judgement, Way]] | None = None
     rules: Rules | None = None
     told: bool = False
@@ -347,7 +347,7 @@ class Gate(ControllerPart):
         if refusal is not None:
             return refusal
         if not self._context.authority.is_ending:
-            abort_motion(self._context)
+            abort_motion(self._context, End.REPLACED)
         self._rest.reset()
         self._wait_for(request)
         return request.started
@@ -365,7 +365,7 @@ class Gate(ControllerPart):
 
     def _wait_for(self, request: MotionRequest) -> _Pending:
         context = self._context
-        self._pending = _Pending(request, context.clock(), context.authority.number)
+        self._pending = _Pending(request, context.clock(), context.authority.revision)
         return self._pending
 
     def _begin_check(self, pending: _Pending, rules: Rules, way: Way) -> None:
@@ -425,7 +425,7 @@ class Gate(ControllerPart):
         """Go on with what waits; return why it is refused, or ``None``."""
         context, request = self._context, pending.request
         now_s = context.clock()
-        if context.authority.number != pending.number:
+        if context.authority.revision != pending.revision:
             self._drop(Ending.CUT_OFF)
             return None
         refusal = request.why_not(context.operating_state()) or context.why_no_motion()

@@ -207,6 +207,7 @@ def test_a_motion_that_another_takes_the_place_of(rig):
     first = only(rig, "sent_joints")
     rig.run(0.2)
     accepted(rig.controller.motion.go_home())
+    rig.run_until(lambda: "went_home" in rig.codes(), seconds=1.0)
     rig.run_until(lambda: only(rig, "went_home").result is not None)
     result = rig.controller.events.get(first.number).result
     assert (result.params, result.level) == ({"end": "REPLACED"}, Level.INFO)

@@ -139,7 +139,7 @@ def test_a_target_that_comes_back_after_its_cancel_is_seen(qapp, monkeypatch):
 
 
 def test_our_motion_beside_another_host_s_is_seen(qapp, monkeypatch):
-    actions = [Action("other_target", (B, 30), 0.2), Action("send_joints", (A,), 0.2)]
+    actions = [Action("other_target", (B, 30), 0.2), Action("send_joints", (A,), 1.2)]
     assert promise(actions) is None
     monkeypatch.setattr(OtherCommand, "why_not", lambda _: None)
     assert promise(actions) == "S13"
@@ -170,7 +170,7 @@ def test_what_is_refused_is_no_fault(qapp, monkeypatch):
 
 def test_a_failure_says_what_was_seen(qapp, monkeypatch):
     monkeypatch.setattr(OtherCommand, "why_not", lambda _: None)
-    actions = [Action("other_target", (B, 30), 0.2), Action("send_joints", (A,), 0.2)]
+    actions = [Action("other_target", (B, 30), 0.2), Action("send_joints", (A,), 1.2)]
     failure = run(actions, Generation.TWO)
     assert isinstance(failure, Failure)
     assert failure.index == 1
