@@ -127,7 +127,7 @@ class OwnBody:
     @property
     def reaches_mm(self) -> tuple[float, ...]:
         """How far each joint moves any part at most, in mm for a radian."""
-        return tuple(self._moved.reaches_mm.max(axis=0).tolist())
+        return tuple(self._moved.reaches_mm.max(axis=(0, 1)).tolist())
 
     def gaps(self, joints_deg: npt.ArrayLike) -> Array:
         """Return (n, pairs) the distance of each two parts at (n, 6) angles.

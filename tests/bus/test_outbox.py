@@ -14,7 +14,7 @@ STOP = Frame(0x150, bytes.fromhex("0100000000000000"))
 
 
 def frames(*numbers):
-    return [Frame(0x155, bytes([number])) for number in numbers]
+    return [Frame(0x475, bytes([number])) for number in numbers]
 
 
 class Wire:

@@ -76,7 +76,7 @@ def test_what_the_arm_says_is_in_the_picture(rig):
 
 def test_frames_reach_the_arm_in_order(rig):
     rig.start()
-    assert rig.worker.send([Frame(0x155, bytes([n])) for n in range(5)])
+    assert rig.worker.send([Frame(0x475, bytes([n])) for n in range(5)])
     assert [rig.arm.recv(5).data[0] for _ in range(5)] == [0, 1, 2, 3, 4]
 
 
@@ -105,7 +105,7 @@ def test_a_device_that_cannot_be_opened_is_reported_and_the_thread_ends(rig):
     rig.wait_for(BusState.FAILED)
     assert rig.reports[-1].problem.reason == BUS_BUSY
     assert rig.worker.wait(5000)
-    assert not rig.worker.send([Frame(0x155, b"")])
+    assert not rig.worker.send([Frame(0x475, b"")])
 
 
 def test_an_unplugged_device_is_noticed_and_reopened_when_it_is_back(rig):
@@ -114,7 +114,7 @@ def test_an_unplugged_device_is_noticed_and_reopened_when_it_is_back(rig):
     rig.unplug(can.CanOperationError("unplugged", error_code=errno.ENODEV))
     rig.wait_for(BusState.LOST)
     assert rig.reports[-1].problem.reason == BUS_GONE
-    assert not rig.worker.send([Frame(0x155, b"never")])
+    assert not rig.worker.send([Frame(0x475, b"never")])
     rig.qtbot.waitUntil(lambda: rig.reports[-1].state is BusState.OPEN)
     states = [report.state for report in rig.reports]
     assert states == [BusState.OPENING, BusState.OPEN, BusState.LOST, BusState.LOST, BusState.OPEN]
@@ -143,9 +143,9 @@ def test_another_generation_can_be_spoken_from_the_next_frame_on(rig):
 def test_what_an_adapter_echoes_of_the_programs_own_was_said_by_nobody(rig):
     rig.start()
     rig.bus.receive_own_messages = True
-    targets = [Frame(target_id, bytes(8)) for target_id in (0x155, 0x156, 0x157)]
+    targets = [Frame(target_id, bytes(8)) for target_id in (0x475, 0x156, 0x157)]
     assert rig.worker.send(targets)
-    assert [rig.arm.recv(1.0).arbitration_id for _ in targets] == [0x155, 0x156, 0x157]
+    assert [rig.arm.recv(1.0).arbitration_id for _ in targets] == [0x475, 0x156, 0x157]
     rig.arm.send(JOINTS_12)
     rig.qtbot.waitUntil(lambda: rig.worker.state.last_feedback_s is not None)
     assert rig.worker.state.foreign_targets_s is None

@@ -28,7 +28,7 @@ GIVE_UP_S = 20
 
 
 def frames(*numbers):
-    return [Frame(0x155, bytes([number])) for number in numbers]
+    return [Frame(0x475, bytes([number])) for number in numbers]
 
 
 class StuckBus(VirtualBus):
