@@ -129,3 +129,20 @@ class InlineRig(ArmRig):
             if self._inline is None or self._inline.at_rest:
                 return
         raise AssertionError("there is always something more to say")
+
+
+@contextmanager
+def inline_rig(channel: str, *, repeats: bool = False) -> Iterator[InlineRig]:
+    """Make such a rig, and close it at the end.
+
+    Args:
+        channel: Of the virtual bus.
+        repeats: True for an arm that tells everything as often as a real one.
+    """
+    rig = InlineRig(channel)
+    if not repeats:
+        rig.repeat_nothing()
+    try:
+        yield rig
+    finally:
+        rig.close()

@@ -67,6 +67,10 @@ MOTIONS = 6
 """In each cell."""
 SMALL_STEPS = 50
 _GHOST_S = 14.0
+_TRIES = 8
+_NEAR_ENOUGH_MM = 6.0
+_MIDDLE_MM = np.array((0.0, 0.0, 250.0))
+"""Boxes are moved towards here or away."""
 _FRAMES = (JogFrame.BASE, JogFrame.TOOL)
 
 
@@ -154,25 +158,39 @@ class Scene:
         return replace(cell, area=area_of(*self._zones(cell), margin_mm=MARGIN_MM))
 
     def _zones(self, cell: Cell) -> Iterator[Zone]:
-        """Yield planes and boxes around the arm where it lies, some of them near."""
-        rng, count, made = self.rng, int(self.rng.integers(1, 21)), 0
-        planes = 0
-        while made < count:
-            near_mm = float(rng.choice((rng.uniform(CLEAR_MM, 80.0), rng.uniform(80.0, 350.0))))
+        """Yield planes and boxes around the arm where it lies, one of them at least near."""
+        rng, planes = self.rng, 0
+        for number in range(int(rng.integers(1, 21))):
+            furthest_mm = CLEAR_MM + 15.0 if number == 0 else rng.choice((80.0, 350.0))
+            near_mm = float(rng.uniform(CLEAR_MM, furthest_mm))
             turns = _rounded(rng.uniform(-180.0, 180.0, 3))
-            zone: Zone
             if planes < MOST_PLANES and rng.random() < 0.25:
-                zone = _plane(f"plane {made}", turns, near_mm, self.lies_deg, cell, self.model)
+                zone: Zone = AreaPlane(f"plane {number}", (0.0, 0.0, 0.0, *turns))
                 planes += 1
             else:
                 place = rng.uniform((-600.0, -600.0, -100.0), (600.0, 600.0, 800.0))
                 size = _rounded(rng.uniform(20.0, 250.0, 3))
-                zone = AreaBox(f"box {made}", (*_rounded(place), *turns), size)
-                gap = MeshOracle(zone, model=self.model, cell=cell).nearest(self.lies_deg)
-                if not CLEAR_MM <= gap.mm <= 350.0:
-                    continue
-            made += 1
-            yield zone
+                zone = AreaBox(f"box {number}", (*_rounded(place), *turns), size)
+            moved = self._moved(zone, near_mm, cell)
+            if moved is not None:
+                yield moved
+
+    def _moved(self, zone: Zone, near_mm: float, cell: Cell) -> Zone | None:
+        """Return a zone so far from the arm; ``None`` if it does not come to that."""
+        normal = frame_of(zone.pose)[:3, 2]
+        for _ in range(_TRIES):
+            gap = MeshOracle(zone, model=self.model, cell=cell).nearest(self.lies_deg)
+            off_mm = gap.mm - near_mm
+            if abs(off_mm) < _NEAR_ENOUGH_MM and gap.mm >= CLEAR_MM:
+                return zone
+            place = np.array(zone.pose[:3])
+            if isinstance(zone, AreaPlane):
+                way = normal
+            else:
+                way = _MIDDLE_MM - place
+                way = way / max(float(np.linalg.norm(way)), 1.0)
+            zone = replace(zone, pose=(*_rounded(place + off_mm * way), *zone.pose[3:]))
+        return None
 
     def begin(self) -> None:
         """Switch the arm on, put the cell in force, and watch."""
@@ -545,21 +563,6 @@ def play(seed: int, motions: int = MOTIONS) -> list[Motion]:
 
 def _rounded(values: Sequence[float] | np.ndarray) -> tuple[float, ...]:
     return tuple(round(float(value), 2) for value in values)
-
-
-def _plane(
-    name: str,
-    turns: tuple[float, ...],
-    near_mm: float,
-    joints_deg: Sequence[float],
-    cell: Cell,
-    model: PiperModel,
-) -> AreaPlane:
-    """Return a plane in a random direction, so far from the arm."""
-    plane = AreaPlane(name, (0.0, 0.0, 0.0, *turns))
-    oracle = MeshOracle(plane, model=model, cell=cell)
-    off = oracle.nearest(joints_deg).mm - near_mm
-    return replace(plane, pose=(*_rounded(off * frame_of(plane.pose)[:3, 2]), *turns))
 
 
 def report(motions: Sequence[Motion], left_out: int, seconds: float) -> str:

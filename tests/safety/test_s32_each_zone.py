@@ -14,6 +14,7 @@ from armui.protocol.codes import TeachingState
 from tests.accepted import accepted
 from tests.cell.areas import gap_mm, put, wall
 from tests.control.jogger import BENT_DEG, bend
+from tests.safety.inline_rig import inline_rig
 from tests.safety.mesh_oracle import MeshOracle
 from tests.safety.watched_arm import watch
 
@@ -26,8 +27,9 @@ SWUNG_DEG = (BENT_DEG[0], BENT_DEG[1] + 20.0, BENT_DEG[2] + 20.0, *BENT_DEG[3:])
 
 
 @pytest.fixture
-def arm_repeats():
-    return False
+def rig(qapp, request):
+    with inline_rig(request.node.nodeid) as rig:
+        yield rig
 
 
 def person(by_mm=BEFORE_MM):

@@ -21,6 +21,7 @@ from tests.accepted import accepted
 from tests.cell.areas import put
 from tests.control.jogger import BENT_DEG, bend
 from tests.family import PIPER
+from tests.safety.inline_rig import inline_rig
 from tests.safety.watched_arm import rest, told, watch
 
 CUTS_CORNERS = pytest.mark.xfail(
@@ -33,8 +34,9 @@ HAND_DEG = BENT_DEG[3:]
 
 
 @pytest.fixture
-def arm_repeats():
-    return False
+def rig(qapp, request):
+    with inline_rig(request.node.nodeid) as rig:
+        yield rig
 
 
 def joints(*first_deg):

@@ -20,6 +20,7 @@ from armui.ui import words
 from tests.accepted import accepted
 from tests.control.jogger import BENT_DEG, hold
 from tests.family import FACTORY_LIMITS, ranges
+from tests.safety.inline_rig import inline_rig
 from tests.safety.watched_arm import settle, told
 
 STRANDED = pytest.mark.xfail(
@@ -33,6 +34,12 @@ SLOW_PERCENT = 10
 CLEAR_J5_DEG = 15.0
 """From here on hand and base are apart."""
 LOW_DEG, HIGH_DEG = (np.array(each) for each in ranges(PiperModel.PIPER))
+
+
+@pytest.fixture
+def rig(qapp, request):
+    with inline_rig(request.node.nodeid) as rig:
+        yield rig
 
 
 def outside_deg(joints_deg):
