@@ -313,7 +313,7 @@ class _Placed:
 class _Plane:
     def __init__(self, zone: AreaPlane) -> None:
         self.name = zone.name
-        frame = _frame(zone.pose)
+        frame = frame_of(zone.pose)
         self._normal, self._place = frame[:3, 2], frame[:3, 3]
 
     def nearest(self, oracle: MeshOracle, placed: _Placed, below_mm: float) -> Gap:
@@ -337,7 +337,7 @@ class _Plane:
 class _Box:
     def __init__(self, zone: AreaBox) -> None:
         self.name = zone.name
-        frame = _frame(zone.pose)
+        frame = frame_of(zone.pose)
         self._turn, self._place = frame[:3, :3], frame[:3, 3]
         self._transform = fcl.Transform(self._turn, self._place)
         self._half = np.array(zone.size_mm) / 2.0
@@ -414,7 +414,8 @@ class Judge:
         self._last_deg = now_deg
 
 
-def _frame(pose: Sequence[float]) -> np.ndarray:
+def frame_of(pose: Sequence[float]) -> np.ndarray:
+    """Return X, Y, Z in mm and RX, RY, RZ in degrees as a matrix."""
     frame = np.eye(4)
     frame[:3, :3] = Rotation.from_euler("xyz", pose[3:], degrees=True).as_matrix()
     frame[:3, 3] = pose[:3]
@@ -445,7 +446,7 @@ def _cylinder(tip: np.ndarray, radius_mm: float) -> Part:
 
 
 def _held(held: HeldObject, area: Area) -> Part:
-    place = _frame(held.pose)
+    place = frame_of(held.pose)
     size = np.array(held.size_mm)
     skips = frozenset(held.may_touch) & {zone.name for zone in area.zones}
     if not held.is_rod:

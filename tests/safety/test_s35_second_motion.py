@@ -19,9 +19,10 @@ from armui.kinematics.axes import JogFrame
 from armui.protocol.codes import MoveMode
 from tests.accepted import accepted
 from tests.cell.areas import put
-from tests.control.jogger import BENT_DEG, bend, fastest_deg_s
+from tests.control.jogger import BENT_DEG, bend
 from tests.family import PIPER
-from tests.safety.watched_arm import RESTS_DEG_S, told, watch
+from tests.safety.inline_rig import inline_rig
+from tests.safety.watched_arm import rest, told, watch
 
 CUTS_CORNERS = pytest.mark.xfail(
     strict=True, reason="checked by way of the first target, driven straight to the second (S35)"
@@ -33,8 +34,9 @@ HAND_DEG = BENT_DEG[3:]
 
 
 @pytest.fixture
-def arm_repeats():
-    return False
+def rig(qapp, request):
+    with inline_rig(request.node.nodeid) as rig:
+        yield rig
 
 
 def joints(*first_deg):
@@ -143,17 +145,6 @@ def play(rig, scene):
     rig.run(scene.after_s)
     rig.heard()
     return scene.second(rig.controller), seen
-
-
-def rest(rig, seconds=20.0):
-    """Let time pass until the arm has stood for a second."""
-    stood = 0
-    for _ in range(round(seconds / 0.02)):
-        rig.step()
-        stood = stood + 1 if fastest_deg_s(rig) < RESTS_DEG_S else 0
-        if stood > 1.0 / 0.02:
-            return
-    raise AssertionError("it does not come to rest")
 
 
 def answered(rig, answer):

@@ -29,6 +29,7 @@ from tests.cell.areas import area_of, gap_mm, wall
 from tests.control.jogger import BENT_DEG, bend, hold
 from tests.control.under_way import run_of, to
 from tests.family import FACTORY_LIMITS, PIPER
+from tests.safety.inline_rig import inline_rig
 from tests.safety.mesh_oracle import MeshOracle
 from tests.safety.test_s32_jogging_low import tip_mm
 from tests.safety.test_s32_placed_base import ASLANT, lowest_mm
@@ -47,8 +48,9 @@ TILTED = UserFrame("jig", (0.0, 0.0, 0.0, 20.0, -30.0, 0.0))
 
 
 @pytest.fixture
-def arm_repeats():
-    return False  # thousands of steps of the rig; the oracle looks at the ways between them
+def rig(qapp, request):
+    with inline_rig(request.node.nodeid) as rig:
+        yield rig
 
 
 @pytest.fixture

@@ -11,7 +11,7 @@ from tests.safety.mesh_oracle import Gap, Judge, MeshOracle
 
 RESTS_DEG_S = 0.02
 LOOK_S = 0.02
-_ENDS_WITHIN_S = 12.0
+ENDS_WITHIN_S = 12.0
 
 
 class Watch:
@@ -53,16 +53,27 @@ def watch(rig: ArmRig) -> Watch:
     return Watch(rig, MeshOracle.of(rig.controller.cell.cell))
 
 
-def settle(rig: ArmRig, answer: Started | Refusal | None) -> bool:
+def settle(rig: ArmRig, answer: Started | Refusal | None, seconds: float = ENDS_WITHIN_S) -> bool:
     """Let time pass until a motion has ended and the arm rests; whether it had begun."""
     if not isinstance(answer, Started):
         told(answer)
         return False
-    for _ in range(round(_ENDS_WITHIN_S / LOOK_S)):
+    for _ in range(round(seconds / LOOK_S)):
         rig.step(LOOK_S)
         if answer.ending is not None and fastest_deg_s(rig) < RESTS_DEG_S:
             break
     return True
+
+
+def rest(rig: ArmRig, seconds: float = 20.0) -> None:
+    """Let time pass until the arm has stood for a second."""
+    stood = 0
+    for _ in range(round(seconds / LOOK_S)):
+        rig.step(LOOK_S)
+        stood = stood + 1 if fastest_deg_s(rig) < RESTS_DEG_S else 0
+        if stood > 1.0 / LOOK_S:
+            return
+    raise AssertionError("it does not come to rest")
 
 
 def told(answer: Started | Refusal | None) -> Refusal:
