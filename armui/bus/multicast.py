@@ -10,6 +10,8 @@ from typing import Any, Final
 import can
 from can.interfaces.udp_multicast import UdpMulticastBus
 
+from armui.system.clock import steady_s
+
 _ECHO_S: Final = 2.0
 """A frame of ours comes back within this time, or it was lost."""
 
@@ -32,7 +34,7 @@ class MulticastBus(UdpMulticastBus):
         Raises:
             can.CanError: The system does not take it.
         """
-        sent = (time.time(), msg.arbitration_id, bytes(msg.data))
+        sent = (steady_s(), msg.arbitration_id, bytes(msg.data))
         with self._lock:
             self._sent.append(sent)
         try:
@@ -50,8 +52,10 @@ class MulticastBus(UdpMulticastBus):
 
     def _is_back(self, message: can.Message) -> bool:
         said = (message.arbitration_id, bytes(message.data))
+        # its stamp is the time of day, which may be set meanwhile: only its age counts
+        received_s = steady_s() - max(0.0, time.time() - message.timestamp)
         with self._lock:
-            while self._sent and self._sent[0][0] < message.timestamp - _ECHO_S:
+            while self._sent and self._sent[0][0] < received_s - _ECHO_S:
                 self._sent.popleft()
             for sent in self._sent:
                 if sent[1:] == said:

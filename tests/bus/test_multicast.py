@@ -1,6 +1,7 @@
 """The bus over UDP multicast: what comes back of ours is ours, what others say is theirs."""
 
 import socket
+import time
 
 import can
 import pytest
@@ -9,6 +10,7 @@ from armui.arm.device import Device
 from armui.bus.adapters import open_bus
 from armui.bus.send_errors import obeys_its_timeout
 from armui.bus.worker import is_own_echo
+from armui.system.clock import steady_s
 
 GROUP = "239.74.163.7"
 
@@ -62,10 +64,21 @@ def test_what_the_system_did_not_take_is_not_expected_back(buses, monkeypatch):
 
 def test_a_frame_that_was_lost_excuses_none_of_another_host_later(buses, monkeypatch):
     ours, _other = buses
-    monkeypatch.setattr("armui.bus.multicast.time.time", lambda: 0.0)
+    monkeypatch.setattr("armui.bus.multicast.steady_s", lambda: steady_s() - 3.0)
     ours.send(frame(5))
     monkeypatch.undo()
     assert heard(ours) == (5, False)
+
+
+@pytest.mark.parametrize("by_s", [3600.0, -3600.0], ids=["forward", "back"])
+def test_a_clock_that_is_set_makes_no_other_host_of_us(buses, monkeypatch, by_s):
+    """Between sending a frame and its coming back, by an hour."""
+    ours, _other = buses
+    day = time.time
+    monkeypatch.setattr("armui.bus.multicast.time.time", lambda: day() - by_s)
+    ours.send(frame(6))
+    monkeypatch.undo()
+    assert heard(ours) == (6, True)
 
 
 def test_its_send_returns_in_time(buses):
