@@ -13,6 +13,7 @@ from armui.protocol.codec import Codec, InvalidFrame
 from armui.protocol.frame import Frame, FrameFlag
 from armui.protocol.generation import Generation
 from armui.telemetry.listener import Listener
+from armui.ways.passes import Pass
 
 # J1 12.000° = 12,000 = 0x00002EE0, J2 −12.000°
 JOINTS_12 = can.Message(
@@ -94,7 +95,7 @@ def test_it_hears_every_frame_with_its_time(rig):
 
 
 def test_it_hears_what_the_program_sends_and_when_it_was_out(rig):
-    rig.worker.send([TARGET, TARGET])
+    rig.worker.send([TARGET, TARGET], passed=Pass())
     rig.worker.send_urgent([STOP])
     rig.wait(lambda: len(rig.ear.sent) >= 1 and rig.ear.sent[-1][0].name == "MotionCommand")
     assert rig.ear.sent[-1][0].signals["EmergencyStop"] == 1
@@ -128,7 +129,7 @@ def test_one_that_fails_is_told_no_more_and_nothing_else_suffers(rig, caplog):
     rig.wait(lambda: rig.worker.state.frames == 2)
     assert rig.ear.heard == []
     assert rig.reports == [BusState.OPENING, BusState.OPEN]
-    rig.worker.send([TARGET])
+    rig.worker.send([TARGET], passed=Pass())
     said = rig.arm.recv(2.0)
     assert said is not None
     assert said.arbitration_id == 0x155
@@ -161,7 +162,7 @@ def test_one_that_comes_late_is_told_of_the_device_and_one_that_left_nothing(rig
 def test_what_sort_of_frame_it_was_is_told_with_its_bytes(rig):
     rig.arm.send(can.Message(arbitration_id=0x18FF1234, data=b"ab", is_extended_id=True))
     rig.arm.send(JOINTS_12)
-    rig.worker.send([TARGET])
+    rig.worker.send([TARGET], passed=Pass())
     rig.wait(lambda: len(rig.ear.heard) == 2 and len(rig.ear.sent) == 1)
     told = [(frame, flags) for _message, _at_s, frame, flags in rig.ear.heard + rig.ear.sent]
     assert told == [

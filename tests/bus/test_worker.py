@@ -14,6 +14,7 @@ from armui.bus.worker import BusWorker
 from armui.protocol.codec import Codec
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from armui.ways.passes import Pass
 
 JOINTS_12 = can.Message(
     arbitration_id=0x2A5, data=bytes.fromhex("00002EE0FFFFD120"), is_extended_id=False
@@ -143,9 +144,9 @@ def test_another_generation_can_be_spoken_from_the_next_frame_on(rig):
 def test_what_an_adapter_echoes_of_the_programs_own_was_said_by_nobody(rig):
     rig.start()
     rig.bus.receive_own_messages = True
-    targets = [Frame(target_id, bytes(8)) for target_id in (0x475, 0x156, 0x157)]
-    assert rig.worker.send(targets)
-    assert [rig.arm.recv(1.0).arbitration_id for _ in targets] == [0x475, 0x156, 0x157]
+    targets = [Frame(target_id, bytes(8)) for target_id in (0x155, 0x156, 0x157)]
+    assert rig.worker.send(targets, passed=Pass())
+    assert [rig.arm.recv(1.0).arbitration_id for _ in targets] == [0x155, 0x156, 0x157]
     rig.arm.send(JOINTS_12)
     rig.qtbot.waitUntil(lambda: rig.worker.state.last_feedback_s is not None)
     assert rig.worker.state.foreign_targets_s is None

@@ -18,7 +18,6 @@ from tests.safety.inline_rig import inline_rig
 from tests.safety.mesh_oracle import MeshOracle
 from tests.safety.watched_arm import watch
 
-ONE_FLAG = pytest.mark.xfail(strict=True, reason="one flag stands for all zones (S32)")
 PARKED_MM = 5.0
 """So far is the parked arm from the table, within the margin of 10."""
 BEFORE_MM = 25.0
@@ -73,7 +72,6 @@ def reached(rig, target_deg):
     return max(abs(a - b) for a, b in zip(rig.firmware.joints_deg, target_deg, strict=True)) < 0.2
 
 
-@ONE_FLAG
 @pytest.mark.parametrize("stops", [False, True], ids=["told", "stopped"])
 @pytest.mark.parametrize("parking", PARKINGS)
 def test_another_host_is_told_and_stopped_at_another_zone(rig, other_host, parking, stops):
@@ -87,7 +85,6 @@ def test_another_host_is_told_and_stopped_at_another_zone(rig, other_host, parki
     assert reached(rig, SWUNG_DEG) is not stops
 
 
-@ONE_FLAG
 def test_the_deepest_of_two_zones_does_not_hide_the_other(rig, other_host):
     """Parked 20 mm inside the one: the other counts from its own margin on."""
     deep = behind()
@@ -100,7 +97,6 @@ def test_the_deepest_of_two_zones_does_not_hide_the_other(rig, other_host):
     assert not reached(rig, SWUNG_DEG)
 
 
-@ONE_FLAG
 def test_two_zones_at_once_are_both_told(rig, other_host):
     guarded(rig, person(), replace(person(), name="second person"))
     other_host.move_to(SWUNG_DEG, 20)
@@ -108,7 +104,6 @@ def test_two_zones_at_once_are_both_told(rig, other_host):
     assert sorted(entered(rig)) == ["person", "second person"]
 
 
-@ONE_FLAG
 def test_a_second_zone_behind_the_first_is_told_as_well(rig, other_host):
     """Nobody is stopped: one after the other is entered."""
     guarded(rig, person(), replace(person(BEFORE_MM + 30.0), name="second person"), stops=False)
@@ -130,7 +125,6 @@ def test_what_is_entered_again_is_told_and_stopped_again(rig, other_host):
     assert rig.codes().count("area_left") == 2
 
 
-@ONE_FLAG
 def test_what_is_entered_again_from_a_parking_is_told_again(rig, other_host):
     guarded(rig, behind(), person())
     for time in (1, 2):
@@ -142,7 +136,6 @@ def test_what_is_entered_again_from_a_parking_is_told_again(rig, other_host):
         rig.run(4.0)
 
 
-@ONE_FLAG
 def test_a_host_that_goes_on_after_the_halt_is_halted_again(rig, other_host):
     """It was stopped once, and sends it further in from there: the edge is behind it."""
     guarded(rig, person())
@@ -154,7 +147,7 @@ def test_a_host_that_goes_on_after_the_halt_is_halted_again(rig, other_host):
     assert seen.least.mm > -30.0
 
 
-@pytest.mark.parametrize("parking", [pytest.param(True, marks=ONE_FLAG), False])
+@pytest.mark.parametrize("parking", [pytest.param(True), False])
 def test_a_hand_is_told_at_each_zone(rig, parking):
     guarded(rig, *([behind()] if parking else []), person(), stops=False)
     accepted(rig.controller.teaching.command(TeachingState.START_RECORDING))

@@ -597,7 +597,7 @@ def test_that_of_a_simulated_arm_ends_with_it(app_driver):
     app_driver.run(2.0)
     assert doubtful(app_driver) == (5,)
     ((key, entry),) = app_driver.store.settings.references.items()
-    assert (entry["doubtful"], entry["pose_deg"]) == ((), (0.0,) * 6)
+    assert (tuple(entry["doubtful"]), tuple(entry["pose_deg"])) == ((), (0.0,) * 6)
     app_driver.controller.disconnect_device()
     app_driver.connect()
     app_driver.run(0.5)

@@ -23,9 +23,6 @@ from tests.family import FACTORY_LIMITS, ranges
 from tests.safety.inline_rig import inline_rig
 from tests.safety.watched_arm import settle, told
 
-STRANDED = pytest.mark.xfail(
-    strict=True, reason="outside is an error, and no place to come back from (S36)"
-)
 REST_DEG = (0.0, -1.999, 1.971, -1.412, 22.110, -2.608)
 """How a real arm lies when it is switched on."""
 NOISE_DEG = 0.05
@@ -169,14 +166,12 @@ OUTSIDE_BOUNDS = {1: 150.0, 2: 0.0, 3: 0.0, 4: 100.0, 6: -120.0}
 """Which limit each joint is beyond in these tests."""
 
 
-@STRANDED
 @pytest.mark.parametrize(("joint", "way"), [(1, 5.0), (4, -3.0), (6, 2.0), (5, -2.0)])
 def test_another_joints_step_names_what_is_outside(resting, joint, way):
     answer = resting.controller.motion.jog(joint, way)
     assert names_what_is_outside(answer, 2, 3)
 
 
-@STRANDED
 @pytest.mark.parametrize("joint", [1, 4, 5, 6])
 def test_another_joints_held_jog_names_what_is_outside(resting, joint):
     answer = resting.controller.jogging.start(JointJog(joint, 1))
@@ -184,7 +179,6 @@ def test_another_joints_held_jog_names_what_is_outside(resting, joint):
     assert names_what_is_outside(answer if isinstance(answer, Refusal) else ended(resting), 2, 3)
 
 
-@STRANDED
 def test_ready_is_not_said_while_nothing_can_be_done(resting):
     step = resting.controller.recovery.step
     assert step.kind is not StepKind.READY
@@ -209,7 +203,6 @@ ALONE = {
 }
 
 
-@STRANDED
 @pytest.mark.parametrize("name", ALONE)
 def test_a_joint_alone_outside_is_stepped_back_to_its_limit_at_least(rig, name):
     joint, lies_deg, way = ALONE[name]
@@ -221,7 +214,6 @@ def test_a_joint_alone_outside_is_stepped_back_to_its_limit_at_least(rig, name):
     assert watch.furthest_deg.max() <= NOISE_DEG
 
 
-@STRANDED
 @pytest.mark.parametrize("name", ["J1", "J2", "J6"])
 def test_a_joint_alone_outside_is_jogged_back(rig, name):
     joint, lies_deg, way = ALONE[name]
@@ -246,7 +238,6 @@ def test_a_joint_alone_outside_is_not_stepped_further(rig, name):
     assert watch.furthest_deg.max() <= NOISE_DEG
 
 
-@STRANDED
 @pytest.mark.parametrize(("name", "other"), [("J1", 4), ("J4", 1), ("J6", 2)])
 def test_a_step_of_another_joint_names_the_one_that_is_outside(rig, name, other):
     joint, lies_deg, _ = ALONE[name]
@@ -257,7 +248,6 @@ def test_a_step_of_another_joint_names_the_one_that_is_outside(rig, name, other)
     assert f"J{other}" not in sentence
 
 
-@STRANDED
 @pytest.mark.parametrize("beyond_deg", [0.1, 0.4])
 def test_sag_beyond_a_limit_is_sent_as_the_limit(rig, beyond_deg):
     """The joint hangs a little out; another one's step is taken and does not bring it back."""
@@ -278,7 +268,6 @@ def come_inside(rig):
     rig.run(1.0)
 
 
-@STRANDED
 def test_the_way_back_brings_all_in_together_and_hand_and_base_apart(resting):
     come_inside(resting)
     first, *others = resting.watch.targets_deg[1:]
@@ -293,7 +282,6 @@ def test_the_way_back_brings_all_in_together_and_hand_and_base_apart(resting):
     assert resting.watch.furthest_deg.max() <= NOISE_DEG
 
 
-@STRANDED
 def test_the_way_back_is_slow_whatever_the_speed_is(resting):
     resting.controller.motion.set_speed_percent(100)
     come_inside(resting)
@@ -302,7 +290,6 @@ def test_the_way_back_is_slow_whatever_the_speed_is(resting):
     assert resting.watch.speeds_deg_s.max() > 0.0
 
 
-@STRANDED
 def test_after_the_way_back_the_arm_is_ready_and_moves(resting):
     come_inside(resting)
     assert resting.controller.recovery.step.kind is StepKind.READY
@@ -313,7 +300,6 @@ def test_after_the_way_back_the_arm_is_ready_and_moves(resting):
     assert resting.controller.jogging.active
 
 
-@STRANDED
 @pytest.mark.parametrize("name", ALONE)
 def test_the_way_back_of_a_single_joint_moves_no_other(rig, name):
     joint, lies_deg, way = ALONE[name]
@@ -327,7 +313,6 @@ def test_the_way_back_of_a_single_joint_moves_no_other(rig, name):
     assert watch.furthest_deg.max() <= NOISE_DEG
 
 
-@STRANDED
 @pytest.mark.parametrize("end", ["stop", "halt"])
 def test_a_stop_ends_the_way_back_for_good(resting, end):
     controller = resting.controller
@@ -344,14 +329,12 @@ def test_a_stop_ends_the_way_back_for_good(resting, end):
     assert len(resting.watch.targets_deg) == count
 
 
-@STRANDED
 def test_another_host_that_moves_the_arm_has_it_refused(resting, other_host):
     other_host.move_to((0.0, 5.0, -5.0, 0.0, 15.0, 0.0), 5)
     resting.run(0.2)
     told(resting.controller.motion.come_inside())
 
 
-@STRANDED
 def test_inside_there_is_no_way_back(rig):
     lying(rig, BENT_DEG)
     told(rig.controller.motion.come_inside())

@@ -35,8 +35,6 @@ from tests.safety.test_s32_jogging_low import tip_mm
 from tests.safety.test_s32_placed_base import ASLANT, lowest_mm
 from tests.safety.watched_arm import Watch, settle, told
 
-CREEPS = pytest.mark.xfail(strict=True, reason="each motion is granted its own millimetre (S36)")
-NO_FLOOR = pytest.mark.xfail(strict=True, reason="typed motions do not ask for the floor (S35)")
 MARGIN_MM = 10.0
 SLACK_MM = 1.0
 BEFORE_MM = 11.0
@@ -124,7 +122,6 @@ STEPS = {
     ),
     "run": single_run,
 }
-KEPT = {"MOVE C", "run"}
 TAPS = {
     "tool": ToolJog(0, 1, JogFrame.BASE),
     "joint": JointJog(2, 1),
@@ -160,9 +157,7 @@ def in_jig(cell=None):
     return replace(cell or Cell("bench"), frames=(TILTED,), frame=TILTED.name)
 
 
-@pytest.mark.parametrize(
-    "name", [pytest.param(each, marks=() if each in KEPT else CREEPS) for each in STEPS]
-)
+@pytest.mark.parametrize("name", STEPS)
 def test_no_small_motion_creeps_towards_a_wall(bent, name):
     watch = before(bent, near_wall(), in_jig())
     assert press(bent, STEPS[name]) > 0
@@ -176,7 +171,6 @@ def test_no_tapped_button_creeps_towards_a_wall(bent, name):
     assert watch.least.mm >= LEAST_MM
 
 
-@CREEPS
 @pytest.mark.parametrize("pace", ["at rest", "quickly", "slowly"])
 def test_neither_the_pace_of_the_presses_nor_the_speed_matters(bent, pace):
     watch = before(bent, near_wall())
@@ -192,7 +186,6 @@ def test_neither_the_pace_of_the_presses_nor_the_speed_matters(bent, pace):
     assert watch.least.mm >= LEAST_MM
 
 
-@CREEPS
 def test_steps_of_another_kind_between_grant_nothing_anew(bent):
     """In, sideways, in, up, by turns of joints and of the tool: none sets the mark back."""
     watch = before(bent, near_wall())
@@ -208,7 +201,6 @@ def test_steps_of_another_kind_between_grant_nothing_anew(bent):
     assert watch.least.mm >= LEAST_MM
 
 
-@CREEPS
 def test_coming_back_grants_nothing_anew(bent):
     """Two steps in, one out, over and over: it comes to rest where the first two do."""
     watch = before(bent, near_wall())
@@ -224,7 +216,6 @@ def crate(joints_deg, by_mm):
     return replace(near, pose=(x + 200.0 - off + by_mm, y, z, 0.0, 0.0, 0.0))
 
 
-@CREEPS
 @pytest.mark.parametrize("name", ["tool step", "joint step", "MOVE L", "typed joints"])
 def test_a_box_is_kept_as_a_plane_is(bent, name):
     watch = before(bent, crate(BENT_DEG, BEFORE_MM))
@@ -232,7 +223,6 @@ def test_a_box_is_kept_as_a_plane_is(bent, name):
     assert watch.least.mm >= LEAST_MM
 
 
-@CREEPS
 def test_the_elbow_is_kept_as_the_hand_is(bent):
     """The arm's back comes to a wall behind it while the hand goes away from it."""
     back = AreaPlane("back", (0.0, 0.0, 0.0, 0.0, 90.0, 0.0))
@@ -254,7 +244,6 @@ CARRIED = {
 }
 
 
-@CREEPS
 @pytest.mark.parametrize("name", CARRIED)
 def test_what_the_arm_carries_is_kept_out_as_it_is(bent, name):
     """The wall is put up by the meshes: what stands for them is wider, by so much at most."""
@@ -283,9 +272,7 @@ def lower(rig, mode):
 
 
 @pytest.mark.parametrize("placement", [Placement(), ASLANT], ids=["upright", "aslant"])
-@pytest.mark.parametrize(
-    "name", [pytest.param(each, marks=NO_FLOOR if each in TYPED else ()) for each in DOWN]
-)
+@pytest.mark.parametrize("name", [pytest.param(each if each in TYPED else ()) for each in DOWN])
 def test_the_lowest_height_is_kept_by_small_motions(bent, name, placement):
     height_mm = (lambda at: lowest_mm(at, placement)) if placement.is_set else tip_mm
     accepted(bent.controller.cell.take(Cell("bench", placement=placement)))

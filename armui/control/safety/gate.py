@@ -440,7 +440,7 @@ class Gate(ControllerPart):
             return refusal
         if not pending.told and now_s - pending.since_s >= _SAID_AFTER_S:
             pending.told = True
-            context.report(request.started, CHECKING)
+            context.tell(CHECKING)
         return None
 
     def _check_at_rest(self, pending: _Pending) -> Refusal | None:
