@@ -56,11 +56,13 @@ def test_another_language_is_taken_on_while_it_sinks(raised):
     raised.controller.emergency_stop()
     raised.run(1.5)
     raised.store.change(language="zh")
+    raised.run(0.1)
     assert raised.read("enable_button") == "下沉中"
     assert raised.read("recovery_text").startswith("机械臂正在下沉：")
     assert raised.read("status_motion").startswith("下沉 ")
     assert raised.find("stop_button")._caption().startswith("下沉 ")
     raised.store.change(language="en")
+    raised.run(0.1)
     assert raised.read("enable_button") == "Sinking"
     assert raised.read("recovery_text").startswith("The arm sinks: ")
 
@@ -72,6 +74,7 @@ def test_a_pulled_cable_is_said_where_the_operator_looks(raised):
     assert raised.read("recovery_text").startswith("The arm may be moving: it stood still ")
     assert raised.read("status_motion") == "May be moving"
     raised.store.change(language="zh")
+    raised.run(0.1)
     assert raised.read("enable_button") == "无反馈"
     assert raised.find("communication_button")._second_line() == "可能仍在运动"
     assert raised.read("recovery_text").startswith("机械臂可能仍在运动：")
