@@ -55,7 +55,7 @@ def test_lost_on_its_way(rig, lose):
     rig.run(5.0)
     assert seen(rig).speed_mm_s == motion.speed_mm_s
     assert 5 <= seen(rig).seconds <= 6
-    rig.run(115.0)
+    rig.step(115.0)
     assert line(rig).startswith("The arm may be moving: it moved at ")
     assert "2 min ago" in line(rig)
 
