@@ -100,9 +100,9 @@ def outside_limits(joints_deg: Sequence[float], limits: Sequence[JointLimits]) -
 
 
 def outside_list(joints_deg: Sequence[float], limits: Sequence[JointLimits]) -> str:
-    """Return the joints outside their limits for a sentence, as ``J2 -2.0° [0° … 180°]``."""
-    return ", ".join(
-        f"J{joint} {joints_deg[joint - 1]:.1f}° "
-        f"[{limits[joint - 1].min_deg:g}° … {limits[joint - 1].max_deg:g}°]"
-        for joint in outside_limits(joints_deg, limits)
-    )
+    """Return the joints outside their limits with the limit passed, as ``J2 -2.0° < 0°``."""
+    found = []
+    for joint in outside_limits(joints_deg, limits):
+        angle, limit = joints_deg[joint - 1], clipped(joints_deg[joint - 1], limits[joint - 1])
+        found.append(f"J{joint} {angle:.1f}° {'<' if angle < limit else '>'} {limit:g}°")
+    return ", ".join(found)

@@ -1502,6 +1502,10 @@
         <translation>选用它</translation>
     </message>
     <message>
+        <source>It takes the place of the file of this name that could not be read, which is put aside. What it holds:</source>
+        <translation>它将取代同名但无法读取的文件，该文件另行保存。其内容：</translation>
+    </message>
+    <message>
         <source>Type a name first.</source>
         <translation>请先输入名称。</translation>
     </message>
@@ -10782,6 +10786,14 @@ The other program must have ended.</source>
     <message>
         <source>No user frame is in force, or another one than at the press. Choose one under Cell, then press again; or move along base or tool.</source>
         <translation>没有生效的用户坐标系，或已不是按下时的那个。请在“单元”中选择坐标系后再按，或沿基坐标系、工具坐标系移动。</translation>
+    </message>
+    <message>
+        <source>Setting “{field}”: {count} of its entries cannot be read, the first is “{key}”: “{value}”. The others hold; these stay in the file until you choose anew.</source>
+        <translation>设置项“{field}”：有 {count} 个条目无法读取，第一个是“{key}”：“{value}”。其余条目有效；这些条目保留在文件中，直到重新选择。</translation>
+    </message>
+    <message>
+        <source>The settings file could not be read any more and was put aside as {kept}. The present settings hold, and are saved with the next change.</source>
+        <translation>设置文件已无法读取，已另存为 {kept}。当前设置仍然有效，将在下次更改时保存。</translation>
     </message>
     <message>
         <source>The titles of the poses and the row “#tool” belong together: titles with tcp_ are of the tool in that row, those without are of the flange. Export the file again.</source>

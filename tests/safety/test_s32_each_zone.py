@@ -21,8 +21,8 @@ from tests.safety.watched_arm import watch
 PARKED_MM = 5.0
 """So far is the parked arm from the table, within the margin of 10."""
 BEFORE_MM = 25.0
-SWUNG_DEG = (BENT_DEG[0], BENT_DEG[1] + 20.0, BENT_DEG[2] + 20.0, *BENT_DEG[3:])
-"""Where another host swings it: more than 100 mm further out."""
+SWUNG_DEG = (BENT_DEG[0], BENT_DEG[1] + 20.0, BENT_DEG[2] - 20.0, *BENT_DEG[3:])
+"""Where another host swings it: nearly 100 mm further out."""
 
 
 @pytest.fixture
