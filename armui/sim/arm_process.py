@@ -109,13 +109,15 @@ class ArmProcess:
         return self._process.pid
 
     def wait_until_it_lives(self, within_s: float = _BEGINS_WITHIN_S) -> None:
-        """Wait until the arm is about to speak.
+        """Wait until the arm lives; what it has said to nobody is dropped.
 
         Raises:
             OSError: The process has ended before, or takes longer.
         """
         if not self._hand_line.receive(within_s):
             raise TimeoutError(f"the simulated arm has not begun within {within_s:.0f} s")
+        while self.line.receive():
+            pass
 
     def end(self) -> None:
         """End the process, and wait for that."""

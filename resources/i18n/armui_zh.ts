@@ -2085,6 +2085,10 @@
         <translation>其固件版本，如 S-V1.7-3（S-V1.8-9）</translation>
     </message>
     <message>
+        <source>the angles in degrees at which it lies when it is switched on (as a real arm lies: 0 -1.999 1.971 -1.412 22.11 -2.608)</source>
+        <translation>上电时所处的角度，单位为度（与真实机械臂一样：0 -1.999 1.971 -1.412 22.11 -2.608）</translation>
+    </message>
+    <message>
         <source>Show a recorded CAN log, of this program or of another one, as if it were live: a window with 3D view, joints, curves and a time line. Nothing is sent.</source>
         <translation>像实时一样回放本程序或其他程序录制的 CAN 日志：窗口中有 3D 画面、关节、曲线和时间轴。不发送任何内容。</translation>
     </message>
@@ -2265,6 +2269,10 @@
         <translation>系列中的型号：piper, piper_h, piper_l, piper_x（piper）</translation>
     </message>
     <message>
+        <source>the angles in degrees at which it lies when it is switched on; a real arm lies at 0 -1.999 1.971 -1.412 22.11 -2.608 (0 0 0 0 0 0)</source>
+        <translation>上电时所处的角度，单位为度；真实机械臂处于 0 -1.999 1.971 -1.412 22.11 -2.608（0 0 0 0 0 0）</translation>
+    </message>
+    <message>
         <source>keep its settings in this file; without it they end with the command</source>
         <translation>将其设置保存在此文件中；否则随命令结束而丢失</translation>
     </message>
@@ -2295,6 +2303,10 @@
     <message>
         <source>--firmware belongs to --sim in generation 2: a real arm tells its own</source>
         <translation>--firmware 只用于第 2 代的 --sim：真实机械臂会自行说明</translation>
+    </message>
+    <message>
+        <source>--joints belongs to --sim: a real arm says for itself how it lies</source>
+        <translation>--joints 只用于 --sim：真实机械臂会自行说明</translation>
     </message>
     <message>
         <source>a joint reports an excursion of 60° and its return, and stands as far off from then on; 0x150 resume mends it (VALUE: joint)</source>
@@ -2974,6 +2986,17 @@
     <message>
         <source>point .</source>
         <translation>点 .</translation>
+    </message>
+</context>
+<context>
+    <name>Disabling</name>
+    <message>
+        <source>From firmware S-V1.9-0 on the gripper lets go, too, and what it holds falls. To keep it, disable joints 1–6 singly.</source>
+        <translation>固件 S-V1.9-0 起夹爪也会松开，所夹之物会掉落。要继续夹住，请逐个失能关节 1–6。</translation>
+    </message>
+    <message>
+        <source>The gripper lets go, too, and what it holds falls. To keep it, disable joints 1–6 singly.</source>
+        <translation>夹爪也会松开，所夹之物会掉落。要继续夹住，请逐个失能关节 1–6。</translation>
     </message>
 </context>
 <context>
@@ -10778,6 +10801,10 @@ The other program must have ended.</source>
     <message>
         <source>The three points lie nearly in line: the third is {value}° off the X axis, at least {minimum}° are needed. Take the point on the +Y side again, further to the side.</source>
         <translation>三点几乎共线：第三点偏离 X 轴只有 {value}°，至少需要 {minimum}°。请在 +Y 一侧更偏的位置重新采集该点。</translation>
+    </message>
+    <message>
+        <source>The process of the simulated arm has ended. One that was connected is started anew by itself, as after a power cut; otherwise connect again.</source>
+        <translation>仿真机械臂的进程已结束。已连接的会自动重新启动，如同断电后上电；否则请重新连接。</translation>
     </message>
     <message>
         <source>The arm was moving when it was first heard, and not by a command of this connection. Wait until it rests, or press Halt (F9).</source>

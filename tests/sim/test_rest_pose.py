@@ -122,7 +122,7 @@ def test_a_hand_takes_it_from_where_it_lies() -> None:
     tell(arm, RECORD)
     arm.hand_guiding.push((1.0, 0.0, 0.0, 0.0, 0.0, 0.0))
     arm.step(0.02)
-    assert now(arm.joints_deg) == (pytest.approx(0.02), *REST_DEG[1:])
+    assert now(arm.joints_deg) == pytest.approx((0.02, *REST_DEG[1:]))
 
 
 def test_a_reset_where_it_lies_ends_drag_teaching() -> None:
