@@ -22,7 +22,7 @@ ONE_FLAG = pytest.mark.xfail(strict=True, reason="one flag stands for all zones 
 PARKED_MM = 5.0
 """So far is the parked arm from the table, within the margin of 10."""
 BEFORE_MM = 25.0
-SWUNG_DEG = (BENT_DEG[0], BENT_DEG[1] + 20.0, BENT_DEG[2] + 20.0, *BENT_DEG[3:])
+SWUNG_DEG = (BENT_DEG[0], BENT_DEG[1] + 22.0, BENT_DEG[2] - 22.0, *BENT_DEG[3:])
 """Where another host swings it: more than 100 mm further out."""
 
 
