@@ -18,12 +18,6 @@ from tests.safety.inline_rig import inline_rig
 from tests.safety.mesh_oracle import MeshOracle
 from tests.safety.watched_arm import watch
 
-PARKED_MM = 5.0
-"""So far is the parked arm from the table, within the margin of 10."""
-BEFORE_MM = 25.0
-SWUNG_DEG = (BENT_DEG[0], BENT_DEG[1] + 20.0, BENT_DEG[2] - 20.0, *BENT_DEG[3:])
-"""Where another host swings it: nearly 100 mm further out."""
-
 
 @pytest.fixture
 def rig(qapp, request):
@@ -147,7 +141,7 @@ def test_a_host_that_goes_on_after_the_halt_is_halted_again(rig, other_host):
     assert seen.least.mm > -30.0
 
 
-@pytest.mark.parametrize("parking", [pytest.param(True), False])
+@pytest.mark.parametrize("parking", [pytest.param(True, marks=ONE_FLAG), False])
 def test_a_hand_is_told_at_each_zone(rig, parking):
     guarded(rig, *([behind()] if parking else []), person(), stops=False)
     accepted(rig.controller.teaching.command(TeachingState.START_RECORDING))
