@@ -7657,6 +7657,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>从此刻起夹爪未夹工件。</translation>
     </message>
     <message>
+        <source>The same arm answers after {seconds} s of silence: the cell “{name}” stays in force.</source>
+        <translation>无反馈 {seconds} s 后应答的是同一台机械臂：单元“{name}”继续生效。</translation>
+    </message>
+    <message>
         <source>The gripper has opened to {value} mm. “{name}” counts as held until it is let go under Cell, Held.</source>
         <translation>夹爪已张开到 {value} mm。在“单元”的“工件”中标为“已放下”之前，“{name}”仍算夹着。</translation>
     </message>
@@ -7713,6 +7717,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>与 {device} 的连接断开：收不到反馈，机械臂可能仍在运动。程序会不断尝试重新连接。{reason}</translation>
     </message>
     <message>
+        <source>Feedback arrived late: no joint angles came for {value} ms. The computer, the adapter or the bus was busy; nothing about the arm is concluded from that.</source>
+        <translation>反馈延迟到达：{value} ms 内没有收到关节角度。电脑、适配器或总线繁忙；不据此判断机械臂的状态。</translation>
+    </message>
+    <message>
         <source>Sent MOVE P (base) to X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°</source>
         <translation>已发送 MOVE P：基坐标系 X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°</translation>
     </message>
@@ -7723,6 +7731,14 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>{device} jogs {axes} (user frame “{frame}”)</source>
         <translation>{device} 点动 {axes}（用户坐标系“{frame}”）</translation>
+    </message>
+    <message>
+        <source>The arm is brought inside its limits: J1 {j1}°  J2 {j2}°  J3 {j3}°  J4 {j4}°  J5 {j5}°  J6 {j6}°</source>
+        <translation>机械臂回到限位内：J1 {j1}°  J2 {j2}°  J3 {j3}°  J4 {j4}°  J5 {j5}°  J6 {j6}°</translation>
+    </message>
+    <message>
+        <source>J{joint} stood outside its limits: the arm brings it to {target}° at least.</source>
+        <translation>J{joint} 位于限位之外：机械臂至少会将其移动到 {target}°。</translation>
     </message>
     <message>
         <source>Settings sent to the arm: {count}</source>
@@ -7753,12 +7769,20 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>开始执行“{name}”</translation>
     </message>
     <message>
+        <source>The arm lies outside its limits: it is brought inside first, slowly.</source>
+        <translation>机械臂位于限位之外：先缓慢回到限位内。</translation>
+    </message>
+    <message>
         <source>Run paused in row {row}: the arm holds</source>
         <translation>已在第 {row} 行暂停，机械臂保持位置</translation>
     </message>
     <message>
         <source>Run continues in row {row}</source>
         <translation>从第 {row} 行继续执行</translation>
+    </message>
+    <message>
+        <source>Checking the way…</source>
+        <translation>正在检查路径…</translation>
     </message>
     <message>
         <source>Reference check left without a result: it counts as not done.</source>
@@ -8329,6 +8353,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Move to the factory zero angles</source>
         <translation>回零</translation>
+    </message>
+    <message>
+        <source>Bring the arm inside its limits</source>
+        <translation>使机械臂回到限位内</translation>
     </message>
     <message>
         <source>Pause, continue, clear or end a planned motion</source>
@@ -9972,6 +10000,10 @@ The other program must have ended.</source>
 另一程序必须已经结束。</translation>
     </message>
     <message>
+        <source>Move inside</source>
+        <translation>回到限位内</translation>
+    </message>
+    <message>
         <source>Withdraw the stop</source>
         <translation>撤回急停</translation>
     </message>
@@ -10200,6 +10232,10 @@ The other program must have ended.</source>
     <message>
         <source>The motors are off. Enable them to move the arm.</source>
         <translation>电机未使能。使能后可运动。</translation>
+    </message>
+    <message>
+        <source>Outside its limits, as a resting arm lies: {outside}. Until it is brought inside the arm takes no other target; hold Move inside: it moves slowly, all at once.</source>
+        <translation>位于限位之外（静置的机械臂即如此）：{outside}。回到限位内之前，机械臂不接受其他目标；请按住“回到限位内”：各关节一起缓慢移动。</translation>
     </message>
     <message>
         <source>The fingertip is {value} mm below the floor. Jog upwards unless there is nothing there. Settings have a lowest height for jogs.</source>
@@ -10639,6 +10675,22 @@ The other program must have ended.</source>
         <translation>走到路径的 {gone} % 处超出可达范围。请改用 MOVE P，或选择其他目标。</translation>
     </message>
     <message>
+        <source>Outside the limits: {joints}. Until all are inside the arm takes no other target. Hold Move inside in the line above the panels.</source>
+        <translation>位于限位之外：{joints}。全部回到限位内之前，机械臂不接受其他目标。请按住面板上方提示行中的“回到限位内”。</translation>
+    </message>
+    <message>
+        <source>The hand or what it holds would come to {value} mm; motions end at {minimum} mm, as chosen under Settings. Move upwards.</source>
+        <translation>手部或所夹之物将到达 {value} mm；按“设置”中的选择，运动止于 {minimum} mm。请向上移动。</translation>
+    </message>
+    <message>
+        <source>The arm would hit itself: {other} against {one}. Move another way.</source>
+        <translation>机械臂会碰到自身：{other} 与 {one}。请换一条路径。</translation>
+    </message>
+    <message>
+        <source>The arm touches itself: {other} against {one}; this would press them together. Move them apart.</source>
+        <translation>机械臂碰到自身：{other} 与 {one}；此运动会使其压得更紧。请将其分开。</translation>
+    </message>
+    <message>
         <source>After {gone} % of the way joint {joint} would be at {value}°, beyond its limits of {minimum}° to {maximum}°. Choose MOVE P, or another target.</source>
         <translation>走到路径的 {gone} % 处关节 {joint} 将为 {value}°，超出限位 {minimum}° 至 {maximum}°。请改用 MOVE P，或选择其他目标。</translation>
     </message>
@@ -10811,8 +10863,28 @@ The other program must have ended.</source>
         <translation>开始收到机械臂反馈时，它已在运动，且不是本次连接发出的指令。请等它静止，或按停住（F9）。</translation>
     </message>
     <message>
+        <source>The arm was silent or exchanged meanwhile, and may be another one: the points taken before were dropped. Take them anew.</source>
+        <translation>机械臂其间没有反馈或被更换，可能已是另一台：之前记录的点已丢弃。请重新记录。</translation>
+    </message>
+    <message>
         <source>No user frame is in force, or another one than at the press. Choose one under Cell, then press again; or move along base or tool.</source>
         <translation>没有生效的用户坐标系，或已不是按下时的那个。请在“单元”中选择坐标系后再按，或沿基坐标系、工具坐标系移动。</translation>
+    </message>
+    <message>
+        <source>No joint lies outside its limits: there is no way back to go.</source>
+        <translation>没有关节位于限位之外：无需返回。</translation>
+    </message>
+    <message>
+        <source>Nothing was sent: a second after the press the arm did not rest yet, or its way was still being checked. Press again.</source>
+        <translation>未发送：按下一秒后机械臂仍未静止，或路径仍在检查。请再按一次。</translation>
+    </message>
+    <message>
+        <source>Nothing was sent: while its way was checked the arm moved, or what it was checked against has changed. Press again.</source>
+        <translation>未发送：检查路径期间机械臂移动了，或检查所依据的内容已改变。请再按一次。</translation>
+    </message>
+    <message>
+        <source>Nobody knows which way the arm would take, and a work area is in force. Switch its planes and boxes off under Cell first.</source>
+        <translation>无人知道机械臂会走哪条路径，而工作区域正在生效。请先在“单元”中关闭其平面和盒体。</translation>
     </message>
     <message>
         <source>Setting “{field}”: {count} of its entries cannot be read, the first is “{key}”: “{value}”. The others hold; these stay in the file until you choose anew.</source>
@@ -12726,10 +12798,6 @@ The other program must have ended.</source>
         <translation>机器人模型（URDF）</translation>
     </message>
     <message>
-        <source>Above the floor: the plane the arm stands on, or the room&apos;s floor where the cell says under Base how the arm stands. 0 mm is the floor, negative is below it. Single steps, buttons, keys and gamepad keep to it; an arm that is lower may only go up.</source>
-        <translation>相对地面：即底座平面；若单元的“底座”中填写了放置位姿，则为房间地面。0 mm 为地面，负值在其下。单步、按钮、按键和手柄都遵守；已低于此高度的机械臂只能向上。</translation>
-    </message>
-    <message>
         <source>Browse…</source>
         <translation>浏览…</translation>
     </message>
@@ -12764,6 +12832,14 @@ The other program must have ended.</source>
     <message>
         <source>This is always reported as a fault. With this setting the stop is also sent again by itself.</source>
         <translation>这种情况总会作为故障提示。勾选后还会自动再次发送急停。</translation>
+    </message>
+    <message>
+        <source>Motions end at a lowest height of the fingertip</source>
+        <translation>运动止于末端的最低高度</translation>
+    </message>
+    <message>
+        <source>Above the floor: the plane the arm stands on, or the room&apos;s floor where the cell says under Base how the arm stands. 0 mm is the floor, negative is below it. Jogs, steps and single motions keep to it; runs are checked against the floor. An arm that is lower may only go up.</source>
+        <translation>相对地面：机械臂所立的平面；若单元在“底座”中说明了机械臂如何安放，则为房间的地面。0 mm 为地面，负值在其下。点动、步进和单次运动遵守此高度；轨迹运行按地面检查。低于此高度的机械臂只能向上。</translation>
     </message>
     <message>
         <source>Gamepad, SpaceMouse</source>

@@ -141,7 +141,7 @@ def test_a_host_that_goes_on_after_the_halt_is_halted_again(rig, other_host):
     assert seen.least.mm > -30.0
 
 
-@pytest.mark.parametrize("parking", [pytest.param(True, marks=ONE_FLAG), False])
+@pytest.mark.parametrize("parking", [True, False])
 def test_a_hand_is_told_at_each_zone(rig, parking):
     guarded(rig, *([behind()] if parking else []), person(), stops=False)
     accepted(rig.controller.teaching.command(TeachingState.START_RECORDING))
