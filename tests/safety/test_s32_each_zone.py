@@ -18,6 +18,12 @@ from tests.safety.inline_rig import inline_rig
 from tests.safety.mesh_oracle import MeshOracle
 from tests.safety.watched_arm import watch
 
+PARKED_MM = 5.0
+"""So far is the parked arm from the table, within the margin of 10."""
+BEFORE_MM = 25.0
+SWUNG_DEG = (BENT_DEG[0], BENT_DEG[1] + 22.0, BENT_DEG[2] - 22.0, *BENT_DEG[3:])
+"""Where another host swings it: more than 100 mm further out."""
+
 
 @pytest.fixture
 def rig(qapp, request):

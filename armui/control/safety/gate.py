@@ -320,7 +320,7 @@ class Gate(ControllerPart):
                 return self._send(request, passed)
             if not any(way.spread_deg):
                 return passed
-        if any(way.spread_deg):
+        if rules is None or any(way.spread_deg):
             return self._brake_first(request, measured_deg, motion)
         pending = self._wait_for(request)
         self._begin_check(pending, rules, planned)

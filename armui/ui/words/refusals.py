@@ -107,8 +107,9 @@ def refusal(reason: Refusal) -> str:
         params["field"] = _SETTING_NAMES.word(field)
     if isinstance(light := params.get("light"), str):
         params["light"] = light_figure(light)
-    if isinstance(part := params.get("part"), str):
-        params["part"] = arm.part_name(part)
+    for name in ("part", "one", "other"):
+        if isinstance(part := params.get(name), str):
+            params[name] = arm.part_name(part)
     if isinstance(figure := params.get("gripper"), str):
         params["gripper"] = gripper_figure(figure)
     source = source_of(reason.reason)
