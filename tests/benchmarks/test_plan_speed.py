@@ -15,7 +15,7 @@ import pytest
 from ruckig import InputParameter, Ruckig
 from ruckig import Trajectory as JointPlan
 
-from armui.arm.reach import check_path, check_pose
+from armui.arm.reach import check_pose, led_joints
 from armui.kinematics.poses import Pose, pose_to_matrix
 from armui.kinematics.tool_path import Line
 from armui.trajectory.planning.check import CheckRequest, check
@@ -86,7 +86,7 @@ def one_by_one(points: tuple[Waypoint, ...]) -> None:
             here = point.target
             continue
         way = Line(KINEMATICS.matrix(here), pose_to_matrix(Pose(*point.target)))
-        check_path(KINEMATICS, way, here, ARM.limits)
+        led_joints(KINEMATICS, way, here)
         check_pose(KINEMATICS, Pose(*point.target), here, ARM.limits)
 
 

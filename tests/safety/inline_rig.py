@@ -49,6 +49,7 @@ class InlineWorker(BusWorker):
         if self._bus is None:
             self._begin()
         bus = self._bus
+        assert bus is not None
         self._outbox.send_waiting()
         self._processor.apply_codec(self._clock())
         self._receive_burst(bus)

@@ -121,7 +121,7 @@ def look_at_cells(folder: Path) -> str:
     """Say which cells there are, and save one."""
     cells = CellFolder(folder)
     found = cells.read()
-    names = {OLD: "old", NEW: "new", replace(OLD, name="stand"): "stand"}
+    names: dict[object, str] = {OLD: "old", NEW: "new", replace(OLD, name="stand"): "stand"}
     told = [names.get(each, f"lost: {each}") for each in found.values()]
     problem = cells.save(replace(OLD, held=""))
     return f"lost: {problem}" if problem else " and ".join(sorted(told))
@@ -171,7 +171,7 @@ SAVES = {
 def main(what: str, place: Path) -> None:
     """Kill one save after another; print what was found after each, as JSON."""
     save, found = SAVES[what], []
-    os.fsync = lambda _handle: None  # a kill is no power cut: what was written is there
+    os.fsync = lambda fd: None  # a kill is no power cut: what was written is there
     for call in count(1):
         folder = place / str(call)
         folder.mkdir()

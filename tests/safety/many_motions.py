@@ -39,7 +39,7 @@ from armui.control.run.progress import Run
 from armui.control.run.replay import Replay
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.kinematics.axes import JogFrame
-from armui.kinematics.poses import flange_pose
+from armui.kinematics.poses import Pose, flange_pose
 from armui.protocol import commands
 from armui.protocol.codec import Codec
 from armui.protocol.codes import MoveMode
@@ -329,7 +329,9 @@ def to_pose(scene: Scene, target: Sequence[float], mode: MoveMode) -> Order:
 
 
 def on_arc(scene: Scene) -> Order:
-    here = tuple(scene.controller.cartesian.tool_pose(scene.controller.state))
+    pose = scene.controller.cartesian.tool_pose(scene.controller.state)
+    assert pose is not None
+    here = tuple(pose)
     middle, end = ((*scene.near_pose(70.0)[:3], *here[3:]) for _ in range(2))
     tool = scene.controller.cartesian.tool
     places = [flange_pose(each, tool) for each in (here, middle, end)]
@@ -415,7 +417,7 @@ def _axis_towards(scene: Scene) -> int:
         for way in (1, -1):
             moved = pose.copy()
             moved[axis] += 3.0 * way
-            found = scene.kinematics.inverse(tuple(moved), here)
+            found = scene.kinematics.inverse(Pose(*moved.tolist()), here)
             turns.append(np.array(found[0]) - here if found else np.zeros(6))
     return scene.nearer(turns)
 
@@ -464,6 +466,7 @@ def replay(scene: Scene, motion: Motion) -> None:
 def _checked(scene: Scene, content: Trajectory | Recording) -> CheckOutcome:
     controller = scene.controller
     start_deg = controller.state.angles_deg()
+    assert start_deg is not None
     area = controller.area_guard.check()
     return check_way(CheckRequest(content, arm_model(controller), start_deg, area=area))
 
@@ -480,6 +483,7 @@ def joint_jog(scene: Scene, motion: Motion) -> None:
 
 def tool_jog(scene: Scene, motion: Motion) -> None:
     frame = (*_FRAMES, scene.cell.chosen_frame)[int(scene.rng.integers(3))]
+    assert frame is not None
     way = int(scene.rng.choice((-1, 1)))
     held(scene, motion, ToolJog(int(scene.rng.integers(6)), way, frame))
 

@@ -274,7 +274,7 @@ class MeshOracle:
         parts = [(np.asarray(before_deg, float), np.asarray(after_deg, float))]
         while parts:
             start, end = parts.pop()
-            half_mm = self.travel_mm(start, end) / 2.0
+            half_mm = self.travel_mm(start.tolist(), end.tolist()) / 2.0
             if half_mm <= FINEST_MM:
                 continue
             middle, sought = (start + end) / 2.0, min(found.mm, below_mm)

@@ -272,7 +272,7 @@ class ControllerDriver(ArmRig):
             self.frames.append(Sent(self.time_s, frame, arm.mechanics.moving, arm.gripper.travel))
 
         noted.__module__ = send.__module__  # as prompt as that one
-        bus.send = noted  # type: ignore[method-assign]
+        bus.send = noted
 
     def connect(  # type: ignore[override]
         self, joints_deg: Sequence[float], version: str | None = None
@@ -399,5 +399,5 @@ class ControllerDriver(ArmRig):
         super().close()
 
 
-DRIVERS: Mapping[str, Callable[[str], Driver]] = {"controller": ControllerDriver}
+DRIVERS: Mapping[str, Callable[[str], Any]] = {"controller": ControllerDriver}
 """Each driver, made with the channel of its virtual bus."""

@@ -119,7 +119,7 @@ class Box:
 
     def depth_mm(self, joints_deg: Sequence[float]) -> float:
         """How deep an arm is in it; below 0 it is clear."""
-        return depth_in_box_mm(joints_deg, self.centre_mm, self.size_mm)
+        return depth_in_box_mm(joints_deg, tuple(self.centre_mm), self.size_mm)
 
 
 def box_at(tip_mm: Array) -> Box:

@@ -75,7 +75,8 @@ def new_driver(
 @pytest.fixture(scope="module")
 def spoken(qapp: QApplication) -> Iterator[Callable[[Iterable[Refusal]], None]]:
     """Holds reasons against both languages; each sentence once, with the figures it came with."""
-    translator, known = Translator(qapp), set()
+    translator = Translator(qapp)
+    known: set[str] = set()
 
     def check(reasons: Iterable[Refusal]) -> None:
         new = {str(each.reason): each for each in reasons if str(each.reason) not in known}

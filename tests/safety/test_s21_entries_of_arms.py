@@ -237,6 +237,7 @@ def test_a_doubt_another_program_has_noted_is_asked_for_at_the_next_connection(a
     app_driver.run(1.5)
     now = app_driver.controller.operating_state
     key = arm_key(now.device, now.generation, app_driver.controller.state.identity)
+    assert key is not None
     app_driver.controller.disconnect_device()
     KeptReferences(SettingsStore(app_driver.store.path)).keep(key, ReferenceRecord((5,), "then"))
     app_driver.store.follow()
@@ -276,7 +277,9 @@ def test_it_is_asked_for_even_while_the_adapter_is_open_here(app_driver):
     theirs.keep("cells", {app_driver.device.arm_key(): "bench"})
     app_driver.store.follow()
     app_driver.run(0.1)
-    assert app_driver.controller.operating_state.cannot_move.params == {"name": "bench"}
+    now = app_driver.controller.operating_state
+    assert now.cannot_move is not None
+    assert now.cannot_move.params == {"name": "bench"}
 
 
 def test_what_was_chosen_here_stays_as_long_as_the_adapter_is_open(app_driver):

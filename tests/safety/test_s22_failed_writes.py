@@ -14,6 +14,7 @@ from armui.cell.tools import Tool
 from armui.protocol.codes import MoveMode
 from armui.settings import SettingsStore
 from armui.system import atomic
+from armui.system.files import open_file
 from armui.trajectory.library.store import Library, LibraryError
 from armui.trajectory.points.program import Trajectory, Waypoint
 from tests.safety.test_s22_full_disk_and_kill import fill_up, small_disk
@@ -55,7 +56,7 @@ def lost_answer(really, source, target):
 
 PHASES = {
     "no file can be made": ("open_file", full),
-    "the bytes find no room": ("open_file", partial(half_written, atomic.open_file)),
+    "the bytes find no room": ("open_file", partial(half_written, open_file)),
     "they do not get to the disk": ("os.fsync", full),
     "the file does not get its name": ("replace_file", full),
 }
@@ -228,7 +229,9 @@ def test_a_draft_of_before_a_failure_is_not_put_aside(tmp_path, failing):
     with pytest.raises(LibraryError):
         failed(failing, lambda: library.save_draft("row", row(4)))
     again = Library(tmp_path)
-    assert again.set_aside_draft(again.load("row", to_edit=True)) is False
+    shown = again.load("row", to_edit=True)
+    assert isinstance(shown, Trajectory)
+    assert again.set_aside_draft(shown) is False
     assert again.draft("row").points == row(2).points
 
 

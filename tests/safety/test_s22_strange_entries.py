@@ -13,7 +13,17 @@ from armui.setting_maps import MOST
 from armui.settings import Settings, SettingsStore
 from tests.safety.test_s21_entries_of_arms import ENTRIES, as_json, enabled, in_file
 
-STRANGE = (7, None, True, [], [["bench"]], {"name": "crate", "slot": 2}, "x" * 5000, 1e300, -0.5)
+STRANGE: tuple[object, ...] = (
+    7,
+    None,
+    True,
+    [],
+    [["bench"]],
+    {"name": "crate", "slot": 2},
+    "x" * 5000,
+    1e300,
+    -0.5,
+)
 """What no entry is; those an entry of a map may be are left out of it."""
 
 

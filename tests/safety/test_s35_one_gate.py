@@ -1,8 +1,10 @@
 """S35: every motion of ours passes one gate, or nothing of it is sent."""
 
 import ast
+from collections.abc import Callable
 from concurrent.futures import Future
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -33,10 +35,10 @@ class Thread:
     """Works out what the gate hands on when the test says so."""
 
     def __init__(self) -> None:
-        self.waiting: list[tuple[Future, object]] = []
+        self.waiting: list[tuple[Future[Any], Callable[[], Any]]] = []
 
     def __call__(self, work):
-        done: Future = Future()
+        done: Future[Any] = Future()
         self.waiting.append((done, work))
         return done
 
@@ -78,7 +80,9 @@ def ids(rig: ArmRig) -> list[int]:
 def why(rig: ArmRig):
     """Why the last motion was refused after its press."""
     told = [event for event in rig.events if event.notice == REFUSED]
-    return told[-1].params["reason"].reason
+    reason = told[-1].params["reason"]
+    assert isinstance(reason, Refusal)
+    return reason.reason
 
 
 # The bus ---------------------------------------------------------------------------------------

@@ -58,6 +58,7 @@ def crate(x, y, z, edge_mm):
     return AreaBox("crate", (x, y, z, 0.0, 0.0, 0.0), (edge_mm,) * 3)
 
 
+HEIGHT_MM = Kinematics(PIPER).forward(BENT_DEG)[2]
 BETWEEN = crate(143.0, 323.0, 217.0, 120.0)
 """It lies between the bent arm and the same turned by 100°; a raised arm passes over it."""
 BEYOND = (110.0, 70.0, -60.0)
@@ -236,9 +237,6 @@ def test_quick_steps_in_one_direction_are_all_taken_and_add_up(bent, step, done,
         bent.run(0.04)
     rest(bent)
     assert done(bent) == pytest.approx(PRESSES, abs=0.3)
-
-
-HEIGHT_MM = Kinematics(PIPER).forward(BENT_DEG)[2]
 
 
 def test_quick_steps_towards_a_wall_end_before_it(bent):

@@ -5,6 +5,9 @@ every target in which any joint is outside. The judge is the simulated arm's tru
 """
 
 import re
+from collections.abc import Callable
+from functools import partial
+from typing import Any
 
 import numpy as np
 import pytest
@@ -98,9 +101,13 @@ def pose(rig, mode):
     return rig.controller.cartesian.move((x + 5.0, y, z + 5.0, *turn), mode)
 
 
-PRESSES = {
+def step_joint(controller, *, joint, way):
+    return controller.motion.jog(joint, way)
+
+
+PRESSES: dict[str, Callable[..., Any]] = {
     **{
-        f"step J{joint} {way:+d}": lambda c, joint=joint, way=way: c.motion.jog(joint, way)
+        f"step J{joint} {way:+d}": partial(step_joint, joint=joint, way=way)
         for joint in range(1, 7)
         for way in (1, -1)
     },

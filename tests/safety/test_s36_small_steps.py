@@ -286,7 +286,7 @@ def test_the_lowest_height_is_kept_by_small_motions(bent, name, placement):
 AT_LIMIT = {
     "joint step": lambda rig, joint, way: rig.controller.motion.jog(joint, way * 0.3),
     "typed joints": lambda rig, joint, way: typed_further(rig, joint, way * 0.3),
-    "tapped": None,
+    "tapped": lambda rig, joint, way: tap(rig, JointJog(joint, way), 1),
 }
 
 

@@ -115,6 +115,7 @@ def test_even_motion_that_is_heard_in_time_is_told():
     assert 14 <= motion.down_mm <= 20
     feed.turn(0.0)
     assert feed.kind is None
+    assert feed.watch.ended is not None
     whole, at_rest = feed.watch.ended
     assert at_rest
     assert (whole.down_mm, whole.turned_deg) == (20, 4.0)
@@ -196,6 +197,7 @@ def test_where_a_hand_may_lead_both_are_said():
     feed = Feed(Unheld.DRAG_TEACHING)
     feed.turn(0.0)
     assert MotionKind.SINKS not in feed.turn(4.0)
+    assert feed.watch.motion is not None
     said = words.uncommanded_motion(feed.watch.motion)
     assert said.startswith("The arm moves, by a hand or its own weight: ")
     assert f"{feed.watch.motion.down_mm} mm lower" in said

@@ -50,7 +50,9 @@ class Watch:
 
 def watch(rig: ArmRig) -> Watch:
     """Watch an arm in the cell that is in force."""
-    return Watch(rig, MeshOracle.of(rig.controller.cell.cell))
+    cell = rig.controller.cell.cell
+    assert cell is not None
+    return Watch(rig, MeshOracle.of(cell))
 
 
 def settle(rig: ArmRig, answer: Started | Refusal | None, seconds: float = ENDS_WITHIN_S) -> bool:

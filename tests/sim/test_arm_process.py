@@ -3,6 +3,7 @@
 import multiprocessing
 import socket
 import time
+from typing import Any
 
 import pytest
 
@@ -160,7 +161,8 @@ def processes():
 def test_it_lies_as_it_is_told_says_so_and_ends_with_its_line(processes):
     arm = processes(ArmChoice(TWO, joints_deg=SIX))
     arm.wait_until_it_lives(LIMIT_S)
-    heard, until_s = [], time.monotonic() + LIMIT_S
+    heard: list[Any] = []
+    until_s = time.monotonic() + LIMIT_S
     while (told := angles_in(heard)) is None:
         assert time.monotonic() < until_s
         heard += unpack(arm.line.receive(1.0))

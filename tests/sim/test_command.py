@@ -94,7 +94,12 @@ def test_options_left_out() -> None:
 )
 def test_it_lies_at_zero_or_as_told(words, joints, monkeypatch) -> None:
     made = []
-    monkeypatch.setattr(sim_command, "run_arm", lambda arm, *_rest, **_more: made.append(arm) or 0)
+
+    def run_arm(arm, *_rest, **_more):
+        made.append(arm)
+        return 0
+
+    monkeypatch.setattr(sim_command, "run_arm", run_arm)
     assert sim_command.run(read(*words)) == 0
     assert made[0].joints_deg == joints
 

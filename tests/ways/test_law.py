@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from armui.arm.refusal import Reason
-from armui.ways.law import Breach, judge, judge_end
+from armui.ways.law import Breach, Marks, judge, judge_end
 from armui.ways.way import Way, rest_of, straight_way
 
 TOO_FAR = Reason("too_far", "{value} too far")
@@ -14,7 +14,10 @@ STILL = (0.0,) * 6
 class Wall:
     """Joint 1 may turn to 10; noise is 1."""
 
-    name, bounds, noise, exact, reaches_mm = "wall", ("wall",), 1.0, 0.01, ()
+    name = "wall"
+    bounds: tuple[str, ...] = ("wall",)
+    noise, exact = 1.0, 0.01
+    reaches_mm: tuple[float, ...] = ()
 
     def __init__(self, *, may_stay: bool = True) -> None:
         self.may_stay = may_stay
@@ -70,7 +73,8 @@ def test_a_target_keeps_the_bound_in_full_and_noise_is_allowed_on_the_way(angles
 
 
 def test_noise_is_granted_once_however_many_motions_there_are():
-    marks, place = {}, 9.0
+    marks: Marks = {}
+    place = 9.0
     for _ in range(100):
         judged = go(marks, place, place + 0.3)
         if judged.refusal is None:
@@ -81,7 +85,8 @@ def test_noise_is_granted_once_however_many_motions_there_are():
 @pytest.mark.parametrize("step", [0.2, 0.9, 3.0])
 def test_an_arm_found_outside_goes_no_further_out_by_any_number_of_motions(step):
     """It was found 20 outside: 1 more is noise, and only once."""
-    marks, place = {}, 30.0
+    marks: Marks = {}
+    place = 30.0
     for _ in range(50):
         judged = go(marks, place, place + step)
         if judged.refusal is None:
