@@ -114,11 +114,11 @@ class AreaCheck:
         self._skipped = np.array(
             [[name in each.skips for name in names] for each in body.capsules], dtype=bool
         ).reshape(len(body.capsules), len(names))
-        self._moving = MovedCapsules(body.geometry, body.capsules)
+        self._moved = MovedCapsules(body.geometry, body.capsules)
         self._obstacles = Obstacles(self._area.planes, self._area.boxes)
         coarse, enclosing = _by_part(body)
         self._search = PlaceSearch(
-            self._moving,
+            self._moved,
             self._obstacles,
             (MovedCapsules(body.geometry, coarse), enclosing, self._obstacles),
         )
@@ -174,14 +174,14 @@ class AreaCheck:
         found = self._search.first(way_deg, least, spread_deg)
         if found is None:
             return None
-        index = max(min(int(found.at), len(np.asarray(way_deg)) - 2), 0)
-        zone, part = self._area.zones[found.obstacle], self._body.capsules[found.capsule].part
-        return Breach(index, found.at - index, zone, part, found.gap_mm)
+        index, share = found.between(len(np.asarray(way_deg)))
+        zone, part = self._area.zones[found.obstacle], self._moved.parts[found.capsule]
+        return Breach(index, share, zone, part, found.gap_mm)
 
     def look(self, joints_deg: Sequence[float]) -> tuple[AreaEntry, ...]:
         """Return what of the arm is nearest to each plane and box at six angles, nearest first."""
         gaps, nearest = (each[0].tolist() for each in self._nearest([joints_deg]))
-        parts = [self._body.capsules[capsule].part for capsule in nearest]
+        parts = [self._moved.parts[capsule] for capsule in nearest]
         entries = map(AreaEntry, self._area.zones, parts, gaps)
         return tuple(sorted(entries, key=lambda entry: entry.gap_mm))
 
@@ -234,6 +234,8 @@ class AreaCheck:
         joints_deg = np.array(way_deg, dtype=float)
         if self.is_free or not len(joints_deg):
             return None
+        if self.breach(joints_deg, np.full(len(self.zones), self.margin_mm)) is None:
+            return None
         poses, _ = self._finely(joints_deg)
         gaps, capsules = self._gaps(poses)
         allowed = np.minimum(np.maximum.accumulate(gaps, axis=0), self.margin_mm)
@@ -269,13 +271,13 @@ class AreaCheck:
         poses = np.asarray(joints_deg, dtype=float).reshape(-1, len(self._reaches_mm))
         shape = (len(poses), len(self._obstacles))
         gaps, nearest = np.full(shape, np.inf), np.zeros(shape, dtype=np.int64)
-        size = max(1, _MOST_PAIRS // max(1, len(self._moving) * shape[1]))
+        size = max(1, _MOST_PAIRS // max(1, len(self._moved) * shape[1]))
         for begin in range(0, len(poses), size):
             block = slice(begin, begin + size)
-            ends = self._moving.all_ends(self._moving.frames(poses[block]))
+            ends = self._moved.all_ends(self._moved.frames(poses[block]))
             middles = ends.mean(axis=2)
             known = self._obstacles.distances(middles.reshape(-1, 3)).T
-            known = known.reshape(*middles.shape[:2], -1) - self._moving.radii_mm[:, None]
+            known = known.reshape(*middles.shape[:2], -1) - self._moved.radii_mm[:, None]
             known[:, self._skipped] = np.inf
             half = np.linalg.norm(ends[:, :, 1] - middles, axis=2)
             # only what may be nearer than the middle of something else is looked at exactly
@@ -284,7 +286,7 @@ class AreaCheck:
             )
             exact = self._obstacles.supports(ends[pose, capsule], zone)[:, 0]
             known[:] = np.inf
-            known[pose, capsule, zone] = exact - self._moving.radii_mm[capsule]
+            known[pose, capsule, zone] = exact - self._moved.radii_mm[capsule]
             known[:, self._skipped] = np.inf
             nearest[block] = known.argmin(axis=1)
             gaps[block] = known.min(axis=1)

@@ -1,7 +1,7 @@
 """The capsules that enclose an arm with what it carries, and where they are at given joint angles.
 
 They hold every part from the base to the fingers with some millimetres to spare, unlike those of
-the check of an arm against itself (:mod:`armui.trajectory.planning.collision`), which lie within
+the check of an arm against itself (:mod:`armui.ways.own_body`), which lie within
 the covers. ``urdf/make_enclosure.py`` finds them for the meshes.
 """
 

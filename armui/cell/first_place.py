@@ -32,6 +32,8 @@ _BULGE_MM: Final = 25.0
 """The first parts are as long as bulges of about this allow."""
 _MOST_AT_ONCE: Final = 200_000
 _TINY: Final = 1e-300
+_PLAIN: Final = 11
+"""So many figures without a spread."""
 
 
 class Supports(Protocol):
@@ -67,6 +69,11 @@ class FirstPlace:
     obstacle: int
     gap_mm: float
 
+    def between(self, poses: int) -> tuple[int, float]:
+        """Return the pose before the place on a way of so many, and the share to the next one."""
+        index = max(min(int(self.at), poses - 2), 0)
+        return index, self.at - index
+
 
 @dataclass(frozen=True, slots=True)
 class _Parts:
@@ -93,7 +100,7 @@ class _Rows:
     Attributes:
         part, capsule, obstacle: (m,) which.
         begin, end: (m, 11) at the part's ends: the capsule's ends, six figures; what `supports`
-            returns, five.
+            returns, five. With a spread there are twelve more, what `rises` returns for these.
     """
 
     part: Whole
@@ -123,6 +130,7 @@ class _Way:
     def __init__(self, way_deg: Array, spread_deg: Array) -> None:
         self._way_deg = way_deg
         self._spread = np.radians(spread_deg)
+        self.is_spread = bool(self._spread.any())
         self.last = len(way_deg) - 1.0
 
     def poses(self, at: Array) -> Array:
@@ -189,7 +197,7 @@ class PlaceSearch:
         self._moving = moving
         self._obstacles = obstacles
         self._coarse = coarse
-        self._furthest_mm = moving.reaches_mm.max(axis=0, initial=0.0)
+        self._furthest_mm = moving.reaches_mm.max(axis=(0, 1), initial=0.0)
 
     def first(
         self, way_deg: npt.ArrayLike, least_mm: Array, spread_deg: npt.ArrayLike | None = None
@@ -215,7 +223,7 @@ class PlaceSearch:
             return None
         path = _Way(way if len(way) > 1 else np.repeat(way, 2, axis=0), spread)
         turns = np.radians(np.abs(np.diff(way, axis=0, append=way[-1:])))[: int(path.last)]
-        places = path.first_parts(_bulges_mm(turns, self._furthest_mm) / 8.0)
+        places = path.first_parts(_weights(turns) @ self._furthest_mm / 8.0)
         size = max(8, _MOST_AT_ONCE // (len(self._moving) * len(self._obstacles)))
         for begin in range(0, len(places) - 1, size):
             found = self._first(path, places[begin : begin + size + 1], least)
@@ -229,7 +237,7 @@ class PlaceSearch:
         frames = self._moving.frames(way.poses(places))
         part, capsule, obstacle = self._not_clear(parts, frames, least_mm)
         both = np.concatenate((part, part + 1))
-        ends = self._states(frames, both, np.tile(capsule, 2), np.tile(obstacle, 2))
+        ends = self._states(way, frames, both, np.tile(capsule, 2), np.tile(obstacle, 2))
         rows = _Rows(part, capsule, obstacle, *np.split(ends, 2))
         found: FirstPlace | None = None
         while len(rows.part):
@@ -242,10 +250,16 @@ class PlaceSearch:
                 parts, rows = self._cut(way, parts, rows)
         return found
 
-    def _states(self, frames: Array, poses: Whole, capsules: Whole, obstacles: Whole) -> Array:
+    def _states(
+        self, way: _Way, frames: Array, poses: Whole, capsules: Whole, obstacles: Whole
+    ) -> Array:
         ends = self._moving.ends(frames, poses, capsules)
         supports = self._obstacles.supports(ends, obstacles)
-        return np.concatenate((ends.reshape(-1, 6), supports), axis=1)
+        states = [ends.reshape(-1, 6), supports]
+        if way.is_spread:
+            rises = self._moving.rises(frames, poses, capsules, ends, supports[:, 1:4])
+            states.append(rises.reshape(-1, 2 * JOINT_COUNT))
+        return np.concatenate(states, axis=1)
 
     def _cut(self, way: _Way, parts: _Parts, rows: _Rows) -> tuple[_Parts, _Rows]:
         """Return shorter parts, and the rows of them."""
@@ -257,7 +271,7 @@ class PlaceSearch:
         frames = self._moving.frames(way.poses(places[:, 1:-1].ravel()))
         inner = (which[:, None] * (_CUT - 1) + np.arange(_CUT - 1)).ravel()
         capsule, obstacle = (np.repeat(each, _CUT - 1) for each in (rows.capsule, rows.obstacle))
-        between = self._states(frames, inner, capsule, obstacle)
+        between = self._states(way, frames, inner, capsule, obstacle)
         states = np.concatenate(
             (rows.begin[:, None], between.reshape(len(which), _CUT - 1, -1), rows.end[:, None]),
             axis=1,
@@ -278,29 +292,47 @@ class PlaceSearch:
         """Return what is neither clear nor told, and the first place that is told."""
         moving, capsule = self._moving, rows.capsule
         least = least_mm[capsule, rows.obstacle] - _ROUNDING_MM
-        radii, reaches = moving.radii_mm[capsule], moving.reaches_mm[capsule]
-        turns = parts.turns[rows.part] * moving.moves[capsule]
-        bulges = _bulges_mm(turns, reaches)
+        reaches, radii = moving.reaches_mm[capsule], moving.radii_mm[capsule]
+        moves, first = moving.moves[capsule], moving.first_joints[capsule]
         ends = np.concatenate((rows.begin[:, :6], rows.end[:, :6]), axis=1).reshape(-1, 4, 3)
-        supports = np.stack((rows.begin[:, 6:], rows.end[:, 6:]), axis=1)
-        heights = supports[:, :, 1:4] @ ends.swapaxes(1, 2) - supports[:, :, 4:]
-        # a mean of two supports is one, too
-        heights = np.concatenate((heights, heights.mean(axis=1, keepdims=True)), axis=1)
-        axes = moving.first_axes[capsule]
-        across = _across(supports[:, :, 1:4], axes[:, None]).max(axis=1)
-        first = moving.first_joints[capsule]
-        lead = _lead_mm(turns, reaches, first)
-        risen = _lowest(heights[..., :2], heights[..., 2:], bulges - (1.0 - across) * lead)
-        strays = np.einsum("mj,mj->m", parts.strays[rows.part], reaches)
-        spreads = np.einsum("mj,mj->m", parts.spreads[rows.part], reaches)
-        moved = np.linalg.norm(ends[:, 2:] - ends[:, :2], axis=2).max(axis=1) + bulges / 4.0
+        supports = np.stack((rows.begin[:, 6:11], rows.end[:, 6:11]), axis=1)
         gaps = (supports[:, :, 0] - radii[:, None]).T
+        axes = moving.first_axes[capsule, None]
+        along = 1.0 - _across(supports[:, :, 1:4], axes).max(axis=1)[:, None]
+
+        def bulges_mm(turns: Array) -> Array:
+            return _bulges_mm(_weights(turns) - along * _lead(turns, first), reaches)
+
+        turns = parts.turns[rows.part] * moves
+        bulges = bulges_mm(turns)
+        heights = supports[:, :, 1:4] @ ends.swapaxes(1, 2) - supports[:, :, 4:]
+        lowest = _lowest(heights, bulges)
+        off = parts.strays[rows.part] + parts.spreads[rows.part]
+        strays = _moved_mm(parts.strays[rows.part], reaches)
+        spreads = _moved_mm(parts.spreads[rows.part], reaches)
+        beyond = strays + spreads
+        near = gaps[0] - spreads
+        if rows.begin.shape[1] > _PLAIN:
+            # how much of what is off leads towards the obstacle
+            spread = parts.spreads[rows.part] * moves
+            rises = np.abs(np.stack((rows.begin[:, _PLAIN:], rows.end[:, _PLAIN:])))
+            rises = rises.reshape(2, -1, 2, JOINT_COUNT)
+            here = np.einsum("mej,mj->me", rises[0], spread) + bulges_mm(spread) / 2.0
+            near = np.maximum(near, (heights[:, 0, :2] - here).min(axis=1) - radii)
+            off *= moves
+            sunk = np.einsum("mej,mj->me", rises.max(axis=0), off)
+            sunk += (bulges_mm(turns + off) - bulges) / 2.0
+            lowest -= np.minimum(sunk, beyond[:, None])[:, None]
+        else:
+            lowest -= beyond[:, None, None]
+        moved = np.linalg.norm(ends[:, 2:] - ends[:, :2], axis=2)
+        moved = (moved + _bulges_mm(_weights(turns), reaches) / 4.0).max(axis=1)
         bounds = np.maximum(
-            risen.min(axis=2).max(axis=1) - radii, (gaps[0] + gaps[1] - moved) / 2.0
+            lowest.min(axis=2).max(axis=1) - radii, (gaps[0] + gaps[1] - moved) / 2.0 - beyond
         )
-        left = np.flatnonzero(~(bounds - strays - spreads >= least))
-        gaps, least = gaps[:, left], least[left]
-        near, ahead = gaps[0] - spreads[left], gaps[1] < least
+        left = np.flatnonzero(~(bounds >= least))
+        gaps, near, least = gaps[:, left], near[left], least[left]
+        ahead = gaps[1] < least
         told = near < least
         told |= ahead & (near < least + RESOLUTION_MM)
         told |= moved[left] + strays[left] <= RESOLUTION_MM
@@ -338,13 +370,12 @@ class PlaceSearch:
         along = directions @ ends.swapaxes(1, 2) - heights.T[..., None]
         count = len(coarse)
         turns = np.repeat(parts.turns, count, axis=0)
-        reaches = np.tile(coarse.reaches_mm, (len(parts.begins), 1))
-        bulges = _bulges_mm(turns, reaches)
-        lead = _lead_mm(turns, reaches, np.zeros(len(turns), dtype=np.int64))
-        across = _across(directions, coarse.first_axes[0])
-        bulges = bulges[:, None] - (1.0 - across) * lead[:, None]
-        bounds = _lowest(along[..., :2], along[..., 2:], bulges).min(axis=2)
-        off = np.einsum("mj,mj->m", np.repeat(parts.strays + parts.spreads, count, axis=0), reaches)
+        reaches = np.tile(coarse.reaches_mm, (len(parts.begins), 1, 1))
+        bulges = _bulges_mm(_weights(turns), reaches)[:, None]
+        lead = _bulges_mm(_lead(turns, np.zeros(len(turns), dtype=np.int64)), reaches)[:, None]
+        across = _across(directions, coarse.first_axes[0])[..., None]
+        bounds = _risen(along[..., :2], along[..., 2:], bulges - (1.0 - across) * lead).min(axis=2)
+        off = _moved_mm(np.repeat(parts.strays + parts.spreads, count, axis=0), reaches)
         off += np.tile(coarse.radii_mm, len(parts.begins))
         least = np.full((count, len(obstacles)), -np.inf)
         np.maximum.at(least, enclosing, least_mm)
@@ -368,24 +399,38 @@ def _checked(
     return way, spread, least_mm
 
 
-def _bulges_mm(turns: Array, reaches_mm: Array) -> Array:
-    """Return (…) how much a place's velocity changes over a part, in mm, at most.
+def _weights(turns: Array) -> Array:
+    """Return (…, 6) the weights of a place's distances from the joints' axes in its bulge.
 
     Args:
         turns: (…, 6) the turns of the joints, in radians.
-        reaches_mm: (…, 6) how far the place is from their axes.
     """
-    weights = turns * (2.0 * np.cumsum(turns, axis=-1) - turns)
-    bulges: Array = np.einsum("...j,...j->...", weights, reaches_mm)
+    weights: Array = turns * (2.0 * np.cumsum(turns, axis=-1) - turns)
+    return weights
+
+
+def _lead(turns: Array, first: Whole) -> Array:
+    """Return (m, 6) what the first joint that turns at all adds to `_weights`.
+
+    That part of the bulge is square to the axis of this joint.
+    """
+    rows = np.arange(len(turns))
+    turn = turns[rows, first]
+    lead = 2.0 * turn[:, None] * turns
+    lead[rows, first] = turn**2
+    return lead
+
+
+def _bulges_mm(weights: Array, reaches_mm: Array) -> Array:
+    """Return (m, e) how much the velocity of ends changes over a part, in mm, at most."""
+    bulges: Array = np.einsum("mj,mej->me", weights, reaches_mm)
     return bulges
 
 
-def _lead_mm(turns: Array, reaches_mm: Array, first: Whole) -> Array:
-    """Return (m,) the part of `_bulges_mm` that is square to the axis of the first joint."""
-    rows = np.arange(len(turns))
-    turn, reach = turns[rows, first], reaches_mm[rows, first]
-    moved: Array = np.einsum("mj,mj->m", turns, reaches_mm)
-    return turn * (2.0 * moved - reach * turn)
+def _moved_mm(turns: Array, reaches_mm: Array) -> Array:
+    """Return (m,) how far turns of the joints move anything of capsules at most."""
+    moved: Array = np.einsum("mj,mej->me", turns, reaches_mm).max(axis=1)
+    return moved
 
 
 def _across(directions: Array, axes: Array) -> Array:
@@ -395,15 +440,33 @@ def _across(directions: Array, axes: Array) -> Array:
     return across
 
 
-def _lowest(begins: Array, ends: Array, bulges_mm: Array) -> Array:
-    """Return (m, s, e) the least height on ways from some to others.
+def _lowest(heights: Array, bulges_mm: Array) -> Array:
+    """Return (m, 3, 2) how high capsules' ends stay at least on their way, above three supports.
 
     Args:
-        begins: (m, s, e) the heights at which they begin.
-        ends: (m, s, e) the heights at which they end.
-        bulges_mm: (m, s) or (m,) what `_bulges_mm` returned.
+        heights: (m, 2, 4) how high they are above the support at the way's begin, and above that at
+            its end: first both ends at the begin, then both at the end.
+        bulges_mm: (m, 2) what `_bulges_mm` returned.
+
+    Returns:
+        The heights above these two, and above one that leads from the first to the other.
     """
-    half = bulges_mm.reshape(*bulges_mm.shape, *(1,) * (begins.ndim - bulges_mm.ndim)) / 2.0
+    begins, ends = heights[..., :2], heights[..., 2:]
+    single = _risen(begins, ends, bulges_mm[:, None])
+    # any mean of two supports is one, too
+    begin, end = begins[:, 0], ends[:, 1]
+    middle = (ends[:, 0] + begins[:, 1]) / 2.0 - bulges_mm / 4.0
+    dips = np.maximum(np.minimum(begin, end) - middle, 0.0)
+    falls = begin - middle
+    turned = np.where(
+        dips > 0.0, begin - falls**2 / (falls + end - middle + _TINY), np.minimum(begin, end)
+    )
+    return np.concatenate((single, turned[:, None]), axis=1)
+
+
+def _risen(begins: Array, ends: Array, bulges_mm: Array) -> Array:
+    """Return (m, s, e) the least height on ways from some heights to others."""
+    half = bulges_mm / 2.0
     dips = np.maximum(half - np.abs(ends - begins), 0.0)
-    lowest: Array = np.minimum(begins, ends) - dips**2 / (4.0 * half + _TINY)
-    return lowest
+    risen: Array = np.minimum(begins, ends) - dips**2 / (4.0 * half + _TINY)
+    return risen

@@ -40,7 +40,10 @@ class MovedCapsules:
         ).reshape(-1, 2, 3)
         rows = [self._bases.index(base) * _FRAMES for base in bases]
         links = [each.link for each in capsules]
+        self._axes = np.array(rows, dtype=np.int64)[:, None] + np.arange(1, _FRAMES)
         self._frame_of = np.array(rows, dtype=np.int64) + np.array(links, dtype=np.int64)
+        self.parts = tuple(each.part for each in capsules)
+        """The part of each of k."""
         self.radii_mm = np.array([each.radius_mm for each in capsules])
         """(k,) the radii."""
         self.first_joints = np.minimum(np.array(bases, dtype=np.int64), JOINT_COUNT - 1)
@@ -49,9 +52,17 @@ class MovedCapsules:
         self.first_axes = np.stack((np.zeros(len(alphas)), -np.sin(alphas), np.cos(alphas)), axis=1)
         """(k, 3) its axis, which stays where it is."""
         pairs = list(zip(capsules, bases, strict=True))
-        self.reaches_mm = np.array([_reaches_mm(geometry, *each) for each in pairs])
-        """(k, 6) how far from each joint's axis the line can be; 0 if it does not move it."""
-        self.moves = self.reaches_mm > 0.0
+        self.reaches_mm = np.array(
+            [
+                [
+                    _reaches_mm(geometry, end, each.link, base)
+                    for end in (each.start_mm, each.end_mm)
+                ]
+                for each, base in pairs
+            ]
+        ).reshape(-1, 2, JOINT_COUNT)
+        """(k, 2, 6) how far from each joint's axis the line's ends can be; 0 if it moves none."""
+        self.moves: npt.NDArray[np.bool_] = np.any(self.reaches_mm > 0.0, axis=1)
         """(k, 6) whether a joint moves it."""
 
     def __len__(self) -> int:
@@ -89,6 +100,26 @@ class MovedCapsules:
         placed: Array = self._ends @ frames[:, self._frame_of, :3].swapaxes(2, 3)
         return placed
 
+    def rises(
+        self, frames: Array, poses: Whole, capsules: Whole, ends: Array, directions: Array
+    ) -> Array:
+        """Return (m, 2, 6) how m capsules' ends move along directions by each joint.
+
+        Args:
+            frames: As in `ends`.
+            poses: Likewise.
+            capsules: Likewise.
+            ends: What it returned.
+            directions: (m, 3) the direction for each capsule.
+
+        Returns:
+            Millimetres for a radian.
+        """
+        chosen = frames[poses[:, None], self._axes[capsules], :3]
+        turned = np.cross(ends[:, :, None] - chosen[:, None, :, :, 3], directions[:, None, None])
+        rises = np.einsum("mji,meji->mej", chosen[..., 2], turned)
+        return np.where(self.moves[capsules, None], rises, 0.0)
+
 
 def _steps(geometry: Geometry) -> tuple[Array, Array, Array]:
     """Return (6, 4, 4) each joint's frame in the one before: fixed, by its cosine, by its sine."""
@@ -107,15 +138,14 @@ def _steps(geometry: Geometry) -> tuple[Array, Array, Array]:
     return fixed, cosines, sines
 
 
-def _reaches_mm(geometry: Geometry, capsule: Capsule, base: int) -> Array:
-    """Return (6,) how far from each joint's axis the line of a capsule can be at most."""
+def _reaches_mm(geometry: Geometry, place: Sequence[float], link: int, base: int) -> Array:
+    """Return (6,) how far from each joint's axis a place on a link can be at most."""
     reaches_mm = np.zeros(JOINT_COUNT)
-    ends = (capsule.start_mm, capsule.end_mm)
-    if capsule.link > base:
+    if link > base:
         # the axis of the link's own joint is the Z axis of its frame
-        reaches_mm[capsule.link - 1] = max(math.hypot(*end[:2]) for end in ends)
-    furthest_mm = max(math.hypot(*end) for end in ends)
-    for joint in reversed(range(base, capsule.link - 1)):
+        reaches_mm[link - 1] = math.hypot(*place[:2])
+    furthest_mm = math.hypot(*place)
+    for joint in reversed(range(base, link - 1)):
         row = geometry.rows[joint + 1]
         furthest_mm += math.hypot(row.a_mm, row.d_mm)
         reaches_mm[joint] = furthest_mm

@@ -18,7 +18,7 @@ from armui.protocol.codes import EndLoad
 from armui.protocol.generation import PiperModel
 from armui.trajectory.planning.check import BELOW_FLOOR, CheckRequest
 from armui.trajectory.planning.check import check as checked
-from armui.trajectory.planning.collision import collisions
+from armui.ways.own_body import collisions
 from tests.cell.areas import area_of
 from tests.cell.test_enclosure import random_deg
 from tests.each import check_each

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from armui.arm.tool_capsule import ToolCapsule
 from armui.kinematics.forward import flange_transforms
 from armui.trajectory.planning.check import BELOW_FLOOR, LINKS_COLLIDE, CheckRequest, check
-from armui.trajectory.planning.collision import collisions
+from armui.ways.own_body import collisions
 from tests.trajectory.arms import ARM, HERE, joint, run
 
 PEN = ToolCapsule((0.0, 0.0, 200.0), 20.0)
@@ -81,7 +81,7 @@ def test_no_contact_is_missed_because_the_arm_seems_far(shares, tip, radius):
     tool = ToolCapsule(tuple(tip), radius)
     hit = collisions(ARM.kinematics.geometry, joints, ARM.tool_mm, tool=tool)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("armui.trajectory.planning.collision._close", lambda *_: np.ones(1, bool))
+        patch.setattr("armui.ways.own_body._close", lambda *_: np.ones(1, bool))
         assert collisions(ARM.kinematics.geometry, joints, ARM.tool_mm, tool=tool) == hit
 
 

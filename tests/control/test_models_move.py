@@ -11,7 +11,7 @@ from armui.kinematics.arm_kinematics import Kinematics
 from armui.kinematics.axes import JogFrame
 from armui.kinematics.poses import Pose, apart
 from armui.protocol.codes import MoveMode
-from armui.trajectory.planning.collision import collisions
+from armui.ways.own_body import collisions
 from tests.accepted import accepted
 from tests.family import MODELS, ranges
 

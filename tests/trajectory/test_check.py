@@ -14,11 +14,11 @@ import pytest
 from armui.arm.state import EndLimits
 from armui.kinematics.forward import links
 from armui.trajectory.planning.check import CheckOutcome, CheckRequest, check
-from armui.trajectory.planning.collision import collisions, segment_distances
 from armui.trajectory.planning.findings import Approach, Severity
 from armui.trajectory.planning.timing import plan_path
 from armui.trajectory.points.program import GripperOpening, Waypoint
 from armui.trajectory.samples.recording import Recording
+from armui.ways.own_body import collisions, segment_distances
 from tests.trajectory.arms import ARM, HERE, KINEMATICS, joint, line, pose, pose_near, run
 
 

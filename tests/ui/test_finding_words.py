@@ -6,8 +6,8 @@ from PySide6.QtWidgets import QApplication
 
 from armui.cell.enclosure import PARTS as ENCLOSED
 from armui.trajectory.planning.check import LINKS_COLLIDE, TARGET_BEYOND_LIMIT
-from armui.trajectory.planning.collision import PARTS
 from armui.ui.words import findings
+from armui.ways.own_body import PARTS
 
 
 def test_there_is_a_word_for_every_part_of_the_arm() -> None:

@@ -23,7 +23,6 @@ from armui.kinematics.singularity import NEAR_SINGULAR as SINGULAR_BELOW
 from armui.kinematics.singularity import margins, smallest_singular_values
 from armui.protocol.codes import MoveMode
 from armui.trajectory.files import Content
-from armui.trajectory.planning.collision import collisions
 from armui.trajectory.planning.findings import (
     FAR_FROM_START,
     Approach,
@@ -43,6 +42,7 @@ from armui.trajectory.samples.recording import (
     replay_profile,
     turning_speeds,
 )
+from armui.ways.own_body import collisions
 
 Array = npt.NDArray[np.float64]
 Whole = npt.NDArray[np.int64]
