@@ -239,6 +239,8 @@ class AreaCheck:
         joints_deg = np.array(way_deg, dtype=float)
         if self.is_free or not len(joints_deg):
             return None
+        if self.breach(joints_deg, np.full(len(self.zones), self.margin_mm)) is None:
+            return None
         poses, _ = self._finely(joints_deg)
         gaps, capsules = self._gaps(poses)
         allowed = np.minimum(np.maximum.accumulate(gaps, axis=0), self.margin_mm)

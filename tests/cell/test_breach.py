@@ -60,11 +60,11 @@ def random_zones(random, planes, boxes):
 
 
 @pytest.mark.parametrize("kind", [turn, step, whole, dense, corners])
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", range(5))
 def test_what_is_told_agrees_with_places_tried_one_by_one(kind, seed):
     random = np.random.default_rng(seed)
     told = []
-    for number in range(50):
+    for number in range(30):
         zones = random_zones(random, int(random.integers(0, 2)), int(random.integers(1, 4)))
         check = check_of(*zones, model=list(PiperModel)[number % len(PiperModel)])
         way = kind(random)
@@ -72,17 +72,17 @@ def test_what_is_told_agrees_with_places_tried_one_by_one(kind, seed):
         breach = check.breach(way, least)
         which = None if breach is None else zones.index(breach.zone)
         told.append(agrees(check.gaps, way, least, breach, which))
-    assert 5 < sum(told) < 45
+    assert 3 < sum(told) < 27
 
 
 @pytest.mark.parametrize("kind", [turn, step, dense])
 def test_no_way_that_begins_a_little_off_is_too_near(kind):
     random = np.random.default_rng(3)
     clear = 0
-    for _ in range(30):
+    for _ in range(20):
         check = check_of(*random_zones(random, 1, 2))
         way, spread = kind(random), random.uniform(0.0, 1.0, 6)
-        places = np.linspace(0.0, len(way) - 1.0, 40)
+        places = np.linspace(0.0, len(way) - 1.0, 30)
         gaps = np.array(
             [check.gaps(at(deviated(random, way, spread), places)).min(axis=0) for _ in range(16)]
         )
@@ -91,7 +91,7 @@ def test_no_way_that_begins_a_little_off_is_too_near(kind):
             clear += 1
             assert (gaps >= least - 1e-5).all()
         assert check.breach(way, gaps.min(axis=0) + 0.01, spread) is not None
-    assert clear > 5
+    assert clear > 3
 
 
 @pytest.mark.parametrize("turned", [0, 1, 2, 3, 4])
@@ -167,9 +167,7 @@ def test_what_is_no_figure_is_no_way(way, least, spread):
 
 
 def test_what_may_touch_a_zone_is_not_asked_of_it():
-    held = HeldObject(
-        "rod", (0.0, 0.0, 150.0, 0.0, 0.0, 0.0), (10.0, 10.0, 100.0), may_touch=("table",)
-    )
+    held = HeldObject("rod", (0.0, 0.0, 150.0, 0.0, 0.0, 0.0), (10.0, 10.0, 100.0), ("table",))
     cell = Cell("bench", held_objects=(held,), held="rod", area=area_of(TABLE))
     body = carried_body(PiperModel.PIPER, BODY.geometry, (0.0,) * 6, cell)
     bare, holding = check_of(TABLE), AreaCheck(area_of(TABLE), body)

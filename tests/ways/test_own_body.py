@@ -80,13 +80,13 @@ def test_at_rest_hand_and_base_touch():
 def test_what_is_told_agrees_with_places_tried_one_by_one(kind, carried):
     random = np.random.default_rng(7)
     told = []
-    for model, _ in itertools.product(PiperModel, range(12)):
+    for model, _ in itertools.product(PiperModel, range(6)):
         body, way = body_of(model, **carried), kind(random)
         least = least_just_kept(random, body.gaps, way)
         breach = body.breach(way, least)
         which = None if breach is None else body.pairs.index(f"{breach.one}/{breach.other}")
         told.append(agrees(body.gaps, way, least, breach, which))
-    assert 5 < sum(told) < 43
+    assert 3 < sum(told) < 21
 
 
 def test_no_way_that_begins_a_little_off_is_too_near():
