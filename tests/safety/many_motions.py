@@ -625,6 +625,7 @@ def main() -> None:
     for seed in range(options.first, options.first + options.seeds):
         try:
             found += play(seed, options.motions)
+            print(f"seed {seed} played", file=sys.stderr)
         except AssertionError as error:  # the computer was too busy for the bus thread
             left_out += 1
             print(f"seed {seed} left out: {error}", file=sys.stderr)

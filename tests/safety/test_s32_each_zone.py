@@ -9,10 +9,10 @@ from dataclasses import replace
 
 import pytest
 
-from armui.cell.work_area import AreaBox, AreaPlane
+from armui.cell.work_area import AreaBox
 from armui.protocol.codes import TeachingState
 from tests.accepted import accepted
-from tests.cell.areas import gap_mm, put, wall
+from tests.cell.areas import TABLE, gap_mm, put, wall
 from tests.control.jogger import BENT_DEG, bend
 from tests.safety.inline_rig import inline_rig
 from tests.safety.mesh_oracle import MeshOracle
@@ -37,11 +37,9 @@ def person(by_mm=BEFORE_MM):
     return replace(wall(place), name="person")
 
 
-def behind():
-    """What the bent arm is parked at: a plane at its back."""
-    back = AreaPlane("table", (0.0, 0.0, 0.0, 0.0, 90.0, 0.0))
-    off = gap_mm(BENT_DEG, back)
-    return replace(back, pose=(off - PARKED_MM, 0.0, 0.0, 0.0, 90.0, 0.0))
+def under():
+    """What the shoulder is parked at, which no swing takes away from it."""
+    return replace(TABLE, pose=(0.0, 0.0, gap_mm(BENT_DEG, TABLE) - PARKED_MM, 0.0, 0.0, 0.0))
 
 
 def beside():
@@ -51,7 +49,7 @@ def beside():
     return replace(box, pose=(0.0, 500.0 - off + PARKED_MM, 240.0, 0.0, 0.0, 0.0))
 
 
-PARKINGS = {"a plane at its back": behind, "a box beside it": beside}
+PARKINGS = {"a plane under it": under, "a box beside it": beside}
 
 
 def guarded(rig, *zones, stops=True):
@@ -87,9 +85,8 @@ def test_another_host_is_told_and_stopped_at_another_zone(rig, other_host, parki
 
 def test_the_deepest_of_two_zones_does_not_hide_the_other(rig, other_host):
     """Parked 20 mm inside the one: the other counts from its own margin on."""
-    deep = behind()
-    x, *rest = deep.pose
-    deep = replace(deep, pose=(x + 25.0, *rest))
+    deep = under()
+    deep = replace(deep, pose=(0.0, 0.0, deep.pose[2] + 25.0, 0.0, 0.0, 0.0))
     guarded(rig, deep, person())
     other_host.move_to(SWUNG_DEG, 20)
     rig.run_until(lambda: "person" in entered(rig), seconds=4.0)
@@ -126,7 +123,7 @@ def test_what_is_entered_again_is_told_and_stopped_again(rig, other_host):
 
 
 def test_what_is_entered_again_from_a_parking_is_told_again(rig, other_host):
-    guarded(rig, behind(), person())
+    guarded(rig, under(), person())
     for time in (1, 2):
         other_host.move_to(SWUNG_DEG, 20)
         rig.run(4.0)
@@ -149,7 +146,7 @@ def test_a_host_that_goes_on_after_the_halt_is_halted_again(rig, other_host):
 
 @pytest.mark.parametrize("parking", [True, False])
 def test_a_hand_is_told_at_each_zone(rig, parking):
-    guarded(rig, *([behind()] if parking else []), person(), stops=False)
+    guarded(rig, *([under()] if parking else []), person(), stops=False)
     accepted(rig.controller.teaching.command(TeachingState.START_RECORDING))
     rig.run(0.5)
     rig.firmware.hand_guiding.lead_to(SWUNG_DEG)
