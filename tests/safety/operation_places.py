@@ -100,7 +100,7 @@ OUTSIDE: Final = {
 
 # Zones --------------------------------------------------------------------------------------------
 
-INTO: Final = Way(BENT_DEG, (50.0, *BENT_DEG[1:]), axis=1)
+INTO: Final = Way((30.0, *BENT_DEG[1:]), (70.0, *BENT_DEG[1:]), axis=1)
 _CUBE_MM: Final = (60.0, 60.0, 60.0)
 
 
@@ -134,7 +134,7 @@ NEAR_WALL_MM: Final = depth_beyond_mm(BENT_DEG, 0.0) + 32.0
 def small_step(joints_deg: Sequence[float]) -> Way:
     """Outwards by less than a millimetre."""
     end = list(joints_deg)
-    end[1] += 0.25
+    end[1] += 0.15
     return Way(tuple(joints_deg), tuple(end), joint=2, arc_mm=0.4)
 
 
@@ -156,7 +156,7 @@ TWENTY: Final = tuple(
             60.0 + 20.0 * (number % 5),
             0.0,
             0.0,
-            17.0 * number,
+            17.0 * number - 170.0,
         ),
         (80.0, 60.0, 120.0),
     )
