@@ -42,7 +42,7 @@ def step(random):
 
 def boxes_beside(random, way, count, gaps_mm):
     """Boxes whose least gap from a way is within two figures."""
-    found = []
+    found: list[AreaBox] = []
     poses = way[0] + np.linspace(0.0, 1.0, 100)[:, None] * (way[1] - way[0])
     while len(found) < count:
         places = random.uniform((-700.0, -700.0, -100.0), (700.0, 700.0, 900.0), (60, 3))

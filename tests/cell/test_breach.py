@@ -167,7 +167,8 @@ def test_what_is_no_figure_is_no_way(way, least, spread):
 
 
 def test_what_may_touch_a_zone_is_not_asked_of_it():
-    held = HeldObject("rod", (0.0, 0.0, 150.0, 0.0, 0.0, 0.0), (10.0, 10.0, 100.0), ("table",))
+    pose = (0.0, 0.0, 150.0, 0.0, 0.0, 0.0)
+    held = HeldObject("rod", pose, (10.0, 10.0, 100.0), may_touch=("table",))
     cell = Cell("bench", held_objects=(held,), held="rod", area=area_of(TABLE))
     body = carried_body(PiperModel.PIPER, BODY.geometry, (0.0,) * 6, cell)
     bare, holding = check_of(TABLE), AreaCheck(area_of(TABLE), body)
