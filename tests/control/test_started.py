@@ -73,7 +73,15 @@ def cell_unconfirmed(rig):
     rig.controller.cell.forget_arm()
 
 
+def outside_limits(rig):
+    """The first joint is found beyond its limit."""
+    limit = rig.controller.state.angles_deg()[0] - 5.0
+    accepted(rig.controller.settings.save({Parameter("max_angle_deg", 1): round(limit, 1)}))
+    rig.run_until(lambda: rig.controller.operating_state.outside != "")
+
+
 BEFORE: dict[str, Any] = {
+    "motion.come_inside": outside_limits,
     "motors.resume": stopped,
     "run.pause": lambda rig: rig.controller.player.start(run_of(to(OUT), to(BACK))),
     "run.go_on": run_paused,
@@ -110,6 +118,7 @@ BEGIN: dict[str, tuple[Any, Ending]] = {
     "motion.step": ((1, 5.0), DONE),
     "motion.send": ((BACK,), DONE),
     "motion.home": (NONE, DONE),
+    "motion.come_inside": (NONE, DONE),
     "tool.move": ((POSE, MoveMode.MOVE_P), DONE),
     "tool.step": ((0, 5.0, JogFrame.BASE), DONE),
     "tool.arc": (arc, DONE),

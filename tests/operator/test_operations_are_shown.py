@@ -14,7 +14,7 @@ from armui.ui.actions.places import PLACES
 from armui.ui.guide.text import read_guide
 from tests.accepted import accepted
 from tests.app_driver import PANELS
-from tests.control.test_started import checking, in_doubt
+from tests.control.test_started import checking, in_doubt, outside_limits
 from tests.control.under_way import replay_moving, run_moving
 from tests.operator.library.actions import POINT
 from tests.operator.test_palette import commands
@@ -72,6 +72,9 @@ SHOWN = {
     "motion.step": Shown("motion", "jog_plus_1", "motion", "by a step", "一个步长"),
     "motion.send": Shown("motion", "send_button", "motion", "**Send**", "**发送**"),
     "motion.home": Shown("motion", "home_button", "motion", "**Home**", "**回零**"),
+    "motion.come_inside": Shown(
+        "outside", "recovery_hold_button", "window", "**Move inside**", "**回到限位内**"
+    ),
     "jog.begin": Shown("motion", "jog_plus_1", "motion", "“Continuous”", "“连续”"),
     "tool.move": Shown("cartesian", "move_p_button", "cartesian", "**MOVE P**", "**MOVE P**"),
     "tool.step": Shown("cartesian", "pose_plus_Z", "cartesian", "− and +", "− / +"),
@@ -193,6 +196,7 @@ OPEN = {
     "cell_held": open_held,
     **{panel: lambda driver, panel=panel: driver.click(f"menu_{panel}") for panel in PANELS},
     **{place: under_way(place) for place in BESIDES},
+    "outside": outside_limits,
     **{stage: lambda driver, stage=stage: open_reference(driver, stage) for stage in DIALOG},
 }
 
@@ -200,7 +204,13 @@ OPEN = {
 def test_each_has_a_place(rig):
     assert set(SHOWN) == set(rig.controller.operations)
     places = {each.place for each in SHOWN.values()}
-    assert places - PLACES.keys() - set(PANELS) == {"editing", "cell_held", *BESIDES, *DIALOG} - {
+    assert places - PLACES.keys() - set(PANELS) == {
+        "editing",
+        "cell_held",
+        "outside",
+        *BESIDES,
+        *DIALOG,
+    } - {
         "run",
         "reference",
     }

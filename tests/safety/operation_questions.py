@@ -119,8 +119,6 @@ NOT_ASKED: Final[Mapping[Question, Reasons]] = {
 }
 """What cannot be asked of an operation, and why."""
 
-_NO_CHECK: Final = "whoever begins it has to have checked it; it asks no rule itself: "
-
 KNOWN: Final[Mapping[tuple[Question, str], str]] = {
     (Question.FRAMES, "motion.set_speed"): "sends 0x151, is declared to move nothing",
     (Question.FRAMES, "run.override"): "sends 0x151, is declared to move nothing",
@@ -133,36 +131,18 @@ KNOWN: Final[Mapping[tuple[Question, str], str]] = {
     (Question.LATE, "motors.enable"): "its second attempt is the first to leave, 1.10 s after",
     (Question.LATE, "motors.disable"): "its second attempt is the first to leave, 1.10 s after",
     (Question.LATE, "motors.resume"): "0x150 = 2, the arm drops, leaves 1.10 s after the press",
-    (Question.ZONE, "run.start"): f"{_NO_CHECK}42 mm inside",
-    (Question.ZONE, "replay.start"): f"{_NO_CHECK}42 mm inside",
-    (Question.ZONE, "run.go_on"): "as begun",
-    (Question.ZONE, "replay.go_on"): "as begun",
-    (Question.LIMIT, "run.start"): "7.0° are sent as a target; only the arm refuses it (0x04)",
-    (Question.LIMIT, "run.go_on"): "as begun",
-    (Question.REST, "run.start"): "9.0° are sent as a target; only the arm refuses it (0x04)",
-    (Question.REST, "run.go_on"): "as begun",
-    (Question.AREA, "run.start"): f"{_NO_CHECK}16 mm deeper",
-    (Question.AREA, "replay.start"): f"{_NO_CHECK}16 mm deeper",
-    (Question.AREA, "run.go_on"): "as begun",
-    (Question.AREA, "replay.go_on"): "as begun",
     (Question.EXCEPTION, "teaching.command"): "the arm's own replay is not ended: it goes on",
-    (Question.SMALL, "tool.step"): "60 steps lead 24 mm inside",
     **{
-        (Question.FLOOR, name): f"jogs and steps only: from 15 mm below the floor to {deepest_mm}"
+        (Question.FLOOR, name): f"its check warns, and the operator accepts: down to {deepest_mm}"
         for name, deepest_mm in {
-            "motion.send": 65,
-            "tool.move": 65,
-            "tool.arc": 61,
             "run.start": 65,
             "run.go_on": 65,
             "replay.start": 65,
             "replay.go_on": 65,
-            "planned.command": 65,
             "teaching.command": 67,
         }.items()
     },
     (Question.BACK_LIMIT, "tool.step"): "from 152° of 150°: path_beyond_limits",
-    (Question.BACK_LIMIT, "jog.begin"): "from 152° of 150°: ends with joint_out_of_limits",
     (Question.BACK_LIMIT, "replay.start"): "from 152° of 150°: joint_out_of_limits",
     (Question.BACK_REST, "replay.start"): "from the rest pose: joint_out_of_limits",
 }

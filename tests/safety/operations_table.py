@@ -261,6 +261,14 @@ def cell_unconfirmed(driver: Driver, _way: Way) -> Refusal | None:
     return answer if isinstance(answer, Refusal) else None
 
 
+def beyond_its_limit(driver: Driver, way: Way) -> Refusal | None:
+    """Joint 1 is found 5° beyond its limit."""
+    limit = {Parameter("max_angle_deg", 1): round(way.start_deg[0] - 5.0, 1)}
+    answer = driver.begin("settings.save", limit)
+    driver.run_until(lambda: driver.now.outside != "")
+    return answer if isinstance(answer, Refusal) else None
+
+
 # The operations -----------------------------------------------------------------------------------
 
 
@@ -290,6 +298,7 @@ ENTRIES: Final[Mapping[str, Entry]] = {
         lambda way: (way.joint, way.delta_deg), _JOINTS | _WORD, tip_mm=_tip_at_end
     ),
     "motion.send": Entry(lambda way: (way.end_deg,), _JOINTS | _WORD, tip_mm=_tip_at_end),
+    "motion.come_inside": Entry(_always(), _JOINTS | _WORD, before=beyond_its_limit),
     "motion.home": Entry(_always(), _JOINTS | _WORD, tip_mm=lambda _way: tip_of((0.0,) * 6)),
     "tool.move": Entry(
         lambda way: (way.end_pose, MoveMode.MOVE_P), _POSE | _WORD, tip_mm=_tip_at_end

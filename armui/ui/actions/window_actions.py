@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, QSize, Qt
 from PySide6.QtWidgets import QAbstractButton, QDialog, QToolButton, QWidget
 
 from armui.control.devices.motors import Motors
+from armui.control.motion.joint_motion import Motion
 from armui.control.operations.operation import operation_of
 from armui.control.run.speed_override import STEP_PERCENT
 from armui.control.safety.recovery_steps import StepKind
@@ -56,6 +57,8 @@ _COMMANDS: Final = (
             operation_of(Motors.resume), synonyms=also("recover restart release 恢复 解除 复位")),
     Command(_NEXT_STEP, Text("RecoveryLine", "Next step"),
             synonyms=also("fix help recover 怎么办")),
+    Command("window.come_inside", operation=operation_of(Motion.come_inside),
+            synonyms=also("rest pose limits outside 静置 限位外")),
     Command("window.joint_status", Text("Action", "Joint status"),
             synonyms=also("temperature current voltage errors 温度 电流 电压 故障")),
     Command("library.open", Text("LibraryButton", "Trajectory library"),
@@ -206,6 +209,7 @@ class WindowActions(QObject):
             "everywhere.faster": self._go_faster,
             "window.resume": ask_to_resume,
             _NEXT_STEP: self._take_step,
+            "window.come_inside": self._take_step,
             "replay.open": watch.open_replay,
             "window.export": watch.open_export,
             "window.backup": self._window.open_backup_dialog,
