@@ -116,7 +116,7 @@ OPENED_ELSEWHERE = {
     "armui.system.command_line: os.open": "the system's null device, for a command without output",
     "armui.system.presence: filelock.FileLock": "a lock of a name of its own in a private folder",
     "armui.ui.trajectory.library.library_presence: PySide6.QtCore.QLockFile": "looked at before",
-    "armui.settings: filelock.FileLock": "a lock in a private folder, opened to read and write",
+    "armui.system.alone: filelock.FileLock": "a lock in a private folder, opened to read and write",
     "armui.system.scratch: filelock.FileLock": "in a folder closed to others, made by this program",
     "armui.system.log_file: filelock.FileLock": "opened to read and write, which waits for no pipe",
     "armui.system.log_file: logging.handlers.RotatingFileHandler": "its _open is ours",

@@ -26,7 +26,7 @@ _EXACT: Final = 1e-3
 
 
 @dataclass(frozen=True, slots=True)
-class Breach:
+class Excess:
     """The first place on a way that is further outside a bound than allowed.
 
     Attributes:
@@ -68,7 +68,7 @@ class Rule(Protocol):
         """Return (n, bounds) how far outside each bound (n, 6) angles are; below 0: inside."""
         ...
 
-    def breach(self, way: Way, allowed: Array) -> Breach | None:
+    def breach(self, way: Way, allowed: Array) -> Excess | None:
         """Return the first place that is further outside than allowed, or ``None``.
 
         Args:
@@ -81,7 +81,7 @@ class Rule(Protocol):
         """Return (n, 6) poses on a way between which nothing changes by more than the noise."""
         ...
 
-    def refuse(self, breach: Breach, *, found_outside: bool) -> Refusal:
+    def refuse(self, breach: Excess, *, found_outside: bool) -> Refusal:
         """Return a breach as a reason.
 
         Args:
@@ -132,7 +132,7 @@ def judge_end(way: Way, rules: Iterable[Rule], marks: Marks) -> Refusal | None:
         over = end - _allowed_at_end(rule, _marks_of(rule, begin, marks), begin)
         if (over > 0.0).any():
             bound = int(np.argmax(over))
-            breach = Breach(bound, float(end[bound]), way.end_deg)
+            breach = Excess(bound, float(end[bound]), way.end_deg)
             return rule.refuse(breach, found_outside=False)
     return None
 
@@ -172,7 +172,7 @@ def _judge(way: Way, rule: Rule, marks: dict[tuple[str, str], float]) -> Refusal
         breach = _deeper(way, rule, mark, outside)
     if breach is None and len(beyond):
         worst = int(beyond[np.argmax((end - at_end)[beyond])])
-        breach = Breach(worst, float(end[worst]), way.end_deg)
+        breach = Excess(worst, float(end[worst]), way.end_deg)
     if breach is not None:
         return rule.refuse(breach, found_outside=bool(outside[breach.bound]))
     for index, bound in enumerate(rule.bounds):
@@ -180,7 +180,7 @@ def _judge(way: Way, rule: Rule, marks: dict[tuple[str, str], float]) -> Refusal
     return None
 
 
-def _deeper(way: Way, rule: Rule, mark: Array, outside: npt.NDArray[np.bool_]) -> Breach | None:
+def _deeper(way: Way, rule: Rule, mark: Array, outside: npt.NDArray[np.bool_]) -> Excess | None:
     """Return the first place that is further outside than a place before it was, or ``None``."""
     poses = rule.finely(way)
     found = rule.outside(poses)
@@ -196,4 +196,4 @@ def _deeper(way: Way, rule: Rule, mark: Array, outside: npt.NDArray[np.bool_]) -
         return None
     place = int(places[0])
     bound = int(np.argmax(np.where(over[place], found[place], -np.inf)))
-    return Breach(bound, float(found[place, bound]), tuple(poses[place].tolist()))
+    return Excess(bound, float(found[place, bound]), tuple(poses[place].tolist()))

@@ -29,7 +29,7 @@ from armui.cell.area_check import AREA_IN_THE_WAY, AREA_ONLY_OUT, AreaCheck
 from armui.cell.enclosure import Body, Capsule
 from armui.cell.work_area import Area, AreaPlane
 from armui.kinematics.poses import matrix_to_pose
-from armui.ways.law import Breach, Rule
+from armui.ways.law import Excess, Rule
 from armui.ways.own_body import OwnBody
 from armui.ways.passes import FLOOR
 from armui.ways.way import Array, Way
@@ -94,7 +94,7 @@ class LimitsRule:
         known: Array = np.nan_to_num(ends.reshape(len(joints_deg), -1), nan=np.inf)
         return known
 
-    def breach(self, way: Way, allowed: Array) -> Breach | None:
+    def breach(self, way: Way, allowed: Array) -> Excess | None:
         """Return the first pose beyond a limit: between two poses the joints turn evenly."""
         found = self.outside(way.joints_deg)
         return _first(found - allowed, found, way.joints_deg)
@@ -103,7 +103,7 @@ class LimitsRule:
         """Return the poses of the way."""
         return way.joints_deg
 
-    def refuse(self, breach: Breach, *, found_outside: bool) -> Refusal:
+    def refuse(self, breach: Excess, *, found_outside: bool) -> Refusal:
         """Return the joint, its angle and its limits as a reason; of joints outside, all."""
         place = breach.bound // 2
         if found_outside:
@@ -136,7 +136,7 @@ class AreaRule:
         near: Array = self._check.margin_mm - self._check.gaps(joints_deg)
         return near
 
-    def breach(self, way: Way, allowed: Array) -> Breach | None:
+    def breach(self, way: Way, allowed: Array) -> Excess | None:
         """Return the first place that is too near to a plane or box."""
         return _in_zones(self._check, way, self._check.margin_mm - allowed)
 
@@ -144,7 +144,7 @@ class AreaRule:
         """Return poses between which no part moves by more than the noise."""
         return self._check.finely(way.joints_deg)
 
-    def refuse(self, breach: Breach, *, found_outside: bool) -> Refusal:
+    def refuse(self, breach: Excess, *, found_outside: bool) -> Refusal:
         """Return the part and the plane or box as a reason."""
         part, name = breach.part, self.bounds[breach.bound]
         if not part:
@@ -183,7 +183,7 @@ class FloorRule:
         low: Array = -self._check.gaps(joints_deg)
         return low
 
-    def breach(self, way: Way, allowed: Array) -> Breach | None:
+    def breach(self, way: Way, allowed: Array) -> Excess | None:
         """Return the first place that is too low."""
         return _in_zones(self._check, way, -allowed)
 
@@ -191,7 +191,7 @@ class FloorRule:
         """Return poses between which nothing moves by more than the noise."""
         return self._check.finely(way.joints_deg)
 
-    def refuse(self, breach: Breach, *, found_outside: bool) -> Refusal:  # noqa: ARG002 - one sentence
+    def refuse(self, breach: Excess, *, found_outside: bool) -> Refusal:  # noqa: ARG002 - one sentence
         """Return the height as a reason."""
         value = round(self._lowest_mm - breach.outside, 1)
         return TOO_LOW(value=value, minimum=self._lowest_mm)
@@ -219,13 +219,13 @@ class OwnBodyRule:
         deep: Array = -self._body.gaps(joints_deg)
         return deep
 
-    def breach(self, way: Way, allowed: Array) -> Breach | None:
+    def breach(self, way: Way, allowed: Array) -> Excess | None:
         """Return the first place where two parts touch."""
         found = self._body.breach(way.joints_deg, -allowed, np.array(way.spread_deg))
         if found is None:
             return None
         bound = self.bounds.index(f"{found.one}/{found.other}")
-        return Breach(bound, -found.gap_mm, place_on(way.joints_deg, found.index, found.share))
+        return Excess(bound, -found.gap_mm, place_on(way.joints_deg, found.index, found.share))
 
     def finely(self, way: Way) -> Array:
         """Return poses between which no joint turns by more than a tenth of a degree."""
@@ -239,7 +239,7 @@ class OwnBodyRule:
         ]
         return np.vstack((way.joints_deg[:1], *parts))
 
-    def refuse(self, breach: Breach, *, found_outside: bool) -> Refusal:
+    def refuse(self, breach: Excess, *, found_outside: bool) -> Refusal:
         """Return the two parts as a reason."""
         one, other = self.bounds[breach.bound].split("/")
         return (TOUCHES_ITSELF if found_outside else HITS_ITSELF)(one=one, other=other)
@@ -319,22 +319,22 @@ def place_on(joints_deg: Array, index: int, share: float) -> tuple[float, ...]:
     return tuple((before + share * (after - before)).tolist())
 
 
-def _in_zones(check: AreaCheck, way: Way, least_mm: Array) -> Breach | None:
+def _in_zones(check: AreaCheck, way: Way, least_mm: Array) -> Excess | None:
     found = check.breach(way.joints_deg, least_mm, np.array(way.spread_deg))
     if found is None:
         return None
     bound = check.zones.index(found.zone)
     place = place_on(way.joints_deg, found.index, found.share)
-    return Breach(bound, check.margin_mm - found.gap_mm, place, found.part)
+    return Excess(bound, check.margin_mm - found.gap_mm, place, found.part)
 
 
-def _first(over: Array, found: Array, joints_deg: Array) -> Breach | None:
+def _first(over: Array, found: Array, joints_deg: Array) -> Excess | None:
     places = np.flatnonzero((over > 0.0).any(axis=1))
     if not len(places):
         return None
     place = int(places[0])
     bound = int(np.argmax(over[place]))
-    return Breach(bound, float(found[place, bound]), tuple(joints_deg[place].tolist()))
+    return Excess(bound, float(found[place, bound]), tuple(joints_deg[place].tolist()))
 
 
 def _level(rising: Rising, height_mm: float) -> tuple[float, ...]:

@@ -151,7 +151,7 @@ def test_a_target_beyond_a_limit_only_wants_another(ready):
     for target_id in (0x155, 0x156, 0x157):  # another host asks too much: 500 deg
         ready.firmware.on_frame(Frame(target_id, bytes.fromhex("0007A120 00000000")))
     ready.firmware.on_frame(Frame(0x151, bytes.fromhex("01 01 1E 00 00 00 00 00")))
-    reads(ready, "send")
+    reads(ready, "Send")
     assert "limit" in line(ready)
     assert not ready.find("recovery_button").isVisible()
     ready.click("home_button")

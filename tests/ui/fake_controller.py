@@ -212,6 +212,7 @@ class FakeCells:
 
     cell = in_force = store = unconfirmed = candidate = None
     tool_name = ""
+    arms = 0
     cells: Mapping[str, object] = {}
     broken: Mapping[str, object] = {}
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from armui.arm.refusal import Reason
-from armui.ways.law import Breach, Marks, judge, judge_end
+from armui.ways.law import Excess, Marks, judge, judge_end
 from armui.ways.way import Way, rest_of, straight_way
 
 TOO_FAR = Reason("too_far", "{value} too far")
@@ -31,7 +31,7 @@ class Wall:
         if not len(over):
             return None
         place = int(over[0])
-        return Breach(0, float(found[place, 0]), tuple(way.joints_deg[place]))
+        return Excess(0, float(found[place, 0]), tuple(way.joints_deg[place]))
 
     def finely(self, way):
         shares = np.linspace(0.0, 1.0, 50)[:, None]

@@ -229,7 +229,7 @@ class SinkingControl(ControllerPart):
         if watch.ended is not None:
             (whole, at_rest), watch.ended = watch.ended, None
             if self._told is not None:
-                self._tell(ARM_RESTS if at_rest else ARM_HELD_AGAIN, whole)
+                self._announce(ARM_RESTS if at_rest else ARM_HELD_AGAIN, whole)
             self._told = None
         motion, now_s, told = watch.motion, self._context.clock(), self._told
         if motion is None or motion.kind in {MotionKind.UNMEASURED, MotionKind.LED}:
@@ -243,17 +243,17 @@ class SinkingControl(ControllerPart):
         if motion.cause in _UNTOLD:
             return
         if told is None or told.kind is MotionKind.UNHEARD:
-            self._tell(_begins(motion), motion)
+            self._announce(_begins(motion), motion)
         elif now_s - self._told_s < FURTHER_S:
             return
         elif _is_further(motion, told):
             sinks = motion.kind is MotionKind.SINKS
-            self._tell(ARM_SINKS_ON if sinks else ARM_MOVES_ON, motion)
+            self._announce(ARM_SINKS_ON if sinks else ARM_MOVES_ON, motion)
         else:
             return
         self._told, self._told_s = motion, now_s
 
-    def _tell(self, notice: Notice, motion: UncommandedMotion) -> None:
+    def _announce(self, notice: Notice, motion: UncommandedMotion) -> None:
         self._context.tell(
             notice,
             seconds=motion.seconds,
