@@ -152,12 +152,12 @@ def test_a_pointer_that_comes_back_does_not_begin_anew(ready):
 def test_the_field_goes_along_and_the_others_stay(ready):
     ready.type_into("target_field_2", "33")
     button = press(ready)
+    assert "Jogging J1 +" in ready.read("notice_label")
     let_go(ready, button)
     rest_s(ready)
     hold(ready, 0.1)
     assert float(ready.read("target_field_1")) == pytest.approx(angles(ready)[0], abs=0.0005)
     assert ready.read("target_field_2") == "33.000"
-    assert "Jogging J1 +" in ready.read("notice_label")
 
 
 def test_the_limit_is_said_where_the_operator_looks(ready):
