@@ -99,6 +99,17 @@ def outside_limits(joints_deg: Sequence[float], limits: Sequence[JointLimits]) -
     )
 
 
+LIFTED: Final = 4
+LIFTED_DEG: Final = 15.0
+"""The hand of an arm at rest lies on its base; with the joint at this place turned back to this
+angle it is clear."""
+
+
+def may_lie(joints_deg: Sequence[float], limits: Sequence[JointLimits]) -> bool:
+    """Return whether an arm may lie as when switched on: outside, or with its hand on its base."""
+    return bool(outside_limits(joints_deg, limits)) or joints_deg[LIFTED] > LIFTED_DEG
+
+
 def outside_list(joints_deg: Sequence[float], limits: Sequence[JointLimits]) -> str:
     """Return the joints outside their limits with the limit passed, as ``J2 -2.0° < 0°``."""
     found = []

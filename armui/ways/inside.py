@@ -7,16 +7,13 @@ from typing import Final
 
 import numpy as np
 
-from armui.arm.limits import clipped, outside_limits, settled
+from armui.arm.limits import LIFTED, LIFTED_DEG, clipped, outside_limits, settled
 from armui.ways.rules import OWN_BODY, Rules
 
 _INSIDE_DEG: Final = 0.5
 """A joint is brought this far inside its limit, so that sag does not bring it out again."""
 _NEAR_MM: Final = 5.0
 """The capsules lie a little within the covers: parts this near to each other may touch."""
-_LIFTED: Final = 4
-_LIFTED_DEG: Final = 15.0
-"""The hand of an arm at rest lies on its base; with joint 5 turned back to this it is clear."""
 
 
 def ways_inside(joints_deg: Sequence[float], rules: Rules) -> tuple[tuple[float, ...], ...]:
@@ -38,8 +35,8 @@ def ways_inside(joints_deg: Sequence[float], rules: Rules) -> tuple[tuple[float,
         step_deg = _INSIDE_DEG if inside[place] < limit_deg else -_INSIDE_DEG
         inside[place] = clipped(limit_deg + step_deg, limits[place])
     targets = [tuple(inside)] if outside else []
-    if touches_itself(inside, rules) and inside[_LIFTED] > _LIFTED_DEG:
-        inside[_LIFTED] = _LIFTED_DEG
+    if touches_itself(inside, rules) and inside[LIFTED] > LIFTED_DEG:
+        inside[LIFTED] = LIFTED_DEG
         targets.append(tuple(inside))
     return tuple(targets)
 

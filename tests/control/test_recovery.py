@@ -189,13 +189,14 @@ def test_left_over_drag_teaching_far_from_rest_is_left_by_hand_and_reset(any_rig
     accepted(rig.controller.teaching.command(TeachingState.STOP_RECORDING))
     until(rig, StepKind.DRAG_MODE)
     kinds = obey(rig)
-    assert kinds[:5] == [
+    assert kinds[:4] == [
         StepKind.DRAG_MODE,
         StepKind.RECORDING,
         StepKind.DRAG_MODE_AT_REST,
         StepKind.STOPPED,
-        StepKind.MOTORS_OFF,
     ]
+    # while the arm drops each moment is told, also that in which only some motors are off
+    assert kinds[4] in {StepKind.MOTORS_OFF, StepKind.MOTORS_MIXED}
     assert rig.firmware.control_mode is ControlMode.STANDBY
 
 

@@ -193,6 +193,8 @@ def online() -> Iterator[tuple[ArmState, OperatingState]]:
     yield from in_a_cell()
     state = arm(status())
     yield state, operating_state(state, below_base_mm=40)
+    resting = arm(status(), pose_deg=(0.0, -2.0, 2.0, 0.0, 22.0, 0.0))
+    yield resting, operating_state(resting)
     for generation in (None, *Generation):
         yield ArmState(last_feedback_s=NOW_S), operating_state(ArmState(), generation=generation)
 
@@ -270,6 +272,8 @@ def is_valid(action: Action, state: ArmState, now: OperatingState) -> bool:
 def is_agreed_to(action: Action, now: OperatingState) -> bool:
     """Whether it agrees to something that waits for that."""
     reference = now.reference
+    if action is Action.COME_INSIDE:
+        return now.outside != "" and now.cannot_move is None
     if action is Action.ALLOW:
         return bool(reference.doubtful) and not (reference.allowed or reference.checking)
     asks_for_cell = action in {Action.CONFIRM_CELL, Action.LEAVE_CELL}

@@ -314,13 +314,13 @@ def test_a_write_that_hangs_brings_no_older_choice_back(tmp_path, files, share, 
     store = SettingsStore(tmp_path / "settings.json")
     told: list[Refusal] = []
     store.write_by(files, told.append)
-    write = store._write
+    write = store._write_revised
 
-    def held():
+    def held(unsaved, kept):
         share.ask()
-        return write()
+        return write(unsaved, kept)
 
-    monkeypatch.setattr(store, "_write", held)
+    monkeypatch.setattr(store, "_write_revised", held)
     store.change(theme="dark", jog_step_deg=2.0)
     assert share.asked.wait(MOST_S)
     assert files.replace_hung(after_s=0.0)

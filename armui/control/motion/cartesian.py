@@ -134,6 +134,7 @@ class Cartesian(ControllerPart):
     def prepare(self) -> None:
         """Load the modules for poses before an arm is connected, so that it need not wait."""
         from armui.trajectory.planning import planning  # noqa: F401, PLC0415 - scipy, for a line
+        from armui.ways import inside, law  # noqa: F401, PLC0415 - numpy, for the gate
 
         all_models()  # an arm is compared with each of them: files, which are read now
         self.kinematics()

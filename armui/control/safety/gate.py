@@ -13,6 +13,7 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Final
 
+from armui.arm.limits import may_lie
 from armui.arm.models import model_data
 from armui.arm.refusal import Reason, Refusal
 from armui.control.context import REFUSED, Context, ControllerPart
@@ -261,8 +262,12 @@ class Gate(ControllerPart):
 
     def ways_inside(self) -> tuple[tuple[float, ...], ...]:
         """Return the targets that bring an arm that lies outside its limits inside, in turn."""
-        rules, measured_deg = self.rules(), self._context.authority.measured_deg()
-        if rules is None or measured_deg is None:
+        measured_deg = self._context.authority.measured_deg()
+        limits = self._context.operating_state().limits
+        if measured_deg is None or not may_lie(measured_deg, limits):
+            return ()
+        rules = self.rules()
+        if rules is None:
             return ()
         from armui.ways.inside import ways_inside  # noqa: PLC0415 - numpy
 
