@@ -8,10 +8,11 @@ from typing import Final
 import numpy as np
 
 from armui.arm.limits import LIFTED, LIFTED_DEG, clipped, outside_limits, settled
-from armui.ways.rules import OWN_BODY, Rules
+from armui.ways.rules import Rules
 
 _INSIDE_DEG: Final = 0.5
 """A joint is brought this far inside its limit, so that sag does not bring it out again."""
+_REST: Final = "base/hand"
 _NEAR_MM: Final = 5.0
 """The capsules lie a little within the covers: parts this near to each other may touch."""
 
@@ -35,17 +36,17 @@ def ways_inside(joints_deg: Sequence[float], rules: Rules) -> tuple[tuple[float,
         step_deg = _INSIDE_DEG if inside[place] < limit_deg else -_INSIDE_DEG
         inside[place] = clipped(limit_deg + step_deg, limits[place])
     targets = [tuple(inside)] if outside else []
-    if touches_itself(inside, rules) and inside[LIFTED] > LIFTED_DEG:
+    if lies_on_base(inside, rules) and inside[LIFTED] > LIFTED_DEG:
         inside[LIFTED] = LIFTED_DEG
         targets.append(tuple(inside))
     return tuple(targets)
 
 
-def touches_itself(joints_deg: Sequence[float], rules: Rules) -> bool:
-    """Return whether parts of the arm touch each other at six angles, or nearly."""
+def lies_on_base(joints_deg: Sequence[float], rules: Rules) -> bool:
+    """Return whether the hand lies on the base at six angles, or nearly."""
     pose = np.array([joints_deg], dtype=float)
     return any(
-        bool((rule.outside(pose) > -_NEAR_MM).any())
+        float(rule.outside(pose)[0, rule.bounds.index(_REST)]) > -_NEAR_MM
         for rule in rules.every
-        if rule.name == OWN_BODY
+        if _REST in rule.bounds
     )

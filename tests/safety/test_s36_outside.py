@@ -307,7 +307,7 @@ def test_after_the_way_back_the_arm_is_ready_and_moves(resting):
     assert resting.controller.jogging.active
 
 
-@pytest.mark.parametrize("name", ALONE)
+@pytest.mark.parametrize("name", [name for name in ALONE if name != "J3"])  # J5 follows there
 def test_the_way_back_of_a_single_joint_moves_no_other(rig, name):
     joint, lies_deg, way = ALONE[name]
     watch = lying(rig, lies_deg)
