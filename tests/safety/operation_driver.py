@@ -153,6 +153,9 @@ class Driver(Protocol):
     def look_at_arm(self, answers: Mapping[int, float]) -> None:
         """Say in the reference check that the arm looks right, and how far these joints are off."""
 
+    def check_in_threads(self) -> None:
+        """Have long ways checked in a thread, as in the program."""
+
     def unconfirm_cell(self) -> None:
         """Have the cell to be confirmed again, as after another connection."""
 
@@ -343,6 +346,9 @@ class ControllerDriver(ArmRig):
         self.controller.reference.look(())
         for joint, off_deg in answers.items():
             self.controller.reference.answer(joint, off_deg)
+
+    def check_in_threads(self) -> None:
+        self.controller.gate._background = None
 
     def unconfirm_cell(self) -> None:
         """Have the cell to be confirmed again."""

@@ -23,7 +23,7 @@ from armui.ui.translation import Translator
 from tests.accepted import accepted
 from tests.cell.areas import wall
 from tests.safety.arm_oracle import depth_beyond_mm
-from tests.safety.operation_driver import DRIVERS, Answer, ControllerDriver, Driver, Midway, Sent
+from tests.safety.operation_driver import DRIVERS, Answer, Driver, Midway, Sent
 from tests.safety.operation_places import (
     BETWEEN_DEG,
     CRATE,
@@ -391,8 +391,7 @@ def test_s02_it_does_not_hold_the_windows_thread_in_a_full_cell(
 ) -> None:
     driver = standing(new_driver)
     keep_out(driver, *TWENTY)
-    if isinstance(driver, ControllerDriver):
-        driver.controller.gate._background = None  # long ways are checked in a thread, as there
+    driver.check_in_threads()
     driver.begin("motion.step", 6, 1.0)  # loads what a first motion needs
     driver.run(LATE_S)
     assert ENTRIES[name].before(driver, FREE) is None
