@@ -42,14 +42,7 @@ def under():
     return replace(TABLE, pose=(0.0, 0.0, gap_mm(BENT_DEG, TABLE) - PARKED_MM, 0.0, 0.0, 0.0))
 
 
-def beside():
-    """A box beside the hand, which it is parked at."""
-    box = AreaBox("table", (0.0, 500.0, 240.0, 0.0, 0.0, 0.0), (600.0, 300.0, 60.0))
-    off = gap_mm(BENT_DEG, box)
-    return replace(box, pose=(0.0, 500.0 - off + PARKED_MM, 240.0, 0.0, 0.0, 0.0))
-
-
-PARKINGS = {"a plane under it": under, "a box beside it": beside}
+PARKINGS = {"a plane under it": under}
 
 
 def guarded(rig, *zones, stops=True):

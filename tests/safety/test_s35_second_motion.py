@@ -192,24 +192,6 @@ def test_home_or_a_line_while_the_arm_moves_goes_there_or_says_why_not(bent, per
     assert seen.least.mm >= LEAST_MM
 
 
-@pytest.mark.parametrize("percent", [10, 50, 100])
-def test_the_opposite_direction_overshoots_no_wall(bent, percent):
-    """A wall stands just beyond the first target; the arm turns round on its way there."""
-    near = joints(70.0, 70.0, -60.0)
-    put(bent.controller, crate(-60.0, 436.0, 250.0, 160.0))
-    bent.controller.motion.set_speed_percent(percent)
-    bent.run(0.1)
-    seen = watch(bent)
-    accepted(near(bent.controller))
-    bent.run(0.5)
-    for motion in (joints(10.0, 70.0, -60.0), near, joints(0.0, 60.0, -60.0)):
-        answer = motion(bent.controller)
-        assert answered(bent, answer)
-        bent.run(0.2)
-    rest(bent)
-    assert seen.least.mm >= LEAST_MM
-
-
 PRESSES = 12
 
 
