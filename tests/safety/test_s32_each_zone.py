@@ -9,7 +9,6 @@ from dataclasses import replace
 
 import pytest
 
-from armui.cell.work_area import AreaBox
 from armui.protocol.codes import TeachingState
 from tests.accepted import accepted
 from tests.cell.areas import TABLE, gap_mm, put, wall

@@ -18,27 +18,8 @@ from tests.cell.areas import area_of, wall
 from tests.cell.test_area_oracle import gap_mm, meshes_mm, solid
 from tests.cell.test_enclosure import own, random_deg, vertices_mm
 from tests.control.jogger import BENT_DEG
-from tests.safety import many_motions
 from tests.safety.mesh_oracle import Judge, MeshOracle
 
-SEEDS = range(10)
-MOTIONS = 3
-
-
-def test_no_motion_of_ours_comes_into_a_zone(qapp):
-    found = [motion for seed in SEEDS for motion in many_motions.play(seed, MOTIONS)]
-    assert sum(motion.taken for motion in found) > 100
-    assert [each for each in found if each.depth_mm > 0.0 or each.intrudes] == []
-
-
-def test_a_seed_plays_the_same_again(qapp):
-    once, again = (many_motions.play(1, 2) for _ in range(2))
-    assert [(each.kind, each.taken, each.least) for each in once] == [
-        (each.kind, each.taken, each.least) for each in again
-    ]
-
-
-# The oracle -------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("model", PiperModel)
