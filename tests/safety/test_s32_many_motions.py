@@ -21,7 +21,6 @@ from tests.control.jogger import BENT_DEG
 from tests.safety.mesh_oracle import Judge, MeshOracle
 
 
-
 @pytest.mark.parametrize("model", PiperModel)
 def test_gaps_are_those_of_the_description_by_another_reader(model):
     """Planes by every corner of the meshes as yourdfpy places them, boxes by python-fcl."""
