@@ -2,6 +2,7 @@
 
 import json
 import threading
+from dataclasses import replace
 
 import pytest
 
@@ -233,6 +234,7 @@ def test_a_doubt_goes_only_with_the_check_that_clears_it(path):
 
 
 def test_a_doubt_another_program_has_noted_is_asked_for_at_the_next_connection(app_driver):
+    app_driver.device = replace(app_driver.device, simulated=False)  # a simulated arm's ends
     app_driver.ready()
     app_driver.run(1.5)
     now = app_driver.controller.operating_state
