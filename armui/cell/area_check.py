@@ -9,22 +9,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
 import numpy.typing as npt
 
 from armui.arm.models import STANDING, Rising, model_data
-from armui.arm.refusal import Reason, Refusal
-from armui.cell.clearance import box_gaps, plane_gaps
-from armui.cell.enclosure import Body, Capsule, Capsules, body_of, enclose
+from armui.arm.refusal import Reason
+from armui.cell.enclosure import Body, Capsule, body_of
 from armui.cell.first_place import PlaceSearch
 from armui.cell.held_shape import held_shape
 from armui.cell.moved_capsules import MovedCapsules
 from armui.cell.nearness import Obstacles
 from armui.cell.work_area import Area, Zone
-from armui.kinematics.poses import pose_to_matrix
 
 if TYPE_CHECKING:
     from armui.cell.cell import Cell
@@ -49,13 +47,10 @@ SLACK_MM: Final = 1.0
 _LOOKED_MM: Final = 2.0 * SLACK_MM
 _SAME_MM: Final = 1e-6
 _FLANGE: Final = 6
-_MOST_AT_ONCE: Final = 4096
 _MOST_PAIRS: Final = 200_000
 _DROP_MM: Final = 25.0
 _BESIDE_MM: Final = 50.0
 """What is this near to the way straight down counts as below."""
-_AROUND: Final = 8
-"""A first look is at one of so many poses on end."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,11 +99,6 @@ class AreaCheck:
     def __init__(self, area: Area, body: Body, rising: Rising = STANDING) -> None:
         self._rising = rising
         self._area = area.in_force
-        self._body = body
-        self._coarse = _coarse(body)
-        self._planes = _frames(self._area.planes)
-        self._boxes = _frames(self._area.boxes)
-        self._sizes_mm = np.array([box.size_mm for box in self._area.boxes]).reshape(-1, 3)
         self._reaches_mm = _reaches_mm(body)
         names = [zone.name for zone in self._area.zones]
         self._skipped = np.array(
@@ -195,81 +185,18 @@ class AreaCheck:
 
         It falls in arcs, whichever way: what is below any part of it counts, or little beside.
         """
-        arm = enclose(self._body, np.array([joints_deg], dtype=float))
+        ends = self._moved.all_ends(self._moved.frames(np.array([joints_deg], dtype=float)))[0]
         up, base_mm = np.array(self._rising[:3]), self._rising[3]
-        highest_mm = float((arm.starts @ up).max()) + base_mm
-        drops = np.arange(0.0, max(highest_mm, 1.0), _DROP_MM)
-        down = -up * drops[:, None, None]
-        sunk = Capsules(arm.parts, arm.starts + down, arm.ends + down, arm.radii)
-        planes = plane_gaps(sunk, self._planes)
-        boxes = box_gaps(sunk, self._boxes, self._sizes_mm, _BESIDE_MM)
-        nearest = np.concatenate((planes, boxes), axis=2).min(axis=(0, 1))
-        zones = zip(self._area.zones, nearest, strict=True)
-        return tuple(zone.name for zone, gap_mm in zones if gap_mm < _BESIDE_MM)
-
-    def why_no_further(
-        self, ahead_deg: Sequence[Sequence[float]], now_deg: Sequence[Sequence[float]]
-    ) -> Refusal | None:
-        """Return why a jog may not go on; an arm that is inside may go out.
-
-        Args:
-            ahead_deg: The poses to which it would go on, six angles each.
-            now_deg: The poses that it comes from, as many.
-        """
-        if self.is_free:
-            return None
-        poses = np.array([*ahead_deg, *now_deg], dtype=float)
-        # a jog keeps the slack to the margin, so that a way from where it ends is none too near
-        least_mm = self.margin_mm + SLACK_MM
-        if self._nearest_gaps(poses, least_mm).min() >= least_mm:
-            return None
-        gaps, capsules = self._gaps(poses, least_mm)
-        ahead, now = np.split(gaps, 2)
-        near = (ahead < least_mm) & (ahead < now - _SAME_MM)
-        return self._why(near, ahead, now.min(initial=np.inf) < self.margin_mm, capsules)
-
-    def why_no_way(self, way_deg: npt.ArrayLike) -> Refusal | None:
-        """Return why the arm may not go along a way from where it stands, or ``None``.
-
-        What is too near at its beginning may only be left on it, and nothing may be entered anew.
-
-        Args:
-            way_deg: (n, 6) the way; between two of them the joints turn evenly.
-        """
-        joints_deg = np.array(way_deg, dtype=float)
-        if self.is_free or not len(joints_deg):
-            return None
-        if self.breach(joints_deg, np.full(len(self.zones), self.margin_mm)) is None:
-            return None
-        poses, _ = self._finely(joints_deg)
-        gaps, capsules = self._gaps(poses)
-        allowed = np.minimum(np.maximum.accumulate(gaps, axis=0), self.margin_mm)
-        near = gaps < allowed - SLACK_MM
-        first = np.flatnonzero(near.any(axis=(1, 2)))[:1]
-        inside = bool(gaps[0].min() < self.margin_mm)
-        return self._why(near[first], gaps[first], inside, capsules)
-
-    def entries(self, joints_deg: Array) -> dict[int, AreaEntry]:
-        """Return where a planned way comes too near to something.
-
-        Args:
-            joints_deg: (n, 6) the way; between two of them the joints turn evenly.
-
-        Returns:
-            What is nearest by the index of the pose, or of the one behind the place.
-        """
-        found: dict[int, AreaEntry] = {}
-        if self.is_free or not len(joints_deg):
-            return found
-        poses, indices = self._finely(joints_deg)
-        near = np.flatnonzero(self._nearest_gaps(poses, self.margin_mm) < self.margin_mm)
-        for block in _blocks(near):
-            gaps, capsules = self._gaps(poses[block], self.margin_mm)
-            for which, index in enumerate(indices[block].tolist()):
-                entry = self._entry(gaps[which], capsules)
-                if index not in found or entry.gap_mm < found[index].gap_mm:
-                    found[index] = entry
-        return found
+        highest_mm = float((ends @ up).max()) + base_mm
+        drops_mm = np.arange(0.0, max(highest_mm, 1.0), _DROP_MM)
+        sunk = (ends - up * drops_mm[:, None, None, None]).reshape(-1, 2, 3)
+        radii_mm = np.tile(self._moved.radii_mm, len(drops_mm))
+        which = np.zeros(len(sunk), dtype=np.int64)
+        return tuple(
+            zone.name
+            for index, zone in enumerate(self._area.zones)
+            if (self._obstacles.supports(sunk, which + index)[:, 0] - radii_mm).min() < _BESIDE_MM
+        )
 
     def _nearest(self, joints_deg: npt.ArrayLike) -> tuple[Array, npt.NDArray[np.int64]]:
         """Return (n, zones) the least gaps at (n, 6) angles, and the capsules that have them."""
@@ -299,93 +226,17 @@ class AreaCheck:
 
     def finely(self, way_deg: Array) -> Array:
         """Return (n, 6) poses on a way; between two that are near to anything little moves."""
-        return self._finely(way_deg)[0]
-
-    def _finely(self, joints_deg: Array) -> tuple[Array, npt.NDArray[np.int64]]:
-        """Return a way with poses between those that are far apart and near to something.
-
-        Returns:
-            The poses, and the index of each in the given way, or of the next one.
-        """
-        travels_mm = np.radians(np.abs(np.diff(joints_deg, axis=0))) @ self._reaches_mm
-        near_mm = self.margin_mm + float(travels_mm.max(initial=0.0)) / 2.0
-        gaps = self._nearest_gaps(joints_deg, near_mm)
+        travels_mm = np.radians(np.abs(np.diff(way_deg, axis=0))) @ self._reaches_mm
+        gaps = self.gaps(way_deg).min(axis=1, initial=np.inf)
         # what is that far away at either end does not come within the margin between them
         clear = np.minimum(gaps[:-1], gaps[1:]) - travels_mm / 2.0 >= self.margin_mm
         steps = np.where(clear, 1, np.ceil(travels_mm / _LOOKED_MM)).astype(np.int64)
         steps = np.maximum(steps, 1)
-        ends = np.cumsum(steps)
-        indices = np.repeat(np.arange(1, len(joints_deg)), steps)
-        shares = (
-            np.arange(ends[-1] if len(ends) else 0) - np.repeat(ends - steps, steps) + 1.0
-        ) / (np.repeat(steps, steps))
-        before, after = joints_deg[indices - 1], joints_deg[indices]
-        poses = before + shares[:, None] * (after - before)
-        return np.vstack((joints_deg[:1], poses)), np.concatenate(([0], indices))
-
-    def _nearest_gaps(self, joints_deg: Array, near_mm: float) -> Array:
-        """Return (n,) the least gap of each pose; from `near_mm` on it may be given too small."""
-        # one pose stands for those around it, by how far anything moves from it to them
-        places = np.arange(len(joints_deg)) // _AROUND * _AROUND + _AROUND // 2
-        middles, stands_for = np.unique(np.minimum(places, len(places) - 1), return_inverse=True)
-        turns = np.radians(np.abs(joints_deg - joints_deg[middles][stands_for]))
-        travels_mm = turns @ self._reaches_mm
-        nearest: Array = np.concatenate(
-            [
-                self._gaps(joints_deg[which], -np.inf, self._coarse)[0].min(axis=(1, 2))
-                for which in _blocks(middles)
-            ]
-        )[stands_for]
-        nearest -= travels_mm
-        for which in _blocks(np.flatnonzero(nearest < near_mm)):
-            coarse = self._gaps(joints_deg[which], near_mm, self._coarse)[0].min(axis=1)
-            nearest[which] = coarse.min(axis=1)
-            close = np.flatnonzero(nearest[which] < near_mm)
-            if len(close):
-                wanted = coarse[close, len(self._area.planes) :] < near_mm
-                poses = joints_deg[which[close]]
-                gaps, _ = self._gaps(poses, near_mm, wanted=wanted)
-                nearest[which[close]] = gaps.min(axis=(1, 2))
-        return nearest
-
-    def _gaps(
-        self,
-        joints_deg: Array,
-        near_mm: float = np.inf,
-        body: Body | None = None,
-        wanted: npt.NDArray[np.bool_] | None = None,
-    ) -> tuple[Array, Capsules]:
-        """Return (n, capsules, zones) the gaps at (n, 6) angles, and the capsules.
-
-        A gap of `near_mm` or more may be given too small, but never below that.
-        """
-        capsules = enclose(body or self._body, joints_deg)
-        planes = plane_gaps(capsules, self._planes)
-        boxes = box_gaps(capsules, self._boxes, self._sizes_mm, near_mm, wanted)
-        gaps = np.concatenate((planes, boxes), axis=2)
-        if body is None:
-            gaps[:, self._skipped] = np.inf
-        return gaps, capsules
-
-    def _why(
-        self, near: npt.NDArray[np.bool_], gaps: Array, inside: bool, capsules: Capsules
-    ) -> Refusal | None:
-        if not near.any():
-            return None
-        worst = np.where(near, gaps, np.inf)
-        entry = self._entry(worst.reshape(-1, *worst.shape[-2:]).min(axis=0), capsules)
-        name, part = entry.zone.name, entry.part
-        if inside:
-            value = round(self.margin_mm - entry.gap_mm, 1)
-            return AREA_ONLY_OUT(name=name, part=part, value=value)
-        value = round(entry.gap_mm, 1)
-        return AREA_IN_THE_WAY(name=name, part=part, value=value, minimum=self.margin_mm)
-
-    def _entry(self, gaps: Array, capsules: Capsules) -> AreaEntry:
-        """Return the nearest of (capsules, zones)."""
-        capsule, zone = np.unravel_index(int(gaps.argmin()), gaps.shape)
-        part = capsules.parts[int(capsule)]
-        return AreaEntry(self._area.zones[int(zone)], part, float(gaps[capsule, zone]))
+        after = np.repeat(np.arange(1, len(way_deg)), steps)
+        counts = np.arange(len(after)) - np.repeat(np.cumsum(steps) - steps, steps) + 1.0
+        shares = (counts / np.repeat(steps, steps))[:, None]
+        poses = way_deg[after - 1] + shares * (way_deg[after] - way_deg[after - 1])
+        return np.vstack((way_deg[:1], poses))
 
 
 def carried_body(
@@ -422,17 +273,6 @@ def carried_body(
     return body
 
 
-def _coarse(body: Body) -> Body:
-    """Return a body with one capsule for each link, which encloses all of the link's."""
-    links = sorted({each.link for each in body.capsules})
-    return replace(
-        body,
-        capsules=tuple(
-            _around([each for each in body.capsules if each.link == link]) for link in links
-        ),
-    )
-
-
 def _by_part(body: Body) -> tuple[tuple[Capsule, ...], npt.NDArray[np.int64]]:
     """Return a capsule around what each part has on each link, and which one each is in."""
     names = [(each.link, each.part) for each in body.capsules]
@@ -454,17 +294,6 @@ def _around(capsules: Sequence[Capsule]) -> Capsule:
     off = np.linalg.norm(ends - start - shares[:, None] * along, axis=1)
     radius_mm = float((off + np.repeat([each.radius_mm for each in capsules], 2)).max())
     return Capsule("base", capsules[0].link, tuple(start), tuple(end), radius_mm)
-
-
-def _blocks(indices: npt.NDArray[np.int64]) -> list[npt.NDArray[np.int64]]:
-    """Return indices in parts that fit into memory with ease."""
-    return [
-        indices[begin : begin + _MOST_AT_ONCE] for begin in range(0, len(indices), _MOST_AT_ONCE)
-    ]
-
-
-def _frames(zones: Sequence[Zone]) -> Array:
-    return pose_to_matrix(np.array([zone.pose for zone in zones]).reshape(-1, 6))
 
 
 def _reaches_mm(body: Body) -> Array:

@@ -1,8 +1,7 @@
-"""Distances of an arm's capsules from planes and boxes.
+"""Distances of lines from boxes.
 
-A gap is measured from a capsule's surface: above 0 it is free room, below 0 it is how deep the
-capsule reaches in. Distance and depth of a place to a plane or box are together one convex function
-of the place; along the line of a capsule the least value of it is found exactly.
+Distance and depth of a place to a box are together one convex function
+of the place; along a line the least value of it is found exactly.
 """
 
 from __future__ import annotations
@@ -12,8 +11,6 @@ import itertools
 import numpy as np
 import numpy.typing as npt
 
-from armui.cell.enclosure import Capsules
-
 Array = npt.NDArray[np.float64]
 
 _SMALL = 1e-12
@@ -22,57 +19,8 @@ _STEEPEST = 1e300
 _ONES, _OTHERS = (np.array(each) for each in zip(*itertools.combinations(range(6), 2), strict=True))
 
 
-def plane_gaps(capsules: Capsules, frames: Array) -> Array:
-    """Return (n, k, p) the gaps between n × k capsules and p planes.
-
-    Args:
-        capsules: The capsules.
-        frames: (p, 4, 4) a frame on each plane, in mm; its Z axis points to the free side.
-    """
-    normals, places = frames[:, :3, 2], frames[:, :3, 3]
-    heights = np.einsum("pi,pi->p", normals, places)
-    nearest = np.minimum(capsules.starts @ normals.T, capsules.ends @ normals.T)
-    gaps: Array = nearest - heights - capsules.radii[:, None]
-    return gaps
-
-
-def box_gaps(
-    capsules: Capsules,
-    frames: Array,
-    sizes_mm: Array,
-    near_mm: float = np.inf,
-    wanted: npt.NDArray[np.bool_] | None = None,
-) -> Array:
-    """Return (n, k, b) the gaps between n × k capsules and b boxes.
-
-    Args:
-        capsules: The capsules.
-        frames: (b, 4, 4) the frame of each box's centre, in mm.
-        sizes_mm: (b, 3) its edges along the axes of that frame.
-        near_mm: A gap of this or more may be given too small, but never below this: what is far is
-            not computed exactly.
-        wanted: (n, b) the poses and boxes that are not known to be that far apart.
-    """
-    gaps = np.full((*capsules.starts.shape[:2], len(frames)), near_mm)
-    middles = (capsules.starts + capsules.ends) / 2.0
-    lines = capsules.ends - capsules.starts
-    reach = np.linalg.norm(lines, axis=-1) / 2.0 + capsules.radii
-    for index, (frame, size) in enumerate(zip(frames, sizes_mm, strict=True)):
-        turn, half = frame[:3, :3], size / 2.0
-        rows = slice(None) if wanted is None else np.flatnonzero(wanted[:, index])
-        outside = np.maximum(np.abs((middles[rows] - frame[:3, 3]) @ turn) - half, 0.0)
-        bound = np.sqrt(np.einsum("nki,nki->nk", outside, outside)) - reach[rows]
-        near = np.nonzero(bound < near_mm)
-        if len(near[0]):
-            begin = (capsules.starts[rows][near] - frame[:3, 3]) @ turn
-            along = lines[rows][near] @ turn
-            bound[near] = segment_box_distances(begin, along, half) - capsules.radii[near[1]]
-        gaps[rows, :, index] = bound
-    return gaps
-
-
-def segment_box_distances(begin: Array, along: Array, half: Array) -> Array:
-    """Return (m,) the least signed distance of each straight line from a box about the origin.
+def segment_box_supports(begin: Array, along: Array, half: Array) -> Array:
+    """Return (m, 5) the least signed distance of lines from a box, and what supports it there.
 
     Args:
         begin: (m, 3) one end of each line.
@@ -80,22 +28,8 @@ def segment_box_distances(begin: Array, along: Array, half: Array) -> Array:
         half: (3,) or (m, 3) half the box's edges, which lie along the axes.
 
     Returns:
-        The distance; of a line that goes into the box, minus the depth of its deepest place.
-    """
-    distances: Array = segment_box_supports(begin, along, half)[:, 0]
-    return distances
-
-
-def segment_box_supports(begin: Array, along: Array, half: Array) -> Array:
-    """Return (m, 5) the least signed distance of lines from a box, and what supports it there.
-
-    Args:
-        begin: As in `segment_box_distances`.
-        along: Likewise.
-        half: Likewise.
-
-    Returns:
-        The distance; a direction of length 1 at most, three figures; a height. How far a place is
+        The distance, of a line that goes into the box minus the depth of its deepest place; a
+        direction of length 1 at most, three figures; a height. How far a place is
         along the direction, less the height, is its distance from the box at most, wherever it is;
         of a line's ends the lesser one is the line's distance, here.
     """

@@ -14,16 +14,12 @@ from functools import cache
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 
 from armui.arm.json_fields import FieldError, Fields
 from armui.arm.models import ModelFileError, model_data, model_folder
-from armui.kinematics.forward import link_frames
 from armui.kinematics.geometry import Geometry
 from armui.protocol.generation import PiperModel
 from armui.system.files import read_file
-
-Array = npt.NDArray[np.float64]
 
 _FORMAT: Final = 1
 _FLANGE: Final = 6
@@ -84,22 +80,6 @@ class Body:
     def with_more(self, *capsules: Capsule) -> Body:
         """Return the same with further capsules, as those of a tool or of what the hand holds."""
         return replace(self, capsules=(*self.capsules, *capsules))
-
-
-@dataclass(frozen=True, slots=True)
-class Capsules:
-    """The capsules of an arm at some poses, in the base frame, in mm.
-
-    Attributes:
-        parts: The part of each of k.
-        starts, ends: (n, k, 3).
-        radii: (k,).
-    """
-
-    parts: tuple[str, ...]
-    starts: Array
-    ends: Array
-    radii: Array
 
 
 def body_of(
@@ -169,20 +149,3 @@ def _read(
     except (OSError, ValueError, RecursionError, FieldError) as error:
         raise ModelFileError(f"{path}: {error}") from error
     return tuple(found)
-
-
-def enclose(body: Body, joints_deg: Array) -> Capsules:
-    """Return where the capsules of an arm are at (n, 6) joint angles."""
-    frames = link_frames(body.geometry, joints_deg)
-    of_link = np.array([each.link for each in body.capsules], dtype=np.int64)
-    ends = np.array([(each.start_mm, each.end_mm) for each in body.capsules])
-    shape = (len(joints_deg), len(body.capsules), 2, 3)
-    placed = np.empty(shape)
-    for link in np.unique(of_link).tolist():
-        which = of_link == link
-        turned = ends[which].reshape(-1, 3) @ frames[:, link, :3, :3].swapaxes(-1, -2)
-        turned += frames[:, link, None, :3, 3]
-        placed[:, which] = turned.reshape(len(joints_deg), -1, 2, 3)
-    radii = np.array([each.radius_mm for each in body.capsules])
-    parts = tuple(each.part for each in body.capsules)
-    return Capsules(parts, placed[:, :, 0], placed[:, :, 1], radii)

@@ -8,7 +8,7 @@ Our motions only tighten the mark, so that many small steps lead no further than
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final, Protocol
 
@@ -18,11 +18,17 @@ import numpy.typing as npt
 from armui.arm.refusal import Refusal
 from armui.ways.way import Array, Way
 
+Flags = npt.NDArray[np.bool_]
 Marks = Mapping[tuple[str, str], float]
 """How far outside the arm was found, by the name of a rule and that of its bound."""
 
 _EXACT: Final = 1e-3
 """Figures that differ by less are the same."""
+_FEW: Final = 8
+_MORE: Final = 4
+"""So many ways are looked at together behind one that breaks a rule, and so many times as many
+behind some that are clear.
+"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,12 +40,14 @@ class Excess:
         outside: How far outside it is there, in the rule's unit.
         joints_deg: The six angles there.
         part: The part of the arm that is outside; "" where the bound says it.
+        index: The index of the way's pose before the place.
     """
 
     bound: int
     outside: float
     joints_deg: tuple[float, ...]
     part: str = ""
+    index: int = 0
 
 
 class Rule(Protocol):
@@ -117,10 +125,58 @@ def judge(way: Way, rules: Iterable[Rule], marks: Marks) -> Judgement:
     """
     after = dict(marks)
     for rule in rules:
-        refusal = _judge(way, rule, after)
-        if refusal is not None:
+        found = _judge(way, rule, after)
+        if found is not None:
+            refusal = rule.refuse(found[0], found_outside=found[1])
             return Judgement(refusal, marks, way.begin_deg, way.end_deg)
     return Judgement(None, after, way.begin_deg, way.end_deg)
+
+
+def first_breach(way: Way, rule: Rule) -> Excess | None:
+    """Return where a way from where the arm is found breaks a rule, or ``None``."""
+    found = _judge(way, rule, {})
+    return None if found is None else found[0]
+
+
+def breaches(ways: Sequence[Way], rule: Rule) -> Iterator[tuple[int, Excess]]:
+    """Yield the worst place of each planned way that breaks a rule, with the index of the way.
+
+    A plan keeps its bounds on the way, too: the noise is left to the arm that drives it.
+
+    Args:
+        ways: The ways, each of which begins where the one before ends.
+        rule: The rule.
+    """
+    allowed = np.full(len(rule.bounds), rule.exact)
+    begin, count = 0, len(ways)
+    while rule.bounds and begin < len(ways):
+        some = ways[begin : begin + count]
+        first = rule.breach(Way(np.vstack([way.joints_deg for way in some])), allowed)
+        if first is None:
+            begin, count = begin + count, _MORE * count
+            continue
+        # up to there all are clear; what follows is looked at in small parts again
+        ends = np.cumsum([len(way.joints_deg) for way in some])
+        place = int(np.searchsorted(ends, first.index, side="right"))
+        worst = _worst_on(some[place], rule, first)
+        if worst is not None:
+            yield begin + place, worst
+        begin, count = begin + place + 1, _FEW
+
+
+def _worst_on(way: Way, rule: Rule, first: Excess) -> Excess | None:
+    """Return the worst place of a way; ``None`` if the first one was only told a little early."""
+    worst = max(_worst(way.joints_deg, rule), first, key=lambda each: each.outside)
+    if not worst.outside > rule.exact:
+        worst = _worst(rule.finely(way), rule)
+    return worst if worst.outside > rule.exact else None
+
+
+def _worst(poses_deg: Array, rule: Rule) -> Excess:
+    """Return which of (n, 6) poses is furthest outside a bound."""
+    found = rule.outside(poses_deg)
+    place, bound = np.unravel_index(int(np.argmax(found)), found.shape)
+    return Excess(int(bound), float(found[place, bound]), tuple(poses_deg[place].tolist()))
 
 
 def judge_end(way: Way, rules: Iterable[Rule], marks: Marks) -> Refusal | None:
@@ -155,7 +211,11 @@ def _allowed_at_end(rule: Rule, mark: Array, begin: Array) -> Array:
     return np.maximum(found, begin - rule.noise)
 
 
-def _judge(way: Way, rule: Rule, marks: dict[tuple[str, str], float]) -> Refusal | None:
+def _judge(way: Way, rule: Rule, marks: dict[tuple[str, str], float]) -> tuple[Excess, bool] | None:
+    """Return where a way breaks a rule, and whether the arm was found outside that bound.
+
+    ``None``: it breaks none, and the marks are those once it is driven.
+    """
     if not rule.bounds:
         return None
     begin, end = rule.outside(way.joints_deg[[0, -1]])
@@ -174,13 +234,13 @@ def _judge(way: Way, rule: Rule, marks: dict[tuple[str, str], float]) -> Refusal
         worst = int(beyond[np.argmax((end - at_end)[beyond])])
         breach = Excess(worst, float(end[worst]), way.end_deg)
     if breach is not None:
-        return rule.refuse(breach, found_outside=bool(outside[breach.bound]))
+        return breach, bool(outside[breach.bound])
     for index, bound in enumerate(rule.bounds):
         marks[rule.name, bound] = max(0.0, min(float(mark[index]), float(end[index])))
     return None
 
 
-def _deeper(way: Way, rule: Rule, mark: Array, outside: npt.NDArray[np.bool_]) -> Excess | None:
+def _deeper(way: Way, rule: Rule, mark: Array, outside: Flags) -> Excess | None:
     """Return the first place that is further outside than a place before it was, or ``None``."""
     poses = rule.finely(way)
     found = rule.outside(poses)

@@ -211,46 +211,6 @@ class _Rods:
         return np.column_stack((distances - radii_mm, apart, heights + radii_mm))
 
 
-def collisions(
-    geometry: Geometry,
-    joints_deg: Array,
-    tool_mm: float,
-    gripper_turned_deg: float = 0.0,
-    *,
-    tool: ToolCapsule | None = None,
-    held: HeldShape | None = None,
-) -> dict[int, str]:
-    """Return the samples at which parts of the arm would collide.
-
-    Args:
-        geometry: The arm's geometry.
-        joints_deg: (n, 6).
-        tool_mm: The distance from the flange to the gripper's tip; 0 without a gripper.
-        gripper_turned_deg: The gripper's turn about the flange's Z axis.
-        tool: The tool on the flange, which counts beside the gripper if it has a radius.
-        held: What the hand holds.
-
-    Returns:
-        The two parts by the sample's index, as ``upper arm/gripper``.
-    """
-    arm = links(geometry, joints_deg)
-    tool = None if tool is None or not tool.radius_mm else tool
-    beyond_mm = 0.0 if tool is None else math.hypot(*tool.tip_mm) + tool.radius_mm
-    beyond_mm = max(beyond_mm, 0.0 if held is None else held.reach_mm)
-    close = np.flatnonzero(_close(geometry, arm, max(tool_mm, 0.0), beyond_mm))
-    found: dict[int, str] = {}
-    if not len(close):
-        return found
-    near = Links(*(each[close] for each in arm))
-    carried = _carried(near, tool, held)
-    pairs = (*_pairs(geometry, near, tool_mm, gripper_turned_deg), *_with(geometry, near, carried))
-    for fixed, moving in pairs:
-        gaps = segment_distances(fixed.start, fixed.end, moving.start, moving.end)
-        for index in close[gaps < fixed.radius_mm + moving.radius_mm].tolist():
-            found.setdefault(index, f"{fixed.part}/{moving.part}")
-    return found
-
-
 def segment_distances(a: Array, b: Array, c: Array, d: Array) -> Array:
     """Return (n,) the shortest distances between the segments a–b and c–d, all (n, 3)."""
     gaps: Array = np.linalg.norm(_apart(a, b, c, d), axis=1)
@@ -273,28 +233,6 @@ def _apart(a: Array, b: Array, c: Array, d: Array) -> Array:
     share = np.clip((along * back - lean) / np.maximum(one_2, 1e-12), 0.0, 1.0)
     apart: Array = between + share[:, None] * one - back[:, None] * other
     return apart
-
-
-def _close(
-    geometry: Geometry, arm: Links, tool_mm: float, beyond_mm: float
-) -> npt.NDArray[np.bool_]:
-    """Return whether hand or forearm could touch anything, by the spheres around them."""
-    half_mm = (geometry.hand_mm + tool_mm) / 2.0
-    middle = arm.centre + half_mm * arm.hand
-    reach_mm = half_mm + max(_FURTHEST_MM, beyond_mm) + geometry.wrist_mm
-    to_axis = np.hypot(middle[:, 0], middle[:, 1])
-    to_column = np.hypot(to_axis, np.maximum(middle[:, 2] - geometry.base_mm, 0.0))
-    shoulder = np.array((0.0, 0.0, geometry.base_mm))
-    along = np.clip(_dot(middle - shoulder, arm.upper_arm), 0.0, geometry.upper_arm_mm)
-    off_arm = np.linalg.norm(middle - shoulder - along[:, None] * arm.upper_arm, axis=1)
-    near_arm = off_arm < reach_mm + _UPPER_ARM_RADIUS_MM + _KNEE_MM[1]
-    wrist = arm.wrist[:, 2] < geometry.base_mm + _COLUMN_RADIUS_MM + _FOREARM_RADIUS_MM
-    near = np.asarray((to_column < reach_mm + _COLUMN_RADIUS_MM) | near_arm | wrist)
-    if not beyond_mm:
-        return near
-    forearm = _forearm(geometry, arm)
-    to_forearm = segment_distances(forearm.start, forearm.end, arm.flange, arm.flange)
-    return np.asarray(near | (to_forearm < beyond_mm + _FOREARM_RADIUS_MM))
 
 
 def _pairs(

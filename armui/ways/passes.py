@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from armui.ways.rules import Rules
     from armui.ways.way import Way
-
-FLOOR: Final = "floor"
-"""The name of the rule of the least height, whose breach may be accepted."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -31,7 +31,6 @@ from armui.cell.work_area import Area, AreaPlane
 from armui.kinematics.poses import matrix_to_pose
 from armui.ways.law import Excess, Rule
 from armui.ways.own_body import OwnBody
-from armui.ways.passes import FLOOR
 from armui.ways.way import Array, Way
 
 if TYPE_CHECKING:
@@ -58,6 +57,7 @@ TOUCHES_ITSELF = Reason(
 )
 
 LIMITS: Final = "limits"
+FLOOR: Final = "floor"
 AREA: Final = "area"
 OWN_BODY: Final = "own_body"
 """The names of the rules."""
@@ -225,7 +225,8 @@ class OwnBodyRule:
         if found is None:
             return None
         bound = self.bounds.index(f"{found.one}/{found.other}")
-        return Excess(bound, -found.gap_mm, place_on(way.joints_deg, found.index, found.share))
+        place = place_on(way.joints_deg, found.index, found.share)
+        return Excess(bound, -found.gap_mm, place, index=found.index)
 
     def finely(self, way: Way) -> Array:
         """Return poses between which no joint turns by more than a tenth of a degree."""
@@ -287,9 +288,10 @@ class Rules:
             for angle, each in zip(joints_deg, self.arm.limits, strict=True)
         )
 
-    def without(self, *names: str) -> tuple[Rule, ...]:
-        """Return them without those of some names, which the operator has accepted."""
-        return tuple(rule for rule in self.every if rule.name not in names)
+    @property
+    def are_bounded(self) -> bool:
+        """True if a work area or a least height is in force, which a way nobody knows may leave."""
+        return any(rule.name in {AREA, FLOOR} for rule in self.every)
 
 
 def rules_of(arm: ArmModel, area: AreaCheck | None = None, lowest_mm: float | None = None) -> Rules:
@@ -325,7 +327,7 @@ def _in_zones(check: AreaCheck, way: Way, least_mm: Array) -> Excess | None:
         return None
     bound = check.zones.index(found.zone)
     place = place_on(way.joints_deg, found.index, found.share)
-    return Excess(bound, check.margin_mm - found.gap_mm, place, found.part)
+    return Excess(bound, check.margin_mm - found.gap_mm, place, found.part, found.index)
 
 
 def _first(over: Array, found: Array, joints_deg: Array) -> Excess | None:
@@ -334,7 +336,8 @@ def _first(over: Array, found: Array, joints_deg: Array) -> Excess | None:
         return None
     place = int(places[0])
     bound = int(np.argmax(over[place]))
-    return Excess(bound, float(found[place, bound]), tuple(joints_deg[place].tolist()))
+    pose = tuple(joints_deg[place].tolist())
+    return Excess(bound, float(found[place, bound]), pose, index=place)
 
 
 def _level(rising: Rising, height_mm: float) -> tuple[float, ...]:

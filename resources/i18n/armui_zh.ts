@@ -4183,6 +4183,10 @@
         <translation>从该点起夹爪夹着“{name}”，而当前单元没有这个工件，无法确定其大小。请选择含有该工件的单元，或在“单元”的“工件”中添加。</translation>
     </message>
     <message>
+        <source>Its first {seconds} s lie outside the limits, as an arm does at rest: it is replayed from here on.</source>
+        <translation>开头 {seconds} s 位于限位之外，如同静置的机械臂：将从此处开始回放。</translation>
+    </message>
+    <message>
         <source>Joint {joint} would have to turn at {value}°/s; its limit is {maximum}°/s. Replay at {percent} % of this speed at most.</source>
         <translation>关节 {joint} 需要以 {value}°/s 转动，上限为 {maximum}°/s。请以当前速度的 {percent} % 以下复现。</translation>
     </message>
@@ -4197,6 +4201,10 @@
     <message>
         <source>The tool or what is held would be {value} mm below the floor. Accept this only if there is nothing.</source>
         <translation>末端或工件将低于地面 {value} mm。确认下方没有物体时才可接受。</translation>
+    </message>
+    <message>
+        <source>The tool or what is held would come to {value} mm; motions end at {minimum} mm, as chosen under Settings. Put another point between, or change the point.</source>
+        <translation>末端或工件将到达 {value} mm；按“设置”中的选择，运动止于 {minimum} mm。请在其间加一个点，或修改该点。</translation>
     </message>
     <message>
         <source>The first point is far from where the arm is: joint {joint} turns {value}°. Watch the way there in the preview, or bring the arm nearer first.</source>
@@ -4219,10 +4227,6 @@
         <translation>法兰无法到达该位置：还差 {missing} mm。请把该点移近。</translation>
     </message>
     <message>
-        <source>Where the arm stands now, it touches itself: {other} against {one}; after a stop it may have sunk. Jog it clear, or lift it by hand, then send again: nothing of the trajectory has to be changed.</source>
-        <translation>机械臂当前所在的位姿自身相碰：{other}与{one}；急停后它可能已下沉。请先点动或用手把它移开，再重新发送；轨迹本身无需修改。</translation>
-    </message>
-    <message>
         <source>On the way there from where the arm stands now: {text} Bringing the arm nearer to this point first helps, too.</source>
         <translation>从机械臂当前位置到该点的途中：{text}也可以先让机械臂靠近该点。</translation>
     </message>
@@ -4241,10 +4245,6 @@
     <message>
         <source>This was taught on another arm: {taught}; connected is {arm}. The same joint angles may hold the tool elsewhere. It was checked for {arm}, and nothing was converted. Watch the preview before you accept this.</source>
         <translation>此轨迹在另一种机械臂上示教：{taught}；当前为 {arm}。同样的关节角可能使末端在别处。已按 {arm} 检查，未做任何换算。请先看预览再接受。</translation>
-    </message>
-    <message>
-        <source>Where the arm stands now, it is too near to “{name}” of the work area: {part} at {value} mm, where {minimum} mm are kept. Move it out, then send again: nothing of the trajectory has to be changed.</source>
-        <translation>机械臂当前离工作区的“{name}”太近：{part}相距 {value} mm，应保持 {minimum} mm。请先移出，再重新发送：轨迹无需更改。</translation>
     </message>
     <message>
         <source>Too near to “{name}” of the work area: {part} would come to {value} mm, where {minimum} mm are kept. Put another point between, or change the point.</source>
@@ -10883,10 +10883,6 @@ The other program must have ended.</source>
         <translation>未发送：检查路径期间机械臂移动了，或检查所依据的内容已改变。请再按一次。</translation>
     </message>
     <message>
-        <source>Nobody knows which way the arm would take, and a work area is in force. Switch its planes and boxes off under Cell first.</source>
-        <translation>无人知道机械臂会走哪条路径，而工作区域正在生效。请先在“单元”中关闭其平面和盒体。</translation>
-    </message>
-    <message>
         <source>Setting “{field}”: {count} of its entries cannot be read, the first is “{key}”: “{value}”. The others hold; these stay in the file until you choose anew.</source>
         <translation>设置项“{field}”：有 {count} 个条目无法读取，第一个是“{key}”：“{value}”。其余条目有效；这些条目保留在文件中，直到重新选择。</translation>
     </message>
@@ -11553,6 +11549,10 @@ The other program must have ended.</source>
     <message>
         <source>Row {row} is in the user frame “{name}”, whose place was not worked out. Send it again.</source>
         <translation>第 {row} 行位于用户坐标系“{name}”中，但尚未换算到基坐标系。请重新发送。</translation>
+    </message>
+    <message>
+        <source>Nobody knows which way the arm would take, and a work area or a lowest height is in force. Switch its planes and boxes off under Cell, or the height under Settings, first.</source>
+        <translation>无人知道机械臂会走哪条路径，而工作区域或最低高度正在生效。请先在“单元”中关闭其平面和盒体，或在“设置”中关闭最低高度。</translation>
     </message>
     <message>
         <source>Joint {joint} moves at {value}°/s. {percent} % was told, that is {maximum}°/s at most; above {limit}°/s a motion is ended. Before the next one set the speed again: at the top of the window, of a run in its points and beside Send.</source>

@@ -16,7 +16,7 @@ import pytest
 from armui.arm.models import model_data
 from armui.cell.work_area import AreaBox
 from armui.protocol.generation import PiperModel
-from armui.ways.own_body import OwnBody, collisions
+from armui.ways.own_body import OwnBody
 from tests.cell.areas import check_of
 from tests.cell.sampled_ways import HIGH, LOW
 
@@ -70,8 +70,7 @@ def measured(capsys, title, works, rounds=ROUNDS):
 
 def in_steps(check, way):
     """As it was done before."""
-    poses, _ = check._finely(way)
-    return check._gaps(poses)
+    return check.gaps(check.finely(way))
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -103,8 +102,6 @@ def test_a_look_at_a_new_pose(count, capsys, benchmark):
     poses = random.uniform(LOW, HIGH, (50, 6))
     looks = [lambda pose=pose: check.look(pose) for pose in poses]
     measured(capsys, f"look at {count} boxes", looks)
-    exactly = [lambda pose=pose: check._gaps(pose[None]) for pose in poses]
-    measured(capsys, f"look at {count} boxes, all exactly", exactly, 1)
     benchmark(lambda: [look() for look in looks])
 
 
@@ -120,7 +117,7 @@ def test_the_arm_against_itself(motion, capsys, benchmark):
 
     def degree_by_degree(way):
         poses = way[0] + np.linspace(0.0, 1.0, 201)[:, None] * (way[1] - way[0])
-        return collisions(data.geometry, poses, data.gripper.reach_mm, data.gripper.turned_deg)
+        return body.gaps(poses)
 
     before = [lambda way=way: degree_by_degree(way) for way in ways]
     measured(capsys, f"{motion.__name__} against itself, at 201 poses", before)

@@ -71,7 +71,8 @@ def outcomes(count, seed):
         box = AreaBox(
             "box", (*place, *rng.uniform(-180.0, 180.0, 3)), tuple(rng.uniform(20, 200, 3))
         )
-        said = check_of(box, margin_mm=MARGIN_MM, model=model).entries(np.array((start, end)))
+        ways = check_of(box, margin_mm=MARGIN_MM, model=model)
+        said = ways.breach(np.array((start, end)), [MARGIN_MM])
         way = start + np.linspace(0.0, 1.0, STEPS)[:, None] * (end - start)
         obstacle, robot = solid(box), models[model]
         gap = min(gap_mm(robot, each, rng.uniform(0.0, 0.035), obstacle) for each in way)

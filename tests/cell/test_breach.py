@@ -6,13 +6,12 @@ import pytest
 from armui.arm.models import model_data
 from armui.cell.area_check import AreaCheck, carried_body
 from armui.cell.cell import Cell
-from armui.cell.clearance import box_gaps, plane_gaps
-from armui.cell.enclosure import enclose
 from armui.cell.held_objects import HeldObject
 from armui.cell.work_area import AreaBox, AreaPlane
 from armui.kinematics.poses import pose_to_matrix
 from armui.protocol.generation import PiperModel
 from tests.cell.areas import TABLE, area_of, check_of, wall
+from tests.cell.plain_gaps import box_gaps, enclose, plane_gaps
 from tests.cell.sampled_ways import (
     HIGH,
     LOW,

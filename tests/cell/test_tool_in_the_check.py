@@ -11,8 +11,7 @@ from hypothesis import strategies as st
 from armui.arm.tool_capsule import ToolCapsule
 from armui.kinematics.forward import flange_transforms
 from armui.trajectory.planning.check import BELOW_FLOOR, LINKS_COLLIDE, CheckRequest, check
-from armui.ways.own_body import collisions
-from tests.trajectory.arms import ARM, HERE, joint, run
+from tests.trajectory.arms import ARM, HERE, collisions, joint, run
 
 PEN = ToolCapsule((0.0, 0.0, 200.0), 20.0)
 
@@ -64,25 +63,6 @@ def test_a_tool_that_hits_the_arm_is_found_and_named():
     outcome = check(CheckRequest(run(joint(*HERE)), replace(ARM, tool=tool), HERE))
     named = [each.params for each in outcome.findings if each.kind == LINKS_COLLIDE]
     assert bool(hits) == bool(named)
-
-
-@given(
-    st.lists(st.floats(-1.0, 1.0), min_size=6, max_size=6),
-    st.lists(st.floats(-350.0, 350.0), min_size=3, max_size=3).filter(
-        lambda tip: math.hypot(*tip) > 60.0
-    ),
-    st.floats(5.0, 30.0),
-)
-def test_no_contact_is_missed_because_the_arm_seems_far(shares, tip, radius):
-    """The spheres that leave samples out are wide enough: as if every sample were looked at."""
-    joints = np.array([[150.0, 90.0, -85.0, 100.0, 70.0, 120.0]]) * np.array(shares)
-    joints[:, 1] = 90.0 + joints[:, 1]
-    joints[:, 2] = -85.0 + joints[:, 2]
-    tool = ToolCapsule(tuple(tip), radius)
-    hit = collisions(ARM.kinematics.geometry, joints, ARM.tool_mm, tool=tool)
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("armui.ways.own_body._close", lambda *_: np.ones(1, bool))
-        assert collisions(ARM.kinematics.geometry, joints, ARM.tool_mm, tool=tool) == hit
 
 
 def test_a_tool_without_a_radius_changes_nothing_of_the_collisions():

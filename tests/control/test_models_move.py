@@ -11,9 +11,9 @@ from armui.kinematics.arm_kinematics import Kinematics
 from armui.kinematics.axes import JogFrame
 from armui.kinematics.poses import Pose, apart
 from armui.protocol.codes import MoveMode
-from armui.ways.own_body import collisions
 from tests.accepted import accepted
 from tests.family import MODELS, ranges
+from tests.trajectory.arms import collisions
 
 READY_DEG = (10.0, 80.0, -80.0, 10.0, 35.0, 5.0)
 

@@ -58,7 +58,11 @@ _BACK: Final[Reasons] = {
         *("reference.drive", "teaching.command"),
     ),
 }
-_NO_ARC: Final[Reasons] = {"An arc begins at a place that the arm may be sent to.": ("tool.arc",)}
+_NO_LINE: Final[Reasons] = {
+    "The arm takes no line or arc that begins outside its limits: the way inside comes first.": (
+        *("tool.step", "tool.arc"),
+    ),
+}
 
 NOT_ASKED: Final[Mapping[Question, Reasons]] = {
     Question.HALT: {
@@ -106,12 +110,12 @@ NOT_ASKED: Final[Mapping[Question, Reasons]] = {
     },
     Question.AREA: _NO_LEAD,
     Question.FLOOR: _NO_LEAD,
-    Question.BACK_LIMIT: {**_BACK, **_NO_ARC},
+    Question.BACK_LIMIT: {**_BACK, **_NO_LINE},
     Question.BACK_REST: {
         **_BACK,
-        **_NO_ARC,
+        **_NO_LINE,
         "It turns one joint or shifts the hand, and several joints have to come back.": (
-            *("motion.step", "tool.step", "jog.begin"),
+            *("motion.step", "jog.begin"),
         ),
     },
     Question.BACK_AREA: _BACK,
@@ -132,19 +136,6 @@ KNOWN: Final[Mapping[tuple[Question, str], str]] = {
     (Question.LATE, "motors.disable"): "its second attempt is the first to leave, 1.10 s after",
     (Question.LATE, "motors.resume"): "0x150 = 2, the arm drops, leaves 1.10 s after the press",
     (Question.EXCEPTION, "teaching.command"): "the arm's own replay is not ended: it goes on",
-    **{
-        (Question.FLOOR, name): f"its check warns, and the operator accepts: down to {deepest_mm}"
-        for name, deepest_mm in {
-            "run.start": 65,
-            "run.go_on": 65,
-            "replay.start": 65,
-            "replay.go_on": 65,
-            "teaching.command": 67,
-        }.items()
-    },
-    (Question.BACK_LIMIT, "tool.step"): "from 152° of 150°: path_beyond_limits",
-    (Question.BACK_LIMIT, "replay.start"): "from 152° of 150°: joint_out_of_limits",
-    (Question.BACK_REST, "replay.start"): "from the rest pose: joint_out_of_limits",
 }
 """What is broken today, with the figure that was seen."""
 

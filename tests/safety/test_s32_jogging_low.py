@@ -9,7 +9,6 @@ from armui.control.safety.recovery_steps import StepKind
 from armui.kinematics.axes import JogFrame
 from armui.kinematics.forward import flange_rows
 from armui.trajectory.planning.check import CheckRequest, check
-from armui.trajectory.planning.findings import Approach
 from armui.ui import words
 from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.words import findings
@@ -105,15 +104,32 @@ def test_below_the_base_plane_is_amber_in_the_line(rig):
     assert rig.controller.operating_state.below_base_mm is None
 
 
+FOLDED_DEG = (10.0, 123.0, -8.0, 15.0, 58.0, 20.0)
+STRETCHED_DEG = (10.0, 44.0, -5.0, 15.0, 20.0, 20.0)
+
+
 def test_the_check_blames_the_way_and_not_the_row():
-    assert tip_mm(LOW_DEG) < 0.0 < tip_mm(BENT_DEG)
+    assert tip_mm(LOW_DEG) < 0.0 < min(map(tip_mm, (BENT_DEG, FOLDED_DEG, STRETCHED_DEG)))
     report = check(CheckRequest(run(joint(*BENT_DEG), joint(*BENT_DEG)), ARM, LOW_DEG))
+    assert [each.code for each in report.findings] == ["far_from_start"], "it comes up"
+    report = check(CheckRequest(run(joint(*STRETCHED_DEG)), ARM, FOLDED_DEG))
     (low,) = [each for each in report.findings if each.code == "below_floor"]
-    assert low.approach is Approach.WAY
+    assert low.approach
     assert "On the way there from where the arm stands now" in findings.finding(low)
     report = check(CheckRequest(run(joint(*LOW_DEG), joint(*BENT_DEG)), ARM, BENT_DEG))
     found = [each for each in report.findings if each.code == "below_floor"]
-    assert [(each.row, each.approach) for each in found] == [(0, None), (1, None)]
+    assert [(each.row, each.approach) for each in found] == [(0, False)]
+
+
+def test_a_run_below_the_chosen_height_is_refused():
+    """What was chosen for motions holds for runs, too: nobody can accept it away."""
+    program = run(joint(*BENT_DEG), joint(*LOW_DEG))
+    lowest_mm = tip_mm(LOW_DEG) + 5.0
+    (low,) = check(CheckRequest(program, ARM, BENT_DEG, lowest_mm=lowest_mm)).errors
+    assert (low.code, low.row) == ("below_lowest", 1)
+    assert low.params["value"] == pytest.approx(tip_mm(LOW_DEG), abs=0.06)
+    lower = CheckRequest(program, ARM, BENT_DEG, lowest_mm=tip_mm(LOW_DEG) - 5.0)
+    assert check(lower).errors == ()
 
 
 def test_the_operator_chooses_the_height(app_driver):

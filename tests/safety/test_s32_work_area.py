@@ -15,7 +15,6 @@ from armui.control.safety.recovery_steps import StepKind
 from armui.kinematics.axes import JogFrame
 from armui.protocol.codes import MoveMode, TeachingState
 from armui.trajectory.planning.check import AREA_TOO_NEAR, CheckRequest, check
-from armui.trajectory.planning.findings import Approach
 from armui.ui import words
 from tests.accepted import accepted
 from tests.cell.areas import TABLE, area_of, check_of, gap_mm, put, wall
@@ -151,12 +150,12 @@ def test_runs_are_refused_with_row_and_place():
     away = (*BENT_DEG[:1], BENT_DEG[1] + 30.0, *BENT_DEG[2:])
     outcome = check(CheckRequest(run(joint(*BENT_DEG), joint(*away)), ARM, BENT_DEG, area=area))
     (found,) = [each for each in outcome.errors if each.kind == AREA_TOO_NEAR]
-    assert (found.row, found.approach, found.params["name"]) == (1, None, "wall")
+    assert (found.row, found.approach, found.params["name"]) == (1, False, "wall")
     assert found.joints_deg is not None
     assert BENT_DEG[1] < found.joints_deg[1] < away[1]
     assert found.place_mm is not None
     outcome = check(CheckRequest(run(joint(*BENT_DEG), joint(*BENT_DEG)), ARM, away, area=area))
-    assert [each.approach for each in outcome.errors] == [Approach.HERE]
+    assert outcome.errors == ()  # from where it is found it may come out
     assert check(CheckRequest(run(joint(*BENT_DEG)), ARM, BENT_DEG, area=area)).errors == ()
 
 

@@ -15,11 +15,14 @@ import pytest
 from armui.arm.refusal import Refusal
 from armui.control.motion.jog_path import JointJog, ToolJog
 from armui.control.operations.started import Started
+from armui.control.run.replay import Replay
 from armui.control.safety.recovery_steps import StepKind
 from armui.kinematics.axes import JogFrame
 from armui.protocol.codes import MoveMode
 from armui.protocol.generation import PiperModel
+from armui.trajectory.samples.recording import Recording
 from armui.ui import words
+from armui.ways.rules import JOINTS_OUTSIDE
 from tests.accepted import accepted
 from tests.control.jogger import BENT_DEG, hold
 from tests.family import FACTORY_LIMITS, ranges
@@ -253,6 +256,29 @@ def test_a_step_of_another_joint_names_the_one_that_is_outside(rig, name, other)
     sentence = words.refusal(told(answer))
     assert f"J{joint}" in sentence
     assert f"J{other}" not in sentence
+
+
+@pytest.mark.parametrize("name", ALONE)
+def test_a_tool_step_names_what_is_outside(rig, name):
+    """The arm takes no line that begins outside, wherever it ends."""
+    lying(rig, ALONE[name][1])
+    for axis, amount in ((0, -20.0), (1, 20.0), (2, 20.0)):
+        answer = rig.controller.cartesian.step(axis, amount, JogFrame.BASE)
+        assert told(answer).reason == JOINTS_OUTSIDE
+        assert name in words.refusal(answer)
+
+
+def test_a_replay_begins_with_the_way_inside(resting):
+    samples = np.linspace((0.0, 5.0, -5.0, 0.0, 15.0, 0.0), (0.0, 20.0, -20.0, 0.0, 15.0, 0.0), 201)
+    times = np.linspace(0.0, 4.0, 201)[:, None]
+    recording = Recording("r", samples=np.hstack((times, samples, np.full((201, 1), np.nan))))
+    accepted(resting.controller.replayer.start(Replay(recording)))
+    resting.run_until(lambda: not resting.controller.replayer.running, 60.0)
+    assert resting.firmware.true_joints_deg == pytest.approx(samples[-1], abs=0.2)
+    assert resting.watch.furthest_deg.max() <= NOISE_DEG
+    first, *_ = resting.watch.targets_deg[1:]
+    assert first[1:3] == pytest.approx((INSIDE_DEG, -INSIDE_DEG), abs=0.01)
+    assert "run_from_outside" in {each.code for each in resting.events}
 
 
 @pytest.mark.parametrize("beyond_deg", [0.1, 0.4])

@@ -4,11 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+import numpy.typing as npt
+
+from armui.arm.held_shape import HeldShape
 from armui.arm.models import ArmModel
 from armui.arm.state import EndLimits
+from armui.arm.tool_capsule import ToolCapsule
 from armui.kinematics.arm_kinematics import Kinematics
+from armui.kinematics.geometry import Geometry
 from armui.protocol.codes import MoveMode
 from armui.trajectory.points.program import Trajectory, Waypoint
+from armui.ways.own_body import OwnBody
 from tests.family import FACTORY_ACCELERATION_DEG_S2, FACTORY_LIMITS, PIPER
 
 KINEMATICS = Kinematics(PIPER)
@@ -52,3 +59,21 @@ def arc(middle: Sequence[float], end: Sequence[float], speed: int = 100) -> Wayp
 
 def run(*points: Waypoint) -> Trajectory:
     return Trajectory("t", points=points)
+
+
+def collisions(
+    geometry: Geometry,
+    joints_deg: npt.ArrayLike,
+    tool_mm: float,
+    turned_deg: float = 0.0,
+    *,
+    tool: ToolCapsule | None = None,
+    held: HeldShape | None = None,
+) -> dict[int, str]:
+    """The first two parts that reach into each other, by the pose's index."""
+    body = OwnBody(geometry, tool_mm, turned_deg, tool, held)
+    touch = body.gaps(joints_deg) < 0.0
+    return {
+        row: body.pairs[int(touch[row].argmax())]
+        for row in np.flatnonzero(touch.any(axis=1)).tolist()
+    }

@@ -14,12 +14,22 @@ import pytest
 from armui.arm.state import EndLimits
 from armui.kinematics.forward import links
 from armui.trajectory.planning.check import CheckOutcome, CheckRequest, check
-from armui.trajectory.planning.findings import Approach, Severity
+from armui.trajectory.planning.findings import Severity
 from armui.trajectory.planning.timing import plan_path
 from armui.trajectory.points.program import GripperOpening, Waypoint
 from armui.trajectory.samples.recording import Recording
-from armui.ways.own_body import collisions, segment_distances
-from tests.trajectory.arms import ARM, HERE, KINEMATICS, joint, line, pose, pose_near, run
+from armui.ways.own_body import OwnBody, segment_distances
+from tests.trajectory.arms import (
+    ARM,
+    HERE,
+    KINEMATICS,
+    collisions,
+    joint,
+    line,
+    pose,
+    pose_near,
+    run,
+)
 
 
 def found(report: CheckOutcome) -> list[tuple[str, int | None]]:
@@ -191,7 +201,9 @@ def test_the_hand_in_the_base_is_an_error() -> None:
     report = checked(joint(*hit), start=hit)
     finding = next(each for each in report.findings if each.code == "links_collide")
     assert finding.severity is Severity.ERROR
-    assert f"{finding.params['one']}/{finding.params['other']}" == hits[min(hits)]
+    body = OwnBody(KINEMATICS.geometry, 140.0)
+    touching = dict(zip(body.pairs, body.gaps([hit])[0] < 0.0, strict=True))
+    assert touching[f"{finding.params['one']}/{finding.params['other']}"]
 
 
 def test_the_arm_at_rest_and_at_work_touches_nothing() -> None:
@@ -213,7 +225,7 @@ def test_a_collision_on_the_way_is_found_though_both_ends_are_free() -> None:
 FREE = (0.0, 60.0, -60.0, 0.0, 20.0, 0.0)
 
 
-def hits_of(report: CheckOutcome) -> list[tuple[int | None, Approach | None]]:
+def hits_of(report: CheckOutcome) -> list[tuple[int | None, bool]]:
     return [(one.row, one.approach) for one in report.findings if one.code == "links_collide"]
 
 
@@ -228,16 +240,16 @@ def self_hit() -> tuple[float, ...]:
 
 def test_an_arm_that_has_sunk_into_itself_is_told_of_where_it_stands() -> None:
     hit = self_hit()
-    assert hits_of(checked(joint(*FREE), joint(*HERE), start=hit)) == [(0, Approach.HERE)]
+    assert hits_of(checked(joint(*FREE), joint(*HERE), start=hit)) == [(0, True)]
     # the point itself is another matter
-    assert (0, None) in hits_of(checked(joint(*hit), start=hit))
-    assert hits_of(checked(joint(*FREE), joint(*hit), start=FREE)) == [(1, None)]
+    assert (0, False) in hits_of(checked(joint(*hit), start=hit))
+    assert hits_of(checked(joint(*FREE), joint(*hit), start=FREE)) == [(1, False)]
 
 
 def test_a_collision_on_the_way_to_the_first_point_is_not_the_points() -> None:
     start, end = (-16, 81, -2, 51, 31, 59), (9, 93, -7, -63, 70, 117)
-    assert hits_of(checked(joint(*end), start=start)) == [(0, Approach.WAY)]
-    assert hits_of(checked(joint(*start), joint(*end), start=start)) == [(1, None)]
+    assert hits_of(checked(joint(*end), start=start)) == [(0, True)]
+    assert hits_of(checked(joint(*start), joint(*end), start=start)) == [(1, False)]
 
 
 def test_the_distance_of_two_segments_is_the_least_of_all_their_points() -> None:
@@ -288,6 +300,23 @@ def test_a_jump_and_a_limit_in_a_recording_are_named_once() -> None:
     assert sum(code == "target_beyond_limit" for code, _ in found(report)) == 1
 
 
+def test_a_recording_that_begins_outside_is_replayed_from_its_first_sample_inside() -> None:
+    rest = (0.0, -2.0, 2.0, 0.0, 20.0, 0.0)
+    ways = np.linspace(rest, (0.0, 30.0, -30.0, 0.0, 20.0, 0.0), 161)
+    content = recording(np.linspace(0, 16, 161), ways)
+    report = check(CheckRequest(content, ARM, HERE))
+    (begins,) = [each for each in report.findings if each.code == "begins_outside"]
+    assert (begins.row, begins.params["seconds"], begins.severity) == (10, 1.0, Severity.WARNING)
+    assert not report.errors
+    assert isinstance(report.as_checked, Recording)
+    assert report.as_checked.joints_deg[0] == pytest.approx(ways[10])
+    assert report.path.rows.min() == 10
+    wholly = recording(np.linspace(0, 16, 161), np.tile(rest, (161, 1)))
+    assert "target_beyond_limit" in {
+        code for code, _ in found(check(CheckRequest(wholly, ARM, HERE)))
+    }
+
+
 def test_errors_come_before_warnings_of_the_same_row() -> None:
     report = checked(joint(100, 70, -60, 101.5, 25, -20))
 
@@ -306,12 +335,12 @@ def test_a_recording_is_not_blamed_for_where_the_arm_stands_or_the_way_to_it() -
     hit, near = self_hit(), tuple(angle + 5.0 for angle in FREE)
     free = held(FREE, near)
     assert hits_of(check(CheckRequest(free, ARM, FREE))) == []
-    assert hits_of(check(CheckRequest(free, ARM, hit))) == [(0, Approach.HERE)]
-    assert hits_of(check(CheckRequest(held(hit, FREE), ARM, hit)))[0] == (0, None)
+    assert hits_of(check(CheckRequest(free, ARM, hit))) == [(0, True)]
+    assert hits_of(check(CheckRequest(held(hit, FREE), ARM, hit)))[0] == (0, False)
     ((row, approach),) = hits_of(check(CheckRequest(held(FREE, hit), ARM, FREE)))
-    assert (row is not None and row > 0, approach) == (True, None)
+    assert (row is not None and row > 0, approach) == (True, False)
     start, end = (-16, 81, -2, 51, 31, 59), (9, 93, -7, -63, 70, 117)
-    assert hits_of(check(CheckRequest(held(end, end), ARM, start))) == [(0, Approach.WAY)]
+    assert hits_of(check(CheckRequest(held(end, end), ARM, start))) == [(0, True)]
 
 
 def test_the_way_to_a_recording_may_be_low_or_fast_without_its_fault() -> None:
@@ -321,13 +350,13 @@ def test_the_way_to_a_recording_may_be_low_or_fast_without_its_fault() -> None:
         for each in check(CheckRequest(held(FREE, HERE), ARM, low)).findings
         if each.code == "below_floor"
     ]
-    assert (found_low.row, found_low.approach) == (0, Approach.WAY)
+    assert (found_low.row, found_low.approach) == (0, True)
     (of_it,) = [
         each
         for each in check(CheckRequest(held(low, low), ARM, FREE)).findings
         if each.code == "below_floor"
     ]
-    assert of_it.approach is None
+    assert not of_it.approach
     slow = replace(ARM, end_limits=EndLimits(0.02, 1.0, 1.0, 1.0))
     swing = (FREE[0] + 60.0, *FREE[1:])
     fast = [
@@ -335,4 +364,4 @@ def test_the_way_to_a_recording_may_be_low_or_fast_without_its_fault() -> None:
         for each in check(CheckRequest(held(FREE, FREE), slow, swing)).findings
         if each.code == "tool_too_fast"
     ]
-    assert [(each.row, each.approach) for each in fast] == [(0, Approach.WAY)]
+    assert [(each.row, each.approach) for each in fast] == [(0, True)]

@@ -11,7 +11,7 @@ from armui.cell.held_objects import HeldObject
 from armui.cell.held_shape import held_shape
 from armui.kinematics.forward import links
 from armui.protocol.generation import PiperModel
-from armui.ways.own_body import OwnBody, collisions, segment_distances
+from armui.ways.own_body import OwnBody, _carried, _pairs, _with, segment_distances
 from tests.cell.sampled_ways import (
     HIGH,
     LOW,
@@ -39,21 +39,24 @@ def body_of(model, *, tool=None, held=None):
 
 @pytest.mark.parametrize("model", PiperModel)
 @pytest.mark.parametrize("carried", [{}, {"tool": PEN}, {"held": held_shape(PARCEL)}])
-def test_what_reaches_into_each_other_is_what_collides(model, carried):
+def test_gaps_are_those_of_the_parts_at_each_pose(model, carried):
     random = np.random.default_rng(5)
     poses = np.vstack((random.uniform(LOW, HIGH, (3000, 6)), random.uniform(-60, 60, (3000, 6))))
     data, body = model_data(model), body_of(model, **carried)
     gaps = body.gaps(poses)
-    found = collisions(
-        data.geometry, poses, data.gripper.reach_mm, data.gripper.turned_deg, **carried
+    arm, gripper = links(data.geometry, poses), data.gripper
+    met = (
+        *_pairs(data.geometry, arm, gripper.reach_mm, gripper.turned_deg),
+        *_with(data.geometry, arm, _carried(arm, carried.get("tool"), carried.get("held"))),
     )
-    reaching = {
-        int(row): {body.pairs[pair] for pair in np.flatnonzero(gaps[row] < 0.0)}
-        for row in np.flatnonzero((gaps < 0.0).any(axis=1))
-    }
-    assert reaching.keys() == found.keys()
-    assert len(found) > 100
-    assert all(found[row] in pairs for row, pairs in reaching.items())
+    expected = np.full(gaps.shape, np.inf)
+    for fixed, moving in met:
+        pair = body.pairs.index(f"{fixed.part}/{moving.part}")
+        lines = segment_distances(fixed.start, fixed.end, moving.start, moving.end)
+        apart = lines - fixed.radius_mm - moving.radius_mm
+        expected[:, pair] = np.minimum(expected[:, pair], apart)
+    assert gaps == pytest.approx(expected, abs=1e-6)
+    assert (gaps < 0.0).any(axis=1).sum() > 100
 
 
 def test_a_gap_is_the_distance_of_the_surfaces():

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
+from armui.arm.limits import outside_limits, outside_list
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.kinematics.poses import Pose, pose_to_matrix
@@ -75,6 +76,7 @@ def point_way(point: Waypoint, arm: ArmModel, begin_deg: Sequence[float]) -> Way
     """
     from armui.arm.reach import check_pose, led_joints  # noqa: PLC0415 - scipy
     from armui.kinematics.tool_path import Arc, ArcError, Line, ToolPath  # noqa: PLC0415 - scipy
+    from armui.ways.rules import JOINTS_OUTSIDE  # noqa: PLC0415 - numpy
     from armui.ways.way import Way, straight_way  # noqa: PLC0415 - numpy
 
     if point.is_joint:
@@ -82,6 +84,9 @@ def point_way(point: Waypoint, arm: ArmModel, begin_deg: Sequence[float]) -> Way
     if point.move is MoveMode.MOVE_P:
         end_deg = check_pose(arm.kinematics, Pose(*point.target), begin_deg, arm.limits)
         return end_deg if isinstance(end_deg, Refusal) else straight_way(begin_deg, end_deg)
+    if outside_limits(begin_deg, arm.limits):
+        # the arm takes no line that begins outside
+        return JOINTS_OUTSIDE(joints=outside_list(begin_deg, arm.limits))
     here, target = arm.kinematics.matrix(begin_deg), pose_to_matrix(point.target)
     path: ToolPath = Line(here, target)
     if point.middle is not None:

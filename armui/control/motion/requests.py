@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from armui.arm.refusal import Refusal
@@ -28,7 +28,6 @@ def joint_request(
     why_not: Callable[[OperatingState], Refusal | None],
     told: tuple[Notice, Mapping[str, object]] | None = None,
     kind: CommandKind = CommandKind.JOINTS,
-    accepts: Collection[str] = (),
 ) -> MotionRequest:
     """Return the request of a motion of the joints to six angles (MOVE J, 0x155–0x157, 0x151).
 
@@ -40,7 +39,6 @@ def joint_request(
         why_not: Returns what speaks against it beside its way.
         told: The notice, with its figures, that it is sent.
         kind: The kind of the command.
-        accepts: The names of rules whose breach the operator has accepted.
     """
 
     def plan(begin_deg: Sequence[float]) -> Way:
@@ -60,5 +58,4 @@ def joint_request(
         why_not=why_not,
         joints_deg=tuple(target_deg),
         told=told,
-        accepts=accepts,
     )

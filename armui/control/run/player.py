@@ -42,7 +42,6 @@ from armui.control.safety.interlocks import ENABLED_UNKNOWN, JOINTS_UNKNOWN
 from armui.protocol.codes import MoveMode
 from armui.telemetry.events import Asker, EventKind, Level
 from armui.trajectory.points.program import GripperAction, Waypoint
-from armui.ways.passes import FLOOR
 
 if TYPE_CHECKING:
     from armui.arm.models import ArmModel
@@ -380,7 +379,6 @@ class Player(Execution):
                 tool_way=tool_way(point, context.state()),
                 sent=lambda _command: self._on_sent(point),
                 refused=self._fail,
-                accepts=(FLOOR,),
             )
         )
         if isinstance(answer, Refusal):

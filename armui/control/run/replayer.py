@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, Qt, QTimer
 from armui.arm.refusal import Reason, Refusal
 from armui.control.context import Context
 from armui.control.events import Notice
+from armui.control.motion.joint_motion import COME_INSIDE_PERCENT
 from armui.control.motion.motion_command import CommandKind, MotionCommand
 from armui.control.motion.requests import joint_request
 from armui.control.operations.operation import Consent, operation, record_start
@@ -19,6 +20,7 @@ from armui.control.run.execution import RUN_DONE, RUN_STARTED, Execution
 from armui.control.run.player import (
     NOT_PAUSED,
     NOT_RUNNING,
+    RUN_FROM_OUTSIDE,
     RUN_NOT_ENDED,
     RUN_TOO_SLOW,
     why_not_go_on,
@@ -31,7 +33,7 @@ from armui.protocol import commands
 from armui.protocol.codes import MoveMode
 from armui.telemetry.events import Asker, EventKind, Level
 from armui.trajectory.points.program import Waypoint
-from armui.ways.passes import FLOOR, Pass
+from armui.ways.passes import Pass
 
 if TYPE_CHECKING:
     from armui.control.run.replay import Replay
@@ -92,6 +94,7 @@ class Replayer(Execution):
         self._replay: Replay | None = None
         self._ending = RunPhase.DONE
         self._watch: ArrivalWatch | None = None
+        self._way_in: list[tuple[float, ...]] = []
         self._passed: Pass | None = None
         self._at_s = 0.0
         self._pace = 0.0
@@ -114,6 +117,7 @@ class Replayer(Execution):
         if refusal is not None:
             return context.refuse(refusal)
         self._replay, self._cycle, self._at_s = replay, 1, 0.0
+        self._way_in = list(context.gate().ways_inside())
         self._gripper_mm = None
         started = self._started = record_start(self.start)
         refusal = self._approach(replay)
@@ -122,6 +126,8 @@ class Replayer(Execution):
             started.close(Ending.REFUSED)
             return context.refuse(refusal)
         context.tell(RUN_STARTED, started, name=replay.recording.name)
+        if self._way_in:
+            context.tell(RUN_FROM_OUTSIDE)
         self._timer.start()
         self._publish()
         return started
@@ -182,7 +188,8 @@ class Replayer(Execution):
 
     @property
     def _approach_percent(self) -> int:
-        return sent_percent(_APPROACH_PERCENT, self._share)
+        percent = COME_INSIDE_PERCENT if self._way_in else _APPROACH_PERCENT
+        return sent_percent(percent, self._share)
 
     def stop(self) -> None:
         """End the replay: the arm comes to rest and stays powered."""
@@ -227,7 +234,8 @@ class Replayer(Execution):
     def _approach(self, replay: Replay) -> Refusal | None:
         """Set out for the first sample, slowly: the arm may stand anywhere.
 
-        What is checked is the way there and the whole recording.
+        What is checked is the way there and the whole recording. An arm that lies outside its
+        limits is brought inside first.
         """
         self._watch = self._passed = None
         self._since_s = self._looked_s = self._context.clock()
@@ -236,15 +244,15 @@ class Replayer(Execution):
         request = joint_request(
             self._context,
             record_start(self.start),
-            replay.first_deg,
+            self._way_in[0] if self._way_in else replay.first_deg,
             percent,
             why_not=lambda now: now.cannot_run,
             kind=CommandKind.RUN,
-            accepts=(FLOOR,),
         )
-        answer = self._context.gate().send(
-            replace(request, plan=replay.way, sent=self._on_set_out, refused=self._fail)
-        )
+        request = replace(request, sent=self._on_set_out, refused=self._fail)
+        if not self._way_in:
+            request = replace(request, plan=replay.way)
+        answer = self._context.gate().send(request)
         return answer if isinstance(answer, Refusal) else None
 
     def _on_set_out(self, command: MotionCommand) -> None:
@@ -254,7 +262,8 @@ class Replayer(Execution):
         self._passed = self._context.gate().passed(command)
         self._since_s = self._looked_s = self._context.clock()
         self._waited_s, self._untold = 0.0, False
-        self._watch = ArrivalWatch(Waypoint(MoveMode.MOVE_J, replay.first_deg), self._since_s)
+        target_deg = self._way_in[0] if self._way_in else replay.first_deg
+        self._watch = ArrivalWatch(Waypoint(MoveMode.MOVE_J, target_deg), self._since_s)
 
     def _follow_approach(self, watch: ArrivalWatch) -> None:
         now_s = self._context.clock()
@@ -266,6 +275,11 @@ class Replayer(Execution):
         arrival = watch.look(self._context.state(), now_s)
         if isinstance(arrival, Refusal):
             self._fail(arrival)
+        elif arrival is Arrival.REACHED and self._way_in and self._replay is not None:
+            del self._way_in[0]
+            refusal = self._approach(self._replay)
+            if refusal is not None:
+                self._fail(refusal)
         elif arrival is Arrival.REACHED:
             self._begin_stream(now_s)
         elif self._waited_s > _APPROACH_WITHIN_S and self._context.state().in_time(now_s):

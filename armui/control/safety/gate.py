@@ -8,7 +8,7 @@ is worked out in a thread, and counts only while nothing it depends on has chang
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Final
@@ -50,8 +50,8 @@ BEGAN_ELSEWHERE = Reason(
 )
 WAY_UNKNOWN = Reason(
     "way_unknown",
-    "Nobody knows which way the arm would take, and a work area is in force. Switch its planes and "
-    "boxes off under Cell first.",
+    "Nobody knows which way the arm would take, and a work area or a lowest height is in force. "
+    "Switch its planes and boxes off under Cell, or the height under Settings, first.",
 )
 CHECKING = Notice("checking", "Checking the way…", Level.INFO, EventKind.COMMAND, streams=True)
 
@@ -89,7 +89,6 @@ class MotionRequest:
         told: The notice, with its figures, that the operator is told once it is sent.
         sent: Called with the command once it is sent.
         refused: Called with the reason if it is refused after :meth:`Gate.send` has returned.
-        accepts: The names of rules whose breach the operator has accepted.
     """
 
     started: Started
@@ -107,7 +106,6 @@ class MotionRequest:
     told: tuple[Notice, Mapping[str, object]] | None = None
     sent: Callable[[MotionCommand], object] = _nothing
     refused: Callable[[Refusal], object] | None = None
-    accepts: Collection[str] = ()
 
 
 @dataclass(slots=True)
@@ -204,17 +202,17 @@ class Gate(ControllerPart):
 
     # What is asked ------------------------------------------------------------------------------
 
-    def judge(self, way: Way, accepts: Collection[str] = ()) -> Refusal | None:
+    def judge(self, way: Way) -> Refusal | None:
         """Return why a way may not be driven now, or ``None``; nothing is sent, or noted."""
         rules = self.rules()
-        return None if rules is None else _judge(way, rules, self._marks, accepts).refusal
+        return None if rules is None else _judge(way, rules, self._marks).refusal
 
-    def ask(self, way: Way, accepts: Collection[str] = ()) -> Pass | Refusal:
+    def ask(self, way: Way) -> Pass | Refusal:
         """Return the pass for a way, or why it may not be driven."""
         rules = self.rules()
         if rules is None:
             return Pass(way)
-        judged = _judge(way, rules, self._marks, accepts)
+        judged = _judge(way, rules, self._marks)
         return judged.refusal or self._let_through(judged, way)
 
     def ask_on(self, command: MotionCommand | None) -> Pass | Refusal:
@@ -232,8 +230,9 @@ class Gate(ControllerPart):
 
     def ask_unknown(self) -> Pass | Refusal:
         """Return the pass for a motion whose way nobody knows, or why it may not be begun."""
-        now = self._context.operating_state()
-        return WAY_UNKNOWN() if now.keeps_area else Pass()
+        rules, now = self.rules(), self._context.operating_state()
+        bounded = now.keeps_area or (rules is not None and rules.are_bounded)
+        return WAY_UNKNOWN() if bounded else Pass()
 
     def passed(self, command: MotionCommand) -> Pass:
         """Return the pass that a command of ours was sent with."""
@@ -320,7 +319,7 @@ class Gate(ControllerPart):
             return self._brake_first(request, measured_deg, motion)
         rules = self.rules()
         if rules is None or _is_short(way, rules):
-            passed = self.ask(way, request.accepts)
+            passed = self.ask(way)
             if not isinstance(passed, Refusal):
                 return self._send(request, passed)
             if not any(way.spread_deg):
@@ -363,10 +362,10 @@ class Gate(ControllerPart):
         if isinstance(way, Refusal) or rules is None:
             return way if isinstance(way, Refusal) else None
         if _is_short(way, rules):
-            return _judge(way, rules, self._marks, request.accepts).refusal
+            return _judge(way, rules, self._marks).refusal
         from armui.ways.law import judge_end  # noqa: PLC0415 - numpy
 
-        return judge_end(way, rules.without(*request.accepts), self._marks)
+        return judge_end(way, rules.every, self._marks)
 
     def _wait_for(self, request: MotionRequest) -> _Pending:
         context = self._context
@@ -374,9 +373,9 @@ class Gate(ControllerPart):
         return self._pending
 
     def _begin_check(self, pending: _Pending, rules: Rules, way: Way) -> None:
-        marks, accepts = self._marks, pending.request.accepts
+        marks = self._marks
         pending.rules = rules
-        pending.job = self._in_background(lambda: (_judge(way, rules, marks, accepts), way))
+        pending.job = self._in_background(lambda: (_judge(way, rules, marks), way))
 
     def _in_background(self, work: Callable[[], Any]) -> Future[Any]:
         if self._background is not None:
@@ -518,7 +517,7 @@ def _is_short(way: Way, rules: Rules) -> bool:
     return not rules.effort(way) > _AT_ONCE
 
 
-def _judge(way: Way, rules: Rules, marks: Marks, accepts: Collection[str]) -> Judgement:
+def _judge(way: Way, rules: Rules, marks: Marks) -> Judgement:
     from armui.ways.law import judge  # noqa: PLC0415 - numpy
 
-    return judge(way, rules.without(*accepts), marks)
+    return judge(way, rules.every, marks)

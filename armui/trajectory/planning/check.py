@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import groupby, pairwise
 from typing import Final
 
 import numpy as np
@@ -16,16 +17,14 @@ import numpy.typing as npt
 
 from armui.arm.held_shape import HeldShape
 from armui.arm.limits import JOINTS
-from armui.arm.models import STANDING, ArmModel
+from armui.arm.models import ArmModel
 from armui.cell.area_check import AreaCheck
-from armui.kinematics.forward import flange_heights, flange_transforms
 from armui.kinematics.singularity import NEAR_SINGULAR as SINGULAR_BELOW
 from armui.kinematics.singularity import margins, smallest_singular_values
 from armui.protocol.codes import MoveMode
 from armui.trajectory.files import Content
 from armui.trajectory.planning.findings import (
     FAR_FROM_START,
-    Approach,
     Finding,
     FindingKind,
     Severity,
@@ -42,7 +41,9 @@ from armui.trajectory.samples.recording import (
     replay_profile,
     turning_speeds,
 )
-from armui.ways.own_body import collisions
+from armui.ways.law import Excess, Rule, breaches, first_breach
+from armui.ways.rules import AREA, FLOOR, LIMITS, OWN_BODY, FloorRule, rules_of
+from armui.ways.way import Way
 
 Array = npt.NDArray[np.float64]
 Whole = npt.NDArray[np.int64]
@@ -63,7 +64,8 @@ JUMP_DEG: Final = 5.0
 """A joint that turns this far between two samples shows that they were not recorded in one go."""
 _STROKE_SLACK_MM: Final = 1.0
 """A gripper at its stop may measure this much more than its stroke."""
-_COLLISION_STEP_DEG: Final = 2.0
+_SAMPLES_ON_END: Final = 50
+"""So many samples of a recording are looked at together: half a second at 100 Hz."""
 
 FRAME_UNKNOWN = FindingKind(
     "frame_unknown",
@@ -101,6 +103,12 @@ LINKS_COLLIDE = FindingKind(
     "The arm would hit itself: {other} against {one}. Put another point between, or change the "
     "point.",
     Severity.ERROR,
+)
+BEGINS_OUTSIDE = FindingKind(
+    "begins_outside",
+    "Its first {seconds} s lie outside the limits, as an arm does at rest: it is replayed from "
+    "here on.",
+    Severity.WARNING,
 )
 JOINT_TOO_FAST = FindingKind(
     "joint_too_fast",
@@ -157,6 +165,20 @@ BELOW_FLOOR = FindingKind(
     Severity.WARNING,
 )
 
+BELOW_LOWEST = FindingKind(
+    "below_lowest",
+    "The tool or what is held would come to {value} mm; motions end at {minimum} mm, as chosen "
+    "under Settings. Put another point between, or change the point.",
+    Severity.ERROR,
+)
+
+_KINDS: Final = {
+    LIMITS: TARGET_BEYOND_LIMIT,
+    FLOOR: BELOW_LOWEST,
+    AREA: AREA_TOO_NEAR,
+    OWN_BODY: LINKS_COLLIDE,
+}
+"""What is said of a rule that is broken."""
 _OF_A_WAY: Final = (PATH_BEYOND_LIMIT, PATH_OUT_OF_REACH, PATH_SINGULAR)
 """Findings that depend on where the arm comes from, and not on a point alone."""
 
@@ -186,6 +208,7 @@ class CheckRequest:
         first: The index of the point to begin with, in the first cycle.
         cycles: The number of cycles; 0 runs until it is ended.
         area: The work area of this arm with what it carries; ``None`` if it may go anywhere.
+        lowest_mm: The least height that the operator has chosen, or ``None``.
         carried: What its points have the hand hold, as far as the cell knows it, by name.
     """
 
@@ -196,6 +219,7 @@ class CheckRequest:
     first: int = 0
     cycles: int = 1
     area: AreaCheck | None = None
+    lowest_mm: float | None = None
     carried: Mapping[str, Carried] = field(default_factory=dict)
 
 
@@ -208,15 +232,15 @@ class CheckOutcome:
         expected_s: The duration of each point at the speed of the run; empty for a recording.
         findings: The findings, errors first, then by row.
         profile: The replay profile of a recording; ``None`` for points.
-        in_base: The trajectory with all its points in the base, as it was checked; ``None`` if it
-            is that of the request.
+        as_checked: The content as it was checked, and will be run: all points in the base, a
+            recording from its first sample within the limits; ``None`` if it is the request's.
     """
 
     path: PlannedPath
     expected_s: tuple[float, ...]
     findings: tuple[Finding, ...]
     profile: ReplayProfile | None = None
-    in_base: Trajectory | None = None
+    as_checked: Content | None = None
 
     @property
     def errors(self) -> tuple[Finding, ...]:
@@ -231,7 +255,8 @@ def warm_up() -> None:
 def check(request: CheckRequest) -> CheckOutcome:
     """Plan a trajectory or recording, and report what this arm cannot do or should not do."""
     content, arm, start_deg = request.content, request.arm, request.start_deg
-    based = None
+    changed: Content | None = None
+    left_out, left_out_s = 0, 0.0
     if isinstance(content, Trajectory):
         unknown = tuple(_unknown(content, request))
         if unknown:
@@ -239,7 +264,10 @@ def check(request: CheckRequest) -> CheckOutcome:
             return CheckOutcome(nothing, (), unknown)
         points = in_base(content.points, dict(arm.frames))
         if points is not content.points:
-            content = based = replace(content, points=points)
+            content = changed = replace(content, points=points)
+    elif left_out := _outside_at_first(content, arm):
+        left_out_s = float(content.times_s[left_out] - content.times_s[0])
+        content = changed = replace(content, samples=content.samples[left_out:])
     path = plan_path(
         *(content, arm, start_deg),
         first=request.first,
@@ -247,10 +275,21 @@ def check(request: CheckRequest) -> CheckOutcome:
         speed_factor=request.speed_factor,
     )
     found = _findings(content, path, request)
+    if left_out:
+        path = replace(path, rows=path.rows + left_out)
+        found = [one if one.row is None else replace(one, row=one.row + left_out) for one in found]
+        found.append(replace(BEGINS_OUTSIDE(seconds=round(left_out_s, 1)), row=left_out))
     profile = replay_profile(content) if isinstance(content, Recording) else None
     by_place = {(one.kind, one.row, one.approach): one for one in reversed(found)}
     findings = tuple(sorted(by_place.values(), key=_rank))
-    return CheckOutcome(path, path.expected_s, findings, profile, based)
+    return CheckOutcome(path, path.expected_s, findings, profile, changed)
+
+
+def _outside_at_first(recording: Recording, arm: ArmModel) -> int:
+    """Return how many samples a recording begins with that lie outside the limits, as at rest."""
+    low, high = bounds(arm)
+    inside = ((recording.joints_deg >= low) & (recording.joints_deg <= high)).all(axis=1)
+    return int(np.argmax(inside)) if inside.any() else 0
 
 
 def _unknown(content: Trajectory, request: CheckRequest) -> Iterator[Finding]:
@@ -282,7 +321,6 @@ def _findings(content: Content, path: PlannedPath, request: CheckRequest) -> lis
         slow = np.empty(0, dtype=bool)
     else:
         slow = _by_row(path, [point.move in TOOL_MOVES for point in content.points])
-        findings += _limits(path, slow, arm)
         findings += _arcs_at_limits(path, [point.move for point in content.points], arm)
         findings += _near_singular(path, slow, arm)
         posed = [not point.is_joint and point.move not in TOOL_MOVES for point in content.points]
@@ -292,11 +330,8 @@ def _findings(content: Content, path: PlannedPath, request: CheckRequest) -> lis
     if len(path.times_s):
         findings += _far_from_start(path)
         findings += _tool_too_fast(path, ~slow, arm)
-        for carried, there in _stretches(content, path, request):
-            carrying = replace(arm, held=carried.held)
-            findings += _below_floor(path, carrying, there)
-            findings += _collisions(path, carrying, there)
-            findings += _too_near(path, carried.area, there)
+        for carried, legs in _carried_legs(content, path, request):
+            findings += _broken(path, legs, carried, request)
         findings = _tell_approach(findings, path)
     if any(each.cycle > 1 and each.severity is Severity.ERROR for each in findings):
         # what ends a later cycle says why they do not repeat
@@ -305,37 +340,142 @@ def _findings(content: Content, path: PlannedPath, request: CheckRequest) -> lis
     return findings
 
 
-def _stretches(
+@dataclass(frozen=True, slots=True)
+class _Leg:
+    """A part of the path: the way to a point, or some samples of a recording on end.
+
+    Attributes:
+        begin, end: The indices of its first and its last sample; it begins where the one before
+            ends.
+    """
+
+    begin: int
+    end: int
+
+    def way(self, path: PlannedPath) -> Way:
+        """Return its way."""
+        return Way(path.joints_deg[self.begin : self.end + 1])
+
+    def nearest(self, path: PlannedPath, joints_deg: Sequence[float]) -> int:
+        """Return the index of its sample that is nearest to six angles: its end, or the first."""
+        away = np.abs(path.joints_deg[self.begin : self.end + 1] - np.array(joints_deg))
+        away_deg = away.max(axis=1)
+        return self.end if away_deg[-1] <= away_deg.min() else self.begin + int(away_deg.argmin())
+
+
+def _legs(path: PlannedPath) -> list[_Leg]:
+    """Return the parts of a path in order; the first leads from where the arm stands."""
+    last = len(path.rows) - 1
+    if _is_recorded(path):
+        ends = [*range(_first_point(path), last, _SAMPLES_ON_END), last]
+    else:
+        ends = [*(np.flatnonzero(path.begins)[1:] - 1).tolist(), last]
+    return [_Leg(begin, end) for begin, end in pairwise((0, *ends))]
+
+
+def _carried_legs(
     content: Content, path: PlannedPath, request: CheckRequest
-) -> Iterator[tuple[Carried, Flags]]:
-    """Yield what the hand holds, and (samples,) where on the path; where it changes, both."""
+) -> Iterator[tuple[Carried, list[_Leg]]]:
+    """Yield what the hand holds, and on which parts of the path; where it changes, both."""
     holds = [point.holds for point in content.points] if isinstance(content, Trajectory) else []
-    now = Carried(request.arm.held, request.area)
+    now, legs = Carried(request.arm.held, request.area), _legs(path)
     if all(name is None for name in holds):
-        yield now, np.ones(len(path.rows), dtype=bool)
+        yield now, legs
         return
-    begins = np.flatnonzero(path.begins).tolist()
-    ways = list(zip(begins, [*begins[1:], len(path.rows)], strict=True))
-    if request.cycles != 1:  # further cycles begin with what the last one ends with
-        ways += [way for way in ways if path.cycles[way[0]] == path.cycles[-1]]
-    found: dict[str | None, Flags] = {}
+    # further cycles begin with what the last one ends with
+    last = path.cycles[-1]
+    again = [leg for leg in legs if path.cycles[leg.end] == last] if request.cycles != 1 else []
+    found: dict[str | None, list[_Leg]] = {}
     name: str | None = None
-    for begin, end in ways:
-        found.setdefault(name, np.zeros(len(path.rows), dtype=bool))[begin:end] = True
-        told = holds[path.rows[begin]]
+    for leg in (*legs, *again):
+        found.setdefault(name, []).append(leg)
+        told = holds[path.rows[leg.end]]
         if told is not None:
             name = told
-            found.setdefault(name, np.zeros(len(path.rows), dtype=bool))[end - 1] = True
-    for name, there in found.items():
-        yield now if name is None else request.carried[name], there
+            found.setdefault(name, []).append(_Leg(leg.end, leg.end))
+    for name, carrying in found.items():
+        yield now if name is None else request.carried[name], carrying
+
+
+def _broken(
+    path: PlannedPath, legs: Sequence[_Leg], carried: Carried, request: CheckRequest
+) -> Iterator[Finding]:
+    """Yield where parts of a path break a rule, as the gate will ask it."""
+    arm = replace(request.arm, held=carried.held)
+    for rule in rules_of(arm, carried.area, request.lowest_mm).every:
+        for leg, breach in _broken_legs(path, legs, rule):
+            kind = _KINDS[rule.name]
+            if rule.name == LIMITS and leg.nearest(path, breach.joints_deg) < leg.end:
+                kind = TARGET_BEYOND_LIMIT if _is_recorded(path) else PATH_BEYOND_LIMIT
+            figures = rule.refuse(breach, found_outside=False).params
+            yield _on_leg(path, leg, breach, kind(**figures))
+    if request.lowest_mm is None or request.lowest_mm < FLOOR_MM:
+        for leg, breach in _broken_legs(path, legs, FloorRule(arm, FLOOR_MM)):
+            yield _on_leg(path, leg, breach, BELOW_FLOOR(value=round(breach.outside, 1)))
+
+
+def _broken_legs(
+    path: PlannedPath, legs: Sequence[_Leg], rule: Rule
+) -> Iterator[tuple[_Leg, Excess]]:
+    """Yield which parts of a path break a rule, and the worst place of each.
+
+    Of samples of a recording on end the worst is enough.
+    """
+    ways = [leg.way(path) for leg in legs]
+    planned = 0
+    found: list[tuple[int, Excess]] = []
+    if legs[0].begin == 0:
+        planned = 1
+        breach = _broken_approach(ways[0], rule)
+        found += [] if breach is None else [(0, breach)]
+    found += [(planned + place, breach) for place, breach in breaches(ways[planned:], rule)]
+    runs = groupby(enumerate(found), lambda one: one[1][0] - one[0] if _is_recorded(path) else one)
+    for _, run in runs:
+        place, breach = max((one for _, one in run), key=lambda one: one[1].outside)
+        leg = legs[place]
+        # the end of the part before is told of where this one begins
+        if leg.begin in {0, leg.end} or leg.nearest(path, breach.joints_deg) > leg.begin:
+            yield leg, breach
+
+
+def _broken_approach(way: Way, rule: Rule) -> Excess | None:
+    """Return where the way from where the arm stands breaks a rule: at its end, if that does.
+
+    An arm that is found outside may come back on it, but a point lies inside.
+    """
+    if not rule.bounds:
+        return None
+    begin, end = rule.outside(way.joints_deg[[0, -1]])
+    bound = int(np.argmax(end))
+    if end[bound] > rule.exact:
+        return Excess(bound, float(end[bound]), way.end_deg)
+    if begin.max() > rule.exact:
+        return first_breach(way, rule)
+    return next((breach for _, breach in breaches([way], rule)), None)
+
+
+def _on_leg(path: PlannedPath, leg: _Leg, breach: Excess, found: Finding) -> Finding:
+    """Return a finding with its place on a part of the path."""
+    index = leg.nearest(path, breach.joints_deg)
+    return replace(
+        _at(path, index if _is_recorded(path) else max(index, min(leg.begin + 1, leg.end)), found),
+        joints_deg=breach.joints_deg,
+        place_mm=tuple(path.places_mm[index].tolist()),
+        approach=leg.begin == 0 and index < leg.end,
+    )
+
+
+def _is_recorded(path: PlannedPath) -> bool:
+    """Return whether a path is that of a recording: nobody planned how long it takes."""
+    return path.expected_s == ()
 
 
 def _tell_approach(findings: Sequence[Finding], path: PlannedPath) -> list[Finding]:
     """Mark what is about the way from where the arm is to the first point of a trajectory."""
     first = int(path.rows[0]) if len(path.rows) else 0
     return [
-        replace(one, approach=Approach.WAY)
-        if (one.row, one.cycle) == (first, 1) and one.kind in _OF_A_WAY and one.approach is None
+        replace(one, approach=True)
+        if (one.row, one.cycle) == (first, 1) and one.kind in _OF_A_WAY
         else one
         for one in findings
     ]
@@ -355,27 +495,6 @@ def _grippers(points: Sequence[Waypoint], arm: ArmModel) -> Iterator[Finding]:
         if isinstance(action, GripperOpening) and action.opening_mm > widest_mm:
             most, wanted = float(widest_mm), float(action.opening_mm)
             yield replace(GRIPPER_BEYOND_STROKE(value=wanted, maximum=most), row=row)
-
-
-def _limits(path: PlannedPath, led: Flags, arm: ArmModel) -> Iterator[Finding]:
-    """Of a motion of the joints its end counts, of a line or an arc every place.
-
-    Joints that begin beyond a limit may come back.
-    """
-    low, high = bounds(arm)
-    over = np.maximum(low - path.joints_deg, path.joints_deg - high)
-    last = np.append(path.begins[1:], True)
-    beyond = (over > 0.0).any(axis=1) & (led | last)
-    for index in _worst(beyond, over.max(axis=1, initial=-np.inf), path):
-        joint = int(np.argmax(over[index]))
-        limits = arm.limits[joint]
-        found = (TARGET_BEYOND_LIMIT if last[index] else PATH_BEYOND_LIMIT)(
-            joint=JOINTS[joint],
-            value=float(path.joints_deg[index, joint]),
-            minimum=limits.min_deg,
-            maximum=limits.max_deg,
-        )
-        yield _at(path, index, found)
 
 
 def _arcs_at_limits(
@@ -427,31 +546,6 @@ def _far_from_start(path: PlannedPath) -> Iterator[Finding]:
         yield _at(path, last, FAR_FROM_START(joint=JOINTS[joint], value=value))
 
 
-def _below_floor(path: PlannedPath, arm: ArmModel, there: Flags) -> Iterator[Finding]:
-    up, base_mm = np.array(arm.rising[:3]), arm.rising[3]
-    geometry = arm.kinematics.geometry
-    if arm.rising == STANDING and arm.held is None:
-        flanges_mm = flange_heights(geometry, path.joints_deg)
-        flanges = None
-    else:
-        flanges = flange_transforms(geometry, path.joints_deg)
-        flanges_mm = flanges[:, :3, 3] @ up + base_mm
-    tips_mm = path.places_mm @ up + base_mm
-    heights = np.minimum(tips_mm, flanges_mm)
-    if arm.tool is not None:
-        heights = arm.tool.lowest(flanges_mm, tips_mm)
-    if arm.held is not None and flanges is not None:
-        heights = np.minimum(
-            heights, arm.held.lowest(flanges_mm, tuple((up @ flanges[:, :3, :3]).T))
-        )
-    below = FLOOR_MM - heights
-    only_way = below[_first_point(path)] <= 0.0
-    for index in _worst((below > 0.0) & there, below, path):
-        found = _at(path, index, BELOW_FLOOR(value=round(float(below[index]), 1)))
-        on_way = only_way and (found.row, found.cycle) == (int(path.rows[0]), 1)
-        yield replace(found, approach=Approach.WAY) if on_way else found
-
-
 def _tool_too_fast(path: PlannedPath, free: Flags, arm: ArmModel) -> Iterator[Finding]:
     """Motions of the joints: the arm keeps the tool's limit on lines and arcs only."""
     if arm.end_limits is None:
@@ -459,74 +553,12 @@ def _tool_too_fast(path: PlannedPath, free: Flags, arm: ArmModel) -> Iterator[Fi
     most = 1e3 * arm.end_limits.max_linear_speed_m_s
     speeds = path.speeds_mm_s
     fast = free & (speeds > _SPEED_SLACK * most)
-    slow_way = _first_point(path) if path.expected_s == () else 0
+    slow_way = _first_point(path) if _is_recorded(path) else 0
     for index in _worst(fast, speeds, path):
         value = round(float(speeds[index]))
         found = _at(path, index, TOOL_TOO_FAST(value=value, maximum=round(most)))
         # how fast a recording is approached is nothing that is recorded
-        yield replace(found, approach=Approach.WAY) if index < slow_way else found
-
-
-def _collisions(path: PlannedPath, arm: ArmModel, there: Flags) -> Iterator[Finding]:
-    turned = np.abs(np.diff(path.joints_deg, axis=0)).max(axis=1, initial=0.0)
-    strides = np.floor(np.concatenate(([0.0], np.cumsum(turned))) / _COLLISION_STEP_DEG)
-    looked_at = np.flatnonzero(np.diff(strides, prepend=-1.0) != 0.0)
-    hits = collisions(
-        arm.kinematics.geometry,
-        path.joints_deg[looked_at],
-        arm.tool_mm,
-        arm.gripper_turned_deg,
-        tool=arm.tool,
-        held=arm.held,
-    )
-    hits = {which: parts for which, parts in hits.items() if there[looked_at[which]]}
-    recorded = path.expected_s == ()
-    rows = path.rows[looked_at]
-    to_first = (rows == rows[0]) & (path.cycles[looked_at] == 1)
-    end_of_first = int(np.flatnonzero(to_first)[-1])
-    told: set[tuple[int, Approach | None]] = set()
-    for which in sorted(hits):
-        index = int(looked_at[which])
-        row = int(path.rows[index])
-        approach = None
-        if which <= end_of_first:
-            approach = Approach.WAY if which else Approach.HERE
-            if which == end_of_first:
-                approach = None  # the point itself
-            elif (row, Approach.HERE) in told:
-                continue  # it has not come clear yet, or will be looked at again
-        # of a recording the first of those on end is enough: on the way there, and in itself
-        before = which - 1 in hits and recorded and which != end_of_first
-        if (row, approach) not in told and not before:
-            told.add((row, approach))
-            one, other = hits[which].split("/")
-            found = _at(path, index, LINKS_COLLIDE(one=one, other=other))
-            yield replace(found, approach=approach)
-
-
-def _too_near(path: PlannedPath, area: AreaCheck | None, there: Flags) -> Iterator[Finding]:
-    """The nearest place of each way to a point; of a recording, of each run of such samples."""
-    if area is None:
-        return
-    entries = area.entries(path.joints_deg)
-    gaps_mm = np.full(len(path.rows), np.inf)
-    gaps_mm[list(entries)] = [entry.gap_mm for entry in entries.values()]
-    gaps_mm[~there] = np.inf
-    first = _first_point(path)
-    if 0 in entries and there[0]:  # from there it is moved out, which is no run
-        gaps_mm[1:first] = np.inf
-    for index in _worst(np.isfinite(gaps_mm), -gaps_mm, path):
-        entry = entries[index]
-        kind = AREA_TOO_NEAR(
-            name=entry.zone.name,
-            part=entry.part,
-            value=round(entry.gap_mm, 1),
-            minimum=area.margin_mm,
-        )
-        found = _at(path, index, kind)
-        if index < first:
-            found = replace(found, approach=Approach.WAY if index else Approach.HERE)
-        yield found
+        yield replace(found, approach=True) if index < slow_way else found
 
 
 def _worst(mask: Flags, badness: Array, path: PlannedPath) -> Iterable[int]:
@@ -538,7 +570,7 @@ def _worst(mask: Flags, badness: Array, path: PlannedPath) -> Iterable[int]:
     if not len(marked):
         return []
     groups = np.cumsum(path.begins)[marked]
-    if path.expected_s == ():
+    if _is_recorded(path):
         groups = np.cumsum(np.diff(marked, prepend=marked[0]) > 1)
     order = np.lexsort((-badness[marked], groups))
     _, firsts = np.unique(groups[order], return_index=True)
@@ -576,17 +608,7 @@ def _recorded(recording: Recording, path: PlannedPath, arm: ArmModel) -> Iterato
         return
     joints_deg = recording.joints_deg
     times_s = path.times_s[path.cycles == 1][-len(joints_deg) :]  # behind them is the way back
-    low, high = bounds(arm)
     for joint, angles, limits in zip(JOINTS, joints_deg.T, arm.limits, strict=True):
-        beyond = (angles < low[joint - 1]) | (angles > high[joint - 1])
-        for row in _firsts(beyond):
-            beyond_limit = TARGET_BEYOND_LIMIT(
-                joint=joint,
-                value=float(angles[row]),
-                minimum=limits.min_deg,
-                maximum=limits.max_deg,
-            )
-            yield _at_sample(recording, row, beyond_limit)
         speeds = turning_speeds(times_s, angles)
         fast = speeds > _SPEED_SLACK * limits.max_speed_deg_s
         for row in _firsts(fast):

@@ -43,15 +43,6 @@ FAR_FROM_START = FindingKind(
 )
 
 
-class Approach(enum.Enum):
-    """The parts of a run that are not in its points: the start, and the way to the first point."""
-
-    HERE = "here"
-    """The present pose of the arm."""
-    WAY = "way"
-    """The way from the present pose to the first point."""
-
-
 @dataclass(frozen=True, slots=True)
 class Finding:
     """Something the operator should know before the arm moves.
@@ -63,8 +54,8 @@ class Finding:
             ``None`` for the whole.
         joints_deg: The joint angles there, if known.
         place_mm: The place of the tool's tip there, if known.
-        approach: Set if the arm's present pose, or the way from it, is at fault and not the point
-            in the row.
+        approach: True if the way from the arm's present pose is at fault, and not the point in
+            the row.
         cycle: The first cycle in which it happens.
     """
 
@@ -73,7 +64,7 @@ class Finding:
     row: int | None = None
     joints_deg: tuple[float, ...] | None = None
     place_mm: tuple[float, ...] | None = None
-    approach: Approach | None = None
+    approach: bool = False
     cycle: int = 1
 
     @property
@@ -84,7 +75,7 @@ class Finding:
     @property
     def is_of_approach(self) -> bool:
         """True if it depends on where the arm is now."""
-        return self.approach is not None or self.kind == FAR_FROM_START
+        return self.approach or self.kind == FAR_FROM_START
 
     @property
     def severity(self) -> Severity:

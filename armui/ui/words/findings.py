@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Final
 
-from armui.trajectory.planning.check import AREA_TOO_NEAR, OTHER_ARM
-from armui.trajectory.planning.findings import Approach, Finding
+from armui.trajectory.planning.check import OTHER_ARM
+from armui.trajectory.planning.findings import Finding
 from armui.ui.words.arm import ARM_PARTS, arm_kind, part_name
 from armui.ui.words.text import Texts, said
 
@@ -16,17 +16,7 @@ PARTS: Final = frozenset(ARM_PARTS)
 
 
 _APPROACH: Final = Texts("Finding") | {
-    Approach.HERE: (
-        "Where the arm stands now, it touches itself: {other} against {one}; after a stop it may "
-        "have sunk. Jog it clear, or lift it by hand, then send again: nothing of the trajectory "
-        "has to be changed."
-    ),
-    "area": (
-        "Where the arm stands now, it is too near to “{name}” of the work area: {part} at {value} "
-        "mm, where {minimum} mm are kept. Move it out, then send again: nothing of the trajectory "
-        "has to be changed."
-    ),
-    Approach.WAY: (
+    "way": (
         "On the way there from where the arm stands now: {text} Bringing the arm nearer to this "
         "point first helps, too."
     ),
@@ -38,12 +28,9 @@ def finding(found: Finding) -> str:
     params = {k: str(v) if k == "name" else _text(v) for k, v in found.params.items()}
     if found.kind == OTHER_ARM:
         params = {k: arm_kind(v) for k, v in params.items()}
-    if found.approach is Approach.HERE:
-        here = "area" if found.kind == AREA_TOO_NEAR else found.approach
-        return _APPROACH.text(here, params)
     text = said(found.kind, params)
-    if found.approach is Approach.WAY:
-        return _APPROACH.text(found.approach, {"text": text})
+    if found.approach:
+        return _APPROACH.text("way", {"text": text})
     if found.cycle == 1:
         return text
     return _CYCLES.text("later", {"cycle": str(found.cycle), "text": text})

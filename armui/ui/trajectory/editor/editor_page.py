@@ -464,7 +464,7 @@ class EditorPage(Page):
         self.bring_into_sight(self._findings)
         faults: dict[int, bool] = {}
         for finding in checked.findings:
-            if finding.row is not None and finding.approach is None:
+            if finding.row is not None and not finding.approach:
                 error = finding.severity is Severity.ERROR
                 faults[finding.row] = faults.get(finding.row, False) or error
         self.model.show_faults(faults)

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QListWidget, QListWidgetItem, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.control.cell.cell_reasons import CELL_NOT_READ
-from armui.trajectory.planning.findings import Approach, Finding, Severity
+from armui.trajectory.planning.findings import Finding, Severity
 from armui.ui.theme import colors_of
 from armui.ui.trajectory.running.run_request import Preflight
 from armui.ui.widgets.buttons import named, push_button
@@ -141,7 +141,7 @@ class FindingsPane(Translated, QWidget):
     def _item(self, finding: Finding) -> QListWidgetItem:
         error = finding.severity is Severity.ERROR
         text = finding_text(finding)
-        if finding.row is not None and finding.approach is not Approach.HERE:
+        if finding.row is not None:
             text = self.tr("Row {row}: {text}").format(row=finding.row + 1, text=text)
         kind = self.tr("✕ Error") if error else self.tr("! Warning")
         item = QListWidgetItem(f"{kind} · {text}")

@@ -391,7 +391,7 @@ class PreviewLink(QObject):
         self._shown = checked
         errors = (each for each in checked.findings if each.severity is Severity.ERROR)
         bad_rows = frozenset(
-            each.row for each in errors if each.row is not None and each.approach is None
+            each.row for each in errors if each.row is not None and not each.approach
         )
         content, tool = checked.content, self._controller.cartesian.tool
         geometry = checked.order.arm.kinematics.geometry
@@ -442,7 +442,7 @@ class PreviewLink(QObject):
         """Show points where their frames are now; a path that was checked elsewhere is none."""
         frames = frames_of(cell)
         for page, checked in tuple(self._checked.items()):
-            if checked.outcome.in_base is not None and dict(checked.order.arm.frames) != frames:
+            if checked.outcome.as_checked is not None and dict(checked.order.arm.frames) != frames:
                 self._take(page, None)
         if self._page is not None and self._page not in self._checked:
             self._show_points()

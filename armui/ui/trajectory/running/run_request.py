@@ -73,6 +73,7 @@ class CheckBasis:
         options: The operator's options.
         cell: The cell: its work area, and what the arm carries.
         unconfirmed: Why the cell is not in force; its tool is none of the arm's then.
+        lowest_mm: The least height that the operator has chosen.
     """
 
     mark: ArmMark
@@ -81,6 +82,7 @@ class CheckBasis:
     options: RunOptions
     cell: Cell | None
     unconfirmed: Refusal | None = None
+    lowest_mm: float | None = None
 
     @classmethod
     def of(cls, controller: ArmController, options: RunOptions) -> CheckBasis:
@@ -89,7 +91,8 @@ class CheckBasis:
         cell = controller.cell.cell
         shown_in_base = None if cell is None else replace(cell, frame="")  # which moves nothing
         waits = controller.cell.unconfirmed
-        return cls(controller.mark, arm, altered, options, shown_in_base, waits)
+        lowest_mm = controller.jog_floor.lowest_mm
+        return cls(controller.mark, arm, altered, options, shown_in_base, waits, lowest_mm)
 
     def why_other(self, now: CheckBasis) -> Refusal | None:
         """Return why a check under these conditions is not valid under ``now``, or ``None``."""
@@ -120,8 +123,8 @@ class Preflight:
 
     @property
     def content(self) -> Content:
-        """The recording or trajectory as it was checked: with all its points in the base."""
-        return self.outcome.in_base or self.order.content
+        """The recording or trajectory as it was checked, and is run."""
+        return self.outcome.as_checked or self.order.content
 
     @property
     def fingerprint(self) -> str:
@@ -220,6 +223,7 @@ class Checks:
             options.first,
             options.cycles,
             self._controller.area_guard.check(),
+            basis.lowest_mm,
             carried_by(self._controller, content),
         )
 
