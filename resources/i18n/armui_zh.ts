@@ -13999,6 +13999,10 @@ The other program must have ended.</source>
         <translation>目标预览：尚未发送</translation>
     </message>
     <message>
+        <source>The ghost shows where Move inside brings the arm</source>
+        <translation>虚影为“回到限位内”将到达的位姿</translation>
+    </message>
+    <message>
         <source>Simulated arm in drag teaching: lead it by the handles in the picture, as by hand</source>
         <translation>仿真机械臂处于拖动示教：在画面中拖动手柄即可用鼠标牵引</translation>
     </message>

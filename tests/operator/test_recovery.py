@@ -11,6 +11,7 @@ from armui.protocol.frame import Frame
 from armui.sim.faults.schedule import fault
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
+from armui.ui.picture.target_drag import TargetDrag
 from tests.generations import ONE_IS_ENOUGH
 from tests.operator.test_motion import ENABLE, RESUME, STOP
 
@@ -263,3 +264,32 @@ def test_nothing_moves_in_the_window_when_a_fault_comes_and_goes(ready):
     assert ready.controller.operating_state.stop is StopState.STOPPED
     for name, place in places.items():
         assert ready.find(name).mapTo(ready.window, ready.find(name).rect().center()) == place
+
+
+REST_DEG = (0.0, -1.999, 1.971, -1.412, 22.11, -2.608)
+"""How a real arm lies when it is switched on."""
+
+
+def test_a_resting_arm_is_brought_inside_from_the_line(app_driver):
+    """Enabled, shown before, held, stepped: three presses from the switch to the first motion."""
+    inside_deg = pytest.approx((0.0, 0.5, -0.5, -1.412, 15.0), abs=0.1)
+    driver = app_driver
+    driver.lie(REST_DEG)
+    driver.connect()
+    reads(driver, "motors are off")
+    press(driver, "Enable")
+    reads(driver, "J2 -2")
+    assert "J3" in line(driver)
+    drag = driver.window.findChild(TargetDrag)
+    driver.program.view.setVisible(True)
+    drag.look()
+    assert driver.program.view._state.preview.ghost_deg[:5] == inside_deg
+    assert "Move inside" in driver.read("picture_note")
+    driver.hold_button("recovery_hold_button")
+    driver.run_until(lambda: driver.firmware.joints_deg[4] < 15.1)
+    reads(driver, "Ready")
+    drag.look()
+    assert driver.program.view._state.preview.ghost_deg is None
+    assert driver.firmware.joints_deg[:5] == inside_deg
+    driver.click("jog_plus_1")
+    driver.run_until(lambda: driver.firmware.joints_deg[0] > 0.5)

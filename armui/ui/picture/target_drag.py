@@ -14,6 +14,7 @@ from armui.arm.refusal import Reason, Refusal
 from armui.control.devices.teaching_phase import TeachingPhase, phase_of
 from armui.control.events import Level
 from armui.control.operating_state import LinkState, StopState
+from armui.control.safety.recovery_steps import StepKind
 from armui.kinematics import poses
 from armui.kinematics.axes import JogFrame
 from armui.kinematics.poses import flange_pose
@@ -482,12 +483,15 @@ class TargetDrag(QObject):
         if kind is not None and angles_deg is not None and target is not None:
             place = self._drag_base(target, angles_deg, kind).place(angles_deg)
         self._view.set_handles(place)
-        ghost_deg = angles_deg if self._is_elsewhere(angles_deg) else None
+        inside_deg = self._inside_deg() if angles_deg is None else None
+        ghost_deg = angles_deg if self._is_elsewhere(angles_deg) else inside_deg
         self._preview.show_target(ghost_deg)
         if isinstance(typed, Refusal):
             self._tell(typed)
         elif isinstance(target, LedArm):
             self._tell(self._led_text)
+        elif inside_deg is not None:
+            self._tell(self._inside_text)
         else:
             is_preview = typed is not None and ghost_deg is not None
             self._tell(self._preview_text if is_preview else None)
@@ -504,6 +508,16 @@ class TargetDrag(QObject):
 
     def _preview_text(self) -> str:
         return self.tr("Preview of the target: it has not been sent")
+
+    def _inside_text(self) -> str:
+        return self.tr("The ghost shows where Move inside brings the arm")
+
+    def _inside_deg(self) -> tuple[float, ...] | None:
+        """Return where the way inside ends while it is the next step."""
+        if self._controller.recovery.step.kind is not StepKind.OUTSIDE:
+            return None
+        ways = self._controller.gate.ways_inside()
+        return ways[-1] if ways else None
 
     def _led_text(self) -> str:
         return self.tr(
