@@ -467,13 +467,21 @@ class TargetDrag(QObject):
         zone = self._zone()
         if self._of_zone and zone is None:
             self.put_away.emit()
+        if not self._shows_zone(zone):
+            self._show_target(self._target())
+
+    def _shows_zone(self, zone: ZoneTarget | None) -> bool:
+        """Show the handles of a plane or box that is dragged; return whether one is."""
         typed_zone = None if zone is None or self.kind is None else zone.typed_zone()
-        if typed_zone is not None:
-            frame = pose_rows(typed_zone.pose)
-            self._view.set_handles(HandlePlace((), self._zone_kind, frame))
-            self._preview.show_target(None)
-            return
-        target = self._target()
+        if typed_zone is None:
+            return False
+        frame = pose_rows(typed_zone.pose)
+        self._view.set_handles(HandlePlace((), self._zone_kind, frame))
+        self._preview.show_target(None)
+        return True
+
+    def _show_target(self, target: DragTarget | None) -> None:
+        """Show ghost and handles of a target; without one, where the way inside leads."""
         typed = None if target is None else target.typed_deg()
         kind = self._kind_for(target)
         angles_deg = None if isinstance(typed, Refusal) else typed
