@@ -13,16 +13,17 @@ import pytest
 from armui.protocol.codes import MoveMode
 from armui.trajectory.library.store import Library, LibraryError
 from armui.trajectory.points.program import Trajectory, Waypoint
+from tests.examples import examples
 
 POINT = Waypoint(MoveMode.MOVE_J, (0.0, 10.0, -20.0, 0.0, 0.0, 0.0))
 OLD = Trajectory("pick", "old", (POINT,) * 2)
 NEW = Trajectory("pick", "new", (POINT,) * 5)
-KILLS = 1000
+KILLS = examples(200)
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="kills processes that it forked")
 @pytest.mark.timeout(300)
-def test_a_thousand_kills_during_writes_lose_nothing(tmp_path):
+def test_kills_during_writes_lose_nothing(tmp_path):
     done = subprocess.run(
         [sys.executable, "-m", "tests.trajectory.kills", str(tmp_path), str(KILLS)],
         cwd=Path(__file__).parents[2],

@@ -328,8 +328,11 @@ def test_a_reach_that_cannot_be_worked_out_leaves_the_picture(view, losses, tmp_
     assert not losses
 
 
-@pytest.mark.parametrize("look", [in_perspective, without_perspective, following, fitting])
-@pytest.mark.parametrize("harm", [KILL, STOP, signal.SIGSEGV])
+LOOKS = (in_perspective, without_perspective, following, fitting)
+HARMS = (KILL, STOP, signal.SIGSEGV, KILL)
+
+
+@pytest.mark.parametrize(("look", "harm"), zip(LOOKS, HARMS, strict=True))
 def test_the_picture_comes_back_with_every_camera_and_all_that_is_in_it(
     view, losses, tmp_path, look, harm
 ):
