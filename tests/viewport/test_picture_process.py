@@ -332,7 +332,7 @@ LOOKS = (in_perspective, without_perspective, following, fitting)
 HARMS = (KILL, STOP, signal.SIGSEGV, KILL)
 
 
-@pytest.mark.parametrize(("look", "harm"), zip(LOOKS, HARMS, strict=True))
+@pytest.mark.parametrize(("look", "harm"), list(zip(LOOKS, HARMS, strict=True)))
 def test_the_picture_comes_back_with_every_camera_and_all_that_is_in_it(
     view, losses, tmp_path, look, harm
 ):
