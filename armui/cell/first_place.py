@@ -83,7 +83,8 @@ class _Parts:
         begins, ends: (c,) the places between which each lies.
         turns: (c, 6) how far each joint turns, in radians.
         strays: (c, 6) how far each may be off the straight way, in radians: poses between the ends.
-        spreads: (c, 6) the same of the arm itself.
+        spreads: (c, 6) how far each may be off at the begin by what is not known of the arm.
+        widest: (c, 6) the same at most, all over the part.
     """
 
     begins: Array
@@ -91,6 +92,7 @@ class _Parts:
     turns: Array
     strays: Array
     spreads: Array
+    widest: Array
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,7 +126,7 @@ class _Way:
 
     Args:
         way_deg: (n, 6) its poses, two at least; between them the joints turn evenly.
-        spread_deg: (6,) how far each joint may be off at the beginning.
+        spread_deg: (n, 6) how far each joint may be off.
     """
 
     def __init__(self, way_deg: Array, spread_deg: Array) -> None:
@@ -135,10 +137,7 @@ class _Way:
 
     def poses(self, at: Array) -> Array:
         """Return (c, 6) the angles at places."""
-        index = np.minimum(at.astype(np.int64), len(self._way_deg) - 2)
-        begin, end = self._way_deg[index], self._way_deg[index + 1]
-        poses: Array = begin + (at - index)[:, None] * (end - begin)
-        return poses
+        return _between(self._way_deg, at)
 
     def first_parts(self, bulges_mm: Array) -> Array:
         """Return places between which the way bulges by about `_BULGE_MM` at most.
@@ -174,8 +173,13 @@ class _Way:
             straight = first[rows] + shares * (last[rows] - first[rows])
             off = np.abs(self._way_deg[np.repeat(low, counts) + steps] - straight)
             strays[long] = np.radians(np.maximum.reduceat(off, starts, axis=0))
-        spreads = (1.0 - begins / self.last)[:, None] * self._spread
-        return _Parts(begins, ends, np.radians(np.abs(last - first)), strays, spreads)
+            widest = np.maximum.reduceat(self._spread[np.repeat(low, counts) + steps], starts)
+        spreads = _between(self._spread, begins)
+        widest_all = np.maximum(spreads, _between(self._spread, ends))
+        if len(long):
+            widest_all[long] = np.maximum(widest_all[long], widest)
+        turns = np.radians(np.abs(last - first))
+        return _Parts(begins, ends, turns, strays, spreads, widest_all)
 
 
 class PlaceSearch:
@@ -212,8 +216,8 @@ class PlaceSearch:
             least_mm: (k, z) how near each capsule may come to each obstacle; minus infinity where
                 nothing is asked.
             spread_deg: (6,) how far each joint may be off at the way's beginning; that shrinks
-                evenly to 0 at its end. The answer holds for every such way; how far it is told too
-                early grows with the spread.
+                evenly to 0 at its end. Or (n, 6) at each of its poses. The answer holds for every
+                such way; how far it is told too early grows with the spread.
 
         Raises:
             ValueError: Something is no number, or no way of six joints.
@@ -221,7 +225,9 @@ class PlaceSearch:
         way, spread, least = _checked(way_deg, least_mm, spread_deg)
         if not len(way) or not (least > -np.inf).any():
             return None
-        path = _Way(way if len(way) > 1 else np.repeat(way, 2, axis=0), spread)
+        if len(way) == 1:
+            way, spread = np.repeat(way, 2, axis=0), np.repeat(spread, 2, axis=0)
+        path = _Way(way, spread)
         turns = np.radians(np.abs(np.diff(way, axis=0, append=way[-1:])))[: int(path.last)]
         places = path.first_parts(_weights(turns) @ self._furthest_mm / 8.0)
         size = max(8, _MOST_AT_ONCE // (len(self._moving) * len(self._obstacles)))
@@ -307,11 +313,10 @@ class PlaceSearch:
         bulges = bulges_mm(turns)
         heights = supports[:, :, 1:4] @ ends.swapaxes(1, 2) - supports[:, :, 4:]
         lowest = _lowest(heights, bulges)
-        off = parts.strays[rows.part] + parts.spreads[rows.part]
+        off = parts.strays[rows.part] + parts.widest[rows.part]
         strays = _moved_mm(parts.strays[rows.part], reaches)
-        spreads = _moved_mm(parts.spreads[rows.part], reaches)
-        beyond = strays + spreads
-        near = gaps[0] - spreads
+        beyond = strays + _moved_mm(parts.widest[rows.part], reaches)
+        near = gaps[0] - _moved_mm(parts.spreads[rows.part], reaches)
         if rows.begin.shape[1] > _PLAIN:
             # how much of what is off leads towards the obstacle
             spread = parts.spreads[rows.part] * moves
@@ -375,7 +380,7 @@ class PlaceSearch:
         lead = _bulges_mm(_lead(turns, np.zeros(len(turns), dtype=np.int64)), reaches)[:, None]
         across = _across(directions, coarse.first_axes[0])[..., None]
         bounds = _risen(along[..., :2], along[..., 2:], bulges - (1.0 - across) * lead).min(axis=2)
-        off = _moved_mm(np.repeat(parts.strays + parts.spreads, count, axis=0), reaches)
+        off = _moved_mm(np.repeat(parts.strays + parts.widest, count, axis=0), reaches)
         off += np.tile(coarse.radii_mm, len(parts.begins))
         least = np.full((count, len(obstacles)), -np.inf)
         np.maximum.at(least, enclosing, least_mm)
@@ -390,13 +395,23 @@ def _checked(
 ) -> tuple[Array, Array, Array]:
     way = np.asarray(way_deg, dtype=float)
     spread = np.zeros(JOINT_COUNT) if spread_deg is None else np.asarray(spread_deg, dtype=float)
-    if way.shape[1:] != (JOINT_COUNT,) or spread.shape != (JOINT_COUNT,):
+    if way.shape[1:] != (JOINT_COUNT,) or spread.shape not in {(JOINT_COUNT,), way.shape}:
         raise ValueError(f"way_deg, spread_deg: {way.shape}, {spread.shape}: six joints are needed")
     if not (np.isfinite(way).all() and np.isfinite(spread).all() and (spread >= 0.0).all()):
         raise ValueError(f"way_deg, spread_deg: {way}, {spread}: finite angles are needed")
     if np.isnan(least_mm).any():
         raise ValueError(f"least_mm: {least_mm}: distances, or -inf for what is not asked")
+    if spread.ndim == 1:
+        spread = np.linspace(1.0, 0.0, len(way))[:, None] * spread
     return way, spread, least_mm
+
+
+def _between(values: Array, at: Array) -> Array:
+    """Return (c, 6) what goes evenly from each of (n, 6) values to the next, at places."""
+    index = np.minimum(at.astype(np.int64), len(values) - 2)
+    begin, end = values[index], values[index + 1]
+    found: Array = begin + (at - index)[:, None] * (end - begin)
+    return found
 
 
 def _weights(turns: Array) -> Array:

@@ -31,7 +31,7 @@ from armui.cell.work_area import Area, AreaPlane
 from armui.kinematics.poses import matrix_to_pose
 from armui.ways.law import Excess, Rule
 from armui.ways.own_body import OwnBody
-from armui.ways.way import Array, Way
+from armui.ways.way import Array, Way, with_ramps
 
 if TYPE_CHECKING:
     from armui.arm.models import Rising
@@ -65,6 +65,8 @@ OWN_BODY: Final = "own_body"
 _NOISE_MM: Final = 1.0
 _EXACT_MM: Final = 0.01
 _FINE_DEG: Final = 0.1
+_WITH_RAMPS: Final = 1.5
+"""So much longer takes a way with what the ramps of the joints may do to it."""
 _FLANGE: Final = 6
 
 
@@ -221,7 +223,7 @@ class OwnBodyRule:
 
     def breach(self, way: Way, allowed: Array) -> Excess | None:
         """Return the first place where two parts touch."""
-        found = self._body.breach(way.joints_deg, -allowed, np.array(way.spread_deg))
+        found = self._body.breach(way.joints_deg, -allowed, way.spreads_deg)
         if found is None:
             return None
         bound = self.bounds.index(f"{found.one}/{found.other}")
@@ -266,7 +268,13 @@ class Rules:
 
     def effort(self, way: Way) -> float:
         """Return how much there is to look at on a way: its turn times the bounds in force."""
-        return way.turn_deg * sum(len(rule.bounds) for rule in self.every if rule.name == AREA)
+        turn_deg = way.turn_deg * (_WITH_RAMPS if way.is_joint_move else 1.0)
+        return turn_deg * sum(len(rule.bounds) for rule in self.every if rule.name == AREA)
+
+    def ramped(self, way: Way) -> Way:
+        """Return a way with what the ramps of the joints may do to it."""
+        speeds = [each.max_speed_deg_s for each in self.arm.limits]
+        return with_ramps(way, speeds, self.arm.accelerations_deg_s2)
 
     def travel_mm(self, ahead_deg: Sequence[float], now_deg: Sequence[float]) -> float:
         """Return how far any part of the arm moves at most between two poses."""
@@ -322,7 +330,7 @@ def place_on(joints_deg: Array, index: int, share: float) -> tuple[float, ...]:
 
 
 def _in_zones(check: AreaCheck, way: Way, least_mm: Array) -> Excess | None:
-    found = check.breach(way.joints_deg, least_mm, np.array(way.spread_deg))
+    found = check.breach(way.joints_deg, least_mm, way.spreads_deg)
     if found is None:
         return None
     bound = check.zones.index(found.zone)

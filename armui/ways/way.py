@@ -3,15 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
 import numpy.typing as npt
 
+from armui.kinematics import trapezoids
+
 Array = npt.NDArray[np.float64]
 
 _STILL: Final = (0.0,) * 6
+_STEPS: Final = 24
+"""A motion of the joints is looked at in so many steps of its time, and where a ramp ends."""
+_SAME_DEG: Final = 0.02
+"""Joints that are off an even turn by no more than this turn evenly."""
+_SLOWEST: Final = 0.05
+"""Limits of 0 are replaced by this many °/s and °/s²."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -24,10 +32,15 @@ class Way:
         spread_deg: (6,) how far each joint may be off at its beginning, which fades evenly to
             nothing at its end: an arm that brakes while it turns to another target is not exactly
             where it was measured.
+        is_joint_move: True if the arm is told the last pose only, and turns its joints there by
+            itself: each with its own ramps, see :func:`with_ramps`.
+        beside_deg: (n, 6) how far each joint may be off at each pose; ``None`` if none is.
     """
 
     joints_deg: Array
     spread_deg: tuple[float, ...] = _STILL
+    is_joint_move: bool = False
+    beside_deg: Array | None = None
 
     @property
     def begin_deg(self) -> tuple[float, ...]:
@@ -39,6 +52,13 @@ class Way:
         """The six angles at which it ends."""
         return tuple(self.joints_deg[-1].tolist())
 
+    @property
+    def spreads_deg(self) -> Array:
+        """(n, 6) how far each joint may be off at each pose, for one reason or the other."""
+        shares = np.linspace(1.0, 0.0, len(self.joints_deg))[:, None]
+        fading: Array = shares * np.array(self.spread_deg)
+        return fading if self.beside_deg is None else fading + self.beside_deg
+
     def travel_mm(self, reaches_mm: Sequence[float]) -> float:
         """Return how far any part moves on it at most, what it may be off at first included.
 
@@ -46,7 +66,8 @@ class Way:
             reaches_mm: (6,) how far each joint moves any part at most for a radian.
         """
         turns_deg = np.abs(np.diff(self.joints_deg, axis=0)).sum(axis=0) / 2.0
-        return 2.0 * float(np.radians(turns_deg + self.spread_deg) @ np.array(reaches_mm))
+        off_deg = self.spreads_deg.max(axis=0)
+        return 2.0 * float(np.radians(turns_deg + off_deg) @ np.array(reaches_mm))
 
     @property
     def turn_deg(self) -> float:
@@ -61,9 +82,52 @@ def straight_way(
     return Way(np.array((begin_deg, end_deg), dtype=float), tuple(spread_deg))
 
 
+def joint_way(begin_deg: Sequence[float], end_deg: Sequence[float]) -> Way:
+    """Return the way of an arm that is told six angles, as by MOVE J, and turns there by itself."""
+    return replace(straight_way(begin_deg, end_deg), is_joint_move=True)
+
+
+def with_ramps(way: Way, speeds: Sequence[float], accelerations: Sequence[float]) -> Way:
+    """Return a way with what the ramps of the joints may do to it.
+
+    The joints start and arrive together, but what turns far needs longer to come up to its speed
+    and to brake: meanwhile the others are ahead of it, and behind it at the end. Whether an arm
+    does so, and how much at a lower speed, nobody promises. So each joint counts wherever it may be
+    between an even turn and the one with its own ramps at full speed.
+
+    Args:
+        way: The way; one that is no motion of the joints stays as it is.
+        speeds: The highest speeds of the joints in °/s.
+        accelerations: Their highest accelerations in °/s².
+    """
+    if not way.is_joint_move:
+        return way
+    begin, end = way.joints_deg[0], way.joints_deg[-1]
+    turns = np.abs(end - begin)
+    tops, ramps = (np.maximum(each, _SLOWEST) for each in (speeds, accelerations))
+    lasting_s = trapezoids.durations(turns, tops, ramps).max()
+    if not (np.isfinite(lasting_s) and lasting_s > 0.0):
+        return way
+    even = trapezoids.even_speeds(turns, lasting_s, ramps)
+    ends_s = np.minimum(even / ramps, lasting_s / 2.0)
+    times_s = np.linspace(0.0, lasting_s, _STEPS + 1)
+    times_s = np.unique(np.concatenate((times_s, ends_s, lasting_s - ends_s)))
+    places = trapezoids.places(times_s[:, None], lasting_s, even, ramps)
+    shares = np.clip(places / np.where(turns > 0.0, turns, 1.0), 0.0, 1.0)
+    # the way is that of the joint with the longest ramps, and the others are off it
+    longest = shares[:, [int(np.argmax(ends_s))]]
+    beside_deg = np.abs(shares - longest) * turns / 2.0
+    if beside_deg.max() <= _SAME_DEG:
+        return way
+    beside_deg[[0, -1]] = 0.0
+    joints_deg = begin + (shares + longest) / 2.0 * (end - begin)
+    joints_deg[0], joints_deg[-1] = begin, end
+    return replace(way, joints_deg=joints_deg, beside_deg=beside_deg)
+
+
 def rest_of(way: Way, begin_deg: Sequence[float]) -> Way:
     """Return what is left of a way for an arm that stands at six angles on it."""
     begin = np.array(begin_deg, dtype=float)
     nearest = int(np.abs(way.joints_deg - begin).max(axis=1).argmin())
     ahead = way.joints_deg[min(nearest + 1, len(way.joints_deg) - 1) :]
-    return Way(np.vstack((begin[None], ahead)))
+    return Way(np.vstack((begin[None], ahead)), is_joint_move=way.is_joint_move)

@@ -77,13 +77,13 @@ def point_way(point: Waypoint, arm: ArmModel, begin_deg: Sequence[float]) -> Way
     from armui.arm.reach import check_pose, led_joints  # noqa: PLC0415 - scipy
     from armui.kinematics.tool_path import Arc, ArcError, Line, ToolPath  # noqa: PLC0415 - scipy
     from armui.ways.rules import JOINTS_OUTSIDE  # noqa: PLC0415 - numpy
-    from armui.ways.way import Way, straight_way  # noqa: PLC0415 - numpy
+    from armui.ways.way import Way, joint_way  # noqa: PLC0415 - numpy
 
     if point.is_joint:
-        return straight_way(begin_deg, point.target)
+        return joint_way(begin_deg, point.target)
     if point.move is MoveMode.MOVE_P:
         end_deg = check_pose(arm.kinematics, Pose(*point.target), begin_deg, arm.limits)
-        return end_deg if isinstance(end_deg, Refusal) else straight_way(begin_deg, end_deg)
+        return end_deg if isinstance(end_deg, Refusal) else joint_way(begin_deg, end_deg)
     if outside_limits(begin_deg, arm.limits):
         # the arm takes no line that begins outside
         return JOINTS_OUTSIDE(joints=outside_list(begin_deg, arm.limits))

@@ -42,9 +42,9 @@ def joint_request(
     """
 
     def plan(begin_deg: Sequence[float]) -> Way:
-        from armui.ways.way import straight_way  # noqa: PLC0415 - numpy
+        from armui.ways.way import joint_way  # noqa: PLC0415 - numpy
 
-        return straight_way(begin_deg, target_deg)
+        return joint_way(begin_deg, target_deg)
 
     return MotionRequest(
         started=started,

@@ -520,4 +520,4 @@ def _is_short(way: Way, rules: Rules) -> bool:
 def _judge(way: Way, rules: Rules, marks: Marks) -> Judgement:
     from armui.ways.law import judge  # noqa: PLC0415 - numpy
 
-    return judge(way, rules.every, marks)
+    return judge(rules.ramped(way), rules.every, marks)

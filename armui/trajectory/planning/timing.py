@@ -15,7 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from armui.arm.models import ArmModel
-from armui.trajectory.planning import trapezoids
+from armui.kinematics import trapezoids
 from armui.trajectory.planning.findings import Finding, FindingKind, Severity
 from armui.trajectory.planning.planned_path import PlannedPath, sampled_path
 from armui.trajectory.planning.planning import Leg, Plan, plan_run

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from ruckig import InputParameter, Ruckig, Trajectory
 
-from armui.trajectory.planning import trapezoids
+from armui.kinematics import trapezoids
 
 COUNT = 60
 
