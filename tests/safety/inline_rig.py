@@ -119,7 +119,10 @@ class InlineRig(ArmRig):
             yield bus
 
     def _settle_what_was_said(self) -> None:
-        self._settle()
+        """As below; no time has passed: nothing is to be taken in if nobody spoke since."""
+        QCoreApplication.processEvents()
+        if self._inline is None or not self._inline.at_rest:
+            self._settle()
 
     def _settle(self) -> None:
         for _ in range(_ROUNDS):

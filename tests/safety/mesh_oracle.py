@@ -28,7 +28,7 @@ from armui.protocol.generation import PiperModel
 DEEPEST_STEPS = 14
 """A depth is found by halving this often: to 0.01 mm of a box of 200 mm."""
 FINEST_MM = 1.0
-"""Between two places of the arm that were looked at nothing moves by more than twice this."""
+"""Between two places of a part that were looked at it moves by no more than twice this."""
 _THINNEST_MM = 0.05
 
 
@@ -140,15 +140,20 @@ class Description:
         return placed
 
     def reaches_mm(self, parts: Sequence[Part]) -> np.ndarray:
-        """Return (6,) how far from its axis each joint moves any of some parts at most."""
+        """Return (parts, 7) how far a part moves at most, for a radian of each joint or a mm open.
+
+        That is how far it reaches from the joint's axis; a finger goes half of what opens.
+        """
         up = {joint.child: joint for joint in self._joints}
-        reaches = np.zeros(6)
-        for part in parts:
+        reaches = np.zeros((len(parts), 7))
+        for row, part in zip(reaches, parts, strict=True):
             link, length = part.link, part.furthest_mm
             while link in up:
                 joint = up[link]
                 if joint.number is not None:
-                    reaches[joint.number] = max(reaches[joint.number], length)
+                    row[joint.number] = length
+                elif joint.slides:
+                    row[6] = 0.5
                 length += joint.length_mm
                 link = joint.parent
         return reaches
@@ -161,7 +166,7 @@ class _Joint:
         self._origin[:3, 3] *= 1e3
         turns = joint.type == "revolute"
         self.number = int(joint.name.removeprefix("joint")) - 1 if turns else None
-        self._slides = joint.type == "prismatic"
+        self.slides = joint.type == "prismatic"
         self._axis = np.asarray(joint.axis, dtype=float)
         assert not turns or self._axis.tolist() == [0.0, 0.0, 1.0]
 
@@ -176,7 +181,7 @@ class _Joint:
             x, y = self._origin[:3, 0], self._origin[:3, 1]
             placed[:3, 0] = math.cos(angle) * x + math.sin(angle) * y
             placed[:3, 1] = math.cos(angle) * y - math.sin(angle) * x
-        elif self._slides:
+        elif self.slides:
             placed[:3, 3] += self._origin[:3, :3] @ self._axis * opening_mm / 2.0
         return placed
 
@@ -214,12 +219,14 @@ class MeshOracle:
     ) -> None:
         self._description = description(model)
         self.parts = (*self._description.parts, *_carried(cell))
-        self.reaches_mm = self._description.reaches_mm(self.parts)
-        self._planes = [_Plane(zone) for zone in zones if zone.on and isinstance(zone, AreaPlane)]
-        self._boxes = [_Box(zone) for zone in zones if zone.on and isinstance(zone, AreaBox)]
+        self._reaches_mm = self._description.reaches_mm(self.parts)
+        of = [zone for zone in zones if zone.on]
+        self.zones = [_Plane(z) if isinstance(z, AreaPlane) else _Box(z) for z in of]
         self._shapes = [fcl.CollisionObject(part.shape) for part in self.parts]
         self._middles = np.array([part.middle for part in self.parts])
         self._radii = np.array([part.radius for part in self.parts])
+        skips = [[zone.name in part.skips for zone in self.zones] for part in self.parts]
+        self._counts = ~np.array(skips, dtype=bool).reshape(len(self.parts), len(self.zones))
 
     @classmethod
     def of(cls, cell: Cell, model: PiperModel = PiperModel.PIPER) -> MeshOracle:
@@ -228,86 +235,116 @@ class MeshOracle:
 
     def look(self, joints_deg: Sequence[float], opening_mm: float = 0.0) -> dict[str, Gap]:
         """Return the nearest part to each zone, by the zone's name."""
-        placed = self._places(joints_deg, opening_mm)
-        return {
-            zone.name: zone.nearest(self, placed, math.inf) for zone in self._planes + self._boxes
-        }
+        placed = self.placed((*joints_deg, opening_mm))
+        bounds = self.bounds_mm(placed)
+        found = {}
+        for column, zone in enumerate(self.zones):
+            alone = np.full_like(bounds, math.inf)
+            alone[:, column] = bounds[:, column]
+            found[zone.name] = self._nearest(placed, alone)
+        return found
 
-    def nearest(
-        self, joints_deg: Sequence[float], opening_mm: float = 0.0, below_mm: float = math.inf
-    ) -> Gap:
+    def nearest(self, joints_deg: Sequence[float], opening_mm: float = 0.0) -> Gap:
         """Return the nearest part to any zone.
 
         Args:
             joints_deg: Six angles.
             opening_mm: How far the gripper is open.
-            below_mm: What is not nearer than this is of no interest: then `NOTHING_NEAR`.
         """
-        placed = self._places(joints_deg, opening_mm)
-        found = Gap(below_mm)
-        for zone in self._planes + self._boxes:
-            found = min(found, zone.nearest(self, placed, found.mm), key=lambda gap: gap.mm)
-        return found if found.zone else NOTHING_NEAR
-
-    def travel_mm(self, before_deg: Sequence[float], after_deg: Sequence[float]) -> float:
-        """Return how far anything moves at most between two poses, each joint evenly."""
-        return float(np.radians(np.abs(np.subtract(after_deg, before_deg))) @ self.reaches_mm)
+        placed = self.placed((*joints_deg, opening_mm))
+        return self._nearest(placed, self.bounds_mm(placed))
 
     def along(
-        self,
-        before_deg: Sequence[float],
-        after_deg: Sequence[float],
-        opening_mm: float = 0.0,
-        below_mm: float = math.inf,
+        self, before_deg: Sequence[float], after_deg: Sequence[float], opening_mm: float = 0.0
     ) -> Gap:
         """Return the nearest part to any zone on the way from one pose to another.
 
         Args:
             before_deg, after_deg: The poses; the joints turn evenly from one to the other.
             opening_mm: How far the gripper is open.
-            below_mm: See :meth:`nearest`.
         """
-        found = min(
-            (self.nearest(each, opening_mm, below_mm) for each in (before_deg, after_deg)),
-            key=lambda gap: gap.mm,
-        )
-        parts = [(np.asarray(before_deg, float), np.asarray(after_deg, float))]
-        while parts:
-            start, end = parts.pop()
-            half_mm = self.travel_mm(start.tolist(), end.tolist()) / 2.0
-            if half_mm <= FINEST_MM:
-                continue
-            middle, sought = (start + end) / 2.0, min(found.mm, below_mm)
-            gap = self.nearest(middle, opening_mm, sought + half_mm)
-            if gap is NOTHING_NEAR:
-                continue  # and so nothing between start and end is nearer than what was found
-            found = min(found, gap, key=lambda each: each.mm)
-            parts += [(start, middle), (middle, end)]
-        return found if found.mm < below_mm else NOTHING_NEAR
+        judge = Judge(self)
+        judge.see(before_deg, opening_mm)
+        judge.see(after_deg, opening_mm)
+        return judge.least
 
-    def _places(self, joints_deg: Sequence[float], opening_mm: float) -> _Placed:
-        links = self._description.links(joints_deg, opening_mm)
+    def travels_mm(self, start: np.ndarray, end: np.ndarray) -> np.ndarray:
+        """Return (parts,) how far each part moves at most between two poses.
+
+        Args:
+            start, end: Six angles, and how far the gripper is open; all change evenly.
+        """
+        moved = np.abs(end - start)
+        moved[:6] = np.radians(moved[:6])
+        travels: np.ndarray = self._reaches_mm @ moved
+        return travels
+
+    def placed(self, pose: Sequence[float]) -> Placed:
+        """Return where all parts are with six angles, and an opening of the gripper."""
+        links = self._description.links(pose[:6], pose[6])
         frames = np.array([links[part.link] for part in self.parts])
         middles = np.einsum("nij,nj->ni", frames[:, :3, :3], self._middles) + frames[:, :3, 3]
-        return _Placed(frames, middles, self._radii, [False] * len(self.parts))
+        return Placed(frames, middles, self._radii, {})
 
-    def shape(self, number: int, placed: _Placed) -> Any:
-        """Return a part for python-fcl, where it is."""
-        if not placed.set[number]:
-            frame = placed.frames[number] @ self.parts[number].place
+    def bounds_mm(self, placed: Placed) -> np.ndarray:
+        """Return (parts, zones) what each part is no nearer than to a zone: quickly, by spheres.
+
+        What may touch a zone is infinitely far from it.
+        """
+        bounds = np.full(self._counts.shape, math.inf)
+        for column, zone in enumerate(self.zones):
+            bounds[:, column] = zone.bounds_mm(placed.middles) - placed.radii
+        return np.where(self._counts, bounds, math.inf)
+
+    def gap_mm(self, number: int, column: int, placed: Placed, below_mm: float) -> float:
+        """Return the gap between a part and a zone.
+
+        Args:
+            number, column: Which part, and which zone.
+            placed: Where the parts are.
+            below_mm: What is certainly not below this need not be exact: less may be returned than
+                the gap is, but no less than this.
+        """
+        part, zone = self.parts[number], self.zones[column]
+        bound_mm = zone.bound_mm(part, placed.frames[number])
+        if bound_mm >= below_mm or isinstance(zone, _Plane):
+            return bound_mm
+        if number not in placed.shapes:
+            frame = placed.frames[number] @ part.place
             self._shapes[number].setTransform(fcl.Transform(frame[:3, :3], frame[:3, 3]))
-            placed.set[number] = True
-        return self._shapes[number]
+            placed.shapes[number] = self._shapes[number]
+        return zone.gap_mm(placed.shapes[number], apart=bound_mm > 0.0)
+
+    def gap(self, number: int, column: int, mm: float) -> Gap:
+        """Return a distance with the names of the part and the zone."""
+        return Gap(mm, self.zones[column].name, self.parts[number].name)
+
+    def _nearest(self, placed: Placed, bounds: np.ndarray) -> Gap:
+        found = NOTHING_NEAR
+        for place in np.argsort(bounds, axis=None).tolist():
+            number, column = divmod(place, bounds.shape[1])
+            if bounds[number, column] >= found.mm:
+                break
+            mm = self.gap_mm(number, column, placed, found.mm)
+            if mm < found.mm:
+                found = self.gap(number, column, mm)
+        return found
 
 
 @dataclass(frozen=True)
-class _Placed:
-    """Where the parts are: their links' frames, spheres around them, and which python-fcl knows."""
+class Placed:
+    """Where the parts are.
+
+    Attributes:
+        frames: Of their links.
+        middles, radii: Spheres around them.
+        shapes: Those that python-fcl was told of.
+    """
 
     frames: np.ndarray
     middles: np.ndarray
     radii: np.ndarray
-    set: list[bool]
+    shapes: dict[int, Any]
 
 
 class _Plane:
@@ -316,22 +353,14 @@ class _Plane:
         frame = frame_of(zone.pose)
         self._normal, self._place = frame[:3, 2], frame[:3, 3]
 
-    def nearest(self, oracle: MeshOracle, placed: _Placed, below_mm: float) -> Gap:
-        bounds = (placed.middles - self._place) @ self._normal - placed.radii
-        found = Gap(below_mm)
-        for number in np.argsort(bounds):
-            if bounds[number] >= found.mm:
-                break
-            part = oracle.parts[number]
-            if self.name in part.skips:
-                continue
-            frame = placed.frames[number]
-            normal = self._normal @ frame[:3, :3]
-            away = (frame[:3, 3] - self._place) @ self._normal
-            mm = float((part.corners @ normal).min() + away) - part.round_mm
-            if mm < found.mm:
-                found = Gap(mm, self.name, part.name)
-        return found if found.zone else NOTHING_NEAR
+    def bounds_mm(self, places: np.ndarray) -> np.ndarray:
+        away: np.ndarray = (places - self._place) @ self._normal
+        return away
+
+    def bound_mm(self, part: Part, frame: np.ndarray) -> float:
+        """Return how near a part is: by its corners, which is exact."""
+        away = (frame[:3, 3] - self._place) @ self._normal
+        return float((part.corners @ (self._normal @ frame[:3, :3])).min() + away) - part.round_mm
 
 
 class _Box:
@@ -343,23 +372,20 @@ class _Box:
         self._half = np.array(zone.size_mm) / 2.0
         self._solid = fcl.CollisionObject(fcl.Box(*zone.size_mm), self._transform)
 
-    def nearest(self, oracle: MeshOracle, placed: _Placed, below_mm: float) -> Gap:
-        aside = np.abs((placed.middles - self._place) @ self._turn) - self._half
-        bounds = np.linalg.norm(np.maximum(aside, 0.0), axis=1) - placed.radii
-        found = Gap(below_mm)
-        for number in np.argsort(bounds):
-            if bounds[number] >= found.mm and bounds[number] > 0.0:
-                break
-            part = oracle.parts[number]
-            if self.name in part.skips:
-                continue
-            mm = self._gap_mm(oracle.shape(int(number), placed))
-            if mm < found.mm:
-                found = Gap(mm, self.name, part.name)
-        return found if found.zone else NOTHING_NEAR
+    def bounds_mm(self, places: np.ndarray) -> np.ndarray:
+        return _from_a_box(np.abs((places - self._place) @ self._turn) - self._half)
 
-    def _gap_mm(self, shape: Any) -> float:
-        if not fcl.collide(shape, self._solid, fcl.CollisionRequest(), fcl.CollisionResult()):
+    def bound_mm(self, part: Part, frame: np.ndarray) -> float:
+        """Return what a part is no nearer than: by a box around it that lies as this one does."""
+        corners = part.corners @ (self._turn.T @ frame[:3, :3]).T
+        middle = (frame[:3, 3] - self._place) @ self._turn
+        low = corners.min(axis=0) + middle - part.round_mm
+        high = corners.max(axis=0) + middle + part.round_mm
+        return float(_from_a_box(np.maximum(low - self._half, -self._half - high)))
+
+    def gap_mm(self, shape: Any, *, apart: bool) -> float:
+        """Return how near a shape is; it is known whether they are apart."""
+        if apart or not self._touches(self._solid, shape):
             gap = fcl.distance(shape, self._solid, fcl.DistanceRequest(), fcl.DistanceResult())
             return max(float(gap), 0.0)
         return -self._depth_mm(shape)
@@ -372,46 +398,95 @@ class _Box:
             inner = fcl.CollisionObject(
                 fcl.Box(*np.maximum(2.0 * (self._half - depth), _THINNEST_MM)), self._transform
             )
-            if fcl.collide(shape, inner, fcl.CollisionRequest(), fcl.CollisionResult()):
+            if self._touches(inner, shape):
                 touched = depth
             else:
                 free = depth
         return touched
 
+    @staticmethod
+    def _touches(solid: Any, shape: Any) -> bool:
+        return bool(fcl.collide(shape, solid, fcl.CollisionRequest(), fcl.CollisionResult()))
+
+
+def _from_a_box(beyond: np.ndarray) -> np.ndarray:
+    """Return how far (..., 3) beyond a box on each axis is from it; below 0 inside."""
+    outside = np.linalg.norm(np.maximum(beyond, 0.0), axis=-1)
+    return outside + np.minimum(beyond.max(axis=-1), 0.0)
+
 
 class Judge:
     """Follows an arm from look to look, and remembers how near it has been.
+
+    Of each part and each zone it keeps what they are at least apart, less what the part has moved
+    by since: only what may have come nearer than the nearest so far is measured.
 
     Args:
         oracle: What measures it.
 
     Attributes:
         least: The nearest that it has been.
-        first: Where it was at the first look.
     """
 
     def __init__(self, oracle: MeshOracle) -> None:
         self._oracle = oracle
-        self._last_deg: tuple[float, ...] | None = None
-        self._sure_mm = -math.inf
+        self._last: np.ndarray | None = None
+        self._sure_mm = np.zeros(0)
         self.least = NOTHING_NEAR
-        self.first = NOTHING_NEAR
 
     def see(self, joints_deg: Sequence[float], opening_mm: float = 0.0) -> None:
         """Take in where the arm is now; it has come here evenly from the last look."""
-        now_deg, last_deg = tuple(joints_deg), self._last_deg
-        if last_deg is None:
-            self.first = self.least = self._oracle.nearest(now_deg, opening_mm)
-            self._sure_mm = self.least.mm
-        elif now_deg != last_deg:
-            # nothing is nearer than it was, less the way that it can have gone since
-            self._sure_mm -= self._oracle.travel_mm(last_deg, now_deg)
-            if self._sure_mm < self.least.mm:
-                here = self._oracle.nearest(now_deg, opening_mm)
-                on_the_way = self._oracle.along(last_deg, now_deg, opening_mm, self.least.mm)
-                self.least = min(self.least, here, on_the_way, key=lambda gap: gap.mm)
-                self._sure_mm = here.mm
-        self._last_deg = now_deg
+        now, last, oracle = np.array((*joints_deg, opening_mm), float), self._last, self._oracle
+        self._last = now
+        if last is None:
+            self._sure_mm = oracle.bounds_mm(oracle.placed(now.tolist()))
+            self.least = oracle.nearest(joints_deg, opening_mm)
+            return
+        if np.array_equal(last, now):
+            return
+        travels = oracle.travels_mm(last, now)[:, None]
+        before_mm, self._sure_mm = self._sure_mm, self._sure_mm - travels
+        if not (self._sure_mm < self.least.mm).any():
+            return
+        placed = oracle.placed(now.tolist())
+        self._sure_mm = np.maximum(self._sure_mm, oracle.bounds_mm(placed))
+        nearest_mm = _on_the_way(before_mm, self._sure_mm, travels)
+        for number, column in np.argwhere(nearest_mm < self.least.mm).tolist():
+            was_mm, travel = float(before_mm[number, column]), float(travels[number, 0])
+            now_mm = self._measure(number, column, placed, travel)
+            self._sure_mm[number, column] = now_mm
+            self._look_between(number, column, (last, now), (was_mm, now_mm))
+
+    def _look_between(
+        self,
+        number: int,
+        column: int,
+        poses: tuple[np.ndarray, np.ndarray],
+        gaps_mm: tuple[float, float],
+    ) -> None:
+        """Look at a part between two poses where it may come nearer than all before."""
+        travel = float(self._oracle.travels_mm(*poses)[number])
+        if travel / 2.0 <= FINEST_MM or _on_the_way(*gaps_mm, travel) >= self.least.mm:
+            return
+        (start, end), (start_mm, end_mm) = poses, gaps_mm
+        middle = (start + end) / 2.0
+        mm = self._measure(number, column, self._oracle.placed(middle.tolist()), travel / 2.0)
+        self._look_between(number, column, (start, middle), (start_mm, mm))
+        self._look_between(number, column, (middle, end), (mm, end_mm))
+
+    def _measure(self, number: int, column: int, placed: Placed, travel_mm: float) -> float:
+        """Return a gap, exactly where the part may come nearer than all before within a travel."""
+        mm = self._oracle.gap_mm(number, column, placed, self.least.mm + travel_mm)
+        if mm < self.least.mm:
+            self.least = self._oracle.gap(number, column, mm)
+        return mm
+
+
+def _on_the_way(start_mm: Any, end_mm: Any, travel_mm: Any) -> Any:
+    """Return how near a part comes at most between two poses, whose gaps are no less than these."""
+    return np.maximum(
+        (start_mm + end_mm - travel_mm) / 2.0, np.maximum(start_mm, end_mm) - travel_mm
+    )
 
 
 def frame_of(pose: Sequence[float]) -> np.ndarray:
