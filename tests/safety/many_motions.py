@@ -57,7 +57,8 @@ from tests.safety.inline_rig import InlineRig
 from tests.safety.mesh_oracle import Gap, Judge, MeshOracle, frame_of
 from tests.safety.watched_arm import Watch, rest, settle
 
-MARGIN_MM = 10.0
+MARGINS_MM = (2.0, 10.0)
+"""The least that a cell may have, and the usual one."""
 SLACK_MM = 1.0
 NO_REASON_MM = 3.0
 """A way that keeps so much more than the margin everywhere was refused without a reason."""
@@ -66,6 +67,8 @@ CLEAR_MM = 28.0
 MOTIONS = 6
 """In each cell."""
 SMALL_STEPS = 50
+SHARES = (1.0, 0.5, 0.25, 0.1)
+"""What is refused is pressed again for so much of its way: it ends nearer to what is in the way."""
 _GHOST_S = 14.0
 _TRIES = 8
 _NEAR_ENOUGH_MM = 6.0
@@ -81,17 +84,19 @@ class Motion:
     Attributes:
         seed, number: It is the so-manieth of this seed.
         kind: What it was.
+        margin_mm: What the arm has to keep from the zones.
         taken, refused: How many presses the program took and refused.
         reasons: The reasons that it gave.
         first, least: The gaps at its beginning and where it was nearest.
-        groundless: For each refusal without a reason in the oracle: its code, and the least gap of
-            the way that was refused.
-        early_mm: The gap at which a jog was ended before a zone.
+        groundless: For each refusal without a reason in the oracle: its code, and by how much more
+            than the margin the way that was refused stays away.
+        early_mm: By how much more than the margin a jog was away that was ended before a zone.
     """
 
     seed: int
     number: int
     kind: str
+    margin_mm: float
     taken: int = 0
     refused: int = 0
     reasons: Counter[str] = field(default_factory=Counter)
@@ -108,7 +113,7 @@ class Motion:
     @property
     def intrudes(self) -> bool:
         """Whether it came nearer than the margin, less what measuring wavers by."""
-        return self.least.mm < min(MARGIN_MM - SLACK_MM, self.first.mm - SLACK_MM)
+        return self.least.mm < min(self.margin_mm, self.first.mm) - SLACK_MM
 
 
 class Scene:
@@ -125,6 +130,10 @@ class Scene:
         rng = self.rng
         self.model = PiperModel.PIPER if rng.random() < 0.7 else rng.choice(list(PiperModel))
         self.model = PiperModel(self.model)
+        self.margin_mm = float(rng.choice(MARGINS_MM))
+        self.opening_mm = round(
+            float(rng.uniform(0.0, model_data(self.model).gripper.strokes_mm[0])), 1
+        )
         self.cell = self._cell()
         self.rig = InlineRig(f"motions {seed}")
         if not self.jogs:
@@ -155,13 +164,13 @@ class Scene:
         self.lies_deg = _rounded(
             (low + high) / 2.0 + 0.8 * rng.uniform(-0.5, 0.5, 6) * (high - low)
         )
-        return replace(cell, area=area_of(*self._zones(cell), margin_mm=MARGIN_MM))
+        return replace(cell, area=area_of(*self._zones(cell), margin_mm=self.margin_mm))
 
     def _zones(self, cell: Cell) -> Iterator[Zone]:
         """Yield planes and boxes around the arm where it lies, one of them at least near."""
         rng, planes = self.rng, 0
         for number in range(int(rng.integers(1, 21))):
-            furthest_mm = CLEAR_MM + 15.0 if number == 0 else rng.choice((80.0, 350.0))
+            furthest_mm = CLEAR_MM + 15.0 if number == 0 else rng.choice((80.0, 350.0, 350.0))
             near_mm = float(rng.uniform(CLEAR_MM, furthest_mm))
             turns = _rounded(rng.uniform(-180.0, 180.0, 3))
             if planes < MOST_PLANES and rng.random() < 0.25:
@@ -179,7 +188,9 @@ class Scene:
         """Return a zone so far from the arm; ``None`` if it does not come to that."""
         normal = frame_of(zone.pose)[:3, 2]
         for _ in range(_TRIES):
-            gap = MeshOracle(zone, model=self.model, cell=cell).nearest(self.lies_deg)
+            gap = MeshOracle(zone, model=self.model, cell=cell).nearest(
+                self.lies_deg, self.opening_mm
+            )
             off_mm = gap.mm - near_mm
             if abs(off_mm) < _NEAR_ENOUGH_MM and gap.mm >= CLEAR_MM:
                 return zone
@@ -196,6 +207,7 @@ class Scene:
         """Switch the arm on, put the cell in force, and watch."""
         rig = self.rig
         rig.lie(self.lies_deg, self.model)
+        rig.firmware.gripper.lead_to(self.opening_mm)
         rig.connect(self.model)
         accepted(rig.controller.motors.enable())
         rig.run_until(lambda: rig.controller.operating_state.cannot_move is None)
@@ -210,7 +222,7 @@ class Scene:
         names = list(kinds)
         for number in range(motions):
             name = names[int(self.rng.integers(len(names)))]
-            motion = Motion(self.seed, number, name)
+            motion = Motion(self.seed, number, name, self.margin_mm)
             self.controller.motion.set_speed_percent(int(self.rng.choice((10, 30, 50, 100, 100))))
             self.rig.run(0.1)
             watch = Watch(self.rig, self.oracle)
@@ -249,10 +261,18 @@ class Scene:
         off = self.rng.uniform(-1.0, 1.0, 6) * (*(most_mm,) * 3, 20.0, 20.0, 20.0)
         return _rounded(pose + off)
 
-    def press(self, motion: Motion, order: Order) -> Started | Refusal | None:
-        """Press one; a refusal is weighed by what the arm would have done."""
-        answer = order.press(self.controller)
-        self.weigh(motion, answer, order)
+    def press(self, motion: Motion, way: Way) -> Started | Refusal | None:
+        """Press a motion, and if it is refused the first part of it, shorter each time.
+
+        A refusal is weighed by what the arm would have done.
+        """
+        answer: Started | Refusal | None = None
+        for share in SHARES:
+            order = way(share)
+            answer = order.press(self.controller)
+            self.weigh(motion, answer, order)
+            if isinstance(answer, Started):
+                break
         return answer
 
     def weigh(self, motion: Motion, answer: Started | Refusal | None, order: Order | None) -> None:
@@ -263,13 +283,18 @@ class Scene:
         motion.refused += 1
         if isinstance(answer, Refusal):
             motion.reasons[str(answer.reason.id)] += 1
-            if order is not None:
+            # of the arm against itself, its limits and its reach the oracle knows nothing
+            if order is not None and "area" in str(answer.reason.id):
                 gap_mm = self.would_keep_mm(order)
-                if gap_mm is not None and gap_mm > MARGIN_MM + NO_REASON_MM:
-                    motion.groundless.append((str(answer.reason.id), gap_mm))
+                if gap_mm is not None and gap_mm > self.margin_mm + NO_REASON_MM:
+                    motion.groundless.append((str(answer.reason.id), gap_mm - self.margin_mm))
 
     def would_keep_mm(self, order: Order) -> float | None:
-        """Return the least gap of an arm that is sent there all the same; ``None``: it refuses."""
+        """Return the least gap of an arm that is sent there all the same.
+
+        Returns:
+            ``None`` if the arm itself refuses, or comes so near that there is a reason.
+        """
         twin = Firmware(Generation.TWO, joints_deg=self.here_deg, model=self.model)
         codec = Codec(Generation.TWO)
         for frame in commands.enable_motors(codec):
@@ -285,6 +310,8 @@ class Scene:
             if twin.status != 0:
                 return None
             judge.see(twin.true_joints_deg, opening_mm)
+            if judge.least.mm <= self.margin_mm + NO_REASON_MM:
+                return None
             still = still + 1 if max(map(abs, twin.mechanics.speeds_deg_s)) < 0.02 else 0
             if still > 10:
                 break
@@ -305,54 +332,85 @@ class Order:
     frames: Callable[[Codec, int], list[Frame]]
 
 
-def to_joints(scene: Scene, target: Sequence[float]) -> Order:
-    return Order(
-        lambda controller: controller.motion.send_joints(target),
-        lambda codec, percent: commands.move_joints(codec, target, speed_percent=percent),
-    )
+Way = Callable[[float], Order]
+"""Gives the order for a share of a way."""
 
 
-def go_home(scene: Scene) -> Order:
-    return Order(
-        lambda controller: controller.motion.go_home(), to_joints(scene, (0.0,) * 6).frames
-    )
+def to_joints(scene: Scene, target: Sequence[float]) -> Way:
+    here = np.array(scene.here_deg)
+
+    def order(share: float) -> Order:
+        part = _rounded(here + share * (np.array(target) - here))
+        return Order(
+            lambda controller: controller.motion.send_joints(part),
+            lambda codec, percent: commands.move_joints(codec, part, speed_percent=percent),
+        )
+
+    return order
 
 
-def to_pose(scene: Scene, target: Sequence[float], mode: MoveMode) -> Order:
-    flange = flange_pose(target, scene.controller.cartesian.tool)
-    return Order(
-        lambda controller: controller.cartesian.move(target, mode),
-        lambda codec, percent: commands.move_pose(
-            codec, flange, speed_percent=percent, move_mode=mode
-        ),
-    )
+def go_home(scene: Scene) -> Way:
+    to_zero = to_joints(scene, (0.0,) * 6)
+
+    def order(share: float) -> Order:
+        whole = Order(lambda controller: controller.motion.go_home(), to_zero(1.0).frames)
+        return whole if share == 1.0 else to_zero(share)
+
+    return order
 
 
-def on_arc(scene: Scene) -> Order:
+def to_pose(scene: Scene, target: Sequence[float], mode: MoveMode) -> Way:
+    here = np.array(_tool_pose(scene))
+
+    def order(share: float) -> Order:
+        part = _rounded(here + share * (np.array(target) - here))
+        flange = flange_pose(part, scene.controller.cartesian.tool)
+        return Order(
+            lambda controller: controller.cartesian.move(part, mode),
+            lambda codec, percent: commands.move_pose(
+                codec, flange, speed_percent=percent, move_mode=mode
+            ),
+        )
+
+    return order
+
+
+def on_arc(scene: Scene) -> Way:
+    here = _tool_pose(scene)
+    offs = scene.rng.uniform(-70.0, 70.0, (2, 3))
+    tool = scene.controller.cartesian.tool
+
+    def order(share: float) -> Order:
+        middle, end = ((*_rounded(np.array(here[:3]) + share * off), *here[3:]) for off in offs)
+        places = [flange_pose(each, tool) for each in (here, middle, end)]
+        return Order(
+            lambda controller: controller.cartesian.move_arc(here, middle, end),
+            lambda codec, percent: commands.move_arc(codec, *places, speed_percent=percent),
+        )
+
+    return order
+
+
+def _tool_pose(scene: Scene) -> tuple[float, ...]:
     pose = scene.controller.cartesian.tool_pose(scene.controller.state)
     assert pose is not None
-    here = tuple(pose)
-    middle, end = ((*scene.near_pose(70.0)[:3], *here[3:]) for _ in range(2))
-    tool = scene.controller.cartesian.tool
-    places = [flange_pose(each, tool) for each in (here, middle, end)]
-    return Order(
-        lambda controller: controller.cartesian.move_arc(here, middle, end),
-        lambda codec, percent: commands.move_arc(codec, *places, speed_percent=percent),
-    )
+    return tuple(pose)
 
 
-def any_order(scene: Scene) -> Order:
-    which = scene.rng.integers(5)
+def any_way(scene: Scene) -> Way:
+    which = scene.rng.integers(6)
     if which == 0:
         return to_pose(scene, scene.near_pose(), MoveMode.MOVE_P)
     if which == 1:
         return to_pose(scene, scene.near_pose(), MoveMode.MOVE_L)
     if which == 2:
         return go_home(scene)
+    if which == 3:
+        return on_arc(scene)
     return to_joints(scene, scene.near_joints())
 
 
-def single(make: Callable[[Scene], Order]) -> Callable[[Scene, Motion], None]:
+def single(make: Callable[[Scene], Way]) -> Callable[[Scene, Motion], None]:
     """A single motion from rest."""
 
     def play(scene: Scene, motion: Motion) -> None:
@@ -363,12 +421,13 @@ def single(make: Callable[[Scene], Order]) -> Callable[[Scene, Motion], None]:
 
 def second(scene: Scene, motion: Motion) -> None:
     """Two or three motions, each into the one under way."""
-    answer = scene.press(motion, any_order(scene))
+    answer = scene.press(motion, any_way(scene))
     for _ in range(int(scene.rng.integers(1, 3))):
         if not isinstance(answer, Started):
             break
         scene.rig.run(float(scene.rng.choice((0.04, 0.1, 0.2, 0.4, 0.6))))
-        answer = any_order(scene).press(scene.controller)
+        order = any_way(scene)(float(scene.rng.choice(SHARES)))
+        answer = order.press(scene.controller)
         scene.weigh(motion, answer, None)
     settle_if_taken(scene, answer)
     rest(scene.rig)
@@ -425,22 +484,23 @@ def _axis_towards(scene: Scene) -> int:
 def run(scene: Scene, motion: Motion) -> None:
     """A run of some points, checked as the window does, and let go if nothing speaks against it."""
     controller, rng = scene.controller, scene.rng
-    points = []
-    for _ in range(int(rng.integers(3, 7))):
-        if rng.random() < 0.6:
-            points.append(Waypoint(MoveMode.MOVE_J, scene.near_joints(30.0), speed_percent=100))
-        else:
-            mode = MoveMode.MOVE_P if rng.random() < 0.5 else MoveMode.MOVE_L
-            flange = flange_pose(scene.near_pose(60.0), controller.cartesian.tool)
-            points.append(Waypoint(mode, _rounded(flange), speed_percent=100))
-    outcome = _checked(scene, Trajectory("random", points=tuple(points)))
-    if outcome.errors:
-        motion.refused += 1
-        motion.reasons.update(str(each.kind.id) for each in outcome.errors)
-        return
-    answer = controller.player.start(Run("random", points, outcome.expected_s))
-    scene.weigh(motion, answer, None)
-    settle_if_taken(scene, answer, 60.0)
+    here, pose = np.array(scene.here_deg), np.array(_tool_pose(scene))
+    modes = rng.choice((MoveMode.MOVE_J, MoveMode.MOVE_P, MoveMode.MOVE_L), rng.integers(3, 7))
+    off_deg = rng.uniform(-30.0, 30.0, (len(modes), 6))
+    off_mm = rng.uniform(-60.0, 60.0, (len(modes), 6)) * (1.0, 1.0, 1.0, 0.3, 0.3, 0.3)
+    for share in SHARES:
+        points = []
+        for mode, deg, mm in zip(map(MoveMode, modes), off_deg, off_mm, strict=True):
+            target = here + share * deg
+            if mode is not MoveMode.MOVE_J:
+                target = flange_pose(_rounded(pose + share * mm), controller.cartesian.tool)
+            points.append(Waypoint(mode, _rounded(target), speed_percent=100))
+        outcome = _checked(scene, motion, Trajectory("random", points=tuple(points)))
+        if outcome is not None:
+            answer = controller.player.start(Run("random", points, outcome.expected_s))
+            scene.weigh(motion, answer, None)
+            settle_if_taken(scene, answer, 60.0)
+            return
 
 
 def replay(scene: Scene, motion: Motion) -> None:
@@ -451,24 +511,28 @@ def replay(scene: Scene, motion: Motion) -> None:
     samples[:, 0] = times
     swing = (np.array(scene.near_joints(35.0)) - here) * rng.choice((0, 1, 1), 6)
     shape = (1.0 - np.cos(np.pi * times / 1.5)) / 2.0
-    samples[:, 1:7] = here + shape[:, None] * swing
-    recording = Recording("random", samples=samples)
-    outcome = _checked(scene, recording)
-    if outcome.errors:
-        motion.refused += 1
-        motion.reasons.update(str(each.kind.id) for each in outcome.errors)
-        return
-    answer = scene.controller.replayer.start(Replay(recording))
-    scene.weigh(motion, answer, None)
-    settle_if_taken(scene, answer, 20.0)
+    for share in SHARES:
+        samples[:, 1:7] = here + share * shape[:, None] * swing
+        recording = Recording("random", samples=samples.copy())
+        if _checked(scene, motion, recording) is not None:
+            answer = scene.controller.replayer.start(Replay(recording))
+            scene.weigh(motion, answer, None)
+            settle_if_taken(scene, answer, 20.0)
+            return
 
 
-def _checked(scene: Scene, content: Trajectory | Recording) -> CheckOutcome:
+def _checked(scene: Scene, motion: Motion, content: Trajectory | Recording) -> CheckOutcome | None:
+    """Return what the check of the window says of a content; ``None`` if it may not be run."""
     controller = scene.controller
     start_deg = controller.state.angles_deg()
     assert start_deg is not None
     area = controller.area_guard.check()
-    return check_way(CheckRequest(content, arm_model(controller), start_deg, area=area))
+    outcome = check_way(CheckRequest(content, arm_model(controller), start_deg, area=area))
+    if not outcome.errors:
+        return outcome
+    motion.refused += 1
+    motion.reasons.update(str(each.kind.id) for each in outcome.errors)
+    return None
 
 
 def settle_if_taken(scene: Scene, answer: Started | Refusal | None, seconds: float = 14.0) -> None:
@@ -519,7 +583,7 @@ def held(scene: Scene, motion: Motion, jog: JointJog | ToolJog | SteeredJog) -> 
             motion.reasons[str(reason.reason.id)] += 1
             if "area" in str(reason.reason.id):
                 here = scene.oracle.nearest(scene.here_deg, rig.firmware.gripper.travel)
-                motion.early_mm.append(here.mm - MARGIN_MM)
+                motion.early_mm.append(here.mm - scene.margin_mm)
 
 
 def tapped(scene: Scene, motion: Motion) -> None:
@@ -602,10 +666,10 @@ def report(motions: Sequence[Motion], left_out: int, seconds: float) -> str:
     groundless = [(gap, code, each.seed) for each in motions for code, gap in each.groundless]
     if groundless:
         gaps = np.array([gap for gap, *_ in groundless])
-        quantiles = np.quantile(gaps - MARGIN_MM, (0.5, 0.95, 1.0)).round(1).tolist()
+        quantiles = np.quantile(gaps, (0.5, 0.95, 1.0)).round(1).tolist()
         lines.append(f"refused without a reason, beyond the margin: {quantiles} mm")
         for gap, code, seed in sorted(groundless, reverse=True)[:10]:
-            lines.append(f"  seed {seed}: {code}, {gap:.1f} mm kept")
+            lines.append(f"  seed {seed}: {code}, {gap:.1f} mm more kept")
     early = np.array([gap for each in motions for gap in each.early_mm])
     if len(early):
         quantiles = np.quantile(early, (0.5, 0.95, 1.0)).round(1).tolist()
