@@ -151,7 +151,11 @@ def breaches(ways: Sequence[Way], rule: Rule) -> Iterator[tuple[int, Excess]]:
     begin, count = 0, len(ways)
     while rule.bounds and begin < len(ways):
         some = ways[begin : begin + count]
-        first = rule.breach(Way(np.vstack([way.joints_deg for way in some])), allowed)
+        together = Way(
+            np.vstack([way.joints_deg for way in some]),
+            beside_deg=np.vstack([way.spreads_deg for way in some]),
+        )
+        first = rule.breach(together, allowed)
         if first is None:
             begin, count = begin + count, _MORE * count
             continue

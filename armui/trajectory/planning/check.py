@@ -43,7 +43,7 @@ from armui.trajectory.samples.recording import (
 )
 from armui.ways.law import Excess, Rule, breaches, first_breach
 from armui.ways.rules import AREA, FLOOR, LIMITS, OWN_BODY, FloorRule, rules_of
-from armui.ways.way import Way
+from armui.ways.way import Way, joint_way
 
 Array = npt.NDArray[np.float64]
 Whole = npt.NDArray[np.int64]
@@ -347,13 +347,17 @@ class _Leg:
     Attributes:
         begin, end: The indices of its first and its last sample; it begins where the one before
             ends.
+        by_joints: True if the arm is told its last pose only, and turns there by itself.
     """
 
     begin: int
     end: int
+    by_joints: bool = False
 
     def way(self, path: PlannedPath) -> Way:
         """Return its way."""
+        if self.by_joints:
+            return joint_way(path.joints_deg[self.begin], path.joints_deg[self.end])
         return Way(path.joints_deg[self.begin : self.end + 1])
 
     def nearest(self, path: PlannedPath, joints_deg: Sequence[float]) -> int:
@@ -363,14 +367,15 @@ class _Leg:
         return self.end if away_deg[-1] <= away_deg.min() else self.begin + int(away_deg.argmin())
 
 
-def _legs(path: PlannedPath) -> list[_Leg]:
+def _legs(content: Content, path: PlannedPath) -> list[_Leg]:
     """Return the parts of a path in order; the first leads from where the arm stands."""
     last = len(path.rows) - 1
-    if _is_recorded(path):
+    if isinstance(content, Recording):
         ends = [*range(_first_point(path), last, _SAMPLES_ON_END), last]
-    else:
-        ends = [*(np.flatnonzero(path.begins)[1:] - 1).tolist(), last]
-    return [_Leg(begin, end) for begin, end in pairwise((0, *ends))]
+        return [_Leg(begin, end) for begin, end in pairwise((0, *ends))]
+    ends = [*(np.flatnonzero(path.begins)[1:] - 1).tolist(), last]
+    turns = [point.move not in TOOL_MOVES for point in content.points]
+    return [_Leg(begin, end, turns[path.rows[end]]) for begin, end in pairwise((0, *ends))]
 
 
 def _carried_legs(
@@ -378,7 +383,7 @@ def _carried_legs(
 ) -> Iterator[tuple[Carried, list[_Leg]]]:
     """Yield what the hand holds, and on which parts of the path; where it changes, both."""
     holds = [point.holds for point in content.points] if isinstance(content, Trajectory) else []
-    now, legs = Carried(request.arm.held, request.area), _legs(path)
+    now, legs = Carried(request.arm.held, request.area), _legs(content, path)
     if all(name is None for name in holds):
         yield now, legs
         return
@@ -402,26 +407,27 @@ def _broken(
 ) -> Iterator[Finding]:
     """Yield where parts of a path break a rule, as the gate will ask it."""
     arm = replace(request.arm, held=carried.held)
-    for rule in rules_of(arm, carried.area, request.lowest_mm).every:
-        for leg, breach in _broken_legs(path, legs, rule):
+    rules = rules_of(arm, carried.area, request.lowest_mm)
+    ways = [rules.ramped(leg.way(path)) for leg in legs]
+    for rule in rules.every:
+        for leg, breach in _broken_legs(path, legs, ways, rule):
             kind = _KINDS[rule.name]
             if rule.name == LIMITS and leg.nearest(path, breach.joints_deg) < leg.end:
                 kind = TARGET_BEYOND_LIMIT if _is_recorded(path) else PATH_BEYOND_LIMIT
             figures = rule.refuse(breach, found_outside=False).params
             yield _on_leg(path, leg, breach, kind(**figures))
     if request.lowest_mm is None or request.lowest_mm < FLOOR_MM:
-        for leg, breach in _broken_legs(path, legs, FloorRule(arm, FLOOR_MM)):
+        for leg, breach in _broken_legs(path, legs, ways, FloorRule(arm, FLOOR_MM)):
             yield _on_leg(path, leg, breach, BELOW_FLOOR(value=round(breach.outside, 1)))
 
 
 def _broken_legs(
-    path: PlannedPath, legs: Sequence[_Leg], rule: Rule
+    path: PlannedPath, legs: Sequence[_Leg], ways: Sequence[Way], rule: Rule
 ) -> Iterator[tuple[_Leg, Excess]]:
     """Yield which parts of a path break a rule, and the worst place of each.
 
     Of samples of a recording on end the worst is enough.
     """
-    ways = [leg.way(path) for leg in legs]
     planned = 0
     found: list[tuple[int, Excess]] = []
     if legs[0].begin == 0:
