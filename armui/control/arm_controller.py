@@ -416,5 +416,5 @@ class ArmController(ControllerParts):
         self._authority.cancelled(self._clock())
         for part in (self.motion, self.planned_motion, self.speed_override, self.mode_exit):
             part.halt()
-        self.teaching.drop_pause()
+        self.teaching.drop_replay()
         self.gripper.end_travel()

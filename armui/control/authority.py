@@ -12,6 +12,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Reason, Refusal
+from armui.control.devices.teaching_phase import is_own_replay
 from armui.control.motion.motion_command import (
     CommandKind,
     End,
@@ -61,6 +62,8 @@ _REST_SHOWS_S: Final = 0.4
 """An arm that only sets out at a cancel is measured to move by then."""
 _CANCEL_WITHIN_S: Final = 1.0
 """After a cancel the arm is measured at rest within this time."""
+_REPLAY_SHOWS_S: Final = 1.5
+"""An arm that was told to follow its own recording shows it by then."""
 _OURS: Final = frozenset({ControlMode.STANDBY, ControlMode.CAN_CONTROL})
 _PLANNED: Final = frozenset({MoveMode.MOVE_P, MoveMode.MOVE_J, MoveMode.MOVE_L, MoveMode.MOVE_C})
 _CANCEL_AGAIN_S: Final = 0.3
@@ -96,6 +99,8 @@ class Authority:
         self._seen: Observation | None = None
         self._silent: Refusal | None = NOT_CONNECTED()
         self._cancelled_s: float | None = None
+        self._replay_s: float | None = None
+        """When the arm was told to follow its own recording; ``None`` once that is over."""
         self._zero_since_s = 0.0
         self._mode_sent: tuple[MoveMode, float] | None = None
         self._limits: tuple[JointLimits | None, ...] = ()
@@ -133,6 +138,8 @@ class Authority:
             self.arm_percent = self._mode_sent = None
             self.holds = frozenset()
             self._left_by_another, self._goes_on = True, False
+            self._replay_s = None
+        self._follow_replay(state)
         end = self._what_ends(seen)
         if end is not None:
             self._end(end)
@@ -178,9 +185,9 @@ class Authority:
 
         An arm that goes on to a target of ours moves by our doing, also when that target has ended
         to be one to start from, as after other limits were read; unless somebody else is known to
-        move it.
+        move it. So does one that follows its own recording by our word.
         """
-        if self.under_way or self.holds:
+        if self.under_way or self.holds or self._replay_s is not None:
             return True
         nobody_else = self.mover in {Mover.OURS, Mover.UNKNOWN}
         return self.moves and nobody_else and not self.is_ending
@@ -386,6 +393,10 @@ class Authority:
         self.command = replace(command, joints_deg=tuple(joints_deg), sent_s=now_s)
         return self.command
 
+    def replay_told(self, now_s: float) -> None:
+        """Note that the arm is told to follow its own recording, or to go to its start."""
+        self._replay_s = now_s
+
     def told_percent(self, percent: int) -> None:
         """Note that another speed percentage was sent."""
         self.arm_percent = percent
@@ -433,6 +444,7 @@ class Authority:
         self._end(end)
         self.revision += 1
         self.holds = frozenset()
+        self._replay_s = None
         self._left_by_another = self._met_moving = self._cancel_repeated = False
         self._cancelled_s, self.cancel_unheeded = now_s, False
 
@@ -453,6 +465,7 @@ class Authority:
         self.revision += 1
         if reason in {End.STOPPED, End.DISABLED, End.FORGOTTEN}:
             self.holds = frozenset()
+            self._replay_s = None
             self._cancelled_s, self.cancel_unheeded = None, False
         if reason in {End.SILENT, End.FORGOTTEN}:
             self._left_by_another = self._met_moving = True
@@ -575,6 +588,13 @@ class Authority:
         if left or stopped or any_motor_off(seen.state, seen.now_s):
             self.holds = frozenset()
 
+    def _follow_replay(self, state: ArmState) -> None:
+        told_s, status = self._replay_s, state.status
+        if told_s is None or status is None or is_own_replay(status.value):
+            return
+        if status.at_s - told_s > _REPLAY_SHOWS_S:
+            self._replay_s = None
+
     def _follow_cancel(self, now_s: float) -> None:
         if self._cancelled_s is None:
             return
@@ -585,7 +605,8 @@ class Authority:
         in_time_s = 0.0 if state is None else state.in_time_for_s(now_s, self._cancelled_s)
         shows = in_time_s >= _REST_SHOWS_S
         stopped = status is not None and status.value.arm_status == ArmStatusCode.EMERGENCY_STOP
-        led = state is not None and in_drag_teaching(state)
+        replays = status is not None and is_own_replay(status.value)
+        led = state is not None and in_drag_teaching(state) and not replays
         moved = self.other.commands or stopped or led  # by somebody else from now on
         if moved or (self.at_rest and shows):
             self._cancelled_s, self.cancel_unheeded = None, False

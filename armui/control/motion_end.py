@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Reason, Refusal
 from armui.control.authority import PART_FAILED
+from armui.control.devices.teaching_phase import may_replay
 from armui.control.motion.motion_command import End
 from armui.control.operating_state import LINK_LOST, NOT_CONNECTED, LinkState
 from armui.control.safety.interlocks import (
@@ -21,12 +22,13 @@ from armui.control.safety.other_command import LEADER_ARM, OTHER_HOST, OTHER_MOD
 from armui.control.safety.standstill import why_not_still
 from armui.protocol import commands
 from armui.protocol.addressing import OFFSETS
-from armui.protocol.codes import TrajectoryCommand
+from armui.protocol.codes import TeachingState, TrajectoryCommand
 from armui.protocol.frame import Frame
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.control.context import Context
+    from armui.control.link.connection import Connection
     from armui.control.run.execution import Execution
 
 RUN_STOPPED = Reason(
@@ -57,8 +59,9 @@ _LEFT_ALONE: Final = frozenset(
 
 _LOG: Final = logging.getLogger(__name__)
 
-_ABORT: Final = bytes([0, 6, 0, 0, 0, 0, 0, 0])
-"""0x150 byte 1 = 6, 终止; written out because the codec may be the part that fails."""
+_ABORTS: Final = (bytes([0, 6, 0, 0, 0, 0, 0, 0]), bytes([0, 0, 6, 0, 0, 0, 0, 0]))
+"""0x150 byte 1 = 6 and byte 2 = 6, 终止; written out because the codec may be the part that fails.
+"""
 _MOTION_COMMAND: Final = 0x150
 _OPEN: Final = frozenset({LinkState.ONLINE, LinkState.OFFLINE})
 _REST_WITHIN_S: Final = 0.5
@@ -68,10 +71,22 @@ _OWED_S: Final = 10.0
 """A lost device that comes back within this time is sent the end of the motion."""
 
 
-def abort_motion(context: Context, end: End = End.CANCELLED) -> bool:
-    """Have the arm end its motion where it is, powered, and drop its target (0x150 byte 1 = 6).
+def ending_frames(connection: Connection) -> list[Frame]:
+    """Return what has the arm end its motion with power on: 0x150 byte 1 = 6.
 
-    The frame goes ahead of everything that waits: half a target must not follow it. Return whether
+    Where it may follow a recording of its own, that has an end of its own: byte 2 = 6.
+    """
+    codec, status = connection.codec, connection.newest.status
+    frames = commands.trajectory_command(codec, TrajectoryCommand.ABORT)
+    if may_replay(None if status is None else status.value):
+        frames += commands.teaching_command(codec, TeachingState.ABORT)
+    return frames
+
+
+def abort_motion(context: Context, end: End = End.CANCELLED) -> bool:
+    """Have the arm end its motion where it is, powered, and drop its target (0x150).
+
+    It goes ahead of everything that waits: half a target must not follow it. Return whether
     it is on the bus.
 
     Args:
@@ -81,7 +96,7 @@ def abort_motion(context: Context, end: End = End.CANCELLED) -> bool:
     connection = context.connection
     if connection.device is None or connection.device.listen_only:
         return False
-    frames = commands.trajectory_command(connection.codec, TrajectoryCommand.ABORT)
+    frames = ending_frames(connection)
     context.authority.cancelled(context.clock(), end)
     return connection.send_urgent(frames)
 
@@ -145,6 +160,7 @@ class MotionEnd:
                 self._end_replay,
                 self._end_program,
                 *((self._end_single_motion, self._end_gripper) if single else ()),
+                self._drop_own_replay,
             )
             ended = [_succeeds(way) for way in ways]
             self.stuck = not all(ended)
@@ -248,6 +264,10 @@ class MotionEnd:
             self._note()
             abort_motion(self._context)
 
+    def _drop_own_replay(self) -> None:
+        """Await no replay of the arm's own: it has been ended as a single motion."""
+        self._controller.teaching.drop_replay()
+
     def _end_gripper(self) -> None:
         self._controller.gripper.end_travel()
 
@@ -280,9 +300,9 @@ class MotionEnd:
         if device is None or device.listen_only:
             return
         try:
-            frames = commands.trajectory_command(connection.codec, TrajectoryCommand.ABORT)
+            frames = ending_frames(connection)
         except Exception:  # noqa: BLE001 - it may be what fails
-            frames = [Frame(_MOTION_COMMAND + offset, _ABORT) for offset in OFFSETS]
+            frames = [Frame(_MOTION_COMMAND + each, data) for data in _ABORTS for each in OFFSETS]
         connection.send_urgent(frames)
 
 

@@ -306,7 +306,7 @@ def halt(console):
 
 @pytest.mark.parametrize(("on_the_bus", "notice"), [(True, HALT_SENT), (False, HALT_NOT_OUT)])
 def test_a_halt_is_sent_before_anything_else_is_done(console, on_the_bus, notice):
-    console.connection.on_the_bus = on_the_bus
+    console.connection.on_the_bus, console.connection.newest = on_the_bus, told()
     assert halt(console) is None
     assert console.take() == ["sent", "driven ended", notice]
     assert console.connection.sent == [on_all(ABORT)]
@@ -316,6 +316,9 @@ REPLAYS = [
     {"arm_status": ArmStatusCode.TEACHING_RUNNING},
     {"arm_status": ArmStatusCode.TEACHING_PAUSED},
     {"control_mode": ControlMode.TEACHING, "teaching": TeachingState.PAUSE},
+    # it may have begun since
+    {"control_mode": ControlMode.TEACHING, "teaching": TeachingState.STOP_RECORDING},
+    None,
 ]
 NONE = [{}, {"arm_status": ArmStatusCode.TEACHING_RECORDING}, {"arm_status": STOPPED}]
 
@@ -324,7 +327,7 @@ NONE = [{}, {"arm_status": ArmStatusCode.TEACHING_RECORDING}, {"arm_status": STO
     ("changes", "aborts"), [*((each, True) for each in REPLAYS), *((each, False) for each in NONE)]
 )
 def test_a_recording_that_the_arm_runs_is_aborted_too(console, changes, aborts):
-    console.connection.newest = told(**changes)
+    console.connection.newest = ArmState() if changes is None else told(**changes)
     assert halt(console) is None
     expected = [*on_all(ABORT), *(on_all(ABORT_TEACHING) if aborts else [])]
     assert console.connection.sent == [expected]

@@ -92,6 +92,8 @@ class TeachingControl(ControllerPart):
             if command in _ENDS_SOMETHING
             else Request(context, frames, _shows(command), _ANSWER_S, 1, passed)
         )
+        if command in DRIVES:
+            context.authority.replay_told(context.clock())
         self._request.advance()
         context.refresh()
         return started
@@ -110,9 +112,9 @@ class TeachingControl(ControllerPart):
             ending, notice = Ending.FAILED, TEACHING_UNANSWERED
         self._context.close(self._started, ending, notice, command=int(command))
 
-    def drop_pause(self) -> None:
-        """Do not repeat a pause, because what it was to pause has been ended."""
-        if self._pending is TeachingState.PAUSE:
+    def drop_replay(self) -> None:
+        """Await no replay and repeat no pause, because the arm was told to end its replay."""
+        if self._pending is TeachingState.PAUSE or self._pending in DRIVES:
             self._drop_request()
 
     def halt(self) -> None:

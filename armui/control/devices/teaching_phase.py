@@ -131,6 +131,19 @@ def phase_of(status: Status) -> TeachingPhase:
     return TeachingPhase.IDLE
 
 
+def is_own_replay(status: Status) -> bool:
+    """Return whether the arm follows its own recording, or goes to its start; paused, too."""
+    return phase_of(status) in {TeachingPhase.REPLAYING, TeachingPhase.PAUSED}
+
+
+def may_replay(status: Status | None) -> bool:
+    """Return whether the arm may follow its own recording by now: what was heard last may be older.
+
+    A replay begins in drag teaching only, and not while the hand is recorded.
+    """
+    return status is None or phase_of(status) not in {TeachingPhase.OFF, TeachingPhase.RECORDING}
+
+
 def why_under_way(phase: TeachingPhase) -> Refusal | None:
     """Return the teaching activity under way as a reason against disturbing it, or ``None``."""
     return None if phase in {TeachingPhase.OFF, TeachingPhase.IDLE} else Refusal(_UNSUITED[phase])

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Final
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState, is_fresh
 from armui.control.context import REFUSED
-from armui.control.devices.teaching_phase import TeachingPhase, phase_of
 from armui.control.events import Notice
+from armui.control.motion_end import ending_frames
 from armui.control.operating_state import (
     LinkState,
     StopState,
@@ -27,7 +27,6 @@ from armui.control.operations.started import (
 from armui.control.safety.emergency_stop import EmergencyStop, StopWatch
 from armui.protocol import commands
 from armui.protocol.addressing import OFFSETS
-from armui.protocol.codes import TeachingState, TrajectoryCommand
 from armui.protocol.frame import Frame
 from armui.telemetry.events import Asker, EventKind, Level
 
@@ -246,10 +245,9 @@ class Stopping:
         return why_unreachable(self._connection.link)
 
     def halt(self, end_driven: Callable[[], None]) -> Refusal | None:
-        """End any motion with power on (0x150 byte 1 = 6): the joints hold where they come to rest.
+        """End any motion with power on (0x150): the joints hold where they come to rest.
 
-        The frames go ahead of everything that waits, which is dropped. A replay of drag teaching is
-        aborted, too (0x150 byte 2 = 6).
+        The frames go ahead of everything that waits, which is dropped.
 
         Args:
             end_driven: Ends whatever this program drives; called when the frames are on their way.
@@ -258,11 +256,8 @@ class Stopping:
         if refusal is not None:
             self._tell(REFUSED, reason=refusal)
             return refusal
-        codec = self._connection.codec
-        frames = commands.trajectory_command(codec, TrajectoryCommand.ABORT)
-        if self._replays_teaching():
-            frames += commands.teaching_command(codec, TeachingState.ABORT)
-        out = self._connection.send_urgent(self._on_every_offset(frames))
+        frames = self._on_every_offset(ending_frames(self._connection))
+        out = self._connection.send_urgent(frames)
         end_driven()
         self._halted_s = self._clock()
         if self._halt_started is not None:
@@ -270,14 +265,6 @@ class Stopping:
         self._halt_started = Started("halt")
         self._tell(HALT_SENT if out else HALT_NOT_OUT, self._halt_started)
         return None
-
-    def _replays_teaching(self) -> bool:
-        """Tell whether the arm says that it runs a recording of its own: that has its own abort."""
-        status = self._connection.newest.status
-        return status is not None and phase_of(status.value) in {
-            TeachingPhase.REPLAYING,
-            TeachingPhase.PAUSED,
-        }
 
     def _follow_halt(self, state: ArmState, now_s: float, *, still: bool) -> None:
         if self._halted_s is None:
