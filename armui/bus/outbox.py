@@ -25,6 +25,8 @@ from armui.ways.passes import Pass
 if TYPE_CHECKING:
     import can
 
+    from armui.bus.press import Press
+
 KEEP_S: Final = 0.5
 """A batch that could not begin within this time is dropped: a command must not act late."""
 
@@ -48,13 +50,19 @@ class _Batch:
         frames: Those that are not out yet.
         until_s: After this time none of it may begin.
         command: The number of the command it belongs to; ``None``: of none.
+        press: The press it belongs to; ``None``: of none.
         begun: Its first frame is out: the rest belongs to it.
     """
 
     frames: deque[Frame]
     until_s: float
     command: int | None
+    press: Press | None = None
     begun: bool = False
+
+    def is_late(self, now_s: float) -> bool:
+        """Return whether it may not begin any more."""
+        return self.until_s < now_s or (self.press is not None and self.press.is_over(now_s))
 
 
 class _Port:
@@ -147,6 +155,7 @@ class Outbox:
         keep_s: float = KEEP_S,
         command: int | None = None,
         passed: Pass | None = None,
+        press: Press | None = None,
     ) -> bool:
         """Queue frames in order, as one batch: all of them go out, or none.
 
@@ -160,6 +169,7 @@ class Outbox:
             command: The number of the command it belongs to; see :meth:`void`.
             passed: The gate's pass, without which no motion frame is taken (safety S35). What is
                 urgent needs none: stop, halt, and what ends a motion.
+            press: The press it belongs to: what is sent again does not begin too late either.
 
         Returns:
             True if they were queued; false without a bus, or in listen-only mode.
@@ -168,7 +178,7 @@ class Outbox:
             UnpassedMotionError: There is a motion frame among them, and no pass.
         """
         now_s = self._clock()
-        batch = _Batch(deque(frames), now_s + keep_s, command)
+        batch = _Batch(deque(frames), now_s + keep_s, command, press)
         if passed is None and any(map(is_motion_frame, batch.frames)):
             names = ", ".join(f"0x{frame.arbitration_id:03X}" for frame in batch.frames)
             raise UnpassedMotionError(f"no pass of the gate for {names}: ask it before sending")
@@ -284,7 +294,7 @@ class Outbox:
     def _drop_old(self, now_s: float) -> None:
         blocked = self._is_blocked(now_s)
         while self._batches and (
-            blocked if self._batches[0].begun else self._batches[0].until_s < now_s
+            blocked if self._batches[0].begun else self._batches[0].is_late(now_s)
         ):
             self._dropped += len(self._batches.popleft().frames)
 
@@ -355,6 +365,8 @@ class Outbox:
                     self._urgent.popleft()
             elif self._batches and self._batches[0] is batch:
                 batch.begun = True
+                if batch.press is not None:
+                    batch.press.begun = True
                 batch.frames.popleft()
                 late = self._clock() - since_s >= BLOCKED_S
                 if late:

@@ -23,6 +23,7 @@ from armui.bus.adapters import explain
 from armui.bus.frame_processor import FrameProcessor
 from armui.bus.link import BusHealth, BusReport, BusState
 from armui.bus.outbox import KEEP_S, Outbox, SendingThread
+from armui.bus.press import Press
 from armui.bus.receive_clock import STAMPED, ReceiveClock
 from armui.bus.receive_queue import ReceiveQueue
 from armui.protocol.codec import Codec
@@ -143,9 +144,11 @@ class BusWorker(QThread):
         keep_s: float | None = None,
         command: int | None = None,
         passed: Pass | None = None,
+        press: Press | None = None,
     ) -> bool:
         """Queue frames in order; false if the device is not open; see :meth:`Outbox.put`."""
-        return self._outbox.put(frames, KEEP_S if keep_s is None else keep_s, command, passed)
+        keep_s = KEEP_S if keep_s is None else keep_s
+        return self._outbox.put(frames, keep_s, command, passed, press)
 
     def holds(self, command: int) -> bool:
         """Return whether a frame of a command is not out yet; see :meth:`Outbox.holds`."""

@@ -10875,6 +10875,10 @@ The other program must have ended.</source>
         <translation>没有关节位于限位之外：无需返回。</translation>
     </message>
     <message>
+        <source>The CAN device took no frame within a second of the press. Check the CAN cable and the arm&apos;s power, then try again.</source>
+        <translation>按下后 1 秒内 CAN 设备没有发出任何帧。请检查 CAN 线缆和机械臂电源，然后重试。</translation>
+    </message>
+    <message>
         <source>Nothing was sent: a second after the press the arm did not rest yet, or its way was still being checked. Press again.</source>
         <translation>未发送：按下一秒后机械臂仍未静止，或路径仍在检查。请再按一次。</translation>
     </message>

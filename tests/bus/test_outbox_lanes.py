@@ -5,6 +5,7 @@ import threading
 import pytest
 
 from armui.bus.outbox import Outbox
+from armui.bus.press import Press
 from tests.bus.driver import FULL, Driver, InDriver
 from tests.bus.test_outbox import STOP, frames
 
@@ -145,6 +146,31 @@ def test_a_batch_begins_within_half_a_second_or_not_at_all(outbox, driver, time_
     outbox.send_waiting()
     assert driver.sent == (frames(1, 2) if sent else [])
     assert outbox.dropped == (0 if sent else 2)
+
+
+@pytest.mark.parametrize(("after_s", "sent"), [(1.0, True), (1.0625, False)])
+def test_what_is_sent_again_is_not_the_first_to_begin_after_a_second(
+    outbox, driver, time_s, after_s, sent
+):
+    press = Press(time_s[0] + 1.0)
+    outbox.put(frames(1), press=press)
+    time_s[0] += after_s - 0.25
+    outbox.put(frames(2, 3), press=press)
+    time_s[0] += 0.25
+    outbox.send_waiting()
+    assert driver.sent == (frames(2, 3) if sent else [])
+    assert press.begun is sent
+    assert press.is_over(time_s[0]) is not sent
+
+
+def test_once_one_has_left_it_may_be_sent_again_later(outbox, driver, time_s):
+    press = Press(time_s[0] + 1.0)
+    for _ in range(3):
+        outbox.put(frames(1), press=press)
+        outbox.send_waiting()
+        time_s[0] += 0.75
+    assert len(driver.sent) == 3
+    assert not press.is_over(time_s[0])
 
 
 def test_the_next_call_drops_what_is_too_old(outbox, time_s):

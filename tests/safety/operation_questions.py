@@ -128,10 +128,6 @@ KNOWN: Final[Mapping[tuple[Question, str], str]] = {
     (Question.FRAMES, "run.override"): "sends 0x151, is declared to move nothing",
     (Question.FRAMES, "mounting.tell"): "sends 0x151, is declared to move nothing",
     (Question.FRAMES, "gripper.enable"): "sends 0x159 with power, is declared to move nothing",
-    (Question.LATE, "gripper.enable"): "its second attempt is the first to leave, 1.10 s after",
-    (Question.LATE, "motors.enable"): "its second attempt is the first to leave, 1.10 s after",
-    (Question.LATE, "motors.disable"): "its second attempt is the first to leave, 1.10 s after",
-    (Question.LATE, "motors.resume"): "0x150 = 2, the arm drops, leaves 1.10 s after the press",
 }
 """What is broken today, with the figure that was seen."""
 

@@ -4,9 +4,10 @@ import pytest
 
 from armui.arm.parameters import Batch, Group, Parameter
 from armui.control.operating_state import OFFLINE
-from armui.control.operations.started import ARM_CHANGED
+from armui.control.operations.started import ARM_CHANGED, NOTHING_LEFT, Ending
 from armui.control.parameters.parameter_reader import ParameterReader
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
+from armui.protocol.codes import TeachingState
 from tests.accepted import accepted
 from tests.faulty_arm import HardOfHearing, laid_down
 
@@ -133,3 +134,55 @@ def test_a_command_meant_for_one_arm_is_not_given_to_the_next(arm):
         ARM_CHANGED,
         OFFLINE,
     }
+
+
+# What is sent again until the feedback shows it ---------------------------------------------------
+
+
+def disable(controller):
+    return controller.motors.disable()
+
+
+def gripper_enable(controller):
+    return controller.gripper.enable(1.0)
+
+
+def record_a_hand(controller):
+    return controller.teaching.command(TeachingState.START_RECORDING)
+
+
+@pytest.mark.parametrize("press", [disable, gripper_enable, record_a_hand])
+def test_what_no_driver_took_within_a_second_is_dropped_and_said(arm, press):
+    arm.controller.motors.enable()
+    arm.run(0.3)
+    arm.hold_driver()
+    accepted(arm.controller.lights.set_light(1, 1, 0, 0, 0))  # the driver keeps this one
+    arm.run(0.1)
+    arm.events.clear()
+    started = accepted(press(arm.controller))
+    arm.run(1.2)
+    told = [each.params["reason"].reason for each in arm.events if each.code == "refused"]
+    assert told == [NOTHING_LEFT]
+    assert started.ending is Ending.FAILED
+    assert arm.controller.operating_state.busy is None
+    arm.heard()
+    arm.free_driver()
+    arm.run(1.0)
+    assert {each.arbitration_id for each in arm.heard()} & {0x150, 0x159, 0x471} == set()
+    assert all(arm.firmware.enabled)
+    accepted(press(arm.controller))
+    arm.run(0.5)
+    assert {each.arbitration_id for each in arm.heard()} & {0x150, 0x159, 0x471}
+
+
+def test_what_has_left_is_sent_again_after_more_than_a_second(arm):
+    """Some arms need it three times."""
+    arm.controller.motors.disable()
+    arm.run(0.3)
+    arm.node.link.lose_to_arm(0x471, 2)
+    started = accepted(arm.controller.motors.enable())
+    arm.run(0.96)
+    assert not any(arm.firmware.enabled)
+    arm.run(0.4)
+    assert all(arm.firmware.enabled)
+    assert started.ending is Ending.DONE

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from armui.arm.state import ArmState
     from armui.bus.playback.curve_history import CurveHistory
     from armui.bus.playback.log_cursor import LogClock, ReplayedFrame
+    from armui.bus.press import Press
     from armui.bus.samples import SampleRing
     from armui.protocol.codec import Codec
     from armui.protocol.frame import Frame
@@ -129,6 +130,7 @@ class LogWorker(QThread):
         keep_s: float | None = None,  # noqa: ARG002
         command: int | None = None,  # noqa: ARG002
         passed: Pass | None = None,  # noqa: ARG002
+        press: Press | None = None,  # noqa: ARG002
     ) -> bool:
         """Return false: nothing can be sent to a log."""
         return False

@@ -19,7 +19,7 @@ from armui.control.operations.operation import Consent, operation, record_start
 from armui.control.operations.started import Ending, Started
 from armui.control.parameters.arm_settings import SETTING_NOT_KEPT, ArmSettings
 from armui.control.parameters.setting_cell import CellState
-from armui.control.requests.request import Request, RequestOutcome
+from armui.control.requests.request import NOTHING_LEFT_REPORT, Request, RequestOutcome
 from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN, OTHER_CONTROL
 from armui.protocol import commands
 from armui.protocol.codes import ControlMode
@@ -30,6 +30,7 @@ from armui.trajectory.points.program import GripperOpening
 
 if TYPE_CHECKING:
     from armui.cell.gripper_table import GripperTable
+    from armui.control.requests.reports import Report
     from armui.trajectory.points.program import GripperAction
 
 GRIPPER_SILENT = Reason(
@@ -449,11 +450,12 @@ class GripperControl(ControllerPart):
         if outcome is RequestOutcome.WAITING:
             return
         done = outcome is RequestOutcome.DONE
-        notice = GRIPPER_ACT_DONE if done else GRIPPER_ACT_FAILED
-        started, action = self._started, self._action
+        report: Report = GRIPPER_ACT_DONE if done else GRIPPER_ACT_FAILED, {"act": self._action}
+        notice, figures = NOTHING_LEFT_REPORT if outcome is RequestOutcome.NOTHING_LEFT else report
+        started = self._started
         self._started = None
         self._drop_request()
-        self._context.close(started, Ending.DONE if done else Ending.FAILED, notice, act=action)
+        self._context.close(started, Ending.DONE if done else Ending.FAILED, notice, **figures)
 
     def _follow(self, travel: _Travel) -> None:
         feedback, now_s = self._context.state().gripper, self._context.clock()

@@ -15,7 +15,7 @@ from armui.control.operating_state import Busy, OperatingState, StopState, why_o
 from armui.control.operations.operation import Consent, operation, operation_of, record_start
 from armui.control.operations.started import Ending, Started
 from armui.control.requests import reports
-from armui.control.requests.request import Request, RequestOutcome
+from armui.control.requests.request import NOTHING_LEFT_REPORT, Request, RequestOutcome
 from armui.control.safety.emergency_stop import is_stopped
 from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN
 from armui.protocol import commands
@@ -139,6 +139,8 @@ class Motors(ControllerPart):
         busy, self._busy, self._request = self._busy, None, None
         done = outcome is RequestOutcome.DONE
         notice, figures = reports.on_motors(busy, self._context.state(), self._joints, done=done)
+        if outcome is RequestOutcome.NOTHING_LEFT:
+            notice, figures = NOTHING_LEFT_REPORT
         ending = Ending.DONE if done else Ending.FAILED
         self._context.close(self._started, ending, notice, **figures)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
@@ -17,10 +17,13 @@ from armui.control.devices.teaching_phase import (
 from armui.control.events import Notice
 from armui.control.operations.operation import operation, record_start
 from armui.control.operations.started import Ending, Started
-from armui.control.requests.request import Request, RequestOutcome
+from armui.control.requests.request import NOTHING_LEFT_REPORT, Request, RequestOutcome
 from armui.protocol import commands
 from armui.protocol.codes import TeachingState
 from armui.telemetry.events import EventKind, Level
+
+if TYPE_CHECKING:
+    from armui.control.requests.reports import Report
 
 TEACHING_SENT = Notice("teaching_sent", "Sent: {command}", Level.INFO, EventKind.COMMAND)
 TEACHING_DONE = Notice(
@@ -88,7 +91,7 @@ class TeachingControl(ControllerPart):
         self._pending, self._started = command, started
         frames = commands.teaching_command(context.connection.codec, command)
         self._request = (
-            Request(context, frames, _shows(command))
+            Request(context, frames, _shows(command), ends=True)
             if command in _ENDS_SOMETHING
             else Request(context, frames, _shows(command), _ANSWER_S, 1, passed)
         )
@@ -106,11 +109,11 @@ class TeachingControl(ControllerPart):
         if outcome is RequestOutcome.WAITING:
             return
         command, self._pending, self._request = self._pending, None, None
-        if outcome is RequestOutcome.DONE:
-            ending, notice = Ending.DONE, TEACHING_DONE
-        else:
-            ending, notice = Ending.FAILED, TEACHING_UNANSWERED
-        self._context.close(self._started, ending, notice, command=int(command))
+        done = outcome is RequestOutcome.DONE
+        report: Report = TEACHING_DONE if done else TEACHING_UNANSWERED, {"command": int(command)}
+        notice, figures = NOTHING_LEFT_REPORT if outcome is RequestOutcome.NOTHING_LEFT else report
+        ending = Ending.DONE if done else Ending.FAILED
+        self._context.close(self._started, ending, notice, **figures)
 
     def drop_replay(self) -> None:
         """Await no replay and repeat no pause, because the arm was told to end its replay."""

@@ -25,6 +25,7 @@ from armui.telemetry.events import Asker, EventKind, Level
 
 if TYPE_CHECKING:
     from armui.bus.playback.log_worker import LogWorker
+    from armui.bus.press import Press
     from armui.bus.samples import SampleRing
     from armui.bus.worker import BusWorker, Opener
     from armui.control.link.handshake import Handshake
@@ -317,6 +318,7 @@ class Connection(QObject):
         keep_s: float | None = None,
         command: int | None = None,
         passed: Pass | None = None,
+        press: Press | None = None,
     ) -> bool:
         """Queue frames as one batch; return false if no device is open or it is listen-only.
 
@@ -325,8 +327,10 @@ class Connection(QObject):
             keep_s: A batch that could not begin within this time is dropped.
             command: The number of the command it belongs to; see :meth:`void`.
             passed: The gate's pass, without which no motion frame is sent.
+            press: The press it belongs to, where frames may be sent again.
         """
-        return self._worker is not None and self._worker.send(frames, keep_s, command, passed)
+        worker = self._worker
+        return worker is not None and worker.send(frames, keep_s, command, passed, press)
 
     def holds(self, command: int) -> bool:
         """Return whether a frame of a command has not been handed to the device yet."""

@@ -41,6 +41,11 @@ ORDER_TOO_LATE = Reason(
     "Nothing was sent: the arm was still being set or asked something a second after the "
     "press. Try again.",
 )
+NOTHING_LEFT = Reason(
+    "nothing_left",
+    "The CAN device took no frame within a second of the press. Check the CAN cable and the arm's "
+    "power, then try again.",
+)
 ANSWERED = Observed("answered", "Answered with 0x476 (setting {index})")
 
 

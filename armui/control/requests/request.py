@@ -6,14 +6,21 @@ import enum
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from armui.arm.state import ArmState
-from armui.control.context import Context
+from armui.bus.press import Press
+from armui.control.context import REFUSED, Context
+from armui.control.operations.started import NOTHING_LEFT
 from armui.protocol.frame import Frame
 
 if TYPE_CHECKING:
+    from armui.control.requests.reports import Report
     from armui.ways.passes import Pass
+
+_LEAVES_WITHIN_S: Final = 0.95
+"""A second, less what a driver takes for a frame (safety S14)."""
+NOTHING_LEFT_REPORT: Final[Report] = (REFUSED, {"reason": NOTHING_LEFT()})
 
 
 class RequestOutcome(enum.Enum):
@@ -22,6 +29,8 @@ class RequestOutcome(enum.Enum):
     WAITING = enum.auto()
     DONE = enum.auto()
     TIMED_OUT = enum.auto()
+    NOTHING_LEFT = enum.auto()
+    """No frame of it has left within a second of the press, and none will."""
 
 
 @dataclass(slots=True)
@@ -36,6 +45,8 @@ class Request:
             twice).
         attempts: The most times to send; the last attempt waits ``repeat_s`` too.
         passed: The gate's pass, where there is a motion frame among them.
+        ends: True if it only ends something in the arm: it may leave later than a second after the
+            press.
     """
 
     context: Context
@@ -44,6 +55,8 @@ class Request:
     repeat_s: float = 0.5
     attempts: int = 3
     passed: Pass | None = None
+    ends: bool = False
+    _press: Press | None = None
     _sent: int = 0
     _sent_s: float = 0.0
     _next_s: float = 0.0
@@ -53,6 +66,10 @@ class Request:
         state, now_s = self.context.state(), self.context.clock()
         if self._sent and self.seen(state):
             return RequestOutcome.DONE
+        if not self._sent and not self.ends:
+            self._press = Press(now_s + _LEAVES_WITHIN_S)
+        if self._press is not None and self._press.is_over(now_s):
+            return RequestOutcome.NOTHING_LEFT
         if now_s < self._next_s:
             return RequestOutcome.WAITING
         gap = state.gap
@@ -62,7 +79,7 @@ class Request:
             return RequestOutcome.WAITING
         if self._sent == self.attempts:
             return RequestOutcome.TIMED_OUT
-        self.context.connection.send(self.frames, passed=self.passed)
+        self.context.connection.send(self.frames, passed=self.passed, press=self._press)
         self._sent += 1
         self._sent_s, self._next_s = now_s, now_s + self.repeat_s
         return RequestOutcome.WAITING
