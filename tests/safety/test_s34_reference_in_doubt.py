@@ -423,6 +423,21 @@ def test_a_slow_motion_is_not_made_fast_under_way(lost):
     assert lost.firmware.speed_percent == 10
 
 
+def test_a_fast_motion_under_way_may_be_made_slower(ready):
+    controller = ready.controller
+    accepted(controller.motion.set_speed_percent(40))
+    accepted(controller.motion.send_joints((-FAR_DEG[0], *FAR_DEG[1:])))
+    ready.run(0.3)
+    lose(ready)
+    ready.run_until(lambda: doubtful(ready) == (5,))
+    assert controller.operating_state.moving
+    accepted(controller.motion.set_speed_percent(20))
+    ready.run(0.1)
+    assert ready.firmware.speed_percent == 20
+    assert controller.motion.set_speed_percent(30).reason == REFERENCE_IN_DOUBT
+    assert ready.firmware.speed_percent == 20
+
+
 def test_the_press_holds_for_a_minute_and_for_what_began_in_it(lost):
     controller = lost.controller
     step = controller.recovery.step

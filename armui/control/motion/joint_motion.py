@@ -136,7 +136,8 @@ class Motion(ControllerPart):
             return context.refuse(SPEED_OUT_OF_RANGE(value=percent))
         operating_state = context.refresh()
         refusal = why_no_speed(operating_state)
-        if refusal is None and operating_state.moving:
+        slows = context.authority.lowers_speed(round(percent))  # a doubt is no reason against that
+        if refusal is None and operating_state.moving and not slows:
             refusal = operating_state.reference.why_not_move(percent)
         if refusal is not None:
             return context.refuse(refusal)
