@@ -14,7 +14,8 @@ from tests.safety.operations_table import ENTRIES, LEAD, STAND
 class Question(enum.Enum):
     """A promise that can be asked of any operation."""
 
-    FRAMES = "it is declared to move what it moves"
+    FRAMES = "it sends what it is said to send"
+    MOVES = "S9, S13: what sends a motion frame is declared to move, and so is refused"
     STOP = "S1, S2, S10: the stop is heard while it works, and it is not revived"
     HALT = "S10, S26: the halt is heard while it works, and it is not revived"
     UNHEARD = "S9: no motion frame while the arm is not heard"
@@ -65,6 +66,12 @@ _NO_LINE: Final[Reasons] = {
 }
 
 NOT_ASKED: Final[Mapping[Question, Reasons]] = {
+    Question.MOVES: {
+        "It is the operator's choice, kept in any state, and told where it sets nothing going: to "
+        "refuse it would keep a motion under way from being slowed.": (
+            *("motion.set_speed", "run.override"),
+        ),
+    },
     Question.HALT: {
         "It sends no motion frame, and a halt is no reason against it.": [
             name for name in STAND if name not in {"run.pause", "replay.pause"}
@@ -124,10 +131,6 @@ NOT_ASKED: Final[Mapping[Question, Reasons]] = {
 """What cannot be asked of an operation, and why."""
 
 KNOWN: Final[Mapping[tuple[Question, str], str]] = {
-    (Question.FRAMES, "motion.set_speed"): "sends 0x151, is declared to move nothing",
-    (Question.FRAMES, "run.override"): "sends 0x151, is declared to move nothing",
-    (Question.FRAMES, "mounting.tell"): "sends 0x151, is declared to move nothing",
-    (Question.FRAMES, "gripper.enable"): "sends 0x159 with power, is declared to move nothing",
 }
 """What is broken today, with the figure that was seen."""
 

@@ -205,10 +205,16 @@ def replay_paused(driver: Driver, way: Way) -> Refusal | None:
     return answer if isinstance(answer, Refusal) else None
 
 
-def motion_paused(driver: Driver, way: Way) -> Refusal | None:
+def motion_under_way(driver: Driver, way: Way) -> Refusal | None:
     if isinstance(answer := driver.begin("motion.send", way.end_deg), Refusal):
         return answer
     driver.run(0.2)
+    return None
+
+
+def motion_paused(driver: Driver, way: Way) -> Refusal | None:
+    if (refusal := motion_under_way(driver, way)) is not None:
+        return refusal
     answer = driver.begin("planned.command", TrajectoryCommand.PAUSE)
     driver.run(0.3)
     return answer if isinstance(answer, Refusal) else None

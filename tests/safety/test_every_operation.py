@@ -39,7 +39,19 @@ from tests.safety.operation_places import (
     small_step,
 )
 from tests.safety.operation_questions import KNOWN, NOT_ASKED, Question, asked, excused
-from tests.safety.operations_table import BENT_DEG, DRIVE, ENTRIES, FREE, SPEED_PERCENT, STAND, Way
+from tests.safety.operations_table import (
+    BENT_DEG,
+    DRIVE,
+    ENTRIES,
+    FREE,
+    SPEED_PERCENT,
+    STAND,
+    Way,
+    motion_paused,
+    motion_under_way,
+    run_paused,
+    running,
+)
 
 NewDriver = Callable[[], Driver]
 
@@ -210,9 +222,7 @@ def test_what_is_not_asked_and_what_is_known_is_of_operations_and_asked() -> Non
 
 
 @asked(Question.FRAMES)
-def test_it_sends_what_it_is_said_to_send_and_is_declared_to_move(
-    new_driver: NewDriver, name: str
-) -> None:
+def test_it_sends_what_it_is_said_to_send(new_driver: NewDriver, name: str) -> None:
     entry, driver = ENTRIES[name], ready(new_driver, name)
     before = len(driver.frames)
     answer = entry.begin(driver, name, FREE)
@@ -220,8 +230,43 @@ def test_it_sends_what_it_is_said_to_send_and_is_declared_to_move(
     settle(driver, name, answer)
     sent = {each.identifier for each in driver.frames[before:] if each.is_motion}
     assert entry.frames <= sent <= entry.frames | ({0x151} if entry.frames else set())
-    assert not sent or driver.operations[name].moves
     assert driver.failures == []
+
+
+@asked(Question.MOVES)
+def test_what_sends_a_motion_frame_is_declared_to_move(new_driver: NewDriver, name: str) -> None:
+    assert new_driver().operations[name].moves is bool(ENTRIES[name].frames)
+
+
+HELD_BACK: Final = {
+    "motion.set_speed": (motion_paused, motion_under_way),
+    "run.override": (run_paused, running),
+}
+"""For what is not declared to move: a motion that is held back, and one that is under way."""
+
+
+@pytest.mark.parametrize("name", excused(Question.MOVES))
+def test_s11_a_speed_sets_nothing_going_and_slows_what_goes(
+    new_driver: NewDriver, name: str
+) -> None:
+    held_back, under_way = HELD_BACK[name]
+    driver = standing(new_driver)
+    assert held_back(driver, FREE) is None
+    before = len(driver.frames)
+    for percent in (20, 80):
+        accepted(driver.begin(name, percent))
+        driver.run(LATE_S)
+        assert rests(driver)
+    assert motion(driver.frames[before:]) == []
+    driver = standing(new_driver)
+    assert under_way(driver, FREE) is None
+    assert not rests(driver)
+    before = len(driver.frames)
+    accepted(driver.begin(name, 10))
+    driver.run(0.3)
+    told = [each.percent for each in driver.frames[before:] if each.percent is not None]
+    assert told
+    assert max(told) <= 10
 
 
 # S1, S2, S10, S26: the stop and the halt ----------------------------------------------------------

@@ -340,7 +340,7 @@ class GripperControl(ControllerPart):
         target = figures.travel.maximum if opened else max(0.0, figures.travel.minimum)
         return self.move(target, figures.effort.first if effort is None else effort)
 
-    @operation("gripper.enable", "Enable the gripper", why_not_move_gripper)
+    @operation("gripper.enable", "Enable the gripper", why_not_move_gripper, moves=True)
     def enable(self, effort: float) -> Started | Refusal:
         """Enable the gripper at its present place."""
         refusal = why_not_move_gripper(self._context.refresh()) or check(

@@ -65,7 +65,7 @@ class MountingControl:
         self._context = context
         self._speed_percent = speed_percent
 
-    @operation("mounting.tell", "Set the mounting", why_not_mount)
+    @operation("mounting.tell", "Set the mounting", why_not_mount, moves=True)
     def tell(self, mounting: Mounting) -> Started | Refusal:
         """Send the mounting. The arm does not confirm it."""
         context = self._context

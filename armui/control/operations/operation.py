@@ -36,7 +36,9 @@ class Operation:
         id: Its stable name: the part of the arm, a dot, the act.
         title: The English title; the translation context is ``Operation``.
         why_not: Returns why it may not be done now, from the operating state alone.
-        moves: True if it sets a joint or the gripper in motion.
+        moves: True if a frame of it may set a joint or the gripper in motion: then it is refused
+            while the arm is not heard, and beside another host. A speed is a choice that is kept,
+            and told only where it sets nothing going: it is none of these.
         consent: The operator's consent that it needs beside the choice.
         shown_first: True if it applies the contents of its page, and so needs that page to be
             shown.
