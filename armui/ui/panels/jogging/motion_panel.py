@@ -448,7 +448,8 @@ class MotionPanel(JogPanel):
         for row in self._rows:
             if row.field.is_nonsense():
                 return self._why_no_figure(row)
-            beyond = row.beyond_limits()
+            # what the field follows is where the arm lies, which the line above tells
+            beyond = row.beyond_limits() if row.own else None
             if beyond is not None:
                 return beyond
         return None
