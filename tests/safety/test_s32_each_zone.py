@@ -9,6 +9,7 @@ from dataclasses import replace
 
 import pytest
 
+from armui.cell.work_area import AreaBox
 from armui.protocol.codes import TeachingState
 from tests.accepted import accepted
 from tests.cell.areas import TABLE, gap_mm, put, wall
@@ -17,7 +18,7 @@ from tests.safety.inline_rig import inline_rig
 from tests.safety.mesh_oracle import MeshOracle
 from tests.safety.watched_arm import watch
 
-PARKED_MM = 5.0
+PARKED_MM = 2.0
 """So far is the parked arm from the table, within the margin of 10."""
 BEFORE_MM = 25.0
 SWUNG_DEG = (BENT_DEG[0], BENT_DEG[1] + 22.0, BENT_DEG[2] - 22.0, *BENT_DEG[3:])
@@ -41,7 +42,14 @@ def under():
     return replace(TABLE, pose=(0.0, 0.0, gap_mm(BENT_DEG, TABLE) - PARKED_MM, 0.0, 0.0, 0.0))
 
 
-PARKINGS = {"a plane under it": under}
+def beside():
+    """A box beside the shoulder, which no swing takes away from it either."""
+    box = AreaBox("table", (0.0, -200.0, 123.0, 0.0, 0.0, 0.0), (60.0, 60.0, 60.0))
+    off = gap_mm(BENT_DEG, box)
+    return replace(box, pose=(0.0, -200.0 + off - PARKED_MM, 123.0, 0.0, 0.0, 0.0))
+
+
+PARKINGS = {"a plane under it": under, "a box beside it": beside}
 
 
 def guarded(rig, *zones, stops=True):
@@ -62,6 +70,14 @@ def reached(rig, target_deg):
     return max(abs(a - b) for a, b in zip(rig.firmware.joints_deg, target_deg, strict=True)) < 0.2
 
 
+@pytest.mark.parametrize("parking", PARKINGS)
+def test_the_parked_arm_stays_as_near_to_its_parking_all_the_way(parking):
+    """What the scenes rely on: it is inside that margin when it comes to the other zone."""
+    zone = PARKINGS[parking]()
+    assert gap_mm(BENT_DEG, zone) == pytest.approx(PARKED_MM, abs=0.2)
+    assert gap_mm(SWUNG_DEG, zone) == pytest.approx(PARKED_MM, abs=0.2)
+
+
 @pytest.mark.parametrize("stops", [False, True], ids=["told", "stopped"])
 @pytest.mark.parametrize("parking", PARKINGS)
 def test_another_host_is_told_and_stopped_at_another_zone(rig, other_host, parking, stops):
@@ -71,6 +87,7 @@ def test_another_host_is_told_and_stopped_at_another_zone(rig, other_host, parki
     other_host.move_to(SWUNG_DEG, 20)
     rig.run_until(lambda: "person" in entered(rig), seconds=4.0)
     assert seen.nearest(rig.firmware.true_joints_deg).mm > 0.0
+    assert gap_mm(rig.firmware.joints_deg, person()) > PARKED_MM  # while the parking is nearer
     rig.run(4.0)
     assert reached(rig, SWUNG_DEG) is not stops
 
