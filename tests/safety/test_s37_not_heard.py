@@ -69,6 +69,21 @@ def test_lost_at_rest(rig):
     assert "arm_unheard_moving" not in rig.codes()
 
 
+def test_lost_while_it_sinks_and_heard_again(rig, qtbot):
+    bend(rig)
+    rig.controller.emergency_stop()
+    rig.run(1.5)
+    speed_mm_s = seen(rig).speed_mm_s
+    pull_the_adapter(rig)
+    assert seen(rig).kind is MotionKind.UNHEARD
+    assert abs(seen(rig).speed_mm_s - speed_mm_s) <= 3
+    rig.plug_in()
+    qtbot.waitUntil(lambda: "reconnected" in rig.codes())  # the bus thread's pause is a real one
+    rig.run_until(lambda: rig.controller.operating_state.link is LinkState.ONLINE)
+    rig.run(1.0)
+    assert seen(rig).kind is MotionKind.SINKS
+
+
 def test_of_an_arm_that_was_never_heard_nothing_is_claimed(rig):
     rig.powered = False
     rig.controller.connect_device(rig.device)

@@ -6,6 +6,7 @@ from PySide6.QtCore import QRect, Qt
 from armui.control.operating_state import StopState
 from armui.ui import words
 from tests.control.jogger import bend
+from tests.safety.test_s37_not_heard import pull_the_adapter
 
 LOW_DEG = (10.0, 160.0, -75.0, 15.0, 40.0, 20.0)
 """Some four seconds above where it comes to lie."""
@@ -64,6 +65,18 @@ def test_another_language_is_taken_on_while_it_sinks(raised):
     raised.run(0.1)
     assert raised.read("enable_button") == "Sinking"
     assert raised.read("recovery_text").startswith("The arm sinks: ")
+
+
+def test_a_pulled_cable_is_said_where_the_operator_looks(raised):
+    pull_the_adapter(raised)
+    assert raised.read("enable_button") == "Not heard"
+    assert raised.find("communication_button")._second_line() == "May be moving"
+    assert raised.read("recovery_text").startswith("The arm may be moving: it stood still ")
+    assert raised.read("status_motion") == "May be moving"
+    raised.store.change(language="zh")
+    raised.wait(lambda: raised.read("enable_button") == "无反馈")  # a rig without a bus runs no Qt
+    assert raised.find("communication_button")._second_line() == "可能仍在运动"
+    assert raised.read("recovery_text").startswith("机械臂可能仍在运动：")
 
 
 @pytest.mark.parametrize("width", [1280, 700, 420])
