@@ -107,6 +107,17 @@ SCENES = {
 }
 
 
+class Furthest:
+    """How far joint 1 has ever truly turned, in degrees."""
+
+    def __init__(self, rig):
+        self._rig, self.joint1 = rig, -360.0
+        rig.company.append(self)
+
+    def step(self, dt_s):
+        self.joint1 = max(self.joint1, self._rig.firmware.true_joints_deg[0])
+
+
 @pytest.fixture
 def bent(rig):
     bend(rig)
@@ -190,6 +201,26 @@ def test_home_or_a_line_while_the_arm_moves_goes_there_or_says_why_not(bent, per
     assert answered(bent, answer)
     rest(bent)
     assert seen.least.mm >= LEAST_MM
+
+
+@pytest.mark.parametrize("percent", [10, 50, 100])
+def test_the_opposite_direction_overshoots_no_wall(bent, percent):
+    """A wall stands just beyond the first target; the arm turns round when it is nearly there."""
+    near = joints(70.0, 70.0, -60.0)
+    put(bent.controller, crate(-73.0, 441.0, 250.0, 160.0))
+    bent.controller.motion.set_speed_percent(percent)
+    bent.run(0.1)
+    seen, furthest = watch(bent), Furthest(bent)
+    accepted(near(bent.controller))
+    bent.run_until(lambda: bent.firmware.joints_deg[0] > 66.0)
+    for motion in (joints(10.0, 70.0, -60.0), near, joints(0.0, 60.0, -60.0)):
+        answer = motion(bent.controller)
+        assert answered(bent, answer)
+        bent.run(0.2)
+    rest(bent)
+    assert seen.least.mm >= LEAST_MM
+    assert 66.0 < furthest.joint1 < 70.1
+    assert bent.firmware.joints_deg[:3] == pytest.approx((0.0, 60.0, -60.0), abs=0.1)
 
 
 PRESSES = 12
