@@ -207,7 +207,7 @@ def test_inside_ready_is_said(rig):
 ALONE = {
     "J1": (1, at(j1=152.0), -1.0),
     "J2": (2, at(j2=-2.0), 1.0),
-    "J3": (3, at(j3=1.9), -1.0),
+    "J3": (3, at(j3=1.9, j5=0.0), -1.0),  # at 40° the hand would lie in the base
     "J4": (4, at(j4=101.5), -1.0),
     "J6": (6, at(j6=-121.6), 1.0),
 }
@@ -333,7 +333,7 @@ def test_after_the_way_back_the_arm_is_ready_and_moves(resting):
     assert resting.controller.jogging.active
 
 
-@pytest.mark.parametrize("name", [name for name in ALONE if name != "J3"])  # J5 follows there
+@pytest.mark.parametrize("name", ALONE)
 def test_the_way_back_of_a_single_joint_moves_no_other(rig, name):
     joint, lies_deg, way = ALONE[name]
     watch = lying(rig, lies_deg)
@@ -344,6 +344,24 @@ def test_the_way_back_of_a_single_joint_moves_no_other(rig, name):
     assert now_deg[joint - 1] == pytest.approx(bound + np.sign(way) * INSIDE_DEG, abs=0.1)
     for other in set(range(1, 7)) - {joint}:
         assert now_deg[other - 1] == pytest.approx(lay_deg[other - 1], abs=0.5)
+    assert watch.furthest_deg.max() <= NOISE_DEG
+
+
+def test_joint_5_follows_where_joint_3_alone_is_outside_and_the_hand_lies_on_the_base(rig):
+    """The rest pose of a real arm, but for joint 2."""
+    lies_deg = (REST_DEG[0], 1.0, *REST_DEG[2:])
+    watch = lying(rig, lies_deg)
+    lay_deg = rig.firmware.true_joints_deg
+    come_inside(rig)
+    rig.run_until(lambda: abs(rig.firmware.joints_deg[4] - CLEAR_J5_DEG) < 0.1)
+    rig.run(0.5)
+    now_deg = rig.firmware.true_joints_deg
+    assert now_deg[2] == pytest.approx(-INSIDE_DEG, abs=0.1)
+    for other in (1, 2, 4, 6):
+        assert now_deg[other - 1] == pytest.approx(lay_deg[other - 1], abs=0.5)
+    first, second = watch.targets_deg[1:]
+    assert first[4] == pytest.approx(lies_deg[4], abs=0.5)  # only once joint 3 is inside
+    assert second[2] == pytest.approx(-INSIDE_DEG, abs=1e-3)
     assert watch.furthest_deg.max() <= NOISE_DEG
 
 
