@@ -14,6 +14,7 @@ import pytest
 from armui.arm.refusal import Refusal
 from armui.cell.work_area import AreaBox
 from armui.control.operations.started import Started
+from armui.control.safety.gate import Gate
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.kinematics.axes import JogFrame
 from armui.protocol.codes import MoveMode
@@ -22,7 +23,8 @@ from tests.cell.areas import put
 from tests.control.jogger import BENT_DEG, bend
 from tests.family import PIPER
 from tests.safety.inline_rig import inline_rig
-from tests.safety.watched_arm import rest, told, watch
+from tests.safety.mesh_oracle import MeshOracle
+from tests.safety.watched_arm import Watch, rest, told, watch
 
 LEAST_MM = 9.0
 WITHIN_S = 1.0
@@ -98,11 +100,28 @@ SCENES = {
     "two steps at 50 %": Scene(
         crate(184.0, 182.0, 325.0, 60.0), joint_step(2, -40.0), joint_step(1, 90.0), 0.04, 50
     ),
+    "sideways": Scene(
+        *(crate(94.0, 165.0, 302.0, 30.0), joints(100.0, 70.0, -60.0), joints(70.0, 40.0, -30.0)),
+        after_s=0.4,
+    ),
     "sideways at 10 %": Scene(
         *(crate(175.0, 244.0, 234.0, 80.0), joints(100.0, 30.0, -60.0)),
         joints(100.0, 85.0, -60.0),
         after_s=1.0,
         percent=10,
+    ),
+    "onwards": Scene(
+        *(crate(224.0, 307.0, 196.0, 30.0), joints(60.0, 70.0, -60.0), joints(100.0, 100.0, -60.0)),
+        after_s=0.3,
+    ),
+    "a short way": Scene(
+        *(crate(85.0, 323.0, 276.0, 30.0), joints(100.0, 40.0, -60.0), joints(40.0, 70.0, -60.0)),
+        after_s=0.45,
+    ),
+    "a pose on a short way": Scene(
+        *(crate(93.0, 319.0, 276.0, 20.0), joints(100.0, 40.0, -60.0)),
+        pose(MoveMode.MOVE_P, 40.0, 70.0, -60.0),
+        after_s=0.45,
     ),
 }
 
@@ -140,13 +159,37 @@ def answered(rig, answer):
     """Whether what was pressed has left, or it was said why not, within a second."""
     if isinstance(answer, Refusal):
         return bool(told(answer))
-    sent = []
     for _ in range(round(WITHIN_S / 0.02)):
-        sent += [each for each in rig.heard() if 0x152 <= each.arbitration_id <= 0x157]
-        if sent or answer.ending is not None:
+        if targets_heard(rig) or answer.ending is not None:
             return True
         rig.step()
     return False
+
+
+def targets_heard(rig):
+    """The targets since the last call; `rig.heard` leaves those of poses out."""
+    heard = iter(lambda: rig._ear.recv(0), None)
+    return [each for each in heard if 0x152 <= each.arbitration_id <= 0x157]
+
+
+@pytest.mark.parametrize("name", [each for each in SCENES if each != "a step"])
+def test_an_arm_that_goes_straight_on_would_touch(bent, monkeypatch, name):
+    """What the scenes rely on: nothing is touched at first, and then only the gate is missing.
+
+    A step begins at the first target, which is above the crate, and ends there.
+    """
+    scene = SCENES[name]
+    oracle = MeshOracle(scene.crate)
+    assert oracle.nearest(bent.firmware.true_joints_deg).mm >= LEAST_MM
+    monkeypatch.setattr(Gate, "_fluent", lambda _gate, way, _motion: way)
+    bent.controller.motion.set_speed_percent(scene.percent)
+    bent.run(0.1)
+    seen = Watch(bent, oracle)
+    accepted(scene.first(bent.controller))
+    bent.run(scene.after_s)
+    accepted(scene.second(bent.controller))
+    rest(bent)
+    assert seen.least.mm < 0.0
 
 
 @pytest.mark.parametrize("name", SCENES)
