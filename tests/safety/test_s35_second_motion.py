@@ -6,8 +6,10 @@ that the arm touches when the second begins before the first has ended. The judg
 arm's true angles and its meshes; see :mod:`tests.safety.mesh_oracle`.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
+from typing import Any
 
 import pytest
 
@@ -79,8 +81,8 @@ class Scene:
     """
 
     crate: AreaBox
-    first: object
-    second: object
+    first: Callable[..., Any]
+    second: Callable[..., Any]
     after_s: float
     percent: int = 100
 
