@@ -113,6 +113,7 @@ DRIVE_NOTHING: Final = (
     "armui.ui.watch.time_frame",
     "armui.ui.watch.value_table",
     "armui.viewport",
+    "armui.ways",
 )
 """Modules, with those inside them, that can neither reach the bus nor affect a held jog.
 

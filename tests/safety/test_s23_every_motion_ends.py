@@ -312,6 +312,8 @@ def test_the_contract_and_the_code_name_the_same_rooms():
         ((), True),
         (("armui.viewport.view",), False),
         (("armui.viewport.view", "armui.system.atomic"), False),
+        (("armui.trajectory.planning.check", "armui.ways.own_body"), False),
+        (("armui.control.safety.gate", "armui.ways.law"), True),
         (("armui.viewport.view", "armui.control.context"), True),
         (("armui.viewports",), True),
         (("armui.viewport",), False),
