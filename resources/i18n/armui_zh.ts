@@ -7441,6 +7441,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>已发送速度 {percent} %</translation>
     </message>
     <message>
+        <source>Run pauses in row {row}</source>
+        <translation>在第 {row} 行暂停</translation>
+    </message>
+    <message>
         <source>Emergency stop sent. The motors go limp and the arm sinks: hold the arm.</source>
         <translation>急停已发送。电机失去力矩，机械臂会缓慢下沉，请扶住机械臂。</translation>
     </message>
@@ -7589,6 +7593,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>已发送末端负载：{load}</translation>
     </message>
     <message>
+        <source>After an emergency stop the arm may sink, and the work area does not hold it: below it is {names}. Hold the arm.</source>
+        <translation>急停后机械臂可能下沉，工作区拦不住它：其下方是 {names}。请扶住机械臂。</translation>
+    </message>
+    <message>
         <source>The arm has answered the end load: {load}. It cannot be asked for it.</source>
         <translation>机械臂已应答末端负载：{load}（无法查询核对）。</translation>
     </message>
@@ -7639,10 +7647,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Gripper: sent to {value} {unit}</source>
         <translation>夹爪：已发送 {value} {unit}</translation>
-    </message>
-    <message>
-        <source>The stopped arm sinks, and the work area does not hold it: below it is {names}. Hold the arm.</source>
-        <translation>急停后机械臂会下沉，工作区拦不住它：其下方是 {names}。请扶住机械臂。</translation>
     </message>
     <message>
         <source>Cell renamed: {name}</source>
@@ -7717,6 +7721,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>与 {device} 的连接断开：收不到反馈，机械臂可能仍在运动。程序会不断尝试重新连接。{reason}</translation>
     </message>
     <message>
+        <source>Another armui on this computer uses the same settings file. What is changed here is kept. What is kept there of single arms and devices is followed here at once; other changes made there appear at the next start.</source>
+        <translation>本机另一个 armui 正在使用同一设置文件。此处的更改会保留。那边为各机械臂和设备保存的内容在此立即跟随；那边的其他更改在下次启动时生效。</translation>
+    </message>
+    <message>
         <source>Feedback arrived late: no joint angles came for {value} ms. The computer, the adapter or the bus was busy; nothing about the arm is concluded from that.</source>
         <translation>反馈延迟到达：{value} ms 内没有收到关节角度。电脑、适配器或总线繁忙；不据此判断机械臂的状态。</translation>
     </message>
@@ -7769,16 +7777,20 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>开始执行“{name}”</translation>
     </message>
     <message>
+        <source>Paused: the arm is measured at rest, and holds.</source>
+        <translation>已暂停：测得机械臂静止，保持位置。</translation>
+    </message>
+    <message>
         <source>The arm lies outside its limits: it is brought inside first, slowly.</source>
         <translation>机械臂位于限位之外：先缓慢回到限位内。</translation>
     </message>
     <message>
-        <source>Run paused in row {row}: the arm holds</source>
-        <translation>已在第 {row} 行暂停，机械臂保持位置</translation>
-    </message>
-    <message>
         <source>Run continues in row {row}</source>
         <translation>从第 {row} 行继续执行</translation>
+    </message>
+    <message>
+        <source>Replay pauses</source>
+        <translation>回放暂停</translation>
     </message>
     <message>
         <source>Checking the way…</source>
@@ -7871,10 +7883,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>The arm did not react. Look at the step above the panel.</source>
         <translation>机械臂无响应。请查看面板上方的提示。</translation>
-    </message>
-    <message>
-        <source>Replay paused: the arm holds</source>
-        <translation>回放已暂停，机械臂保持位置</translation>
     </message>
     <message>
         <source>Replay continues</source>
@@ -7987,10 +7995,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>{device} sends again. What had waited was dropped, but for a stop.</source>
         <translation>{device} 又能发送了。此前等待的帧已丢弃，急停除外。</translation>
-    </message>
-    <message>
-        <source>Another armui on this computer uses the same settings file. What is changed here is kept; changes made there appear at the next start.</source>
-        <translation>本机另一个 armui 正在使用同一设置文件。此处的更改会保留；那边的更改在下次启动时生效。</translation>
     </message>
     <message>
         <source>Another armui on this computer is connected to {device}, too. Both can move the arm: close one of them.</source>

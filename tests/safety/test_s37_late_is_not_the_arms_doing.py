@@ -11,6 +11,7 @@ from armui.control.run.replay import Replay
 from armui.protocol.codes import TrajectoryCommand
 from armui.telemetry.events import Level
 from tests.accepted import accepted
+from tests.control.jogger import fastest_deg_s
 from tests.control.test_replayer import wave
 from tests.control.under_way import run_of, to
 from tests.late_bus import LateBus
@@ -225,6 +226,44 @@ def test_an_arm_that_does_not_follow_a_jog_is_said(ready):
     ready.run(2.0)
     (ended,) = [each for each in ready.events if each.code == "jog_ended"]
     assert ended.params["reason"].reason.id == "jog_not_following"
+
+
+# A pause that the arm has not made yet ------------------------------------------------------------
+
+
+def held_when(rig, execution):
+    """The joints' speeds when it is told that the arm holds; nothing of it is told at the press."""
+    speeds_deg_s = []
+    rig.controller.noticed.connect(
+        lambda event: (
+            speeds_deg_s.append(fastest_deg_s(rig)) if event.code == "pause_holds" else None
+        )
+    )
+    assert fastest_deg_s(rig) > 5.0
+    accepted(execution.pause())
+    rig.run(0.1)
+    assert speeds_deg_s == []
+    rig.run(3.0)
+    return speeds_deg_s
+
+
+def test_a_run_that_pauses_holds_once_it_is_measured_at_rest(ready):
+    player = ready.controller.player
+    accepted(player.start(run_of(to(FAR), to(BENT))))
+    ready.run(0.6)
+    assert held_when(ready, player) == [pytest.approx(0.0, abs=0.1)]
+    accepted(player.go_on())
+    ready.run(0.3)
+    accepted(player.pause())
+    ready.run(3.0)
+    assert ready.codes().count("pause_holds") == 2
+
+
+def test_a_replay_that_pauses_holds_once_it_is_measured_at_rest(ready):
+    replayer = ready.controller.replayer
+    accepted(replayer.start(Replay(wave(seconds=4.0, swing_deg=60.0))))
+    ready.run_until(lambda: replayer.progress.done > 0.25)
+    assert held_when(ready, replayer) == [pytest.approx(0.0, abs=0.1)]
 
 
 # It is called what it is --------------------------------------------------------------------------

@@ -35,7 +35,8 @@ AREA_ENTERED = Notice(
 )
 AREA_BELOW = Notice(
     "area_below",
-    "The stopped arm sinks, and the work area does not hold it: below it is {names}. Hold the arm.",
+    "After an emergency stop the arm may sink, and the work area does not hold it: below it is "
+    "{names}. Hold the arm.",
     Level.WARNING,
     EventKind.STATUS,
     Asker.PROGRAM,

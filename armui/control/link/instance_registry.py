@@ -23,7 +23,8 @@ if TYPE_CHECKING:
 SETTINGS_SHARED = Notice(
     "settings_shared",
     "Another armui on this computer uses the same settings file. What is changed here is "
-    "kept; changes made there appear at the next start.",
+    "kept. What is kept there of single arms and devices is followed here at once; other changes "
+    "made there appear at the next start.",
     Level.WARNING,
     EventKind.PROGRAM,
 )
@@ -50,7 +51,8 @@ class InstanceRegistry(QObject):
     """Warns when another copy of the program starts or is found (safety S21).
 
     Two copies on one arm undo each other's stops and motions. Of two copies on one settings file
-    each keeps its own choices, and finds the other's at the next start.
+    each keeps its own choices, and finds the other's at the next start; what they keep of arms and
+    devices is merged by entry, and followed.
 
     Args:
         controller: Tells which device is open, and gets the events.

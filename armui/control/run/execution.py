@@ -26,6 +26,13 @@ if TYPE_CHECKING:
     from armui.protocol.frame import Frame
 
 RUN_STARTED = Notice("run_started", "Running “{name}”", Level.INFO, EventKind.COMMAND)
+PAUSE_HOLDS = Notice(
+    "pause_holds",
+    "Paused: the arm is measured at rest, and holds.",
+    Level.INFO,
+    EventKind.RESULT,
+    Asker.RUN,
+)
 RUN_DONE = Notice("run_done", "“{name}” has finished.", Level.DONE, EventKind.RESULT, Asker.RUN)
 
 
@@ -55,6 +62,7 @@ class Execution(QObject, ControllerPart):
         self._untold = False
         """The speed of now could not be told the arm yet."""
         self._hold = PauseCommand(context)
+        self._hold_untold = False
 
     @property
     def progress(self) -> Progress:
@@ -137,6 +145,17 @@ class Execution(QObject, ControllerPart):
         self._since_s = self._context.clock()
         self._rest = RestWatch()
         self._phase = RunPhase.STOPPING
+
+    def _await_hold(self) -> None:
+        """Begin to measure: an arm that is told to pause still moves."""
+        self._rest = RestWatch()
+        self._hold_untold = True
+
+    def _tell_hold(self) -> None:
+        """Tell once that the arm holds, as soon as it is measured at rest since the pause."""
+        if self._hold_untold and self._rests():
+            self._hold_untold = False
+            self._context.tell(PAUSE_HOLDS)
 
     def _publish(self) -> None:
         progress = self._snapshot(

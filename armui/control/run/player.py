@@ -69,9 +69,7 @@ RUN_FROM_OUTSIDE = Notice(
     Level.INFO,
     EventKind.COMMAND,
 )
-RUN_PAUSED = Notice(
-    "run_paused", "Run paused in row {row}: the arm holds", Level.INFO, EventKind.COMMAND
-)
+RUN_PAUSED = Notice("run_paused", "Run pauses in row {row}", Level.INFO, EventKind.COMMAND)
 RUN_CONTINUED = Notice("run_continued", "Run continues in row {row}", Level.INFO, EventKind.COMMAND)
 RUN_ENDED = Notice(
     "run_ended",
@@ -181,6 +179,7 @@ class Player(Execution):
             self._hold.send()
         self._paused_phase, self._phase = self._phase, RunPhase.PAUSED
         self._paused_s = self._context.clock()
+        self._await_hold()
         started = record_start(self.pause)
         started.close(Ending.SENT)
         self._context.tell(RUN_PAUSED, started, row=self._index + 1)
@@ -274,6 +273,7 @@ class Player(Execution):
             self._follow_stopping()
         elif self._phase is RunPhase.PAUSED:
             self._hold.repeat()
+            self._tell_hold()
         self._publish()
 
     def _reason(self) -> Refusal | None:

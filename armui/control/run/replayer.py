@@ -43,9 +43,7 @@ REPLAY_GAP = Reason(
     "The program, the computer or the adapter stood still for {seconds} s, so the replay was "
     "ended. Let the computer do less beside it, keep it from sleeping, and start the replay anew.",
 )
-REPLAY_PAUSED = Notice(
-    "replay_paused", "Replay paused: the arm holds", Level.INFO, EventKind.COMMAND
-)
+REPLAY_PAUSED = Notice("replay_paused", "Replay pauses", Level.INFO, EventKind.COMMAND)
 REPLAY_CONTINUED = Notice("replay_continued", "Replay continues", Level.INFO, EventKind.COMMAND)
 REPLAY_ENDED = Notice(
     "replay_ended",
@@ -144,6 +142,7 @@ class Replayer(Execution):
         if self._watch is not None:
             self._hold.send()
         self._phase = RunPhase.PAUSED
+        self._await_hold()
         started = record_start(self.pause)
         started.close(Ending.SENT)
         self._context.tell(REPLAY_PAUSED, started)
@@ -217,8 +216,10 @@ class Replayer(Execution):
             self._follow_approach(self._watch)
         elif self._phase is RunPhase.MOVING or self._comes_to_a_stand(replay):
             self._stream(replay)
-        elif self._phase is RunPhase.PAUSED and self._watch is not None:
-            self._hold.repeat()
+        elif self._phase is RunPhase.PAUSED:
+            if self._watch is not None:
+                self._hold.repeat()
+            self._tell_hold()
         self._publish()
 
     def _comes_to_a_stand(self, replay: Replay) -> bool:
