@@ -79,6 +79,7 @@ class ArmRig:
     def __init__(self, channel: str, generation: Generation = Generation.TWO) -> None:
         self.channel = channel
         self.time_s = 1000.0
+        self.checked_s = 0.0
         self.firmware = Firmware(generation)
         self._ear = VirtualBus(channel)
         self._arm_bus = ArmBus(channel, deaf=[self._ear])
@@ -97,10 +98,16 @@ class ArmRig:
             find=list,
             clock=lambda: self.time_s,
             wait=self._pass,
-            background=at_once,
+            background=self._at_once,
         )
         self.events: list[Event] = []
         self.controller.noticed.connect(self.events.append)
+
+    def _at_once(self, work: Callable[[], object]) -> Future[object]:
+        began_s = time.thread_time()
+        done = at_once(work)
+        self.checked_s += time.thread_time() - began_s
+        return done
 
     @contextmanager
     def _open(self, device: Device) -> Iterator[can.BusABC]:

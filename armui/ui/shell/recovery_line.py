@@ -151,7 +151,7 @@ class RecoveryLine(Translated, QWidget):
     @property
     def _asks(self) -> bool:
         """True if a question about a run is the next step: nothing else stands in the way."""
-        return bool(self._asking) and self._step.kind is StepKind.READY
+        return bool(self._asking) and self._step.kind is StepKind.READY and not self._warns
 
     @property
     def _level(self) -> Level:

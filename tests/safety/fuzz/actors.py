@@ -14,6 +14,7 @@ from armui.arm.parameters import Parameter
 from armui.arm.refusal import Refusal
 from armui.cell.cell import Cell, with_part
 from armui.cell.user_frames import UserFrame
+from armui.cell.work_area import Area, AreaBox
 from armui.control.motion.jog_path import JointJog, ToolJog
 from armui.control.operating_state import LinkState, StopState
 from armui.control.operations.started import Started
@@ -253,6 +254,15 @@ class Actors:
         if pose:
             self._user_frame = UserFrame(_USER, pose)
 
+    def zone(self, middle: tuple[float, ...], edges: tuple[float, ...]) -> None:
+        """Put a box in force that the arm stays out of, or none."""
+        cells = self._controller.cell
+        boxes = (AreaBox("box", (*middle, 0.0, 0.0, 0.0), edges),) if middle else ()
+        changed = replace(cells.cell or Cell("fuzz"), area=Area(boxes=boxes))
+        answer = cells.take(changed) if cells.cell is None else cells.change(changed)
+        if not isinstance(answer, Refusal):
+            self._oracle.zone = (middle, edges) if middle else None
+
     def set_limit(self, joint: int, max_deg: int) -> None:
         self._controller.settings.save({Parameter("max_angle_deg", joint): float(max_deg)})
 
@@ -402,12 +412,14 @@ class Actors:
 
     def push(self, joint: int, torque_nm: float) -> None:
         """Push at a joint without power, until the action's time is over."""
+        self._oracle.led()
         arm = self._world.firmware
         if not arm.enabled[joint - 1]:
             self._pushed = joint - 1
             arm.protection.push(self._pushed, torque_nm)
 
     def lead(self, joints_deg: tuple[float, ...]) -> None:
+        self._oracle.led()
         self._world.firmware.hand_guiding.lead_to(joints_deg, speed_deg_s=_PULLED_DEG)
 
     # What nobody should say, and nobody says ---------------------------------------------------

@@ -7,8 +7,10 @@ what another host's frame has begun.
 
 from __future__ import annotations
 
+import time
 from collections import deque
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from typing import Any, Final
 
@@ -16,6 +18,7 @@ from armui.control.operating_state import LinkState, StopState
 from armui.sim.firmware import Firmware
 from armui.sim.mechanics.powered_joints import SixValues
 from armui.system.failures import Failure
+from tests.safety.arm_oracle import depth_in_box_mm
 from tests.safety.fuzz.asked import Asked, Kind, Violation
 from tests.safety.fuzz.breakage import InjectedError
 from tests.safety.fuzz.traffic import Said, Sender, Started, base_id, is_motion
@@ -51,6 +54,16 @@ _PLACES: Final = 4
 """Looks ago: a moving arm's angles may be 0.05 s old, heard a step before."""
 
 
+_OTHERS_WAY_S: Final = 6.0
+"""So long after another host's last word its motion may still be under way."""
+_NOISE_MM: Final = 1.0
+_HELD_S: Final = 0.05
+"""Of the thread's own time; the promise is 0.02 s on a computer that is quiet."""
+_FIRST_PRESSES: Final = 3
+"""They load what is needed for the first motion."""
+_PRESSES: Final = frozenset(
+    {"step", "tool_step", "send_joints", "go_home", "move_tool", "hold_joint", "hold_tool"}
+)
 _LASTING: Final = frozenset({Kind.JOG, Kind.RUN, Kind.TEACHING})
 
 
@@ -68,6 +81,7 @@ class Oracle:
 
     Attributes:
         violation: The first thing that was not as it must be.
+        zone: The middle and the edges of the box that is in force.
     """
 
     def __init__(self, world: World, ignored: Collection[str] = ()) -> None:
@@ -89,6 +103,11 @@ class Oracle:
         self._failed_s: float | None = None
         self._failed_anew_s = -1e9
         self._foreign: _Foreign | None = None
+        self.zone: tuple[SixValues, SixValues] | None = None
+        self._deepest_mm = 0.0
+        self._led_s = -1e9
+        self._presses = 0
+        self._held: Violation | None = None
         world.traffic.asked = lambda: replace(self._asked)
         world.failed = self.failed
 
@@ -157,6 +176,10 @@ class Oracle:
         version = first.type.version if first.type.version != other.type.version else ""
         self._foreign = _Foreign(now_s, version, theirs)
 
+    def led(self) -> None:
+        """A hand has moved the arm."""
+        self._led_s = self._world.time_s
+
     def take_over(self) -> None:
         """The operator has taken the arm from the other host, deliberately."""
         self._taken_over = True
@@ -164,6 +187,19 @@ class Oracle:
     def suspended(self) -> None:
         """The program or its window got no time until now."""
         self._suspended_s = self._world.time_s
+
+    @contextmanager
+    def timed(self, name: str) -> Iterator[None]:
+        """Judge how long a press that may begin a motion keeps the window's thread (S2)."""
+        began_s = time.thread_time()
+        checked_s = self._world.checked_s
+        yield
+        if name not in _PRESSES:
+            return
+        self._presses += 1
+        held_s = time.thread_time() - began_s - (self._world.checked_s - checked_s)
+        if held_s > _HELD_S and self._presses > _FIRST_PRESSES:
+            self._held = Violation("S2", f"{name} holds the window", f"{held_s:.3f} s")
 
     # What must hold ------------------------------------------------------------------------------
 
@@ -185,6 +221,9 @@ class Oracle:
         found += self._motion_ends()
         found += self._first_arm()
         found += self._exceptions()
+        found += self._in_zone()
+        found += [] if self._held is None else [self._held]
+        self._held = None
         found = [each for each in found if not any(word in each.key for word in self._ignored)]
         if self.violation is None and found:
             self.violation = found[0]
@@ -374,6 +413,25 @@ class Oracle:
         name = "" if world.breakage is None else world.breakage.chosen
         text = f"still moving {late_s:.2f} s after a failure ({name})"
         return [Violation("S23", f"{self._asked.kind.value} goes on after a failure", text)]
+
+    def _in_zone(self) -> list[Violation]:
+        """S32, S36: no motion of ours leads into the box, or deeper than others brought the arm."""
+        if self.zone is None:
+            self._deepest_mm = 0.0
+            return []
+        world, firmware = self._world, self._world.firmware
+        deep_mm = max(depth_in_box_mm(firmware.reported_deg, *self.zone), 0.0)
+        foreign = world.time_s - max(self._other_s, self._suspended_s, self._led_s) < _OTHERS_WAY_S
+        powered = all(firmware.enabled) and not firmware.stopped
+        if foreign or self._mixed or not powered or not firmware.mechanics.moving:
+            self._deepest_mm = deep_mm
+            return []
+        allowed_mm = self._deepest_mm + _NOISE_MM
+        self._deepest_mm = min(self._deepest_mm, deep_mm)
+        if deep_mm <= allowed_mm:
+            return []
+        text = f"{deep_mm:.1f} mm deep, {allowed_mm:.1f} allowed"
+        return [Violation("S32", f"{self._asked.kind.value} leads into a zone", text)]
 
     def _first_arm(self) -> list[Violation]:
         """S15: after an exchange nothing of the first arm is shown."""

@@ -67,7 +67,8 @@ def _do(world: World, oracle: Oracle, actors: Actors, action: Action) -> Violati
     act = partial(getattr(actors, action.name), *action.figures)
     try:
         if world.breakage is None or action.name in _NOT_PRESSED:
-            act()
+            with oracle.timed(action.name):
+                act()
         else:
             world.breakage.during(act)
     except InjectedError as error:

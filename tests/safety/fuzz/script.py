@@ -6,6 +6,7 @@ when a failure is narrowed down.
 
 from __future__ import annotations
 
+import math
 import random
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -166,6 +167,16 @@ def _user_frame(chance: random.Random) -> tuple[Any, ...]:
     return (chance.choice(((*place, *turned), (*place, *turned), ())),)
 
 
+def _zone(chance: random.Random) -> tuple[Any, ...]:
+    """The middle and the edges of a box along the base's axes, or nothing: none is in force."""
+    if chance.random() < 0.3:
+        return ((), ())
+    turn, away = chance.uniform(-2.0, 2.0), chance.uniform(250.0, 550.0)
+    middle = (away * math.cos(turn), away * math.sin(turn), chance.uniform(50.0, 500.0))
+    edges = [round(chance.uniform(40.0, 200.0), 1) for _ in range(3)]
+    return tuple(round(each, 1) for each in middle), tuple(edges)
+
+
 def _run_otherwise(chance: random.Random) -> tuple[Any, ...]:
     return (
         joints(chance),
@@ -204,6 +215,7 @@ ACTIONS: Final[tuple[tuple[int, str, Draw], ...]] = (
     (3, "run", _run_otherwise),
     (3, "tool", _tool),
     (4, "user_frame", _user_frame),
+    (4, "zone", _zone),
     (2, "set_limit", lambda chance: (chance.randint(1, 6), chance.randint(60, 150))),
     (2, "pause_run", _nothing),
     (2, "go_on_run", _nothing),

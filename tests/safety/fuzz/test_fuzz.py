@@ -4,8 +4,10 @@ The long run is a command of its own: ``python -m tests.safety.fuzz --seeds 200 
 tenth of whose actions have a function fail that runs during a motion.
 """
 
+import time
 from functools import wraps
 
+import numpy as np
 import pytest
 
 from armui.bus.frame_processor import FrameProcessor
@@ -22,6 +24,7 @@ from armui.protocol.codec import Codec
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
+from armui.ways.rules import AreaRule
 from tests.safety.fuzz.actors import Actors
 from tests.safety.fuzz.breakage import Breakage, InjectedError
 from tests.safety.fuzz.runner import Failure, run, shrink
@@ -223,6 +226,35 @@ def test_what_was_heard_of_the_arm_before_is_seen_after_an_exchange(qapp, monkey
         lambda processor, codec, forget=True: use_codec(processor, codec, forget=False),
     )
     assert promise(actions) == "S15"
+
+
+def test_a_motion_into_a_zone_is_seen(qapp, monkeypatch):
+    flange = Firmware(Generation.TWO).kinematics.forward(A)
+    box = (tuple(flange[:3]), (60.0, 60.0, 60.0))
+    actions = [
+        Action("send_joints", (B,), 3.0),
+        Action("zone", box, 0.1),
+        Action("send_joints", (A,), 3.0),
+    ]
+    assert promise(actions) is None
+    monkeypatch.setattr(AreaRule, "breach", lambda *_: None)
+    monkeypatch.setattr(AreaRule, "outside", lambda rule, poses: np.full((len(poses), 1), -100.0))
+    assert promise(actions) == "S32"
+
+
+def test_a_press_that_holds_the_window_is_seen(qapp, monkeypatch):
+    actions = [Action("step", (1, 1.0), 0.5)] * 5
+    assert promise(actions) is None
+    step = Actors.step
+
+    def busy(actors, joint, delta_deg):
+        until_s = time.thread_time() + 0.06
+        while time.thread_time() < until_s:
+            pass
+        step(actors, joint, delta_deg)
+
+    monkeypatch.setattr(Actors, "step", busy)
+    assert promise(actions) == "S2"
 
 
 def test_what_fails_is_one_of_what_runs_and_the_same_each_time(qapp):
