@@ -6939,8 +6939,8 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>示教正在进行</translation>
     </message>
     <message>
-        <source>Closing the program ends a replay that was begun here. Everything else goes on: the arm gives way to the hand and records, or replays. End it under Drag teaching first.</source>
-        <translation>关闭程序会结束由本程序开始的复现。其余不会结束：机械臂会继续随手拖动并录制，或继续复现。请先在“示教”面板结束。</translation>
+        <source>Closing the program ends a replay that was begun here, and nothing else: the arm goes on giving way to the hand and recording, or replaying. End it under Drag teaching first.</source>
+        <translation>关闭程序只会结束由本程序开始的复现，其余不会结束：机械臂会继续随手拖动并录制，或继续复现。请先在“示教”面板结束。</translation>
     </message>
     <message>
         <source>Close anyway</source>

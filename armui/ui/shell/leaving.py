@@ -294,8 +294,9 @@ def close_unless_moving(
         title = QCoreApplication.translate("MainWindow", "Drag teaching is under way")
         text = QCoreApplication.translate(
             "MainWindow",
-            "Closing the program ends a replay that was begun here. Everything else goes on: the "
-            "arm gives way to the hand and records, or replays. End it under Drag teaching first.",
+            "Closing the program ends a replay that was begun here, and nothing else: the arm "
+            "goes on giving way to the hand and recording, or replaying. End it under Drag "
+            "teaching first.",
         )
     confirm(
         window,
