@@ -101,7 +101,7 @@ class CellPanel(Panel):
         self._name_label.setBuddy(self._name)
         self._group = QButtonGroup(self)
         self._stack_of_tabs = CurrentStack()
-        self._tabs = [tab(controller, self._accepted) for tab in TABS]
+        self._tabs: dict[int, CellTab] = {}
         self._lay_out()
         self._choice.activated.connect(self._on_chosen)
         self._name.returnPressed.connect(self._on_new)
@@ -129,12 +129,10 @@ class CellPanel(Panel):
         names = in_row(self._name_label, (self._name, 1), new, rename, spacing=6)
         kept = in_row(*((each, 1) for each in files), spacing=6)
         choice = in_row(spacing=6)
-        for place, tab in enumerate(self._tabs):
+        for place, tab in enumerate(TABS):
             tab_button = choice_button(f"cell_tab_{tab.key}")
             self._group.addButton(tab_button, place)
             tab_button.setProperty("tight", True)
-            tab.preferences = self._preferences
-            self._stack_of_tabs.addWidget(tab)
             choice.addWidget(tab_button, 1)
         self._group.button(0).setChecked(True)
         self._group.idClicked.connect(self._show_tab)
@@ -149,14 +147,24 @@ class CellPanel(Panel):
             "cell.choose": self._choice,
             **{f"cell.{name}": button for name, button in self._buttons.items()},
         }
-        for place, tab in enumerate(self._tabs):
-            targets[f"cell.tab_{tab.key}"] = self._group.button(place)
+        for place, kind in enumerate(TABS):
+            targets[f"cell.tab_{kind.key}"] = self._group.button(place)
+        for tab in self._tabs.values():
             targets.update(tab.command_targets())
         return targets
 
+    def _tab(self) -> CellTab:
+        """Return the chosen tab; it is made when it is first wanted: all six would take 0.1 s."""
+        place = self._group.checkedId()
+        if place not in self._tabs:
+            tab = self._tabs[place] = TABS[place](self._controller, self._accepted)
+            tab.preferences = self._preferences
+            self._stack_of_tabs.addWidget(tab)
+        return self._tabs[place]
+
     def zone_target(self) -> AreaTab | None:
         """Return the tab in which a plane or box of the work area is typed, while it is seen."""
-        tab = self._tabs[self._group.checkedId()]
+        tab = self._tabs.get(self._group.checkedId())
         return tab if isinstance(tab, AreaTab) else None
 
     # -- actions ------------------------------------------------------------------------------
@@ -300,14 +308,13 @@ class CellPanel(Panel):
         if self.isVisible():
             self._show_all()
 
-    def _show_tab(self, place: int) -> None:
-        self._stack_of_tabs.setCurrentIndex(place)
+    def _show_tab(self, _place: int) -> None:
         self._card.verticalScrollBar().setValue(0)
         self._refusal = self._event = None
         self._show_all()
 
     def _show_state(self, state: ArmState) -> None:
-        self._tabs[self._group.checkedId()].show_state(state)
+        self._tab().show_state(state)
 
     def _forget_outdated(self, old: OperatingState) -> None:
         if old.device != self._operating_state.device:
@@ -317,7 +324,8 @@ class CellPanel(Panel):
         self._show_cells()
         self._show_buttons()
         why_not = words.why_not(self._why_not_change())
-        self._tabs[self._group.checkedId()].show_cell(why_not)
+        self._stack_of_tabs.setCurrentWidget(self._tab())
+        self._tab().show_cell(why_not)
         self._show_message()
 
     def _why_not_change(self) -> Refusal | None:
@@ -394,7 +402,7 @@ class CellPanel(Panel):
         }
         for name, text in texts.items():
             caption(self._buttons[name], text, whose=self._title.text())
-        for place, tab in enumerate(self._tabs):
+        for place, tab in enumerate(TABS):
             caption(self._group.button(place), tab.title.text())
         self._choice.clear()
         self._show_all()
