@@ -103,13 +103,7 @@ class Draw:
 
 @dataclass(frozen=True, slots=True)
 class Ready:
-    """The process has imported its libraries and accepts requests.
-
-    Attributes:
-        heartbeat_thread: The system's number of the thread that only sends signs of life.
-    """
-
-    heartbeat_thread: int | None = None
+    """The process has imported its libraries and accepts requests."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,11 +17,9 @@ import threading
 import time
 from dataclasses import dataclass, replace
 from multiprocessing.connection import wait
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, Generic, TypeVar
 
 from armui.arm.refusal import Reason, Refusal
-from armui.system.files import read_file
 from armui.viewport.frame_memory import SLOTS, FrameMemory
 from armui.viewport.messages import (
     BYTES_PER_PIXEL,
@@ -39,15 +37,7 @@ from armui.viewport.messages import (
     RobotRead,
 )
 from armui.viewport.view_state import BUILT_IN_ROBOT, RobotChoice
-from armui.viewport.watch import (
-    LIMITS,
-    LOOK_S,
-    Restarts,
-    ThreadTurns,
-    is_starved,
-    is_stuck,
-    silent_too_long,
-)
+from armui.viewport.watch import LIMITS, Restarts, is_stuck
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -196,21 +186,6 @@ class ChildProcess:
             return None
         message: Answer = self._connection.recv()
         return message
-
-    def turns(self) -> dict[int, ThreadTurns]:
-        """Return the processor time of its threads so far; empty if it can't be read.
-
-        Source: schedstat and stat of /proc/pid/task/tid of Linux.
-        """
-        turns = {}
-        with contextlib.suppress(OSError, ValueError, IndexError):  # a thread may end meanwhile
-            for task in Path(f"/proc/{self.pid}/task").iterdir():
-                ran_ns, queued_ns = read_file(task / "schedstat").split()[:2]
-                state = read_file(task / "stat").decode().rpartition(") ")[2][:1]
-                turns[int(task.name)] = ThreadTurns(
-                    1e-9 * int(ran_ns), 1e-9 * int(queued_ns), state == "R"
-                )
-        return turns
 
     def kill(self) -> None:
         """Kill the process; may be called from any thread, and twice."""
@@ -395,7 +370,6 @@ class RenderSession:
         self._sequence = 0
         self._image_bytes = 0
         self._answered_serial = asked_serial
-        self._heartbeat_thread: int | None = None
         self.asked_serial = asked_serial
         self.is_new = True
         self.is_rough = False
@@ -505,46 +479,19 @@ class RenderSession:
 
         return replace(state, pick=fresh(state.pick), mark_pick=fresh(state.mark_pick))
 
-    def _receive(self) -> Answer | None:
-        """Return the next message; None: it hangs, for it is silent though it had its turns."""
-        message = self._child.receive(LIMITS[self.phase].silent_s)
-        if message is not None:
-            return message
-        since_s = time.monotonic() - LIMITS[self.phase].silent_s
-        first = before = self._turns()
-        while (message := self._child.receive(LOOK_S)) is None:
-            now = self._turns()
-            ran_s = sum(now[each].ran_s - first[each].ran_s for each in now.keys() & first.keys())
-            silent_s = time.monotonic() - since_s
-            if not is_starved(before, now, LOOK_S) or silent_too_long(self.phase, silent_s, ran_s):
-                return None
-            before = now
-        return message
-
-    def _turns(self) -> dict[int, ThreadTurns]:
-        """Of the threads that do something: whoever waits for Python's lock stands in line, too."""
-        turns = self._child.turns()
-        return {each: had for each, had in turns.items() if each != self._heartbeat_thread}
-
     def _await(self, kind: type[A]) -> A:
         """Return the next answer of a kind; what comes before it is told, or noted."""
-        since_s = looked_s = time.monotonic()
-        turns: dict[int, ThreadTurns] = {}
+        since_s = time.monotonic()
         while True:
-            message = self._receive()
+            message = self._child.receive(LIMITS[self.phase].silent_s)
             if message is None:
                 raise ProcessLostError(PICTURE_PROCESS_HUNG())
-            if isinstance(message, Ready):
-                self._heartbeat_thread = message.heartbeat_thread
             if isinstance(message, kind):
                 return message
             if isinstance(message, PictureBusy):
                 if message.phase is not self.phase:
                     self.phase, since_s = message.phase, time.monotonic()
-                before, before_s = turns, looked_s
-                turns, looked_s = self._turns(), time.monotonic()
-                starved = is_starved(before, turns, looked_s - before_s)
-                if is_stuck(message, looked_s - since_s, starved=starved):
+                if is_stuck(message, time.monotonic() - since_s):
                     raise ProcessLostError(PICTURE_PROCESS_HUNG())
             elif isinstance(message, RobotRead):
                 self._keep(message.content)

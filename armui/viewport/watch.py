@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
@@ -25,14 +24,12 @@ class Limits:
 
 LIMITS: Final = {
     PicturePhase.STARTING: Limits(60.0, 120.0),  # a cold disk, a busy computer
-    PicturePhase.OPENING: Limits(5.0, 5.0),  # a graphics card that wakes up
-    PicturePhase.LOADING: Limits(5.0, 20.0),  # large meshes
-    PicturePhase.FIRST_DRAWING: Limits(5.0, 5.0),  # a driver compiles its shaders
-    PicturePhase.DRAWING: Limits(1.0, 1.0),
+    PicturePhase.OPENING: Limits(10.0, 5.0),  # a graphics card that wakes up
+    PicturePhase.LOADING: Limits(10.0, 20.0),  # large meshes
+    PicturePhase.FIRST_DRAWING: Limits(10.0, 5.0),  # a driver compiles its shaders
+    PicturePhase.DRAWING: Limits(5.0, 1.0),
 }
-LOOK_S: Final = 0.2
-"""The time for which a silent process is watched, to tell a hanging one from a starved one."""
-
+"""A silent process may be starved by others: it is given longer than one that tells its turns."""
 _WAITS_SHARE: Final = 0.05
 """A process that uses less of a free processor waits for something that does not come."""
 
@@ -44,19 +41,11 @@ _STARVED_FACTOR: Final = 3.0
 """After this factor of its limit even a starved process has used more than that share of the time.
 """
 
-_QUEUED_SHARE: Final = 0.1
-"""A process with a thread that queued for a processor this share of the time is starved; one that
-waits for something else does not queue.
-"""
-_STOOD_SHARE: Final = 0.7
-"""A thread that wants to run at both looks and ran for less of the time between was queueing, too.
-"""
-
 _SPINS_FACTOR: Final = 2.0
 _LONGEST_FACTOR: Final = 20.0
 
 
-def is_stuck(busy: PictureBusy, busy_for_s: float, *, starved: bool = False) -> bool:
+def is_stuck(busy: PictureBusy, busy_for_s: float) -> bool:
     """Return whether a process that sends signs of life makes no progress.
 
     A process starved by others takes long, too, but it wants the processor and does not get it. A
@@ -65,65 +54,14 @@ def is_stuck(busy: PictureBusy, busy_for_s: float, *, starved: bool = False) -> 
     Args:
         busy: Its last sign of life.
         busy_for_s: The time it has worked on this so far.
-        starved: True if it was seen queueing for a processor just now.
     """
     limit_s = LIMITS[busy.phase].stuck_s
     if busy.cpu_s >= _SPINS_FACTOR * limit_s or busy_for_s >= _LONGEST_FACTOR * limit_s:
         return True
-    if starved:
-        return False
     if busy.late_s >= _LATE_S:
         too_long = busy_for_s >= _STARVED_FACTOR * limit_s
         return too_long and busy.cpu_s < _STARVED_SHARE * busy_for_s
     return busy_for_s >= limit_s and busy.cpu_s < _WAITS_SHARE * busy_for_s
-
-
-@dataclass(frozen=True, slots=True)
-class ThreadTurns:
-    """The processor time of a thread so far, in seconds.
-
-    Attributes:
-        ran_s: The time it ran.
-        queued_s: The time it queued for a processor; counted when its turn comes.
-        wants_to_run: True if it runs or queues now.
-    """
-
-    ran_s: float
-    queued_s: float
-    wants_to_run: bool
-
-
-def is_starved(
-    before: Mapping[int, ThreadTurns], after: Mapping[int, ThreadTurns], over_s: float
-) -> bool:
-    """Return whether a silent process was queueing for a processor, rather than hanging.
-
-    Args:
-        before: The times by thread; empty if the system does not report them.
-        after: The same, later.
-        over_s: The time between the two.
-    """
-    return any(
-        _stood_in_line(before[each], now, over_s) for each, now in after.items() if each in before
-    )
-
-
-def _stood_in_line(before: ThreadTurns, now: ThreadTurns, over_s: float) -> bool:
-    if before.wants_to_run and now.wants_to_run:
-        return now.ran_s - before.ran_s < _STOOD_SHARE * over_s
-    return now.queued_s - before.queued_s >= _QUEUED_SHARE * over_s
-
-
-def silent_too_long(phase: PicturePhase, silent_s: float, ran_s: float) -> bool:
-    """Return whether even a starved process would have sent something by now.
-
-    Args:
-        phase: Its phase.
-        silent_s: The time since its last message.
-        ran_s: The processor time of all its threads meanwhile.
-    """
-    limit_s = LIMITS[phase].silent_s
-    return silent_s >= _LONGEST_FACTOR * limit_s or ran_s >= _SPINS_FACTOR * limit_s
 
 
 class Restarts:

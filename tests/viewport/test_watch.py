@@ -3,15 +3,7 @@
 import pytest
 
 from armui.viewport.messages import PictureBusy, PicturePhase
-from armui.viewport.watch import (
-    LOOK_S,
-    PictureAge,
-    Restarts,
-    ThreadTurns,
-    is_starved,
-    is_stuck,
-    silent_too_long,
-)
+from armui.viewport.watch import PictureAge, Restarts, is_stuck
 
 
 @pytest.mark.parametrize(
@@ -31,43 +23,9 @@ def test_drawing(cpu_s, late_s, busy_for_s, stuck):
     assert is_stuck(PictureBusy(PicturePhase.DRAWING, cpu_s, late_s), busy_for_s) is stuck
 
 
-def test_one_that_was_seen_standing_in_line_is_waited_for_but_not_without_end():
-    slow = PictureBusy(PicturePhase.DRAWING, 0.02, 0.0)
-    assert is_stuck(slow, 2.0)
-    assert not is_stuck(slow, 2.0, starved=True)
-    assert is_stuck(slow, 20.0, starved=True)
-    assert is_stuck(PictureBusy(PicturePhase.DRAWING, 2.0, 0.0), 2.0, starved=True)
-
-
 def test_loading_may_take_longer():
     assert not is_stuck(PictureBusy(PicturePhase.LOADING, 10.0, 0.0), 12.0)
     assert is_stuck(PictureBusy(PicturePhase.LOADING, 0.0, 0.0), 20.0)
-
-
-SLEEPS = ThreadTurns(1.0, 1.0, False)
-
-
-@pytest.mark.parametrize(
-    ("before", "after", "starved"),
-    [
-        ({1: SLEEPS}, {1: SLEEPS}, False),  # stopped, or waits for what does not come
-        ({1: SLEEPS, 2: SLEEPS}, {1: SLEEPS, 2: ThreadTurns(1.01, 1.06, False)}, True),
-        ({1: SLEEPS}, {1: ThreadTurns(1.01, 1.01, True)}, False),  # had most of its turns
-        ({1: ThreadTurns(1, 1, True)}, {1: ThreadTurns(1.05, 1, True)}, True),  # shares
-        ({1: ThreadTurns(1, 1, True)}, {1: ThreadTurns(1, 1, True)}, True),  # in line all the time
-        ({1: ThreadTurns(1, 1, True)}, {1: ThreadTurns(1.2, 1, True)}, False),  # spins
-        ({}, {1: ThreadTurns(1, 1, True)}, False),  # begun meanwhile
-        ({}, {}, False),  # the system does not tell
-    ],
-)
-def test_a_silent_process_hangs_or_stands_in_line(before, after, starved):
-    assert is_starved(before, after, LOOK_S) is starved
-
-
-def test_a_starved_process_is_not_waited_for_without_end():
-    assert not silent_too_long(PicturePhase.DRAWING, 5.0, 0.1)
-    assert silent_too_long(PicturePhase.DRAWING, 20.0, 0.1)
-    assert silent_too_long(PicturePhase.DRAWING, 5.0, 2.0)  # it spins, and shares the processor
 
 
 def test_three_losses_in_a_minute_are_too_many():

@@ -111,11 +111,6 @@ class Heartbeat:
         self._thread = threading.Thread(target=self._beat, name="heartbeat", daemon=True)
         self._thread.start()
 
-    @property
-    def thread_id(self) -> int | None:
-        """The system's number of its own thread."""
-        return self._thread.native_id
-
     def send(self, message: Answer) -> None:
         """Send a message to the program.
 
@@ -201,7 +196,7 @@ class _Drawing:
     def serve(self, connection: Connection) -> None:
         with self._heart.beating(PicturePhase.STARTING):
             self._painter.open()
-        self._say(Ready(self._heart.thread_id))
+        self._say(Ready())
         stands_back = False
         while True:
             request: Draw = connection.recv()
