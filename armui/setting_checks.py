@@ -34,7 +34,7 @@ Language = Literal["zh", "en"]
 ThemeName = Literal["light", "dark", "system"]
 MountingName = Literal["level", "on_the_left_side", "on_the_right_side", "upside_down"]
 PictureDirection = Literal["iso", "front", "side", "top", "below"]
-SessionFormat = Literal[".blf", ".asc", ".log", ".mf4"]
+SessionFormat = Literal[".blf", ".asc", ".log"]
 GamepadMode = Literal["joint", "base", "tool", "user"]
 GamepadButtons = Mapping[str, Mapping[str, str]]
 """The button's name for each action (`armui.gamepad.layout.ACTIONS`), by device."""

@@ -97,7 +97,7 @@ OPENERS = (
     r"|gzip\.GzipFile|zipfile\.ZipFile|sqlite3\.connect|filelock\.\w*Lock"
     r"|numpy\.(load|save|savez\w*|savetxt|fromfile|memmap|loadtxt|genfromtxt)"
     r"|shutil\.(copy\w*|move)|tempfile\.(NamedTemporaryFile|TemporaryFile|mkstemp)"
-    r"|logging\.(handlers\.\w+|FileHandler)|can\.(io\.)?\w*(Reader|Writer|Logger)|asammdf\.\w+"
+    r"|logging\.(handlers\.\w+|FileHandler)|can\.(io\.)?\w*(Reader|Writer|Logger)"
     r"|trimesh\.(load\w*|exchange\.\w+)|yourdfpy\.URDF(\.load)?|pyvista\.(read\w*|get_reader)"
     r"|pyarrow\.(parquet\.\w+|OSFile|memory_map)|mcap\.\w+\.\w+"
     r"|PySide6\.\w+\.(QFile|QSaveFile|QTemporaryFile|QSettings|QPixmap|QImage|QIcon|QImageReader"
@@ -123,11 +123,8 @@ OPENED_ELSEWHERE = {
     "armui.system.helper_process: tempfile.NamedTemporaryFile": "made anew in a folder made anew",
     "armui.trajectory.library.bin: shutil.copy2": "checked in the line before",
     "armui.session.database_logs: can.SqliteReader": "opened by LogSource before",
-    "armui.session.mf4_process: can.MF4Reader": "as above",
-    "armui.session.recording.mf4: can.MF4Writer": "a WholeFile's, made anew under a random name",
     # these are given opened files, or bytes and lines in memory
     "armui.session.blf_logs: can.BLFReader": "a stream",
-    "armui.session.recording.mf4: can.BLFReader": "an opened file",
     "armui.session.recording.formats: can.ASCWriter": "a stream in memory",
     "armui.session.exports.parquet_table: pyarrow.parquet.ParquetWriter": "a WholeFile's stream",
     "armui.session.exports.ros.mcap_file: mcap.writer.Writer": "a WholeFile's stream",

@@ -151,19 +151,30 @@ def test_a_path_that_cannot_be_read_is_said(path: Path) -> None:
         ("jog_step_deg", True),
         ("urdf_path", 7),
         ("urdf_path", ""),
+        ("session_format", ".mf4"),  # chosen in an earlier version
     ],
 )
 def test_a_value_that_is_not_possible_falls_back_alone(
     path: Path, field: str, value: object
 ) -> None:
-    good = {"language": "en", "theme": "dark", "jog_step_deg": 2.5, "urdf_path": "/arm.urdf"}
-    store = SettingsStore(written(path, json.dumps(good | {field: value, "unknown": 1})))
+    good: dict[str, object] = {
+        "language": "en",
+        "theme": "dark",
+        "jog_step_deg": 2.5,
+        "urdf_path": "/arm.urdf",
+        "session_format": ".asc",
+    }
+    held = good | {field: value, "unknown": 1}
+    store = SettingsStore(written(path, json.dumps(held)))
 
     expected = good | {field: getattr(Settings(), field)}
     assert {name: getattr(store.settings, name) for name in good} == expected
     assert [(problem.code, problem.params) for problem in store.problems] == [
         ("setting_bad", {"field": field, "value": str(value)})
     ]
+    # another choice leaves it in the file
+    store.change(jog_floor_mm=20)
+    assert json.loads(path.read_text(encoding="utf-8")) == held | {"jog_floor_mm": 20}
 
 
 @pytest.mark.parametrize("step_deg", [0.001, 0.5, 30.0, 5])

@@ -15,11 +15,9 @@ from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
 from armui.arm.refusal import Refusal
 from armui.bus.adapters import explain
 from armui.record.listening import SIMULATED, BusListener, opened
-from armui.session.recording import mf4
 from armui.session.recording.collector import Collector, FrameRing
 from armui.session.recording.counted import counted, keep
 from armui.session.recording.kinds import (
-    MF4_SUFFIX,
     SESSION_DISK_FULL,
     SESSION_FOLDER_GONE,
     SESSION_READ_ONLY,
@@ -34,7 +32,6 @@ from armui.session.recording.session_recording import SessionRecording
 from armui.session.recording.writer import RecordingPlan, TimeBase
 from armui.system.clock import steady_s
 from armui.system.command_line import add_device
-from armui.system.command_process import is_packaged
 from armui.system.end_signals import handled_by, interrupting
 from armui.system.files import size_text
 
@@ -45,11 +42,6 @@ EXIT_OK: Final = 0
 EXIT_CUT_SHORT: Final = 1
 EXIT_CANNOT_BEGIN: Final = 2
 
-_MF4: Final = MF4_SUFFIX[1:]
-_NO_MF4: Final = "--format mf4 needs asammdf. Install it: pip install asammdf; or record as blf"
-_NOT_PACKED: Final = (
-    "--format mf4 needs asammdf, which is no part of this installed program; record as blf"
-)
 _MEGABYTE: Final = 1_000_000
 _TOLD_S: Final = 0.5
 _END_S: Final = 10.0
@@ -88,10 +80,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--name", help="of the recording (session-DATE-TIME)")
     parser.add_argument(
         "--format",
-        choices=[*(each.value[1:] for each in RecordingFormat), _MF4],
+        choices=[each.value[1:] for each in RecordingFormat],
         default="blf",
-        help="of the files (blf); mf4 is made of the .blf files at the end, where asammdf is "
-        "installed",
+        help="of the files (blf)",
     )
     parser.add_argument(
         "--size",
@@ -114,8 +105,6 @@ def run(options: argparse.Namespace, clock: Callable[[], float] = steady_s) -> i
     name = options.name or name_for(datetime.now().astimezone())
     if not is_name(name):
         return _cannot_begin(f'{name!r} is no name for a file; leave out / \\ : * ? " < > |')
-    if options.format == _MF4 and not mf4.can_write():
-        return _cannot_begin(_NOT_PACKED if is_packaged() else _NO_MF4)
     ending: list[int] = []
     with handled_by(lambda number, _frame: ending.append(number)):
         try:
@@ -146,9 +135,7 @@ def _record(
     plan = RecordingPlan(
         folder=options.folder,
         name=name,
-        kind=RecordingFormat.BLF
-        if options.format == _MF4
-        else RecordingFormat(f".{options.format}"),
+        kind=RecordingFormat(f".{options.format}"),
         base=TimeBase(clock(), time.time()),
         rotate_bytes=options.size * _MEGABYTE,
         channel=str(device.channel),
@@ -178,8 +165,6 @@ def _record(
     code = _summary(recording, lane, problem, ended=ended, quiet=options.quiet)
     if ended and recording.frames and recording.path is not None:
         _count(recording.path)
-    if options.format == _MF4 and recording.frames and ended:
-        return max(code, _once_more_as_mf4(recording, quiet=options.quiet))
     return code
 
 
@@ -211,34 +196,6 @@ def _count(path: Path) -> None:
         return
     except Exception as error:  # noqa: BLE001 - what was recorded is whole all the same
         sys.stderr.write(f"armui record: its faults were not counted: {error}\n")
-
-
-def _once_more_as_mf4(recording: SessionRecording, *, quiet: bool) -> int:
-    """Make an .mf4 of what was recorded; another signal calls that off. Returns the exit code."""
-    folder, name = recording.plan.folder, recording.name or ""
-    target = folder / f"{name}{MF4_SUFFIX}"
-    shown = not quiet and sys.stderr.isatty()
-
-    def tell(share: float) -> None:
-        if shown:
-            sys.stderr.write(f"\r{target.name}: {share:4.0%}  (Ctrl-C: no .mf4)".ljust(60))
-            sys.stderr.flush()
-
-    problem = ""
-    try:
-        with interrupting():
-            mf4.make_mf4(folder, name, tell)
-    except KeyboardInterrupt:
-        problem = "called off"
-    except Exception as error:  # noqa: BLE001 - a package of others may raise anything
-        problem = str(error)
-    if shown:
-        sys.stderr.write("\n")
-    if problem:
-        sys.stderr.write(f"armui record: {target}: {problem}. The .blf files are whole.\n")
-        return EXIT_CUT_SHORT
-    sys.stdout.write(f"{target}: the same\n")
-    return EXIT_OK
 
 
 def _summary(

@@ -1,17 +1,13 @@
-"""Reads logs that are databases: python-can's own (.db, SQLite) and ASAM's (.mf4, with asammdf)."""
+"""Reads the logs of python-can that are databases (.db, SQLite)."""
 
 from __future__ import annotations
 
-import contextlib
 import sqlite3
-from importlib.util import find_spec
-from itertools import chain
 from typing import TYPE_CHECKING, Any, Final
 
 import can
 
 from armui.session.frames import NotALogError
-from armui.system.command_process import is_packaged
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -93,29 +89,6 @@ def read_database(path: Path, builder: BatchBuilder) -> Iterator[FrameBatch]:
             raise NotALogError("no CAN log: the database has no table «messages»")
         builder.header_seen = True
         yield from _gathered(database.rows(), builder)
-
-
-def read_mf4(path: Path, builder: BatchBuilder) -> Iterator[FrameBatch]:
-    """Yield the frames of a bus log in ASAM's format.
-
-    Raises:
-        NotALogError: asammdf is not installed, or cannot open the file.
-    """
-    if find_spec("asammdf") is None:
-        raise NotALogError(
-            ".mf4 files are read with asammdf, which is no part of this installed program"
-            if is_packaged()
-            else ".mf4 files are read with asammdf, which is missing: pip install asammdf"
-        )
-    from armui.session.mf4_process import Mf4ProcessError, rows_of  # noqa: PLC0415 - multiprocessing
-
-    with contextlib.closing(rows_of(path)) as read:
-        try:
-            next(read)
-        except Mf4ProcessError as error:
-            raise NotALogError(f"no CAN log: {error}") from error
-        builder.header_seen = True
-        yield from _gathered(chain.from_iterable(read), builder)
 
 
 def _gathered(

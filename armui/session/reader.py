@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Final
 
 from armui.session.batch_builder import BatchBuilder
 from armui.session.blf_logs import read_blf_log
-from armui.session.database_logs import read_database, read_mf4
+from armui.session.database_logs import read_database
 from armui.session.frames import DamageList, FrameBatch, NotALogError
 from armui.session.source import LogSource
 from armui.session.text_logs import TEXT_FORMATS, NonsenseError, read_text_log
@@ -23,12 +23,11 @@ if TYPE_CHECKING:
     from pathlib import Path
     from typing import Self
 
-SUFFIXES: Final = (".log", ".asc", ".blf", ".trc", ".csv", ".db", ".mf4", ".txt")
+SUFFIXES: Final = (".log", ".asc", ".blf", ".trc", ".csv", ".db", ".txt")
 _BEGINNING: Final = 4_096
 _SIGNS: Final = {
     ".blf": re.compile(rb"\ALOGG"),
     ".db": re.compile(rb"\ASQLite format 3\0"),
-    ".mf4": re.compile(rb"\AMDF "),
     ".gz": re.compile(rb"\A\x1f\x8b"),
     ".trc": re.compile(rb"^;\$FILEVERSION", re.MULTILINE),
     ".asc": re.compile(rb"^base\s+(hex|dec)\s", re.MULTILINE | re.IGNORECASE),
@@ -36,8 +35,8 @@ _SIGNS: Final = {
     ".log": re.compile(rb"^\(\d+\.\d+\) \S+ [0-9A-Fa-f]+#", re.MULTILINE),
 }
 """The mark of each format near the beginning of its files."""
-_NOT_PACKED: Final = (".db", ".mf4")
-"""Formats that are not read sequentially, so that they cannot be compressed as .gz."""
+_NOT_PACKED: Final = ".db"
+"""The format that is not read sequentially, so that it cannot be compressed as .gz."""
 
 
 class LogFile:
@@ -52,8 +51,8 @@ class LogFile:
         """Open a log and read its first frames.
 
         Formats: candump -L, or its screen output with times (.log, .txt), Vector (.asc, .blf), PEAK
-        (.trc), python-can (.csv, .db), ASAM (.mf4, where asammdf is installed); compressed ones
-        but .db and .mf4 with .gz behind. Memory stays bounded whatever the file holds.
+        (.trc), python-can (.csv, .db); compressed ones but .db with .gz behind. Memory stays
+        bounded whatever the file holds.
 
         Args:
             path: The file.
@@ -131,8 +130,6 @@ class LogFile:
             return read_blf_log(self._source, self._builder)
         if self._suffix == ".db":
             return read_database(self.path, self._builder)
-        if self._suffix == ".mf4":
-            return read_mf4(self.path, self._builder)
         return read_text_log(self._source, TEXT_FORMATS[self._suffix], self._builder)
 
     def _no_log(self) -> NotALogError:
@@ -166,16 +163,25 @@ def is_known_kind(path: Path) -> bool:
     return True
 
 
+def is_mf4(path: Path) -> bool:
+    """Return whether a file is a log in ASAM's format by its name; those are not read."""
+    return path.name.lower().removesuffix(".gz").endswith(".mf4")
+
+
 def _log_suffix(path: Path) -> str:
     suffixes = [suffix.lower() for suffix in path.suffixes]
     packed = bool(suffixes) and suffixes[-1] == ".gz"
     if packed:
         suffixes.pop()
     suffix = suffixes[-1] if suffixes else ""
-    if suffix not in SUFFIXES or (packed and suffix in _NOT_PACKED):
+    if is_mf4(path):
+        raise NotALogError(
+            "MF4 is not read: convert it to .asc or .blf with other software, for example asammdf"
+        )
+    if suffix not in SUFFIXES or (packed and suffix == _NOT_PACKED):
         known = ", ".join(SUFFIXES)
         raise NotALogError(
             f"unknown kind of log {''.join(path.suffixes[-2:])!r}; known are {known}, "
-            f"and these but {' and '.join(_NOT_PACKED)} with .gz"
+            f"and these but {_NOT_PACKED} with .gz"
         )
     return suffix

@@ -39,7 +39,6 @@ class WholeFile:
         path: The file's final path; its folder must exist.
         replace: True if a file of this name may be replaced.
         to_disk: True if it must survive a power cut; not needed for files that can be made again.
-        unfinished: Its name meanwhile, if it must be known for removal after a kill.
 
     Attributes:
         unfinished: Its path until it is finished.
@@ -50,14 +49,7 @@ class WholeFile:
         OSError: The folder does not allow it.
     """
 
-    def __init__(
-        self,
-        path: Path,
-        *,
-        replace: bool = True,
-        to_disk: bool = True,
-        unfinished: Path | None = None,
-    ) -> None:
+    def __init__(self, path: Path, *, replace: bool = True, to_disk: bool = True) -> None:
         self._path = path
         self._replace = replace
         self._to_disk = to_disk
@@ -65,7 +57,7 @@ class WholeFile:
             raise _exists(path)
         check_file(path)  # a device or a pipe is not replaced
         self._check()
-        self.unfinished = unfinished or unfinished_name(path)
+        self.unfinished = unfinished_name(path)
         self.stream: BinaryIO = open_file(self.unfinished, "xb")
 
     def _check(self) -> None:

@@ -197,7 +197,7 @@ class HelperProcess(Executor):
         if self._pool is None:
             # a fork would inherit Qt, its threads and every lock they hold
             context = multiprocessing.get_context("spawn")
-            self._pool = ProcessPoolExecutor(1, mp_context=context, initializer=configure_process)
+            self._pool = ProcessPoolExecutor(1, mp_context=context, initializer=_configure_process)
         future = self._pool.submit(call_packed, packed, folder)
         future.add_done_callback(partial(_log_failure, self._called_off))
         begun = set(multiprocessing.active_children()) - before
@@ -447,7 +447,7 @@ def _log_failure(called_off: threading.Event, future: Future[Any]) -> None:
         _LOG.warning("Work in the helper process has failed\n%s", trace)
 
 
-def configure_process() -> None:
+def _configure_process() -> None:
     """Set up the new process: ignore Ctrl-C, lower its priority, end with the program."""
     end_with_the_program()
     if hasattr(os, "nice"):

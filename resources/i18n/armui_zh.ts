@@ -1374,13 +1374,6 @@
     </message>
 </context>
 <context>
-    <name>CancellableProgress</name>
-    <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
-    </message>
-</context>
-<context>
     <name>CartesianPanel</name>
     <message>
         <source>Frame of the figures</source>
@@ -1919,12 +1912,20 @@
         <translation>显示本帮助并退出</translation>
     </message>
     <message>
+        <source>log: .log (candump -L) and whatever else python-can reads (.log, .asc, .blf, .trc, .csv, .db, .txt), also with .gz</source>
+        <translation>日志：.log（candump -L）及 python-can 能读的其他格式（.log, .asc, .blf, .trc, .csv, .db, .txt），也可带 .gz</translation>
+    </message>
+    <message>
         <source>Exit code: 0 an arm answers, 1 none does, 2 the file of --report was not written.</source>
         <translation>退出码：0 有机械臂应答；1 没有应答；2 --report 的文件未写入。</translation>
     </message>
     <message>
         <source>keep what was found in a zip file, too, with log, settings and versions, to be sent to whoever helps; an existing file is left as it is</source>
         <translation>同时将结果连同日志、设置和版本存入一个 zip 文件，以便发给提供帮助的人；已有文件不会被覆盖</translation>
+    </message>
+    <message>
+        <source>of the files (blf)</source>
+        <translation>文件格式（blf）</translation>
     </message>
     <message>
         <source>faults (--fault)</source>
@@ -2105,10 +2106,6 @@
         <translation>退出码：0 全部读取；1 有些行无法读取（行号在错误输出中）；2 文件不是日志。</translation>
     </message>
     <message>
-        <source>log: .log (candump -L) and whatever else python-can reads (.log, .asc, .blf, .trc, .csv, .db, .mf4, .txt), also with .gz</source>
-        <translation>日志：.log（candump -L）及 python-can 能读的其他格式（.log, .asc, .blf, .trc, .csv, .db, .mf4, .txt），也可带 .gz</translation>
-    </message>
-    <message>
         <source>protocol of the recorded arm; auto looks for evidence in the log (default)</source>
         <translation>所录机械臂的协议；auto 根据日志判断（默认）</translation>
     </message>
@@ -2215,10 +2212,6 @@
     <message>
         <source>of the recording (session-DATE-TIME)</source>
         <translation>录制的名称（session-日期-时间）</translation>
-    </message>
-    <message>
-        <source>of the files (blf); mf4 is made of the .blf files at the end, where asammdf is installed</source>
-        <translation>文件格式（blf）；mf4 在结束时由 .blf 文件生成，需安装 asammdf</translation>
     </message>
     <message>
         <source>a file that is as large is followed by another (100)</source>
@@ -9741,16 +9734,8 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>最近几分钟始终保留在内存中。</translation>
     </message>
     <message>
-        <source>Making the .mf4 file of {name}…</source>
-        <translation>正在生成 {name} 的 .mf4 文件…</translation>
-    </message>
-    <message>
         <source>Opening the file…</source>
         <translation>正在打开文件…</translation>
-    </message>
-    <message>
-        <source>Recorded as .blf; the .mf4 file is made of it at the end.</source>
-        <translation>先记录为 .blf，结束后由它生成 .mf4 文件。</translation>
     </message>
     <message>
         <source>{length} · {frames} frames · {size} · {rate}/s</source>
@@ -10889,6 +10874,10 @@ The other program must have ended.</source>
     <message>
         <source>Nothing was sent: while its way was checked the arm moved, or what it was checked against has changed. Press again.</source>
         <translation>未发送：检查路径期间机械臂移动了，或检查所依据的内容已改变。请再按一次。</translation>
+    </message>
+    <message>
+        <source>{name} is an MF4 file, and those are not read. Convert it to .asc or .blf with other software, for example asammdf, and open what that has written.</source>
+        <translation>{name} 是 MF4 文件，本程序不读取这种文件。请用其他软件（例如 asammdf）将其转换为 .asc 或 .blf，再打开转换后的文件。</translation>
     </message>
     <message>
         <source>Setting “{field}”: {count} of its entries cannot be read, the first is “{key}”: “{value}”. The others hold; these stay in the file until you choose anew.</source>

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import errno
 import json
-import threading
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -20,9 +18,7 @@ from armui.cell.held_objects import HeldObject
 from armui.cell.tools import Tool
 from armui.cell.user_frames import UserFrame
 from armui.cell.work_area import Area, AreaBox, AreaPlane
-from armui.control.sessions import mf4_converter
 from armui.control.sessions.choices import SessionChoices
-from armui.control.sessions.mf4_converter import SESSION_MF4_CALLED_OFF, Mf4Converter
 from armui.control.sessions.session_recorder import (
     SESSION_NAME_BAD,
     SESSION_NONE,
@@ -31,13 +27,11 @@ from armui.control.sessions.session_recorder import (
 )
 from armui.protocol.frame import Frame, FrameFlag
 from armui.session.log_model import told_cell
-from armui.session.recording import mf4, writer
-from armui.session.recording.folder import RecordingEntry, list_recordings, rename
+from armui.session.recording import writer
+from armui.session.recording.folder import RecordingEntry, list_recordings
 from armui.session.recording.kinds import (
     SESSION_DISK_FULL,
-    SESSION_FAILED,
     SESSION_FOLDER_GONE,
-    SESSION_NO_MF4,
     SESSION_READ_ONLY,
     RecordingFormat,
 )
@@ -47,8 +41,6 @@ from armui.session.session import MarkKind
 from armui.sim.faults.schedule import fault
 from armui.telemetry.event_json import from_json
 from tests.accepted import accepted
-from tests.control import slow_mf4
-from tests.session.recording.made import Mf4InMemory
 
 
 @pytest.fixture
@@ -316,104 +308,3 @@ def test_the_end_of_the_program_ends_the_recording_well(rig, sessions, tmp_path)
     assert (entry.ended, entry.failure) == (True, "")
     assert lines_of(sessions.choices.folder)[-1]["reason"] == "program ended"
     assert opened(entry).frames > 100
-
-
-@pytest.fixture
-def as_mf4(sessions, monkeypatch):
-    """The operator has chosen MF4; the package for it is a stand-in, in a thread."""
-    monkeypatch.setattr(mf4, "can_write", lambda: True)
-    monkeypatch.setattr("can.MF4Writer", Mf4InMemory)
-    sessions.mf4 = Mf4Converter(lambda: ThreadPoolExecutor(1))
-    sessions.choose(replace(sessions.choices, as_mf4=True))
-    return sessions
-
-
-def test_an_mf4_file_is_made_when_a_recording_has_ended(rig, as_mf4, wait_for):
-    rig.connect()
-    session = record(rig, as_mf4, wait_for)
-    wait_for(lambda: "mf4_saved" in rig.codes())
-
-    (made,) = as_mf4.choices.folder.glob("*.mf4")
-    assert made.read_text() == f"{session.frames} frames"
-    assert session.facts["also"] == ".mf4"
-    assert not as_mf4.busy_names()
-
-
-def test_what_just_happened_is_an_mf4_file_too(rig, as_mf4, wait_for):
-    rig.connect()
-    rig.run(0.5)
-    wait_for(lambda: as_mf4.ring().frames > 0)
-    as_mf4.save_ring()
-    wait_for(lambda: "mf4_saved" in rig.codes())
-    (entry,) = list_recordings(as_mf4.choices.folder)
-    assert (as_mf4.choices.folder / f"{entry.name}.mf4").read_text().endswith("frames")
-
-
-def test_the_files_of_which_an_mf4_file_is_made_stay_in_their_places(
-    rig, as_mf4, wait_for, monkeypatch
-):
-    going_on = threading.Event()
-    stop = Mf4InMemory.stop
-    monkeypatch.setattr(Mf4InMemory, "stop", lambda self: (going_on.wait(10), stop(self)))
-    rig.connect()
-    session = record(rig, as_mf4, wait_for)
-    (entry,) = list_recordings(as_mf4.choices.folder)
-    assert session.frames > 0
-    assert as_mf4.mf4.names == as_mf4.busy_names() == {entry.name}
-    assert not list(as_mf4.choices.folder.glob("*.mf4"))  # it has its name when it is whole
-    going_on.set()
-    wait_for(lambda: "mf4_saved" in rig.codes())
-    rename(as_mf4.choices.folder, entry.name, "moved")
-    assert (as_mf4.choices.folder / "moved.mf4").exists()
-
-
-@pytest.mark.parametrize(
-    ("spoil", "code"),
-    [
-        (lambda patch: patch.setattr(mf4, "can_write", lambda: False), SESSION_NO_MF4),
-        (
-            lambda patch: patch.setattr(Mf4InMemory, "stop", lambda _self: 1 / 0),
-            SESSION_FAILED,
-        ),
-    ],
-)
-def test_an_mf4_file_that_cannot_be_made_is_told(rig, as_mf4, wait_for, monkeypatch, spoil, code):
-    spoil(monkeypatch)
-    rig.connect()
-    session = record(rig, as_mf4, wait_for)
-    wait_for(lambda: "mf4_not_saved" in rig.codes())
-    told = next(event for event in rig.events if event.code == "mf4_not_saved")
-    (entry,) = list_recordings(as_mf4.choices.folder)
-    assert (told.params["name"], told.params["reason"].reason) == (entry.name, code)
-    assert session.frames > 0
-    files = {path.suffix for path in as_mf4.choices.folder.iterdir()}
-    assert files == {".blf", ".idx", ".jsonl"}
-
-
-def test_making_an_mf4_file_is_called_off_and_nothing_is_left(rig, as_mf4, wait_for, monkeypatch):
-    monkeypatch.setattr(mf4_converter, "_make", slow_mf4.make)
-    as_mf4.mf4 = Mf4Converter()
-    rig.connect()
-    record(rig, as_mf4, wait_for)
-    wait_for(lambda: as_mf4.mf4.share == 0.5)
-    folder = as_mf4.choices.folder
-    assert list(folder.glob(".*.unfinished"))
-
-    as_mf4.mf4.call_off()
-    wait_for(lambda: "mf4_not_saved" in rig.codes())
-    told = next(event for event in rig.events if event.code == "mf4_not_saved")
-    assert told.params["reason"].reason == SESSION_MF4_CALLED_OFF
-    assert {path.suffix for path in folder.iterdir()} == {".blf", ".idx", ".jsonl"}
-    assert not as_mf4.busy_names()
-    assert as_mf4.mf4.share is None
-
-
-def test_an_mf4_file_in_the_making_ends_with_the_program(rig, as_mf4, wait_for, monkeypatch):
-    monkeypatch.setattr(mf4_converter, "_make", slow_mf4.make)
-    as_mf4.mf4 = Mf4Converter()
-    rig.connect()
-    record(rig, as_mf4, wait_for)
-    wait_for(lambda: as_mf4.mf4.share == 0.5)
-    assert rig.controller.shutdown()
-    wait_for(lambda: not list(as_mf4.choices.folder.glob(".*.unfinished")))
-    assert {path.suffix for path in as_mf4.choices.folder.iterdir()} == {".blf", ".idx", ".jsonl"}

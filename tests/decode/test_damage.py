@@ -259,9 +259,14 @@ class TestNoLog:
 def test_unknown_suffix(tmp_path, capsys, name):
     log = tmp_path / name
     log.write_text(GOOD[".log"])
-    assert_one_line_and_exit_2(
-        log, capsys, "known are .log, .asc, .blf, .trc, .csv, .db, .mf4, .txt"
-    )
+    assert_one_line_and_exit_2(log, capsys, "known are .log, .asc, .blf, .trc, .csv, .db, .txt")
+
+
+@pytest.mark.parametrize("name", ["run.mf4", "run.MF4.gz"])
+def test_mf4_is_called_so_with_the_remedy(tmp_path, capsys, name):
+    log = tmp_path / name
+    log.write_bytes(b"MDF     4.10    ")
+    assert_one_line_and_exit_2(log, capsys, "MF4 is not read: convert it to .asc or .blf")
 
 
 def test_something_else_with_gz(tmp_path, capsys):

@@ -180,69 +180,6 @@ def test_what_the_operator_chooses_is_kept(sessions, tmp_path):
     assert (tmp_path / "elsewhere" / "chosen.log").stat().st_size > 0
 
 
-def test_mf4_is_offered_where_it_can_be_written(sessions):
-    card = sessions.window.recording
-    item = card.format_box.model().item(card.format_box.findData(".mf4"))
-
-    card._on_mf4_known(False)
-    assert not item.isEnabled()
-    assert "pip install asammdf" in item.toolTip()
-    assert "pip install asammdf" in card.format_box.toolTip()
-    assert not card.format_note.isVisible()  # the list below has its room
-
-    card._on_mf4_known(True)
-    assert item.isEnabled()
-    assert not card.format_note.isVisible()
-    card.format_box.setCurrentIndex(card.format_box.findData(".mf4"))
-    card.format_box.activated.emit(card.format_box.currentIndex())
-    assert sessions.driver.store.settings.session_format == ".mf4"
-    assert sessions.recorder.choices.as_mf4
-    assert "at the end" in card.format_note.text()
-
-
-class Making:
-    """Stands for what makes .mf4 files."""
-
-    def __init__(self):
-        self.names, self.share = frozenset({"long"}), None
-        self.is_called_off = False
-
-    def call_off(self):
-        self.is_called_off = True
-
-    def take_done(self):
-        return []
-
-    def end(self):
-        self.names = frozenset()
-
-
-def test_making_an_mf4_file_is_seen_and_called_off(sessions):
-    card = sessions.window.recording
-    assert not card.making.isVisible()
-    made = sessions.recorder.mf4 = Making()
-    sessions.window._look()
-    assert "Making the .mf4 file of long" in card.figures_label.text()
-    assert (card.making.progress.minimum(), card.making.progress.maximum()) == (0, 0)
-
-    made.share = 0.25
-    sessions.window._look()
-    progress = card.making.progress
-    assert progress.value() / progress.maximum() == 0.25
-    sessions.driver.click(card.making.button)
-    assert made.is_called_off
-    sessions.window._look()
-    assert not card.making.button.isEnabled()  # until the process has ended
-
-    made.names = frozenset()
-    sessions.window._look()
-    assert not card.making.isVisible()
-    made.names = frozenset({"next"})
-    sessions.window._look()
-    assert card.making.button.isEnabled()
-    made.end()
-
-
 def test_a_folder_that_cannot_be_written_is_told_in_the_window(sessions, tmp_path):
     (tmp_path / "file").write_text("")
     sessions.driver.store.change(session_folder=str(tmp_path / "file" / "below"))

@@ -19,10 +19,9 @@ from armui import record
 from armui.protocol.frame import FrameFlag
 from armui.record.listening import BusListener
 from armui.record.record_command import EXIT_CANNOT_BEGIN, EXIT_CUT_SHORT, EXIT_OK
-from armui.session.recording import mf4
 from armui.session.recording.folder import list_recordings
 from armui.session.recording.recorded_session import RecordedSession
-from tests.session.recording.made import Mf4InMemory, all_of
+from tests.session.recording.made import all_of
 from tests.session.recording.test_disk import FullDisk
 
 SAID = [
@@ -178,34 +177,6 @@ def test_the_simulated_arm_in_a_process_of_its_own_without_qt(tmp_path):
     session = RecordedSession(side)
     assert {each.frame.arbitration_id for each in all_of(session)} >= {0x2A1, 0x2A5, 0x2A6, 0x2A7}
     assert json.loads((tmp_path / "arm.armui.jsonl").read_text("utf-8").splitlines()[0])["device"]
-
-
-def test_an_mf4_file_is_made_of_all_files_at_the_end(tmp_path, channel, capsys, monkeypatch):
-    monkeypatch.setattr(mf4, "can_write", lambda: True)
-    monkeypatch.setattr("can.MF4Writer", Mf4InMemory)
-    words = ["--interface", "virtual", "--channel", channel, "-o", str(tmp_path), "--name", "run"]
-    assert run(*words, "--format", "mf4", "--duration", "0.6") == EXIT_OK
-    assert "run.mf4" in capsys.readouterr().out
-    frames = RecordedSession(tmp_path / "run.blf").frames
-    assert (tmp_path / "run.mf4").read_text() == f"{frames} frames"
-
-
-def test_an_mf4_file_that_cannot_be_made_leaves_the_recording_whole(
-    tmp_path, channel, capsys, monkeypatch
-):
-    monkeypatch.setattr(mf4, "can_write", lambda: True)
-    (tmp_path / "run.mf4").write_text("somebody else's")
-    words = ["--interface", "virtual", "--channel", channel, "-o", str(tmp_path), "--name", "run"]
-    assert run(*words, "--format", "mf4", "--duration", "0.6") == EXIT_CUT_SHORT
-    assert "The .blf files are whole" in capsys.readouterr().err
-    assert (tmp_path / "run.mf4").read_text() == "somebody else's"
-    assert RecordedSession(tmp_path / "run.blf").frames > 0
-
-
-def test_mf4_without_its_package_is_refused_before_anything_is_recorded(monkeypatch, capsys):
-    monkeypatch.setattr(mf4, "can_write", lambda: False)
-    assert run("--sim", "--format", "mf4") == EXIT_CANNOT_BEGIN
-    assert "pip install asammdf" in capsys.readouterr().err
 
 
 def test_its_faults_are_counted_when_it_ends(tmp_path, capsys):

@@ -16,7 +16,6 @@ from pathlib import Path
 import can
 import pytest
 
-from armui.session.recording.mf4 import can_write
 from armui.session.recording.recorded_session import RecordedSession
 from tests.examples import sample
 from tests.posix import HANG_UP, kill
@@ -54,11 +53,10 @@ def processes_of(session: int) -> list[int]:
 class Program:
     """`armui` with some words, in a session of its own."""
 
-    def __init__(self, folder: Path, *words: str, code: str = "") -> None:
+    def __init__(self, folder: Path, *words: str) -> None:
         own = ("HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME", "XDG_RUNTIME_DIR")
-        command = ["-c", code] if code else ["-m", "armui"]
         self.process = subprocess.Popen(
-            [sys.executable, *command, *words],
+            [sys.executable, "-m", "armui", *words],
             env={
                 **os.environ,
                 **dict.fromkeys(own, str(folder)),
@@ -138,10 +136,9 @@ def test_a_simulated_arm_is_ended(tmp_path, by):
     assert code == 0
 
 
-def recording(folder: Path, *words: str, code: str = "") -> Program:
+def recording(folder: Path) -> Program:
     """A simulated arm is being recorded."""
-    more = ("--sim", "-o", str(folder), "--name", "run", *words)
-    program = Program(folder, "record", *more, code=code)
+    program = Program(folder, "record", "--sim", "-o", str(folder), "--name", "run")
     path = folder / "run.blf"
     program.wait_for(lambda: path.exists() and path.stat().st_size > 3000)
     return program
@@ -155,30 +152,6 @@ def test_a_recording_is_finished(tmp_path, by, times):
     session = RecordedSession(tmp_path / "run.blf")
     assert session.frames > 0
     assert "end" in [line["kind"] for line in session.lines]
-
-
-@pytest.mark.parametrize("by", sample(SIGNALS, 2))
-def test_a_recording_is_whole_when_its_mf4_is_called_off(tmp_path, by):
-    """The second signal comes while python-can writes, which takes minutes with a long one."""
-    if not can_write():
-        pytest.skip("asammdf is not installed")
-    code = (
-        "import sys, time; from pathlib import Path; from armui.cli import main\n"
-        "from armui.session.recording import mf4\n"
-        "class Slow(mf4.can.MF4Writer):\n"
-        "    def on_message_received(self, message):\n"
-        f"        Path({str(tmp_path / 'begun')!r}).touch(); time.sleep(0.1)\n"
-        "mf4.can.MF4Writer = Slow\n"
-        "sys.exit(main())\n"
-    )
-    program = recording(tmp_path, "--format", "mf4", code=code)
-    program.process.send_signal(by)
-    program.wait_for((tmp_path / "begun").exists)
-    ended, _out, err = program.end(by)
-    assert ended == 1
-    assert "called off. The .blf files are whole" in err
-    assert RecordedSession(tmp_path / "run.blf").frames > 0
-    assert not [path.name for path in tmp_path.iterdir() if "mf4" in path.name]
 
 
 @pytest.mark.parametrize("by", sample(SIGNALS, 1))

@@ -216,6 +216,8 @@ def refused(path: Path, tmp_path: Path) -> Refusal:
         ("packed.asc", b"\x1f\x8b\x08" + bytes(4000), "replay_archive"),
         ("nonsense.blf", b"LOGX" + bytes(4000), "replay_no_log"),
         ("picture.png", b"\x89PNG", "replay_unknown_kind"),
+        ("measured.mf4", b"MDF     4.10", "replay_mf4"),
+        ("measured.MF4.gz", b"\x1f\x8b\x08", "replay_mf4"),
         ("header.asc", b"date Sat Nov 21 02:00:00.000 2026\nbase hex  timestamps absolute\n",
          "replay_empty"),
     ],
@@ -227,13 +229,6 @@ def test_what_is_no_log_is_called_so(tmp_path, name, content, code):
 
     assert reason.code == code
     assert reason.params["name"] == name
-
-
-def test_mf4_without_its_package_says_what_it_needs(tmp_path, monkeypatch):
-    monkeypatch.setattr("armui.session.database_logs.find_spec", lambda _name: None)
-    monkeypatch.setattr("armui.session.foreign.indexing.find_spec", lambda _name: None)
-    (tmp_path / "log.mf4").write_bytes(b"MDF     4.10")
-    assert refused(tmp_path / "log.mf4", tmp_path).code == "session_no_mf4"
 
 
 def test_of_a_packed_log_that_breaks_off_what_there_is_is_read(tmp_path):

@@ -260,11 +260,3 @@ def test_positions_for_a_progress_bar(tmp_path):
         assert positions[0] < log.size / 2
         assert positions[-1] == log.size == path.stat().st_size
         assert log.frames == 30_000
-
-
-def test_mf4_without_its_package_says_what_to_install(tmp_path, monkeypatch):
-    monkeypatch.setattr("armui.session.database_logs.find_spec", lambda _name: None)
-    path = tmp_path / "run.mf4"
-    path.write_bytes(b"MDF     4.10    ")
-    with pytest.raises(Exception, match="pip install asammdf"):
-        read(path)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
-from armui.session.recording.kinds import MF4_SUFFIX, RecordingFormat
+from armui.session.recording.kinds import RecordingFormat
 from armui.settings import Settings
 from armui.system import paths
 
@@ -20,25 +20,21 @@ class SessionChoices:
     Attributes:
         folder: The folder of the recordings.
         kind: The format of the next recording.
-        as_mf4: True to make an .mf4 file of it when it has ended.
         rotate_bytes: The size at which a file is followed by another.
         save_at_faults: True to save the ring automatically at a fault or a stop.
     """
 
     folder: Path
     kind: RecordingFormat = RecordingFormat.BLF
-    as_mf4: bool = False
     rotate_bytes: int = 100 * MEGABYTE
     save_at_faults: bool = False
 
 
 def choices_of(settings: Settings) -> SessionChoices:
     """Return the choices in the settings."""
-    as_mf4 = settings.session_format == MF4_SUFFIX
     return SessionChoices(
         folder=Path(settings.session_folder) if settings.session_folder else paths.sessions(),
-        kind=RecordingFormat.BLF if as_mf4 else RecordingFormat(settings.session_format),
-        as_mf4=as_mf4,
+        kind=RecordingFormat(settings.session_format),
         rotate_bytes=settings.session_rotate_mb * MEGABYTE,
         save_at_faults=settings.session_save_at_faults,
     )

@@ -19,12 +19,11 @@ from armui.control.events import Notice
 from armui.control.link.connection import CONNECTED, RECONNECTED
 from armui.control.operations.started import Ending, Started
 from armui.control.sessions.choices import SessionChoices
-from armui.control.sessions.mf4_converter import Mf4Converter
 from armui.control.sessions.progress import SESSION_FRAMES_LOST, RecordingProgress, RingContent
 from armui.control.sessions.ring_saving import SaveAtFaults
 from armui.control.sessions.sidecar_lines import EventFeed, SidecarLines
 from armui.session.recording.collector import Collector, FrameRing
-from armui.session.recording.kinds import MF4_SUFFIX, is_name, name_for, why_not_written
+from armui.session.recording.kinds import is_name, name_for, why_not_written
 from armui.session.recording.lane import FrameLane
 from armui.session.recording.sidecar import event_line
 from armui.session.session import MarkKind
@@ -74,13 +73,6 @@ SESSION_FAILED_NOTICE = Notice(
     EventKind.RESULT,
     Asker.PROGRAM,
 )
-MF4_SAVED = Notice("mf4_saved", "Also saved as MF4: {name}.mf4", Level.DONE, EventKind.PROGRAM)
-MF4_NOT_SAVED = Notice(
-    "mf4_not_saved",
-    "No .mf4 file of {name}: {reason} The recording is whole as .blf.",
-    Level.WARNING,
-    EventKind.PROGRAM,
-)
 RING_SAVED = Notice(
     "ring_saved", "What just happened is saved: {name}", Level.DONE, EventKind.PROGRAM
 )
@@ -114,7 +106,6 @@ class SessionRecorder(QObject):
 
     Attributes:
         choices: The operator's choices.
-        mf4: Makes .mf4 files of ended recordings.
 
     Signals:
         changed: A recording has begun or ended, or the ring was saved.
@@ -143,7 +134,6 @@ class SessionRecorder(QObject):
         self._saver: ThreadPoolExecutor | None = None
         self._saving: Future[Path] | None = None
         self._saving_plan: RecordingPlan | None = None
-        self.mf4 = Mf4Converter()
         self._at_faults = SaveAtFaults(KEPT_S)
         self._lost_told = self._dropped_before = 0
         self._device: object = None
@@ -171,7 +161,7 @@ class SessionRecorder(QObject):
         names = {each.name for each in writing if each.name is not None}
         if self._saving_plan is not None:
             names.add(self._saving_plan.name)
-        return self.mf4.names | names
+        return frozenset(names)
 
     def progress(self) -> RecordingProgress | None:
         """Return the progress of the recording under way, or ``None``."""
@@ -295,7 +285,6 @@ class SessionRecorder(QObject):
         if self._recording is not None:
             self._end(self._recording, "program ended")
         self._timer.stop()
-        self.mf4.end()
         if self._collector is not None:
             self._collector.end()
         until_s = time.monotonic() + _END_S
@@ -323,7 +312,6 @@ class SessionRecorder(QObject):
         self._note_facts()
         self._follow_recording()
         self._follow_saving()
-        self._follow_mf4()
         wanted = self._at_faults.take_due(self._context.clock())
         if wanted is not None and self._saving is None:
             self.save_ring("stop" if wanted is MarkKind.STOP else "fault")
@@ -369,8 +357,6 @@ class SessionRecorder(QObject):
                 size = f"{each.total_bytes / 1e6:.2f}"
                 figures = {"name": each.name or "", "frames": each.frames, "size": size}
                 self._close(each, Ending.DONE, SESSION_ENDED, **figures)
-                if each.frames:
-                    self._begin_mf4(each.plan, each.name or "")
             else:
                 reason = why_not_written(each.failure, each.plan.folder)
                 self._close(each, Ending.FAILED, SESSION_FAILED_NOTICE, reason=reason)
@@ -385,28 +371,14 @@ class SessionRecorder(QObject):
         saving = self._saving
         if saving is None or not saving.done():
             return
-        self._saving, plan, self._saving_plan = None, self._saving_plan, None
+        self._saving = self._saving_plan = None
         error = saving.exception()
         if error is None:
-            name = saving.result().stem
-            self._context.tell(RING_SAVED, name=name)
-            self._begin_mf4(plan, name)
+            self._context.tell(RING_SAVED, name=saving.result().stem)
         else:
             reason = why_not_written(error, self.choices.folder)
             self._context.tell(RING_NOT_SAVED, reason=reason)
         self.changed.emit()
-
-    def _begin_mf4(self, plan: RecordingPlan | None, name: str) -> None:
-        if plan is not None and (plan.facts or {}).get("also") == MF4_SUFFIX:
-            self.mf4.begin(plan.folder, name)
-
-    def _follow_mf4(self) -> None:
-        for made in self.mf4.take_done():
-            if made.refusal is None:
-                self._context.tell(MF4_SAVED, name=made.name)
-            else:
-                self._context.tell(MF4_NOT_SAVED, name=made.name, reason=made.refusal)
-            self.changed.emit()
 
     def _end(self, recording: SessionRecording, reason: str) -> None:
         """Let its last frames be written; what failed is over already."""
@@ -430,11 +402,7 @@ class SessionRecorder(QObject):
             base=TimeBase(self._context.clock(), time.time()),
             rotate_bytes=self.choices.rotate_bytes,
             channel=channel,
-            facts={
-                "reason": reason,
-                "device": None if device is None else device.name,
-                **({"also": MF4_SUFFIX} if self.choices.as_mf4 else {}),
-            },
+            facts={"reason": reason, "device": None if device is None else device.name},
         )
 
 

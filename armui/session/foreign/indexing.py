@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import shutil
-from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
@@ -27,8 +26,7 @@ from armui.session.foreign.indexed import (
 )
 from armui.session.frames import LATEST_S, NOT_OF_THE_ARM, NotALogError
 from armui.session.log_marks import LogFrames, marks_of
-from armui.session.reader import SUFFIXES, LogFile, is_known_kind
-from armui.session.recording.kinds import MF4_SUFFIX, no_mf4
+from armui.session.reader import SUFFIXES, LogFile, is_known_kind, is_mf4
 from armui.system.files import error_text, open_file
 
 if TYPE_CHECKING:
@@ -59,6 +57,11 @@ REPLAY_UNKNOWN_KIND = Reason(
     "replay_unknown_kind",
     "By its name {name} is no CAN log. Known endings: {known}, most of them also with .gz "
     "behind. Rename the file, or choose another.",
+)
+REPLAY_MF4 = Reason(
+    "replay_mf4",
+    "{name} is an MF4 file, and those are not read. Convert it to .asc or .blf with other "
+    "software, for example asammdf, and open what that has written.",
 )
 REPLAY_ARCHIVE = Reason(
     "replay_archive",
@@ -206,6 +209,8 @@ def _why_not(path: Path, error: NotALogError) -> Refusal:
     name = {"name": path.name}
     if isinstance(error.__cause__, OSError):
         return REPLAY_UNREADABLE(**name, text=str(error))
+    if is_mf4(path):
+        return REPLAY_MF4(**name)
     if not is_known_kind(path):
         known = ", ".join(SUFFIXES)
         return REPLAY_UNKNOWN_KIND(**name, known=known)
@@ -218,8 +223,6 @@ def _why_not(path: Path, error: NotALogError) -> Refusal:
         return REPLAY_EMPTY(**name)
     if path.suffix.lower() != ".gz" and beginning.startswith(_ARCHIVES):
         return REPLAY_ARCHIVE(**name)
-    if path.suffix.lower() == MF4_SUFFIX and find_spec("asammdf") is None:
-        return no_mf4()
     text = str(error).removeprefix("no CAN log: ")
     if text.startswith("nothing in it reads") and text.endswith(" file"):  # and no more is known
         return REPLAY_NOTHING_READ(**name)

@@ -13,7 +13,7 @@ from typing import Any, Final
 
 from armui.session.recording import index_file, sidecar
 from armui.session.recording.counted import counts_in
-from armui.session.recording.kinds import MF4_SUFFIX, RecordingFormat, file_name, is_name
+from armui.session.recording.kinds import RecordingFormat, file_name, is_name
 from armui.system.files import error_text, open_file
 
 BIN: Final = "deleted"
@@ -155,8 +155,8 @@ def files_of(folder: Path, name: str) -> list[Path]:
     with open_file(side) as stream:
         lines = sidecar.read_lines(stream.readline(_HEAD_BYTES))
     paths = _parts(folder, name, sidecar.format_in(lines[0]) if lines else None)
-    beside = (folder / f"{name}{suffix}" for suffix in (MF4_SUFFIX, index_file.SUFFIX))
-    return [*paths, *(path for path in beside if path.exists()), side]
+    index = folder / f"{name}{index_file.SUFFIX}"
+    return [*paths, *([index] if index.exists() else []), side]
 
 
 def rename(folder: Path, name: str, new_name: str) -> None:

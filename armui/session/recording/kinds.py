@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final, Protocol
 
 from armui.arm.refusal import Reason, Refusal
-from armui.system.command_process import is_packaged
 from armui.system.files import error_text
 
 if TYPE_CHECKING:
@@ -39,17 +38,6 @@ SESSION_FAILED = Reason(
     "The session could not be recorded in {folder}: {text}. What was written before can be "
     "read. Choose another folder, or try again.",
 )
-SESSION_NO_MF4 = Reason("session_no_mf4", "MF4 needs the package asammdf (pip install asammdf).")
-SESSION_MF4_NOT_PACKED = Reason(
-    "session_mf4_not_packed",
-    "MF4 needs the Python package asammdf, which is no part of this installed program, and cannot "
-    "be added to it. Use BLF.",
-)
-
-
-def no_mf4() -> Refusal:
-    """Return why there is no MF4 here, as fits the way this program was installed."""
-    return SESSION_MF4_NOT_PACKED() if is_packaged() else SESSION_NO_MF4()
 
 
 class RecordingFormat(enum.Enum):
@@ -58,10 +46,6 @@ class RecordingFormat(enum.Enum):
     BLF = ".blf"
     ASC = ".asc"
     CANDUMP = ".log"
-
-
-MF4_SUFFIX: Final = ".mf4"
-"""The suffix of files made of a recording afterwards; see `armui.session.recording.mf4`."""
 
 
 class BlockFormat(Protocol):

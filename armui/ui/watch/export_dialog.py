@@ -58,7 +58,7 @@ _FORMATS: Final = {
     ExportFormat.PARQUET: "Parquet",
     ExportFormat.CSV_MESSAGES: QT_TRANSLATE_NOOP("ExportForm", "CSV per message"),
 }
-_LOGS: Final = "*.blf *.log *.asc *.trc *.csv *.db *.mf4 *.txt *.gz"
+_LOGS: Final = "*.blf *.log *.asc *.trc *.csv *.db *.txt *.gz"
 _GENERATIONS: Final = (None, Generation.ONE, Generation.TWO)
 _BELOW_FORMATS: Final = 2
 """The row with the description of the chosen format."""

@@ -85,16 +85,3 @@ def recorded(
 
 def all_of(session: RecordedSession) -> list[LoggedFrame]:
     return [each for batch in session.frames_between(0.0, 1e12) for each in batch]
-
-
-class Mf4InMemory:
-    """What python-can's writer of .mf4 is told; it writes at its end, as that one does."""
-
-    def __init__(self, path):
-        self.path, self.messages = path, []
-
-    def on_message_received(self, message):
-        self.messages.append(message)
-
-    def stop(self):
-        self.path.write_text(f"{len(self.messages)} frames")

@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QSize, Qt, QTimer
-from PySide6.QtGui import QStandardItemModel
 from PySide6.QtWidgets import (
     QCheckBox,
     QFrame,
@@ -18,18 +17,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from armui.arm.refusal import Refusal
 from armui.control.sessions.session_recorder import KEPT_S
-from armui.session.recording.kinds import MF4_SUFFIX, no_mf4
 from armui.setting_checks import ROTATE_MAX_MB, ROTATE_MIN_MB
 from armui.system.clock import local_time
 from armui.system.files import size_text
 from armui.ui import format as fmt
-from armui.ui import words
-from armui.ui.background import Job
 from armui.ui.dialogs.files import choose_folder
 from armui.ui.theme import colors_of
-from armui.ui.watch.recordings import recording_files
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import drop_down, named, push_button
 from armui.ui.widgets.layouts import STRETCH, in_column, in_row
@@ -37,24 +31,19 @@ from armui.ui.widgets.text_label import ElidedLabel, text_label
 from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from armui.control.arm_controller import ArmController
     from armui.control.sessions.progress import RecordingProgress
     from armui.control.sessions.session_recorder import SessionRecorder
     from armui.setting_checks import SessionFormat
     from armui.settings import SettingsStore
-    from armui.ui.background import Background
 
 
 _FORMATS: Final[tuple[tuple[SessionFormat, str], ...]] = (
     (".blf", "BLF"),
     (".asc", "ASC"),
     (".log", "candump"),
-    (".mf4", "MF4"),
 )
 _ICON_PX: Final = 18
-_STEPS: Final = 1000
 _HOUR_S: Final = 3600
 _MARK_ICON_PX: Final = 14
 _LOOK_MS: Final = 1000
@@ -80,48 +69,6 @@ def moment_text(unix_s: float) -> str:
     """Return a local time to the second; «—» for 0, which means unknown."""
     at = local_time(unix_s) if unix_s else None
     return fmt.NOTHING if at is None else f"{at:%Y-%m-%d %H:%M:%S}"
-
-
-class CancellableProgress(Translated, QWidget):
-    """A progress bar with a button to cancel; hidden while nothing is in progress.
-
-    Args:
-        call_off: Called by the button, which is disabled until the work has ended.
-    """
-
-    def __init__(self, call_off: Callable[[], object], parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._call_off = call_off
-        self._is_called_off = False
-        self.progress = QProgressBar()
-        self.progress.setTextVisible(False)
-        self.button = push_button(on_enter=False)
-        self.button.clicked.connect(self._on_clicked)
-        in_row((self.progress, 1), self.button, on=self, spacing=12, margins=0)
-        self.retranslate_ui()
-        self.hide()
-
-    def show_progress(self, *, making: bool, share: float | None) -> None:
-        """Show the progress.
-
-        Args:
-            making: True if work is in progress.
-            share: The share from 0 to 1; ``None`` if not known.
-        """
-        self._is_called_off = self._is_called_off and making
-        self.button.setEnabled(not self._is_called_off)
-        self.progress.setRange(0, 0 if share is None else _STEPS)
-        self.progress.setValue(0 if share is None else round(_STEPS * share))
-        self.setVisible(making)
-
-    def _on_clicked(self) -> None:
-        self._is_called_off = True
-        self.button.setEnabled(False)
-        self._call_off()
-
-    def retranslate_ui(self) -> None:
-        """Put the word into the operator's language."""
-        self.button.setText(self.tr("Cancel"))
 
 
 class RingCard(Translated, QFrame):
@@ -208,20 +155,16 @@ class RecordingCard(Translated, QFrame):
 
     Args:
         controller: Receives the emergency stop of the file chooser.
-        background: Checks what can be written here.
         store: The settings of format, folder and size.
     """
 
-    def __init__(
-        self, controller: ArmController, background: Background, store: SettingsStore
-    ) -> None:
+    def __init__(self, controller: ArmController, store: SettingsStore) -> None:
         super().__init__()
         self._controller = controller
         self._sessions: SessionRecorder = controller.sessions
         self._store = store
         self._before: tuple[float, int] | None = None
         self._rate = 0.0
-        self._can_write_mf4 = True
         self.setProperty("card", True)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         self._make_widgets()
@@ -231,22 +174,16 @@ class RecordingCard(Translated, QFrame):
         self.size_box.valueChanged.connect(self._on_size)
         self.folder_button.clicked.connect(self._on_folder)
         self.retranslate_ui()
-        job: Job[bool] = Job(self._on_mf4_known)
-        background.begin_here(job, recording_files.can_write_mf4)
 
     def _make_widgets(self) -> None:
         self.record_button = push_button("session_record")
         self.record_button.setIconSize(QSize(_ICON_PX, _ICON_PX))
         self.state_label = named("session_state", ElidedLabel())
         self.figures_label = text_label("session_figures", rank="muted")
-        self.making = CancellableProgress(self._call_off_mf4)
-        self.making.setObjectName("session_making")
         self._format_label, self._size_label, self._folder_label = QLabel(), QLabel(), QLabel()
         self.format_box = drop_down("session_format")
         for suffix, name in _FORMATS:
             self.format_box.addItem(f"{name} ({suffix})", suffix)
-        self.format_note = text_label("session_format_note", rank="muted", wraps=True, plain=True)
-        self.format_note.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.size_box = named(
             "session_rotate_size",
             QSpinBox(minimum=ROTATE_MIN_MB, maximum=ROTATE_MAX_MB, suffix=" MB"),
@@ -263,14 +200,14 @@ class RecordingCard(Translated, QFrame):
             button.setAutoDefault(False)
 
     def _lay_out(self) -> None:
-        words = in_column(self.state_label, self.figures_label, self.making, spacing=0)
+        words = in_column(self.state_label, self.figures_label, spacing=0)
         head = in_row(self.record_button, (words, 1), spacing=_BETWEEN_PX)
         chosen = in_row(
             *(self._format_label, self.format_box, 4, self._size_label, self.size_box, 4),
             *(self._folder_label, (self.folder_name, 1), self.folder_button),
             spacing=5,
         )
-        in_column(head, chosen, self.format_note, STRETCH, on=self, spacing=4, margins=_INSIDE)
+        in_column(head, chosen, STRETCH, on=self, spacing=4, margins=_INSIDE)
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
@@ -284,7 +221,6 @@ class RecordingCard(Translated, QFrame):
         self.size_box.setToolTip(
             self.tr("A file that has grown to this size is followed by another.")
         )
-        self._show_mf4()
         self.refresh()
 
     def _recolor(self) -> None:
@@ -301,38 +237,13 @@ class RecordingCard(Translated, QFrame):
             self.size_box.blockSignals(before)
         self.folder_name.show_text(str(self._sessions.choices.folder))
         self._show_button(recording=progress is not None)
-        self.making.show_progress(
-            making=bool(self._sessions.mf4.names), share=self._sessions.mf4.share
-        )
         if progress is None:
             self._before, self._rate = None, 0.0
             self.state_label.show_text(self.tr("Not recording"))
-            text = self.tr("The last minutes are kept in memory anyway.")
-            if self._sessions.mf4.names:
-                names = ", ".join(sorted(self._sessions.mf4.names))
-                text = self.tr("Making the .mf4 file of {name}…").format(name=names)
-            self.figures_label.setText(text)
+            self.figures_label.setText(self.tr("The last minutes are kept in memory anyway."))
             return
         self.state_label.show_text(progress.name or self.tr("Opening the file…"))
         self.figures_label.setText(self._figures(progress))
-
-    def _on_mf4_known(self, can_write: bool | Refusal) -> None:
-        self._can_write_mf4 = can_write is True
-        self._show_mf4()
-
-    def _show_mf4(self) -> None:
-        """Offer the format, or say what it needs; where it is chosen, say what it is."""
-        reason = words.refusal(no_mf4())
-        model, row = self.format_box.model(), self.format_box.findData(MF4_SUFFIX)
-        if isinstance(model, QStandardItemModel):
-            model.item(row).setEnabled(self._can_write_mf4)
-            model.item(row).setToolTip("" if self._can_write_mf4 else reason)
-        self.format_box.setToolTip("" if self._can_write_mf4 else reason)
-        text = reason
-        if self._can_write_mf4:
-            text = self.tr("Recorded as .blf; the .mf4 file is made of it at the end.")
-        self.format_note.setText(text)
-        self.format_note.setVisible(self._store.settings.session_format == MF4_SUFFIX)
 
     def _figures(self, progress: RecordingProgress) -> str:
         if self._before is not None and progress.elapsed_s - self._before[0] >= 1.0:
@@ -367,12 +278,8 @@ class RecordingCard(Translated, QFrame):
             self._sessions.start()
         self.refresh()
 
-    def _call_off_mf4(self) -> None:
-        self._sessions.mf4.call_off()
-
     def _on_format(self) -> None:
         self._store.change(session_format=self.format_box.currentData())
-        self._show_mf4()
 
     def _on_size(self, megabytes: int) -> None:
         self._store.change(session_rotate_mb=megabytes)

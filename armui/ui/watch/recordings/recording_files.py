@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from armui.arm.refusal import Reason, Refusal
-from armui.control.sessions.mf4_converter import SESSION_NAME_TAKEN
 from armui.control.sessions.session_recorder import SESSION_NAME_BAD
 from armui.session.recording.kinds import SESSION_FAILED
 from armui.system.files import error_text
@@ -14,6 +13,10 @@ from armui.system.files import error_text
 if TYPE_CHECKING:
     from armui.session.recording.folder import RecordingEntry
 
+SESSION_NAME_TAKEN = Reason(
+    "session_name_taken",
+    "There is a file called “{name}” in the folder already. Choose another name.",
+)
 SESSION_GONE = Reason(
     "session_gone",
     "The recording “{name}” is not in the folder any more, or cannot be read: {text}.",
@@ -29,13 +32,6 @@ def listing(folder: Path) -> list[RecordingEntry] | Refusal:
     except OSError as error:
         params = {"folder": str(folder), "text": error_text(error)}
         return SESSION_FAILED(**params)
-
-
-def can_write_mf4() -> bool:
-    """Return whether the package for that format is installed."""
-    from armui.session.recording.mf4 import can_write  # noqa: PLC0415 - python-can
-
-    return can_write()
 
 
 def renamed(folder: Path, name: str, new_name: str) -> str | Refusal:

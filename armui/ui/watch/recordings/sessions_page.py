@@ -26,8 +26,6 @@ from armui.arm.refusal import Reason, Refusal
 from armui.control.events import Event, Level
 from armui.control.sessions.progress import SESSION_FRAMES_LOST
 from armui.control.sessions.session_recorder import (
-    MF4_NOT_SAVED,
-    MF4_SAVED,
     RING_NOT_SAVED,
     RING_SAVED,
     SESSION_ENDED,
@@ -269,8 +267,6 @@ _SAID_HERE: Final = frozenset(
         SESSION_ENDED,
         SESSION_FAILED_NOTICE,
         SESSION_FRAMES_LOST,
-        MF4_SAVED,
-        MF4_NOT_SAVED,
         RING_SAVED,
         RING_NOT_SAVED,
     }
@@ -316,7 +312,7 @@ class SessionsPage(Page):
         self._background = background
         self._listing: Job[list[RecordingEntry] | Refusal] | None = None
         self._choose_next: str | None = None
-        self.recording = RecordingCard(controller, background, store)
+        self.recording = RecordingCard(controller, store)
         self.ring = RingCard(controller.sessions, store)
         self._model = SessionsModel(self)
         self._shown = QSortFilterProxyModel(self)
