@@ -57,7 +57,7 @@ class WholeFile:
             raise _exists(path)
         check_file(path)  # a device or a pipe is not replaced
         self._check()
-        self.unfinished = unfinished_name(path)
+        self.unfinished = _unfinished_name(path)
         self.stream: BinaryIO = open_file(self.unfinished, "xb")
 
     def _check(self) -> None:
@@ -128,7 +128,7 @@ def _exists(path: Path) -> FileExistsError:
     return FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST), str(path))
 
 
-def unfinished_name(path: Path) -> Path:
+def _unfinished_name(path: Path) -> Path:
     """Return a unique temporary name beside a file or folder."""
     return path.with_name(f".{os.urandom(8).hex()}{UNFINISHED}")
 
@@ -209,7 +209,7 @@ class WholeFolder:
         self._ending = ending
         self._replace = replace
         self._check()
-        self.unfinished = unfinished_name(path)
+        self.unfinished = _unfinished_name(path)
         self.unfinished.mkdir()
 
     def _check(self) -> None:
@@ -231,7 +231,7 @@ class WholeFolder:
         self._check()
         sync_folder(self.unfinished)
         if self._path.is_dir():
-            before = unfinished_name(self._path)
+            before = _unfinished_name(self._path)
             replace_file(self._path, before)
             try:
                 replace_file(self.unfinished, self._path)
