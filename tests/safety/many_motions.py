@@ -74,6 +74,8 @@ _TRIES = 8
 _NEAR_ENOUGH_MM = 6.0
 _MIDDLE_MM = np.array((0.0, 0.0, 250.0))
 """Boxes are moved towards here or away."""
+TURNS = [0.2 * way * np.eye(6)[joint] for joint in range(6) for way in (1, -1)]
+"""Small steps of each joint, either way."""
 _FRAMES = (JogFrame.BASE, JogFrame.TOOL)
 
 
@@ -216,12 +218,15 @@ class Scene:
         self.oracle = MeshOracle.of(self.cell, self.model)
         self.kinematics = Kinematics(model_data(self.model).geometry)
 
-    def play(self, motions: int) -> Iterator[Motion]:
-        """Yield what came of so many motions; the last one is the first that touches."""
+    def play(self, motions: int | Sequence[str]) -> Iterator[Motion]:
+        """Yield what came of so many motions, or one of each of some kinds; a touch is the last."""
         kinds = JOG_KINDS if self.jogs else KINDS
         names = list(kinds)
-        for number in range(motions):
-            name = names[int(self.rng.integers(len(names)))]
+        for number in range(motions if isinstance(motions, int) else len(motions)):
+            if isinstance(motions, int):
+                name = names[int(self.rng.integers(len(names)))]
+            else:
+                name = motions[number]
             motion = Motion(self.seed, number, name, self.margin_mm)
             self.controller.motion.set_speed_percent(int(self.rng.choice((10, 30, 50, 100, 100))))
             self.rig.run(0.1)
@@ -446,16 +451,15 @@ def small_steps(scene: Scene, motion: Motion) -> None:
     """Many small motions in a row, each towards the nearest zone."""
     rng = scene.rng
     kind = int(rng.integers(4))
-    turns = [0.2 * way * np.eye(6)[joint] for joint in range(6) for way in (1, -1)]
     for number in range(SMALL_STEPS):
         if number % 10 == 0:
-            which = scene.nearer(turns) if kind < 2 else _axis_towards(scene)
+            which = scene.nearer(TURNS) if kind < 2 else _axis_towards(scene)
         joint, way = which // 2, 1 - 2 * (which % 2)
         controller = scene.controller
         if kind == 0:
             answer = controller.motion.jog(joint + 1, 0.2 * way)
         elif kind == 1:
-            target = np.array(controller.state.angles_deg()) + turns[which]
+            target = np.array(controller.state.angles_deg()) + TURNS[which]
             answer = controller.motion.send_joints(_rounded(target))
         elif kind == 2:
             answer = controller.cartesian.step(joint, 0.9 * way, JogFrame.BASE)
@@ -541,11 +545,15 @@ def settle_if_taken(scene: Scene, answer: Started | Refusal | None, seconds: flo
 
 
 def joint_jog(scene: Scene, motion: Motion) -> None:
-    joint, way = int(scene.rng.integers(1, 7)), int(scene.rng.choice((-1, 1)))
-    held(scene, motion, JointJog(joint, way))
+    which = scene.nearer(TURNS) if scene.rng.random() < 0.5 else int(scene.rng.integers(12))
+    held(scene, motion, JointJog(which // 2 + 1, 1 - 2 * (which % 2)))
 
 
 def tool_jog(scene: Scene, motion: Motion) -> None:
+    if scene.rng.random() < 0.5:
+        which = _axis_towards(scene)
+        held(scene, motion, ToolJog(which // 2, 1 - 2 * (which % 2), JogFrame.BASE))
+        return
     frame = (*_FRAMES, scene.cell.chosen_frame)[int(scene.rng.integers(3))]
     assert frame is not None
     way = int(scene.rng.choice((-1, 1)))
@@ -588,8 +596,7 @@ def held(scene: Scene, motion: Motion, jog: JointJog | ToolJog | SteeredJog) -> 
 
 def tapped(scene: Scene, motion: Motion) -> None:
     """A button tapped again and again, towards the nearest zone."""
-    turns = [0.2 * way * np.eye(6)[joint] for joint in range(6) for way in (1, -1)]
-    which = scene.nearer(turns)
+    which = scene.nearer(TURNS)
     jog = JointJog(which // 2 + 1, 1 - 2 * (which % 2))
     for _ in range(SMALL_STEPS):
         scene.weigh(motion, scene.controller.jogging.start(jog), None)
@@ -619,8 +626,8 @@ JOG_KINDS: dict[str, Callable[[Scene, Motion], None]] = {
 }
 
 
-def play(seed: int, motions: int = MOTIONS) -> list[Motion]:
-    """Play one cell; return what came of its motions."""
+def play(seed: int, motions: int | Sequence[str] = MOTIONS) -> list[Motion]:
+    """Play one cell with so many motions, or some kinds of them; return what came of each."""
     scene = Scene(seed)
     try:
         scene.begin()

@@ -18,7 +18,32 @@ from tests.cell.areas import area_of, wall
 from tests.cell.test_area_oracle import gap_mm, meshes_mm, solid
 from tests.cell.test_enclosure import own, random_deg, vertices_mm
 from tests.control.jogger import BENT_DEG
+from tests.safety import many_motions
+from tests.safety.many_motions import JOG_KINDS, KINDS
 from tests.safety.mesh_oracle import Judge, MeshOracle
+
+MOTIONS = {44: tuple(KINDS), 5: 3, 2043: tuple(JOG_KINDS)}
+"""By seed: their arms hold something, and come near to a zone."""
+
+
+@pytest.mark.parametrize(("seed", "motions"), MOTIONS.items())
+def test_no_motion_of_ours_comes_into_a_zone(qapp, seed, motions):
+    """Seed 5 has a motion that came 8 mm too near while ramps of the joints were left out."""
+    found = many_motions.play(seed, motions)
+    assert len(found) == (motions if isinstance(motions, int) else len(motions))
+    assert sum(each.taken for each in found) >= len(found)
+    assert min(each.least.mm - each.margin_mm for each in found) < 10.0, "nothing came near"
+    assert [each for each in found if each.depth_mm > 0.0 or each.intrudes] == []
+
+
+def test_a_seed_plays_the_same_again(qapp):
+    once, again = (many_motions.play(1, 2) for _ in range(2))
+    assert [(each.kind, each.taken, each.least) for each in once] == [
+        (each.kind, each.taken, each.least) for each in again
+    ]
+
+
+# The oracle -------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("model", PiperModel)
