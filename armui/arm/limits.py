@@ -16,6 +16,11 @@ JOINT_NOT_A_NUMBER = Reason(
     "joint_not_a_number",
     "Joint {joint}: “{value}” is not an angle. Enter a number of degrees, for example 12.5.",
 )
+JOINTS_OUTSIDE = Reason(
+    "joints_outside",
+    "Outside the limits: {joints}. Until all are inside the arm takes no other target. Hold Move "
+    "inside in the line above the panels.",
+)
 JOINT_OUT_OF_LIMITS = Reason(
     "joint_out_of_limits",
     "Joint {joint}: {value}° is beyond its limits of {minimum}° to {maximum}°. Enter an angle "

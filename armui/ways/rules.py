@@ -18,6 +18,7 @@ from armui.arm.limits import (
     ANGLE_STEP_DEG,
     JOINT_OUT_OF_LIMITS,
     JOINTS,
+    JOINTS_OUTSIDE,
     SAG_DEG,
     JointLimits,
     check_joint,
@@ -36,11 +37,6 @@ from armui.ways.way import Array, Way, with_ramps
 if TYPE_CHECKING:
     from armui.arm.models import Rising
 
-JOINTS_OUTSIDE = Reason(
-    "joints_outside",
-    "Outside the limits: {joints}. Until all are inside the arm takes no other target. Hold Move "
-    "inside in the line above the panels.",
-)
 TOO_LOW = Reason(
     "too_low",
     "The hand or what it holds would come to {value} mm; motions end at {minimum} mm, as chosen "
@@ -68,6 +64,8 @@ _FINE_DEG: Final = 0.1
 _WITH_RAMPS: Final = 1.5
 """So much longer takes a way with what the ramps of the joints may do to it."""
 _FLANGE: Final = 6
+_OWN_BODY_ZONES: Final = 10
+"""The arm's own body takes about as long to look at as so many planes and boxes."""
 
 
 class LimitsRule:
@@ -267,9 +265,10 @@ class Rules:
         return tuple(max(each) for each in zip(*of_rules, strict=True))
 
     def effort(self, way: Way) -> float:
-        """Return how much there is to look at on a way: its turn times the bounds in force."""
+        """Return how much there is to look at on a way: its turn times what it may come to."""
         turn_deg = way.turn_deg * (_WITH_RAMPS if way.is_joint_move else 1.0)
-        return turn_deg * sum(len(rule.bounds) for rule in self.every if rule.name == AREA)
+        zones = sum(len(rule.bounds) for rule in self.every if rule.name == AREA)
+        return turn_deg * (_OWN_BODY_ZONES + zones)
 
     def ramped(self, way: Way) -> Way:
         """Return a way with what the ramps of the joints may do to it."""

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from armui.arm.limits import JOINTS_OUTSIDE
 from armui.arm.refusal import Refusal
 from armui.control.motion.jog_path import JointJog, ToolJog
 from armui.control.operations.started import Started
@@ -22,7 +23,6 @@ from armui.protocol.codes import MoveMode
 from armui.protocol.generation import PiperModel
 from armui.trajectory.samples.recording import Recording
 from armui.ui import words
-from armui.ways.rules import JOINTS_OUTSIDE
 from tests.accepted import accepted
 from tests.control.jogger import BENT_DEG, hold
 from tests.family import FACTORY_LIMITS, ranges

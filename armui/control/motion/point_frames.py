@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.limits import outside_limits, outside_list
+from armui.arm.limits import JOINTS_OUTSIDE, outside_limits, outside_list
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.kinematics.poses import Pose, pose_to_matrix
@@ -76,7 +76,6 @@ def point_way(point: Waypoint, arm: ArmModel, begin_deg: Sequence[float]) -> Way
     """
     from armui.arm.reach import check_pose, led_joints  # noqa: PLC0415 - scipy
     from armui.kinematics.tool_path import Arc, ArcError, Line, ToolPath  # noqa: PLC0415 - scipy
-    from armui.ways.rules import JOINTS_OUTSIDE  # noqa: PLC0415 - numpy
     from armui.ways.way import Way, joint_way  # noqa: PLC0415 - numpy
 
     if point.is_joint:

@@ -346,7 +346,10 @@ class Gate(ControllerPart):
         A motion that could not follow anyway ends no other one: where the arm will rest is known
         nearly.
         """
-        begin_deg = measured_deg if motion is None else motion.stops_at(measured_deg)
+        begin_deg = measured_deg
+        if motion is not None:
+            limits = self._context.operating_state().limits
+            begin_deg = motion.stops_at(measured_deg, limits)
         refusal = self._why_not_from(request, begin_deg)
         if refusal is not None:
             return refusal

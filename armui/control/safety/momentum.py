@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Final
 from armui.control.safety.standstill import STILL_DEG_S
 
 if TYPE_CHECKING:
+    from armui.arm.limits import JointLimits
     from armui.arm.state import ArmState
 
 FLUENT_DEG: Final = 1.0
@@ -37,12 +38,24 @@ class Momentum:
         """True if no joint moves."""
         return not any(self.speeds_deg_s)
 
-    def stops_at(self, measured_deg: Sequence[float]) -> tuple[float, ...]:
-        """Return about where joints measured at six angles come to rest if they brake."""
+    def stops_at(
+        self, measured_deg: Sequence[float], limits: Sequence[JointLimits]
+    ) -> tuple[float, ...]:
+        """Return about where joints measured at six angles come to rest if they brake.
+
+        That is within their limits, however long an arm says that it brakes; a joint that is
+        outside goes no further.
+        """
         return tuple(
-            angle + speed * self.late_s + speed * abs(speed) / (2.0 * acceleration)
-            for angle, speed, acceleration in zip(
-                measured_deg, self.speeds_deg_s, self.accelerations_deg_s2, strict=True
+            min(
+                max(
+                    angle + speed * self.late_s + speed * abs(speed) / (2.0 * acceleration),
+                    min(angle, each.min_deg),
+                ),
+                max(angle, each.max_deg),
+            )
+            for angle, speed, acceleration, each in zip(
+                measured_deg, self.speeds_deg_s, self.accelerations_deg_s2, limits, strict=True
             )
         )
 

@@ -296,6 +296,8 @@ class Actors:
             return
         if step.action in (Action.TAKE_OVER, Action.LEAVE_MODE):
             self._oracle.take_over()  # held until the other host was silent for 0.5 s
+        elif step.action is Action.COME_INSIDE:
+            self._oracle.ask(Asked(Kind.RUN, self._world.time_s))  # one target, then another
         elif step.action is Action.GO_ON:
             self._oracle.ask(Asked(Kind.CONTINUE, self._world.time_s))
         elif step.action is Action.STOP:
