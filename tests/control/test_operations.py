@@ -11,7 +11,7 @@ import pytest
 
 from armui.arm.refusal import Refusal
 from armui.control.operating_state import LinkState, OperatingState
-from armui.control.operations.operation import Consent, Operations, operation, operation_of
+from armui.control.operations.operation import Consent, Operations, declare, operation_of
 from armui.control.safety.reference_status import ReferenceStatus
 from armui.protocol.codes import EndLoad, TeachingState, TrajectoryCommand
 from armui.protocol.generation import Generation
@@ -71,7 +71,7 @@ def test_the_registry_holds_every_declaration(rig):
     declared = set()
     for path in (ROOT / "armui").rglob("*.py"):
         text = path.read_text(encoding="utf-8")
-        declared |= set(re.findall(r'@operation\(\s*"([a-z_.]+)"', text))
+        declared |= set(re.findall(r'@(?:operation|declare)\(\s*"([a-z_.]+)"', text))
     assert set(rig.controller.operations) == declared
     assert len(declared) >= 36
 
@@ -142,10 +142,10 @@ def test_what_is_refused_is_refused_by_the_reason_of_its_declaration(rig, name, 
 
 def test_an_operation_is_declared_once():
     class Twice:
-        @operation("a.b", "A", lambda _now: None)
+        @declare("a.b", "A", lambda _now: None)
         def first(self) -> None: ...
 
-        @operation("a.b", "B", lambda _now: None, consent=Consent.HELD)
+        @declare("a.b", "B", lambda _now: None, consent=Consent.HELD)
         def second(self) -> None: ...
 
     assert operation_of(Twice.first).consent is Consent.NONE

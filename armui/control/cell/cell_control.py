@@ -31,7 +31,7 @@ from armui.control.context import ControllerPart
 from armui.control.events import Notice
 from armui.control.motion.motion_command import End
 from armui.control.operating_state import why_unreachable
-from armui.control.operations.operation import operation, record_start
+from armui.control.operations.operation import declare, record_start
 from armui.control.operations.started import Ending
 from armui.telemetry.events import Asker, EventKind, Level
 
@@ -278,7 +278,7 @@ class CellControl(ControllerPart):
 
     # What the operator does -----------------------------------------------------------------
 
-    @operation("cell.take", "Make or import a cell", why_not_change)
+    @declare("cell.take", "Make or import a cell", why_not_change)
     def take(self, cell: Cell, *, replacing: bool = False) -> Started | Refusal:
         """Add a cell, and put it in force.
 
@@ -298,7 +298,7 @@ class CellControl(ControllerPart):
         self._put_in_force(cell.name)
         return self._done(record_start(self.take), notice, cell.name)
 
-    @operation("cell.choose", "Choose the cell", why_not_change)
+    @declare("cell.choose", "Choose the cell", why_not_change)
     def choose(self, name: str) -> Started | Refusal:
         """Put a cell in force, by the operator's choice; "" for none."""
         unknown = None
@@ -310,7 +310,7 @@ class CellControl(ControllerPart):
         notice = CELL_CHOSEN if name else CELL_LEFT
         return self._done(record_start(self.choose), notice, name)
 
-    @operation("cell.confirm", "Confirm the cell", why_not_change)
+    @declare("cell.confirm", "Confirm the cell", why_not_change)
     def confirm(self) -> Started | Refusal:
         """Confirm that the kept cell is that of the connected arm."""
         waits = self.unconfirmed
@@ -320,7 +320,7 @@ class CellControl(ControllerPart):
         self._put_in_force(self._name)
         return self._done(record_start(self.confirm), CELL_CONFIRMED, self._name)
 
-    @operation("cell.change", "Change the cell", why_not_change)
+    @declare("cell.change", "Change the cell", why_not_change)
     def change(self, cell: Cell) -> Started | Refusal:
         """Replace the chosen cell by a changed one of the same name."""
         other = CELL_GONE(name=cell.name) if cell.name != self._name else None
@@ -333,7 +333,7 @@ class CellControl(ControllerPart):
         self._take_effect()
         return self._done(record_start(self.change), CELL_CHANGED, cell.name)
 
-    @operation("cell.rename", "Rename the cell", why_not_change)
+    @declare("cell.rename", "Rename the cell", why_not_change)
     def rename(self, name: str) -> Started | Refusal:
         """Give the chosen cell and its file another name; it stays in force."""
         cell = self.cell
@@ -351,7 +351,7 @@ class CellControl(ControllerPart):
             self.store.rename(cell.name, self._cells[name])
         return started
 
-    @operation("cell.delete", "Delete the cell", why_not_change)
+    @declare("cell.delete", "Delete the cell", why_not_change)
     def delete(self) -> Started | Refusal:
         """Delete the chosen cell and its file; none is in force then."""
         name = self._name
@@ -364,7 +364,7 @@ class CellControl(ControllerPart):
         self._put_in_force("")
         return self._done(record_start(self.delete), CELL_DELETED, name)
 
-    @operation("cell.hold", "Say what the hand holds", why_not_change)
+    @declare("cell.hold", "Say what the hand holds", why_not_change)
     def hold(self, name: str) -> Started | Refusal:
         """Count an object as held from now on, or nothing for ""; also before it is confirmed."""
         cell = self.cell

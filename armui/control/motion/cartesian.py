@@ -22,7 +22,7 @@ from armui.control.motion.jog_path import MotionFrame, axes_of, axis_in
 from armui.control.motion.joint_motion import why_not_move
 from armui.control.motion.motion_command import CommandKind
 from armui.control.motion.point_frames import leading_mode, point_way
-from armui.control.operations.operation import operation, record_start
+from armui.control.operations.operation import declare, record_start
 from armui.control.parameters.arm_model import planning_model
 from armui.control.safety.gate import MotionRequest
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
@@ -220,14 +220,14 @@ class Cartesian(ControllerPart):
 
         return plan
 
-    @operation("tool.move", "Move the tool to a pose", why_not_move, moves=True, shown_first=True)
+    @declare("tool.move", "Move the tool to a pose", why_not_move, moves=True, shown_first=True)
     def move(self, target: Sequence[float], move_mode: MoveMode) -> Started | Refusal:
         """Send the tool centre point to a pose, with MOVE P or on a straight line with MOVE L."""
         notice = SENT_LINE if move_mode is MoveMode.MOVE_L else SENT_POSE
         figures: dict[str, object] = dict(zip(map(str.lower, AXES), target, strict=True))
         return self._move(record_start(self.move), target, move_mode, notice, figures)
 
-    @operation("tool.step", "Move the tool by a step", why_not_move, moves=True)
+    @declare("tool.step", "Move the tool by a step", why_not_move, moves=True)
     def step(self, axis: int, amount: float, frame: MotionFrame) -> Started | Refusal:
         """Move the tool centre point by a step, on a straight line.
 
@@ -254,7 +254,7 @@ class Cartesian(ControllerPart):
         pose = poses.matrix_to_pose(target)
         return self._move(record_start(self.step), pose, MoveMode.MOVE_L, STEPPED_TOOL, figures)
 
-    @operation("tool.arc", "Move the tool along an arc", why_not_move, moves=True, shown_first=True)
+    @declare("tool.arc", "Move the tool along an arc", why_not_move, moves=True, shown_first=True)
     def move_arc(self, *points: Sequence[float]) -> Started | Refusal:
         """Move on the arc through three poses of the tool centre point (MOVE C).
 

@@ -43,7 +43,7 @@ from armui.control.motion.joint_motion import why_not_move
 from armui.control.motion.motion_command import CommandKind, MotionCommand
 from armui.control.motion.steered_path import SteeredJog, SteeredToolPath
 from armui.control.motion_end import abort_motion
-from armui.control.operations.operation import Consent, operation, record_start
+from armui.control.operations.operation import Consent, declare, record_start
 from armui.control.operations.started import Ending, Started
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.control.safety.standstill import QUIET_DEG, QUIET_S, RestWatch
@@ -172,7 +172,7 @@ class Jogging(ControllerPart):
         hold = self._hold
         return hold.jog if hold is not None and isinstance(hold.jog, SteeredJog) else None
 
-    @operation("jog.begin", "Jog", why_not_move, moves=True, consent=Consent.HELD)
+    @declare("jog.begin", "Jog", why_not_move, moves=True, consent=Consent.HELD)
     def start(self, jog: Jog) -> Started | Refusal:
         """Begin a jog that goes on until :meth:`stop`; a jog under way ends.
 

@@ -14,7 +14,7 @@ from armui.control.motion.jog_path import JOG_AT_LIMIT
 from armui.control.motion.requests import joint_request
 from armui.control.motion.retransmission import Retransmission
 from armui.control.operating_state import RUN_UNDER_WAY, OperatingState
-from armui.control.operations.operation import Consent, operation, record_start
+from armui.control.operations.operation import Consent, declare, record_start
 from armui.control.operations.started import Ending, Started
 from armui.control.requests import reports
 from armui.control.safety import interlocks
@@ -123,7 +123,7 @@ class Motion(ControllerPart):
         command = self._context.authority.command
         return None if command is None else command.joints_deg
 
-    @operation("motion.set_speed", "Set the motion speed", why_no_speed)
+    @declare("motion.set_speed", "Set the motion speed", why_no_speed)
     def set_speed_percent(self, percent: float) -> Started | Refusal:
         """Set the speed of motions, 0–100 % of the arm's maximum (0x151 byte 2).
 
@@ -164,7 +164,7 @@ class Motion(ControllerPart):
         """Send the speed in the arm's present mode; return false if that is impossible now."""
         return self._context.tell_percent(self.speed_percent)
 
-    @operation("motion.step", "Move a joint by a step", why_not_move, moves=True)
+    @declare("motion.step", "Move a joint by a step", why_not_move, moves=True)
     def jog(self, joint: int, delta_deg: float) -> Started | Refusal:
         """Move one joint by a step at once; the other five keep their targets."""
         context = self._context
@@ -195,20 +195,18 @@ class Motion(ControllerPart):
             return False
         return abs(asked_deg[joint - 1] - heard.value) > _LAG_STEPS * abs(step_deg)
 
-    @operation(
-        "motion.send", "Move the joints to angles", why_not_move, moves=True, shown_first=True
-    )
+    @declare("motion.send", "Move the joints to angles", why_not_move, moves=True, shown_first=True)
     def send_joints(self, angles_deg: Sequence[float]) -> Started | Refusal:
         """Move to six angles in degrees (MOVE J, 0x155–0x157 and 0x151)."""
         figures = reports.numbered(angles_deg)
         return self._move(record_start(self.send_joints), angles_deg, SENT_JOINTS, **figures)
 
-    @operation("motion.home", "Move to the factory zero angles", why_not_move, moves=True)
+    @declare("motion.home", "Move to the factory zero angles", why_not_move, moves=True)
     def go_home(self) -> Started | Refusal:
         """Move to the factory zero angles."""
         return self._move(record_start(self.go_home), _HOME_DEG, WENT_HOME)
 
-    @operation(
+    @declare(
         "motion.come_inside",
         "Bring the arm inside its limits",
         why_not_move,

@@ -10,7 +10,7 @@ from armui.control.events import Notice
 from armui.control.motion.motion_command import Hold
 from armui.control.motion.retransmission import Retransmission
 from armui.control.operating_state import LINK_LOST
-from armui.control.operations.operation import operation, record_start
+from armui.control.operations.operation import declare, record_start
 from armui.control.operations.started import Ending, Started
 from armui.control.safety import interlocks
 from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN, SPEED_ZERO
@@ -113,7 +113,7 @@ class PlannedMotion(ControllerPart):
         self._tell_speed = tell_speed
         self._pause = PauseCommand(context)
 
-    @operation(
+    @declare(
         "planned.command",
         "Pause, continue, clear or end a planned motion",
         why_not_plan,

@@ -16,7 +16,7 @@ from armui.arm.state import ArmState
 from armui.control.context import GENERATION_UNKNOWN, Context, ControllerPart
 from armui.control.events import Notice
 from armui.control.operating_state import OperatingState
-from armui.control.operations.operation import Consent, operation, record_start
+from armui.control.operations.operation import Consent, declare, record_start
 from armui.control.operations.started import Ending, Started, ending_of
 from armui.control.parameters.setting_cell import CellState, SettingCellState
 from armui.control.parameters.setting_checks import (
@@ -176,7 +176,7 @@ class ArmSettings(QObject, ControllerPart):
 
     # What the operator wants ------------------------------------------------------------------
 
-    @operation("settings.read", "Read parameters", why_not_read)
+    @declare("settings.read", "Read parameters", why_not_read)
     def read(self, batches: Iterable[Batch]) -> Refusal | None:
         """Ask the arm for batches; those being read or saved already are left alone.
 
@@ -196,7 +196,7 @@ class ArmSettings(QObject, ControllerPart):
         self.changed.emit()
         return None
 
-    @operation("settings.save", "Set parameters", why_no_settings, shown_first=True)
+    @declare("settings.save", "Set parameters", why_no_settings, shown_first=True)
     def save(self, changes: Changes) -> Started | Refusal:
         """Set parameters and read back whether the arm has taken them.
 
@@ -226,7 +226,7 @@ class ArmSettings(QObject, ControllerPart):
         self.changed.emit()
         return started
 
-    @operation(
+    @declare(
         "settings.reset_end_limits",
         "Restore the factory limits of the end",
         why_no_settings,
@@ -237,7 +237,7 @@ class ArmSettings(QObject, ControllerPart):
         started = record_start(self.reset_end_limits)
         return self._reset(started, commands.reset_end_limits, [Batch(Group.END_LIMITS)])
 
-    @operation(
+    @declare(
         "settings.reset_joint_limits",
         "Restore the factory limits of the joints",
         why_no_settings,

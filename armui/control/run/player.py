@@ -22,7 +22,7 @@ from armui.control.motion.point_frames import (
     why_not_possible,
 )
 from armui.control.operating_state import OperatingState
-from armui.control.operations.operation import Consent, operation, record_start
+from armui.control.operations.operation import Consent, declare, record_start
 from armui.control.operations.started import Ending, Started
 from armui.control.parameters.arm_model import planning_model
 from armui.control.run.arrival import Arrival, ArrivalWatch
@@ -145,7 +145,7 @@ class Player(Execution):
 
     # What the operator wants ------------------------------------------------------------------
 
-    @operation("run.start", "Run a trajectory", why_not_run, moves=True, shown_first=True)
+    @declare("run.start", "Run a trajectory", why_not_run, moves=True, shown_first=True)
     def start(self, run: Run) -> Started | Refusal:
         """Begin a run."""
         context = self._context
@@ -170,7 +170,7 @@ class Player(Execution):
         self._send_point()
         return started
 
-    @operation("run.pause", "Pause the run", why_not_pause)
+    @declare("run.pause", "Pause the run", why_not_pause)
     def pause(self) -> Started | Refusal:
         """Have the arm stop where it is and keep its motion (0x150 byte 1 = 1)."""
         if self._phase not in {RunPhase.MOVING, RunPhase.DWELLING}:
@@ -186,7 +186,7 @@ class Player(Execution):
         self._publish()
         return started
 
-    @operation("run.go_on", "Continue the run", why_not_go_on, moves=True, consent=Consent.HELD)
+    @declare("run.go_on", "Continue the run", why_not_go_on, moves=True, consent=Consent.HELD)
     def go_on(self) -> Started | Refusal | None:
         """End a pause (0x150 byte 1 = 2), or take the next step, which has no record of its own."""
         waits = self._phase is RunPhase.WAITING

@@ -10,7 +10,7 @@ from armui.arm.refusal import Refusal
 from armui.control.context import Context, ControllerPart
 from armui.control.events import Notice
 from armui.control.operating_state import BUSY, OperatingState, why_unreachable
-from armui.control.operations.operation import operation, record_start
+from armui.control.operations.operation import declare, record_start
 from armui.control.operations.started import Ending, Started
 from armui.control.run.sample_store import SampleStore
 from armui.telemetry.events import Asker, EventKind, Level
@@ -75,7 +75,7 @@ class Recorder(QObject, ControllerPart):
         """The time from the first sample to the last."""
         return 0.0 if self._samples is None else self._samples.duration_s
 
-    @operation("recorder.start", "Record the arm's motion", why_not_record)
+    @declare("recorder.start", "Record the arm's motion", why_not_record)
     def start(self) -> Started | Refusal:
         """Begin a new recording."""
         refusal = why_not_record(self._context.refresh())

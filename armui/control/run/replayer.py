@@ -13,7 +13,7 @@ from armui.control.events import Notice
 from armui.control.motion.joint_motion import COME_INSIDE_PERCENT
 from armui.control.motion.motion_command import CommandKind, MotionCommand
 from armui.control.motion.requests import joint_request
-from armui.control.operations.operation import Consent, operation, record_start
+from armui.control.operations.operation import Consent, declare, record_start
 from armui.control.operations.started import Ending, Started
 from armui.control.run.arrival import Arrival, ArrivalWatch
 from armui.control.run.execution import RUN_DONE, RUN_STARTED, Execution
@@ -106,7 +106,7 @@ class Replayer(Execution):
 
     # What the operator wants ------------------------------------------------------------------
 
-    @operation("replay.start", "Replay a recording", why_not_run, moves=True, shown_first=True)
+    @declare("replay.start", "Replay a recording", why_not_run, moves=True, shown_first=True)
     def start(self, replay: Replay) -> Started | Refusal:
         """Begin a replay."""
         context = self._context
@@ -130,7 +130,7 @@ class Replayer(Execution):
         self._publish()
         return started
 
-    @operation("replay.pause", "Pause the replay", why_not_pause)
+    @declare("replay.pause", "Pause the replay", why_not_pause)
     def pause(self) -> Started | Refusal:
         """Pause: by 0x150 on the way to the first sample, afterwards by sending no targets."""
         if self._phase is not RunPhase.MOVING:
@@ -149,9 +149,7 @@ class Replayer(Execution):
         self._publish()
         return started
 
-    @operation(
-        "replay.go_on", "Continue the replay", why_not_go_on, moves=True, consent=Consent.HELD
-    )
+    @declare("replay.go_on", "Continue the replay", why_not_go_on, moves=True, consent=Consent.HELD)
     def go_on(self) -> Started | Refusal:
         """End a pause."""
         if self._phase is not RunPhase.PAUSED:

@@ -17,7 +17,7 @@ from armui.control.events import Notice
 from armui.control.link.arm_key import arm_key
 from armui.control.motion.requests import joint_request
 from armui.control.operating_state import LinkState, OperatingState, StopState
-from armui.control.operations.operation import Consent, operation, record_start
+from armui.control.operations.operation import Consent, declare, record_start
 from armui.control.operations.started import Ending, Started
 from armui.control.safety.feedback_freshness import any_motor_off, in_drag_teaching
 from armui.control.safety.interlocks import JOINTS_UNKNOWN, MOVABLE_MODES, joint_list
@@ -208,7 +208,7 @@ class ReferenceControl(ControllerPart):
 
     # What the operator does -------------------------------------------------------------------
 
-    @operation(
+    @declare(
         "reference.allow", "Move with the reference in doubt", why_not_allow, consent=Consent.HELD
     )
     def allow(self) -> Started | Refusal:
@@ -224,7 +224,7 @@ class ReferenceControl(ControllerPart):
         self._context.refresh()
         return started
 
-    @operation("reference.begin", "Check the reference", why_not_begin)
+    @declare("reference.begin", "Check the reference", why_not_begin)
     def begin(self) -> Started | Refusal:
         """Begin the check; until it ends nothing moves but what it drives itself."""
         refusal = why_not_begin(self._context.refresh())
@@ -237,7 +237,7 @@ class ReferenceControl(ControllerPart):
         self._context.refresh()
         return started
 
-    @operation(
+    @declare(
         "reference.drive",
         "Drive a joint to its mark",
         why_not_drive,
@@ -270,7 +270,7 @@ class ReferenceControl(ControllerPart):
         )
         return context.gate().begin(request)
 
-    @operation(
+    @declare(
         "reference.finish", "Finish the reference check", why_not_finish, consent=Consent.PRESS
     )
     def finish(self) -> Started | Refusal:
@@ -297,7 +297,7 @@ class ReferenceControl(ControllerPart):
         self._context.refresh()
         return started
 
-    @operation(
+    @declare(
         "reference.teach", "Teach the reference pose", why_not_teach_pose, consent=Consent.PRESS
     )
     def teach(self) -> Started | Refusal:
