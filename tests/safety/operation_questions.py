@@ -130,7 +130,8 @@ NOT_ASKED: Final[Mapping[Question, Reasons]] = {
 }
 """What cannot be asked of an operation, and why."""
 
-KNOWN: Final[Mapping[tuple[Question, str], str]] = {}
+KNOWN: Final[Mapping[tuple[Question, str], str]] = {
+}
 """What is broken today, with the figure that was seen."""
 
 

@@ -23,14 +23,14 @@ WhyNot = Callable[..., Refusal | None]
 the names of the method's."""
 
 
-class _Part(Protocol):
-    """A part of the controller."""
+class Part(Protocol):
+    """A part of the controller that has operations."""
 
     @property
     def _context(self) -> Context: ...
 
 
-_AnyPart = TypeVar("_AnyPart", bound=_Part)
+_AnyPart = TypeVar("_AnyPart", bound=Part)
 _Method = TypeVar("_Method", bound=Callable[..., object])
 _P = ParamSpec("_P")
 
@@ -109,7 +109,7 @@ def operation(
 
         @declare(name, title, why_not, moves=moves, consent=consent, shown_first=shown_first)
         @wraps(method)
-        def carry_out(part: _AnyPart, *args: _P.args, **kwargs: _P.kwargs) -> Started | Refusal:
+        def carry_out(part: _AnyPart, /, *args: _P.args, **kwargs: _P.kwargs) -> Started | Refusal:
             first(part)
             context = part._context  # noqa: SLF001 - each part has kept what it was given
             started = Started(name)

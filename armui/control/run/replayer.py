@@ -13,7 +13,7 @@ from armui.control.events import Notice
 from armui.control.motion.joint_motion import COME_INSIDE_PERCENT
 from armui.control.motion.motion_command import CommandKind, MotionCommand
 from armui.control.motion.requests import joint_request
-from armui.control.operations.operation import Consent, declare, record_start
+from armui.control.operations.operation import Consent, operation, record_start
 from armui.control.operations.started import Ending, Started
 from armui.control.run.arrival import Arrival, ArrivalWatch
 from armui.control.run.execution import RUN_DONE, RUN_STARTED, Execution
@@ -106,73 +106,68 @@ class Replayer(Execution):
 
     # What the operator wants ------------------------------------------------------------------
 
-    @declare("replay.start", "Replay a recording", why_not_run, moves=True, shown_first=True)
-    def start(self, replay: Replay) -> Started | Refusal:
+    @operation("replay.start", "Replay a recording", why_not_run, moves=True, shown_first=True)
+    def start(self, started: Started, replay: Replay) -> Refusal | None:
         """Begin a replay."""
         context = self._context
-        operating_state = context.refresh()
-        refusal = why_not_run(operating_state) or why_not(replay, operating_state)
+        refusal = why_not(replay, context.operating_state())
         if refusal is not None:
-            return context.refuse(refusal)
+            return refusal
         self._replay, self._cycle, self._at_s = replay, 1, 0.0
         self._way_in = list(context.gate().ways_inside())
         self._gripper_mm = None
-        started = self._started = record_start(self.start)
+        self._started = started
         refusal = self._approach(replay)
         if refusal is not None:
             self._replay, self._phase = None, RunPhase.IDLE
-            started.close(Ending.REFUSED)
-            return context.refuse(refusal)
+            return refusal
         context.tell(RUN_STARTED, started, name=replay.recording.name)
         if self._way_in:
             context.tell(RUN_FROM_OUTSIDE)
         self._timer.start()
         self._publish()
-        return started
+        return None
 
-    @declare("replay.pause", "Pause the replay", why_not_pause)
-    def pause(self) -> Started | Refusal:
+    @operation("replay.pause", "Pause the replay", why_not_pause)
+    def pause(self, started: Started) -> Refusal | None:
         """Pause: by 0x150 on the way to the first sample, afterwards by sending no targets."""
         if self._phase is not RunPhase.MOVING:
-            return self._context.refuse(NOT_RUNNING())
+            return NOT_RUNNING()
         self._pace = 0.0
-        return self._pause()
+        self._pause(started)
+        return None
 
-    def _pause(self) -> Started:
+    def _pause(self, started: Started) -> None:
         if self._watch is not None:
             self._hold.send()
         self._phase = RunPhase.PAUSED
         self._await_hold()
-        started = record_start(self.pause)
         started.close(Ending.SENT)
         self._context.tell(REPLAY_PAUSED, started)
         self._publish()
-        return started
 
-    @declare("replay.go_on", "Continue the replay", why_not_go_on, moves=True, consent=Consent.HELD)
-    def go_on(self) -> Started | Refusal:
+    @operation(
+        "replay.go_on", "Continue the replay", why_not_go_on, moves=True, consent=Consent.HELD
+    )
+    def go_on(self, started: Started) -> Refusal | None:
         """End a pause."""
         if self._phase is not RunPhase.PAUSED:
-            return self._context.refuse(NOT_PAUSED())
-        refusal = why_not_go_on(self._context.refresh())
-        if refusal is not None:
-            return self._context.refuse(refusal)
+            return NOT_PAUSED()
         refusal = None if self._watch is None else self._let_go_on(self._approach_percent)
         if refusal is not None:
-            return self._context.refuse(refusal)
+            return refusal
         self._phase = RunPhase.MOVING
         self._since_s = self._looked_s = self._context.clock()
-        started = record_start(self.go_on)
         started.close(Ending.SENT)
         self._context.tell(REPLAY_CONTINUED, started)
         self._publish()
-        return started
+        return None
 
     def set_override(self, percent: int) -> None:
         """Let the recorded time pass at another pace; 0 % brings it to a stop, as a pause."""
         self._override_percent = percent
         if percent == 0 and self._phase is RunPhase.MOVING:
-            self._pause()
+            self._pause(record_start(self.pause))
         elif self._watch is not None:
             self.tell_speed()
         if self.running:
@@ -251,8 +246,7 @@ class Replayer(Execution):
         request = replace(request, sent=self._on_set_out, refused=self._fail)
         if not self._way_in:
             request = replace(request, plan=replay.way)
-        answer = self._context.gate().send(request)
-        return answer if isinstance(answer, Refusal) else None
+        return self._context.gate().send(request)
 
     def _on_set_out(self, command: MotionCommand) -> None:
         replay = self._replay
