@@ -32,7 +32,7 @@ from armui.control.events import Notice
 from armui.control.motion.motion_command import End
 from armui.control.operating_state import why_unreachable
 from armui.control.operations.operation import operation
-from armui.control.operations.started import Ending
+from armui.control.operations.started import Ending, Started
 from armui.telemetry.events import Asker, EventKind, Level
 
 if TYPE_CHECKING:
@@ -45,7 +45,6 @@ if TYPE_CHECKING:
     from armui.control.context import Context
     from armui.control.motion.cartesian import Cartesian
     from armui.control.operating_state import OperatingState
-    from armui.control.operations.started import Started
 
 CELL_CHOSEN = Notice("cell_chosen", "Cell in force: {name}", Level.INFO, EventKind.COMMAND)
 CELL_LEFT = Notice("cell_left", "No cell is in force", Level.INFO, EventKind.COMMAND)

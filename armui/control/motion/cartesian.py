@@ -23,6 +23,7 @@ from armui.control.motion.joint_motion import why_not_move
 from armui.control.motion.motion_command import CommandKind
 from armui.control.motion.point_frames import leading_mode, point_way
 from armui.control.operations.operation import operation
+from armui.control.operations.started import Started
 from armui.control.parameters.arm_model import planning_model
 from armui.control.safety.gate import MotionRequest, drop_waiting
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
@@ -40,7 +41,6 @@ from armui.trajectory.points.program import Waypoint
 if TYPE_CHECKING:
     from armui.arm.models import ArmModel
     from armui.control.motion.joint_motion import Motion
-    from armui.control.operations.started import Started
     from armui.control.safety.gate import Plan
     from armui.kinematics.poses import Matrix
     from armui.protocol.frame import Frame

@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 _ATTRIBUTE: Final = "_operation"
 
 WhyNot = Callable[..., Refusal | None]
-"""Returns a reason or ``None`` from the operating state and the arguments it depends on, which have
-the names of the method's."""
+"""Returns a reason or ``None`` from the operating state and the arguments of the method that it
+depends on, by their names; what it takes by keyword only is not asked of the method."""
 
 
 class Part(Protocol):
@@ -99,13 +99,18 @@ def operation(
 
     Returns:
         What makes of the method one that returns the record of the command, or the refusal.
+
+    Raises:
+        TypeError: The reason depends on an argument that the method has not.
     """
 
     def wrap(
         method: Callable[Concatenate[_AnyPart, Started, _P], Refusal | None],
     ) -> Callable[Concatenate[_AnyPart, _P], Started | Refusal]:
         signature = inspect.signature(method)
-        asked = signature.parameters.keys() & inspect.signature(why_not).parameters.keys()
+        asked = _arguments_of(why_not)
+        if lost := sorted(asked - signature.parameters.keys()):
+            raise TypeError(f"{name}: the reason asks for {lost}")
 
         @declare(name, title, why_not, moves=moves, consent=consent, shown_first=shown_first)
         @wraps(method)
@@ -113,10 +118,12 @@ def operation(
             first(part)
             context = part._context  # noqa: SLF001 - each part has kept what it was given
             started = Started(name)
-            given = signature.bind(part, started, *args, **kwargs).arguments
+            given = signature.bind(part, started, *args, **kwargs)
+            given.apply_defaults()
             now = context.refresh()
-            refusal = why_not(now, **{each: given[each] for each in asked & given.keys()})
-            refusal = refusal or method(part, started, *args, **kwargs)
+            refusal = why_not(now, **{each: given.arguments[each] for each in asked})
+            if refusal is None:
+                refusal = method(part, started, *args, **kwargs)
             if refusal is None:
                 return started
             started.close(Ending.REFUSED)
@@ -125,6 +132,13 @@ def operation(
         return carry_out
 
     return wrap
+
+
+def _arguments_of(why_not: WhyNot) -> set[str]:
+    """Return the names of what a reason depends on beside the operating state."""
+    parameters = inspect.signature(why_not).parameters.values()
+    _now, *others = (each.name for each in parameters if each.kind is not each.KEYWORD_ONLY)
+    return set(others)
 
 
 def declare(

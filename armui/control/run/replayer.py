@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import QObject, Qt, QTimer
 
@@ -28,15 +28,12 @@ from armui.control.run.player import (
     why_not_run,
 )
 from armui.control.run.progress import ENDLESS, Progress, RunPhase, sent_percent
-from armui.control.run.replay import why_behind, why_not
+from armui.control.run.replay import Replay, why_behind, why_not
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode
 from armui.telemetry.events import Asker, EventKind, Level
 from armui.trajectory.points.program import Waypoint
 from armui.ways.passes import Pass
-
-if TYPE_CHECKING:
-    from armui.control.run.replay import Replay
 
 REPLAY_GAP = Reason(
     "replay_gap",
