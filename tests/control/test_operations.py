@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import inspect
 import itertools
 import re
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, get_type_hints
 
 import pytest
 
-from armui.arm.refusal import Refusal
+from armui.arm.refusal import Reason, Refusal
 from armui.control.operating_state import LinkState, OperatingState
-from armui.control.operations.operation import Consent, Operations, operation, operation_of
+from armui.control.operations.operation import Consent, Operations, declare, operation, operation_of
+from armui.control.operations.started import Ending, Started
 from armui.control.safety.reference_status import ReferenceStatus
 from armui.protocol.codes import EndLoad, TeachingState, TrajectoryCommand
 from armui.protocol.generation import Generation
@@ -33,6 +35,10 @@ ARGUMENTS: dict[str, tuple[dict[str, Any], ...]] = {
     "reference.drive": ({"joint": 1},),
 }
 """What a reason may depend on beside the state."""
+
+OTHERWISE = {"run.go_on", "run.override", "settings.read"}
+"""What asks, records and refuses in its own way: there is not always a record, or nothing is told.
+"""
 
 
 def operating_states() -> Iterator[OperatingState]:
@@ -71,7 +77,7 @@ def test_the_registry_holds_every_declaration(rig):
     declared = set()
     for path in (ROOT / "armui").rglob("*.py"):
         text = path.read_text(encoding="utf-8")
-        declared |= set(re.findall(r'@operation\(\s*"([a-z_.]+)"', text))
+        declared |= set(re.findall(r'@(?:operation|declare)\(\s*"([a-z_.]+)"', text))
     assert set(rig.controller.operations) == declared
     assert len(declared) >= 36
 
@@ -142,13 +148,90 @@ def test_what_is_refused_is_refused_by_the_reason_of_its_declaration(rig, name, 
 
 def test_an_operation_is_declared_once():
     class Twice:
-        @operation("a.b", "A", lambda _now: None)
+        @declare("a.b", "A", lambda _now: None)
         def first(self) -> None: ...
 
-        @operation("a.b", "B", lambda _now: None, consent=Consent.HELD)
+        @declare("a.b", "B", lambda _now: None, consent=Consent.HELD)
         def second(self) -> None: ...
 
     assert operation_of(Twice.first).consent is Consent.NONE
     assert operation_of(Twice.second).consent is Consent.HELD
     with pytest.raises(ValueError, match=r"a\.b is declared twice"):
         Operations([Twice()])
+
+
+def test_what_each_takes_resolves_at_run_time(rig):
+    begun = set()
+    for name, bound in rig.controller.operations.items():
+        hints = get_type_hints(bound.carry_out)
+        taken = set(inspect.signature(bound.carry_out).parameters)
+        assert set(hints) == taken | {"return"}, name
+        begun |= {name} if hints.get("started") is Started else set()
+    assert set(rig.controller.operations) - begun == OTHERWISE
+
+
+TOO_FAR, LATE = Reason("too_far", "Too far."), Reason("late", "Too late.")
+
+
+class Part:
+    """A part that keeps what its method is given."""
+
+    def __init__(self, refusal=None):
+        self.calls: list[object] = []
+        self.refusal = refusal
+        self._context: Any = self
+
+    def refresh(self):
+        self.calls.append("refreshed")
+        return OperatingState()
+
+    def refuse(self, refusal):
+        self.calls.append(refusal)
+        return refusal
+
+    def end_last(self):
+        self.calls.append("ended")
+
+    @operation("part.act", "Act", lambda _now, far: TOO_FAR() if far > 9 else None, first=end_last)
+    def act(self, started: Started, far: int, *, fast: bool = False) -> Refusal | None:
+        self.started = started
+        self.calls.append((far, fast))
+        return self.refusal
+
+    @operation("part.default", "Default", lambda _now, far=10: TOO_FAR() if far > 9 else None)
+    def default(self, started: Started, far: int = 1) -> None:
+        self.calls.append(far)
+
+
+def test_the_method_gets_its_record_and_the_caller_too():
+    part = Part()
+    started = part.act(9, fast=True)
+    assert part.calls == ["ended", "refreshed", (9, True)]
+    assert started is part.started
+    assert (started.operation, started.ending) == ("part.act", None)
+
+
+def test_a_reason_of_the_arguments_is_asked_and_told_once_and_nothing_is_done():
+    part = Part()
+    assert part.act(10) == TOO_FAR() == part.act(far=11)
+    assert part.calls == 2 * ["ended", "refreshed", TOO_FAR()]
+
+
+def test_what_the_method_refuses_late_is_told_once_and_its_record_closed():
+    part = Part(LATE())
+    assert part.act(1) == LATE()
+    assert part.calls == ["ended", "refreshed", (1, False), LATE()]
+    assert part.started.ending is Ending.REFUSED
+
+
+def test_the_default_of_the_method_is_what_is_asked_about():
+    part = Part()
+    assert isinstance(part.default(), Started)
+    assert part.calls == ["refreshed", 1]
+
+
+def test_a_reason_that_asks_for_what_no_caller_gives_is_found_at_its_declaration():
+    with pytest.raises(TypeError, match=r"part\.lost: the reason asks for \['far'\]"):
+
+        @operation("part.lost", "Lost", lambda _now, far: None)
+        def lost(self: Part, started: Started) -> None: ...

@@ -31,8 +31,8 @@ from armui.control.context import ControllerPart
 from armui.control.events import Notice
 from armui.control.motion.motion_command import End
 from armui.control.operating_state import why_unreachable
-from armui.control.operations.operation import operation, record_start
-from armui.control.operations.started import Ending
+from armui.control.operations.operation import operation
+from armui.control.operations.started import Ending, Started
 from armui.telemetry.events import Asker, EventKind, Level
 
 if TYPE_CHECKING:
@@ -45,7 +45,6 @@ if TYPE_CHECKING:
     from armui.control.context import Context
     from armui.control.motion.cartesian import Cartesian
     from armui.control.operating_state import OperatingState
-    from armui.control.operations.started import Started
 
 CELL_CHOSEN = Notice("cell_chosen", "Cell in force: {name}", Level.INFO, EventKind.COMMAND)
 CELL_LEFT = Notice("cell_left", "No cell is in force", Level.INFO, EventKind.COMMAND)
@@ -279,101 +278,107 @@ class CellControl(ControllerPart):
     # What the operator does -----------------------------------------------------------------
 
     @operation("cell.take", "Make or import a cell", why_not_change)
-    def take(self, cell: Cell, *, replacing: bool = False) -> Started | Refusal:
+    def take(self, started: Started, cell: Cell, *, replacing: bool = False) -> Refusal | None:
         """Add a cell, and put it in force.
 
         Args:
+            started: The record of the command.
             cell: The cell.
             replacing: True if it may take the place of one of its name; a file of that name that
                 could not be read is put aside.
         """
         others = {*self._cells, *self._broken} - ({cell.name} if replacing else set())
         taken = cell.name.casefold() in map(str.casefold, others)
-        reasons = check_cell(cell), CELL_NAME_TAKEN(value=cell.name) if taken else None
-        if refusal := self._refused(*reasons, self._why_holding_for(cell)):
+        same = CELL_NAME_TAKEN(value=cell.name) if taken else None
+        if refusal := check_cell(cell) or same or self._why_holding_for(cell):
             return refusal
         notice = CELL_CHANGED if cell.name in self._cells else CELL_CHOSEN
         self._broken.pop(cell.name, None)
         self._save(cell)
         self._put_in_force(cell.name)
-        return self._done(record_start(self.take), notice, cell.name)
+        self._done(started, notice, cell.name)
+        return None
 
     @operation("cell.choose", "Choose the cell", why_not_change)
-    def choose(self, name: str) -> Started | Refusal:
+    def choose(self, started: Started, name: str) -> Refusal | None:
         """Put a cell in force, by the operator's choice; "" for none."""
         unknown = None
         if name and name not in self._cells:
             unknown = self._broken.get(name) or CELL_GONE(name=name)
-        if refusal := self._refused(unknown, self._why_holding()):
+        if refusal := unknown or self._why_holding():
             return refusal
         self._put_in_force(name)
         notice = CELL_CHOSEN if name else CELL_LEFT
-        return self._done(record_start(self.choose), notice, name)
+        self._done(started, notice, name)
+        return None
 
     @operation("cell.confirm", "Confirm the cell", why_not_change)
-    def confirm(self) -> Started | Refusal:
+    def confirm(self, started: Started) -> Refusal | None:
         """Confirm that the kept cell is that of the connected arm."""
         waits = self.unconfirmed
         unread = waits if self.cell is None else None
-        if refusal := self._refused(CELL_ALREADY_CONFIRMED() if waits is None else unread):
+        if refusal := CELL_ALREADY_CONFIRMED() if waits is None else unread:
             return refusal
         self._put_in_force(self._name)
-        return self._done(record_start(self.confirm), CELL_CONFIRMED, self._name)
+        self._done(started, CELL_CONFIRMED, self._name)
+        return None
 
     @operation("cell.change", "Change the cell", why_not_change)
-    def change(self, cell: Cell) -> Started | Refusal:
+    def change(self, started: Started, cell: Cell) -> Refusal | None:
         """Replace the chosen cell by a changed one of the same name."""
         other = CELL_GONE(name=cell.name) if cell.name != self._name else None
         holding = None if cell.held else self._why_holding()
         none = CELL_NONE() if self.cell is None else None
-        if refusal := self._refused(self.unconfirmed, none, other, holding, check_cell(cell)):
+        if refusal := self.unconfirmed or none or other or holding or check_cell(cell):
             return refusal
         self._save(cell)
         self._confirmed, self._came_s = True, None
         self._take_effect()
-        return self._done(record_start(self.change), CELL_CHANGED, cell.name)
+        self._done(started, CELL_CHANGED, cell.name)
+        return None
 
     @operation("cell.rename", "Rename the cell", why_not_change)
-    def rename(self, name: str) -> Started | Refusal:
+    def rename(self, started: Started, name: str) -> Refusal | None:
         """Give the chosen cell and its file another name; it stays in force."""
         cell = self.cell
         if cell is None:
-            return self._context.refuse(CELL_NONE())
+            return CELL_NONE()
         taken = name.casefold() in map(str.casefold, {*self._cells, *self._broken} - {self._name})
         same = CELL_NAME_TAKEN(value=name) if taken or name == self._name else None
         renamed = check_cell(replace(cell, name=name))
-        if refusal := self._refused(self.unconfirmed, same, renamed):
+        if refusal := self.unconfirmed or same or renamed:
             return refusal
         self._confirmed = True
         self.give_name(cell.name, name)
-        started = self._done(record_start(self.rename), CELL_RENAMED, name)
+        self._done(started, CELL_RENAMED, name)
         if self.store is not None:
             self.store.rename(cell.name, self._cells[name])
-        return started
+        return None
 
     @operation("cell.delete", "Delete the cell", why_not_change)
-    def delete(self) -> Started | Refusal:
+    def delete(self, started: Started) -> Refusal | None:
         """Delete the chosen cell and its file; none is in force then."""
         name = self._name
-        if refusal := self._refused(self._why_holding() if name else CELL_NONE()):
+        if refusal := self._why_holding() if name else CELL_NONE():
             return refusal
         self._cells.pop(name, None)
         self._broken.pop(name, None)
         if self.store is not None:
             self.store.delete(name)
         self._put_in_force("")
-        return self._done(record_start(self.delete), CELL_DELETED, name)
+        self._done(started, CELL_DELETED, name)
+        return None
 
     @operation("cell.hold", "Say what the hand holds", why_not_change)
-    def hold(self, name: str) -> Started | Refusal:
+    def hold(self, started: Started, name: str) -> Refusal | None:
         """Count an object as held from now on, or nothing for ""; also before it is confirmed."""
         cell = self.cell
-        if refusal := self._refused(
-            CELL_NONE() if cell is None else check_cell(replace(cell, held=name))
-        ):
+        refusal = CELL_NONE() if cell is None else check_cell(replace(cell, held=name))
+        if refusal is not None:
             return refusal
         self._hold(name)
-        return self._done(record_start(self.hold), HELD_NOW if name else HELD_NOTHING, name)
+        self._done(started, HELD_NOW if name else HELD_NOTHING, name)
+        return None
 
     def note_held(self, name: str) -> None:
         """Take what a point of a run says of the hand; the run was checked with it."""
@@ -440,12 +445,6 @@ class CellControl(ControllerPart):
             return self._context.refuse(refusal or CAPTURE_STALE())
         return tuple(pose)
 
-    def _refused(self, *reasons: Refusal | None) -> Refusal | None:
-        """Return the first reason against a change, told the operator; ``None`` if it may be."""
-        moving = why_not_change(self._context.refresh())
-        refusal = next((each for each in (moving, *reasons) if each is not None), None)
-        return None if refusal is None else self._context.refuse(refusal)
-
     def _why_holding(self) -> Refusal | None:
         """Return why the cell may not be left: what is held would count no more."""
         held = "" if self.in_force is None else self.in_force.held
@@ -470,12 +469,11 @@ class CellControl(ControllerPart):
             self.store.keep(self._device.arm_key(), name)
         self._take_effect()
 
-    def _done(self, started: Started, notice: Notice, name: str) -> Started:
+    def _done(self, started: Started, notice: Notice, name: str) -> None:
         started.close(Ending.DONE)
         figures = {"name": name} if name else {}
         self._context.tell(notice, started, **figures)
         self._context.refresh()
-        return started
 
     def _take_effect(self) -> None:
         """Pass on the tool; a target of ours that was told with another one is none any more."""

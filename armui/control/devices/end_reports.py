@@ -10,7 +10,7 @@ from armui.arm.state import ArmState
 from armui.control.context import GENERATION_UNKNOWN, Context
 from armui.control.events import Notice
 from armui.control.operating_state import OperatingState
-from armui.control.operations.operation import operation, record_start
+from armui.control.operations.operation import operation
 from armui.control.operations.started import Ending, Started, ending_of
 from armui.control.requests.transactions import ReadBack, Transaction, TransactionQueue
 from armui.protocol import commands
@@ -94,17 +94,13 @@ class EndReports:
         self.busy = False
 
     @operation("end_load.set", "Set the end load", why_no_load)
-    def set_load(self, load: EndLoad) -> Started | Refusal:
+    def set_load(self, started: Started, load: EndLoad) -> None:
         """Tell the arm that it carries nothing, half or the full payload.
 
         The arm answers, but the load cannot be read back: the answer is the only confirmation.
         """
         context = self._context
-        refusal = why_no_load(context.refresh())
-        if refusal is not None:
-            return context.refuse(refusal)
         self.busy = True
-        started = record_start(self.set_load)
         context.tell(LOAD_SENT, started, load=int(load))
         self._transactions.submit(
             Transaction(
@@ -117,17 +113,12 @@ class EndReports:
                 alters="end_reports",
             )
         )
-        return started
 
     @operation("end_load.report", "Switch the end's motion feedback", why_not_switch)
-    def switch(self, *, on: bool) -> Started | Refusal:
+    def switch(self, started: Started, *, on: bool) -> None:
         """Switch the feedback of the end's speed and acceleration; its frames confirm it."""
         context = self._context
-        refusal = why_not_switch(context.refresh())
-        if refusal is not None:
-            return context.refuse(refusal)
         self.busy = True
-        started = record_start(self.switch)
         context.tell(END_FEEDBACK_SENT, started)
         self._transactions.submit(
             Transaction(
@@ -140,7 +131,6 @@ class EndReports:
                 ),
             )
         )
-        return started
 
     def _after_load(self, started: Started, load: EndLoad, refusal: Refusal | None) -> None:
         self.busy = False

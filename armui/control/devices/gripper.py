@@ -15,7 +15,7 @@ from armui.control.context import GENERATION_UNKNOWN, Context, ControllerPart
 from armui.control.devices.gripper_ranges import Figures, calibrated, check, figures_of
 from armui.control.events import Notice
 from armui.control.operating_state import LINK_LOST, RUN_UNDER_WAY, OperatingState
-from armui.control.operations.operation import Consent, operation, record_start
+from armui.control.operations.operation import Consent, operation
 from armui.control.operations.started import Ending, Started
 from armui.control.parameters.arm_settings import SETTING_NOT_KEPT, ArmSettings
 from armui.control.parameters.setting_cell import CellState
@@ -279,41 +279,37 @@ class GripperControl(ControllerPart):
         "gripper.move", "Move the gripper", why_not_move_gripper, moves=True, shown_first=True
     )
     def move(
-        self, travel: float, effort: float, *, uncalibrated: bool = False
-    ) -> Started | Refusal:
+        self, started: Started, travel: float, effort: float, *, uncalibrated: bool = False
+    ) -> Refusal | None:
         """Open or close the gripper; the same frame enables it (0x159).
 
         Args:
+            started: The record of the command.
             travel: Opening in mm (generation 2) or angle in degrees (generation 1, or while
                 `tells_angle`).
             effort: Torque in N·m (generation 2) or speed in rad/s (generation 1).
             uncalibrated: True if the opening is the arm's own, without the gripper's table.
 
         Returns:
-            The record of the command, or why nothing was sent.
+            Why nothing was sent, or ``None``.
         """
         figures = self.own_figures if uncalibrated else self.figures
-        refusal = (
-            why_not_move_gripper(self._context.refresh())
-            or check(figures.travel, travel)
-            or check(figures.effort, effort)
-        )
+        refusal = check(figures.travel, travel) or check(figures.effort, effort)
         heard = self._heard()
         if refusal is not None or heard is None:
-            return self._context.refuse(refusal or GRIPPER_SILENT())
+            return refusal or GRIPPER_SILENT()
         by_angle = self.tells_angle
         asked = travel if uncalibrated else self._asked(travel, figures.travel.unit)
         frames = self._hold(asked, effort, by_angle=by_angle)
         passed = self._context.gate().ask_no_way()
         if not self._context.connection.send(frames, passed=passed):
-            return self._context.refuse(LINK_LOST())
+            return LINK_LOST()
         self._drop_request()
-        unit, started = figures.travel.unit, record_start(self.move)
-        now_s = self._context.clock()
+        unit, now_s = figures.travel.unit, self._context.clock()
         self._travel = _Travel(asked, heard.travel, now_s, now_s, unit, effort, started)
         told = unit if uncalibrated else self._unit_shown(unit)
         self._context.tell(GRIPPER_SENT, started, value=travel, unit=told)
-        return started
+        return None
 
     def why_no_end(self, *, opened: bool) -> Refusal | None:
         """Return why the gripper cannot be moved to an end of its stroke, or ``None``."""
@@ -341,36 +337,29 @@ class GripperControl(ControllerPart):
         return self.move(target, figures.effort.first if effort is None else effort)
 
     @operation("gripper.enable", "Enable the gripper", why_not_move_gripper, moves=True)
-    def enable(self, effort: float) -> Started | Refusal:
+    def enable(self, started: Started, effort: float) -> Refusal | None:
         """Enable the gripper at its present place."""
-        refusal = why_not_move_gripper(self._context.refresh()) or check(
-            self.figures.effort, effort
-        )
+        refusal = check(self.figures.effort, effort)
         heard = self._heard()
         if refusal is not None or heard is None:
-            return self._context.refuse(refusal or GRIPPER_SILENT())
+            return refusal or GRIPPER_SILENT()
         # told as it tells itself: a number of another kind would move it
         frames = self._hold(heard.travel, effort, by_angle=heard.opening_mm is None)
-        return self._start(self.enable, "enable", frames, lambda gripper: gripper.enabled)
+        self._start(started, "enable", frames, lambda gripper: gripper.enabled)
+        return None
 
     @operation("gripper.disable", "Disable the gripper", why_not_let_go, consent=Consent.PRESS)
-    def disable(self) -> Started | Refusal:
+    def disable(self, started: Started) -> None:
         """Disable the gripper: it lets go of what it holds. A run under way ends."""
-        refusal = why_not_let_go(self._context.refresh())
-        if refusal is not None:
-            return self._context.refuse(refusal)
         self._end_run(RUN_LET_GO())
         frames = commands.disable_gripper(self._context.connection.codec)
-        return self._start(self.disable, "disable", frames, lambda gripper: not gripper.enabled)
+        self._start(started, "disable", frames, lambda gripper: not gripper.enabled)
 
     @operation("gripper.clear_error", "Clear the gripper's error", why_not_gripper)
-    def clear_error(self) -> Started | Refusal:
+    def clear_error(self, started: Started) -> None:
         """Clear the driver's error; the gripper stays off until it is enabled or moved."""
-        refusal = why_not_gripper(self._context.refresh())
-        if refusal is not None:
-            return self._context.refuse(refusal)
         frames = commands.clear_gripper_error(self._context.connection.codec)
-        return self._start(self.clear_error, "clear", frames, lambda gripper: not gripper.faults)
+        self._start(started, "clear", frames, lambda gripper: not gripper.faults)
 
     def stands_as(self, before: ArmState) -> bool:
         """Return whether the gripper still stands where it stood when its zero was asked about."""
@@ -382,15 +371,10 @@ class GripperControl(ControllerPart):
     @operation(
         "gripper.set_zero", "Set the gripper's zero", why_not_set_zero, consent=Consent.PRESS
     )
-    def set_zero(self) -> Started | Refusal:
+    def set_zero(self, started: Started) -> None:
         """Make the gripper's present place its zero (generation 2); it has no power afterwards."""
-        refusal = why_not_set_zero(self._context.refresh())
-        if refusal is not None:
-            return self._context.refuse(refusal)
         frames = commands.set_gripper_zero(self._context.connection.codec)
-        return self._start(
-            self.set_zero, "zero", frames, lambda gripper: abs(gripper.travel) <= _THERE
-        )
+        self._start(started, "zero", frames, lambda gripper: abs(gripper.travel) <= _THERE)
 
     # How it is carried out --------------------------------------------------------------------
 
@@ -408,11 +392,11 @@ class GripperControl(ControllerPart):
 
     def _start(
         self,
-        method: Callable[..., object],
+        started: Started,
         action: str,
         frames: Sequence[Frame],
         seen: Callable[[GripperState], bool],
-    ) -> Started:
+    ) -> None:
         """Send something, again until the gripper shows it."""
         context = self._context
         since_s = context.clock()
@@ -423,13 +407,12 @@ class GripperControl(ControllerPart):
 
         self._drop_request()
         self._action = action
-        started = self._started = record_start(method)
+        self._started = started
         passed = context.gate().ask_no_way()
         request = self._request = Request(context, frames, shows, passed=passed)
         context.tell(GRIPPER_ACT_SENT, started, act=action)
         if self._request is request:  # a failure in who is told ends what is under way
             request.advance()
-        return started
 
     def note_travel(self, target: float, effort: float) -> None:
         """Note the target that a run sent it to, so that the run's end knows whether it moves."""

@@ -8,7 +8,7 @@ from armui.arm.refusal import Refusal
 from armui.control.context import Context
 from armui.control.events import Notice
 from armui.control.operating_state import BUSY, OperatingState
-from armui.control.operations.operation import operation, record_start
+from armui.control.operations.operation import operation
 from armui.control.operations.started import SETTING_UNANSWERED, Ending, Started, ending_of
 from armui.control.requests.transactions import Transaction, TransactionQueue
 from armui.protocol import commands
@@ -62,16 +62,12 @@ class JointErrors:
         return self._joint is not None
 
     @operation("joints.clear_error", "Clear errors of the drivers", why_not_clear)
-    def clear(self, joint: int) -> Started | Refusal:
+    def clear(self, started: Started, joint: int) -> Refusal | None:
         """Ask a joint (1–6, 7 all) to clear its error."""
+        if self._joint is not None:
+            return BUSY(what="clearing_error")
         context = self._context
-        refusal = why_not_clear(context.refresh())
-        if refusal is None and self._joint is not None:
-            refusal = BUSY(what="clearing_error")
-        if refusal is not None:
-            return context.refuse(refusal)
         self._joint = joint
-        started = record_start(self.clear)
         context.tell(CLEAR_ERROR_SENT, started, joint=joint)
         self._transactions.submit(
             Transaction(
@@ -83,7 +79,7 @@ class JointErrors:
                 alters="clearing_error",
             )
         )
-        return started
+        return None
 
     def _on_finished(self, started: Started, joint: int, refusal: Refusal | None) -> None:
         self._joint = None

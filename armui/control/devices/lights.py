@@ -10,7 +10,7 @@ from armui.arm.refusal import Reason, Refusal
 from armui.control.context import Context
 from armui.control.events import Notice
 from armui.control.operating_state import LINK_LOST, OperatingState
-from armui.control.operations.operation import operation, record_start
+from armui.control.operations.operation import operation
 from armui.control.operations.started import Ending, Started
 from armui.protocol import commands
 from armui.protocol.codes import ALL_LAMPS
@@ -75,12 +75,13 @@ class Lights:
         self._counter = 0
 
     @operation("lamps.set", "Set the lamps of a joint", why_no_lamps)
-    def set_light(
-        self, joint: int, lamp: int, red: int, green: int, blue: int
-    ) -> Started | Refusal:
+    def set_light(  # noqa: PLR0917 - a lamp, and its colour as everybody writes one
+        self, started: Started, joint: int, lamp: int, red: int, green: int, blue: int
+    ) -> Refusal | None:
         """Set the colour of a lamp of a joint.
 
         Args:
+            started: The record of the command.
             joint: 1–6.
             lamp: 0–254, or :data:`ALL_LAMPS`.
             red: Grey value of the red channel, 0–255.
@@ -88,30 +89,23 @@ class Lights:
             blue: Grey value of the blue channel, 0–255.
 
         Returns:
-            The record of the command, or why nothing was sent.
+            Why nothing was sent, or ``None``.
         """
-        refusal = why_no_lamps(self._context.refresh()) or check_light(
-            joint=joint, lamp=lamp, red=red, green=green, blue=blue
-        )
-        if refusal is None:
-            frames = commands.set_light(
-                self._context.connection.codec,
-                joint,
-                (red, green, blue),
-                lamp=lamp,
-                counter=self._counter,
-            )
-            if not self._context.connection.send(frames):
-                refusal = LINK_LOST()
+        refusal = check_light(joint=joint, lamp=lamp, red=red, green=green, blue=blue)
         if refusal is not None:
-            return self._context.refuse(refusal)
+            return refusal
+        connection, color = self._context.connection, (red, green, blue)
+        frames = commands.set_light(
+            connection.codec, joint, color, lamp=lamp, counter=self._counter
+        )
+        if not connection.send(frames):
+            return LINK_LOST()
         self._counter = (self._counter + 1) % _COUNTS
         notice = SENT_LAMPS if lamp == ALL_LAMPS else SENT_LAMP
-        started = record_start(self.set_light)
         started.close(Ending.SENT)
-        color = f"#{red:02X}{green:02X}{blue:02X}"
-        self._context.tell(notice, started, joint=joint, lamp=lamp, color=color)
-        return started
+        told = f"#{red:02X}{green:02X}{blue:02X}"
+        self._context.tell(notice, started, joint=joint, lamp=lamp, color=told)
+        return None
 
 
 def check_light(**figures: int) -> Refusal | None:

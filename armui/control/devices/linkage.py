@@ -14,7 +14,7 @@ from armui.control.operating_state import (
     why_only_heard,
     why_unreachable,
 )
-from armui.control.operations.operation import Consent, operation, record_start
+from armui.control.operations.operation import Consent, operation
 from armui.control.operations.started import Ending, Started, ending_of
 from armui.control.requests.transactions import Transaction, TransactionQueue
 from armui.protocol import commands
@@ -108,32 +108,31 @@ class LinkageControl(ControllerPart):
     )
     def set(
         self,
+        started: Started,
         role: LinkageRole,
         *,
         feedback_offset: int = 0,
         control_offset: int = 0,
         target_offset: int = 0,
-    ) -> Started | Refusal:
+    ) -> Refusal | None:
         """Make the arm a teaching input or a motion output.
 
         An arm that is silent is asked too: a teaching input sends no feedback.
 
         Args:
+            started: The record of the command.
             role: The new role.
             feedback_offset: The offset of the feedback, 0x2A1–0x2A8.
             control_offset: The offset of the commands, 0x150–0x15F.
             target_offset: The offset of the commands that a teaching input sends.
 
         Returns:
-            The record of the command, or why nothing was sent.
+            Why nothing was sent, or ``None``.
         """
         context = self._context
-        refusal = why_not_link(context.refresh())
         for offset in (feedback_offset, control_offset, target_offset):
-            if refusal is None and offset not in OFFSETS:
-                refusal = OFFSET_NOT_POSSIBLE(value=offset)
-        if refusal is not None:
-            return context.refuse(refusal)
+            if offset not in OFFSETS:
+                return OFFSET_NOT_POSSIBLE(value=offset)
         self.busy = True
         frames = commands.set_linkage(
             context.connection.codec,
@@ -149,7 +148,7 @@ class LinkageControl(ControllerPart):
             ends_input=context.operating_state().teaching_input,
         )
         self._cut_off()
-        started = self._started = record_start(self.set)
+        self._started = started
         context.tell(LINKAGE_SENT, started)
         self._transactions.submit(
             Transaction(
@@ -162,7 +161,7 @@ class LinkageControl(ControllerPart):
             )
         )
         context.refresh()
-        return started
+        return None
 
     def release(self) -> Started | Refusal:
         """Make the arm a motion output arm without offsets again (0xFC)."""

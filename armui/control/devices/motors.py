@@ -12,7 +12,7 @@ from armui.control.context import Context, ControllerPart
 from armui.control.events import Notice
 from armui.control.motion.motion_command import End
 from armui.control.operating_state import Busy, OperatingState, StopState, why_only_heard
-from armui.control.operations.operation import Consent, operation, operation_of, record_start
+from armui.control.operations.operation import Consent, operation, operation_of
 from armui.control.operations.started import Ending, Started
 from armui.control.requests import reports
 from armui.control.requests.request import NOTHING_LEFT_REPORT, Request, RequestOutcome
@@ -97,28 +97,24 @@ class Motors(ControllerPart):
         return self._busy
 
     @operation("motors.enable", "Enable motors", why_not_enable)
-    def enable(self, joint: int = ALL_JOINTS) -> Started | Refusal:
+    def enable(self, started: Started, joint: int = ALL_JOINTS) -> None:
         """Enable a motor, or all six with 7 (0x471); repeat until the drivers report it."""
-        return self._switch(joint, on=True)
+        self._switch(started, joint, on=True)
 
     @operation("motors.disable", "Disable motors", why_not_disable, consent=Consent.PRESS)
-    def disable(self, joint: int = ALL_JOINTS) -> Started | Refusal:
+    def disable(self, started: Started, joint: int = ALL_JOINTS) -> None:
         """Disable a motor, or all six with 7 (0x471): the arm DROPS.
 
         An activity under way is no reason to refuse it: that activity ends.
         """
-        return self._switch(joint, on=False)
+        self._switch(started, joint, on=False)
 
     @operation(
         "motors.resume", "Resume after the emergency stop", why_not_resume, consent=Consent.PRESS
     )
-    def resume(self) -> Started | Refusal:
+    def resume(self, started: Started) -> None:
         """End the emergency stop: power is cut at once, the arm DROPS; then it must be enabled."""
         context = self._context
-        refusal = why_not_resume(context.refresh())
-        if refusal is not None:
-            return context.refuse(refusal)
-        started = record_start(self.resume)
         context.tell(RESUME_SENT, started)
         self._start(
             started,
@@ -127,7 +123,6 @@ class Motors(ControllerPart):
             commands.resume(context.connection.codec),
             lambda state: state.status is not None and not is_stopped(state),
         )
-        return started
 
     def follow_arm(self) -> None:
         """Follow the switching in the feedback until it is done or too late."""
@@ -168,18 +163,13 @@ class Motors(ControllerPart):
         if started is not None and switches and started.answer is None:
             started.answered(index, self._context.clock())
 
-    def _switch(self, joint: int, *, on: bool) -> Started | Refusal:
+    def _switch(self, started: Started, joint: int, *, on: bool) -> None:
         context = self._context
-        operating_state = context.refresh()
-        refusal = (why_not_enable if on else why_not_disable)(operating_state)
-        if refusal is not None:
-            return context.refuse(refusal)
         if not on:
             self._end_run(RUN_DISABLED())
         context.authority.end_command(End.DISABLED)
         joints = JOINTS if joint == ALL_JOINTS else (joint,)
         command = commands.enable_motors if on else commands.disable_motors
-        started = record_start(self.enable if on else self.disable)
         if joint == ALL_JOINTS:
             context.tell(ENABLE_SENT if on else DISABLE_SENT, started)
         else:
@@ -192,7 +182,6 @@ class Motors(ControllerPart):
             command(context.connection.codec, joint),
             lambda state: all(state.enabled()[number - 1] is on for number in joints),
         )
-        return started
 
     def _start(
         self,

@@ -9,7 +9,7 @@ from armui.arm.refusal import Reason, Refusal
 from armui.control.context import GENERATION_UNKNOWN
 from armui.control.events import Notice
 from armui.control.operating_state import LINK_LOST
-from armui.control.operations.operation import operation, record_start
+from armui.control.operations.operation import operation
 from armui.control.operations.started import Ending, Started
 from armui.control.parameters.arm_settings import SETTING_NOT_KEPT
 from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN
@@ -66,16 +66,13 @@ class MountingControl:
         self._speed_percent = speed_percent
 
     @operation("mounting.tell", "Set the mounting", why_not_mount, moves=True)
-    def tell(self, mounting: Mounting) -> Started | Refusal:
+    def tell(self, started: Started, mounting: Mounting) -> Refusal | None:
         """Send the mounting. The arm does not confirm it."""
         context = self._context
-        context.refresh()
         refusal = self.why_not(mounting) or context.why_no_motion()
         mode = context.authority.mode_in_force()
-        if refusal is None and mode is None:
-            refusal = MODE_UNKNOWN()
         if refusal is not None or mode is None:
-            return context.refuse(refusal or MODE_UNKNOWN())
+            return refusal or MODE_UNKNOWN()
         percent = self._speed_percent()
         frames = commands.set_mode(
             context.connection.codec,
@@ -86,13 +83,12 @@ class MountingControl:
         )
         passed = context.gate().ask_no_way()
         if not context.connection.send([*context.cancel_frames(), *frames], passed=passed):
-            return context.refuse(LINK_LOST())
+            return LINK_LOST()
         context.authority.told_percent(percent)
-        started = record_start(self.tell)
         started.close(Ending.SENT)
         context.tell(MOUNTING_SENT, started, mounting=int(mounting))
         context.refresh()
-        return started
+        return None
 
     def why_not(self, mounting: Mounting) -> Refusal | None:
         """Return the reason against telling it now, or ``None``."""

@@ -15,7 +15,7 @@ from armui.control.devices.teaching_phase import (
     why_not_teach,
 )
 from armui.control.events import Notice
-from armui.control.operations.operation import operation, record_start
+from armui.control.operations.operation import operation
 from armui.control.operations.started import Ending, Started
 from armui.control.requests.request import NOTHING_LEFT_REPORT, Request, RequestOutcome
 from armui.protocol import commands
@@ -76,17 +76,13 @@ class TeachingControl(ControllerPart):
         return self._pending
 
     @operation("teaching.command", "Command drag teaching", why_not_teach, moves=True)
-    def command(self, command: TeachingState) -> Started | Refusal:
+    def command(self, started: Started, command: TeachingState) -> Refusal | None:
         """Give a command of 0x150 byte 2."""
         context = self._context
-        refusal = why_not_teach(context.refresh(), command)
-        if refusal is not None:
-            return context.refuse(refusal)
         passed = context.gate().ask_unknown() if command in DRIVES else None
         if isinstance(passed, Refusal):
-            return context.refuse(passed)
+            return passed
         self._drop_request()
-        started = record_start(self.command)
         context.tell(TEACHING_SENT, started, command=int(command))
         self._pending, self._started = command, started
         frames = commands.teaching_command(context.connection.codec, command)
@@ -99,7 +95,7 @@ class TeachingControl(ControllerPart):
             context.authority.replay_told(context.clock())
         self._request.advance()
         context.refresh()
-        return started
+        return None
 
     def follow_arm(self) -> None:
         """Follow the command in the feedback until it is done or too late."""

@@ -16,7 +16,7 @@ from armui.arm.state import ArmState
 from armui.control.devices import teaching_phase
 from armui.control.events import Notice
 from armui.control.operating_state import BUSY
-from armui.control.operations.operation import Consent, operation, record_start
+from armui.control.operations.operation import Consent, operation
 from armui.control.operations.started import Ending, Started, ending_of
 from armui.control.requests.transactions import ReadBack, Transaction, TransactionQueue
 from armui.control.safety.interlocks import JOINTS_UNKNOWN, joint_list, why_no_command
@@ -118,23 +118,16 @@ class Zeroing:
         return _why_elsewhere(joints, before, self._context.connection.newest) is None
 
     @operation("joints.set_zero", "Set zeros", why_not_zero, consent=Consent.PRESS)
-    def set_zero(self, joint: int = ALL_JOINTS) -> Started | Refusal:
-        """Make the present position of a joint (1–6, 7 all) its zero.
-
-        Returns:
-            The record of the command, or why nothing was sent.
-        """
+    def set_zero(self, started: Started, joint: int = ALL_JOINTS) -> Refusal | None:
+        """Make the present position of a joint (1–6, 7 all) its zero."""
         context = self._context
         state = context.state()
         joints = JOINTS if joint == ALL_JOINTS else (joint,)
-        refusal = (
-            why_not_zero(context.refresh()) or why_not_still(state) or self._why_unheard(joints)
-        )
+        refusal = why_not_still(state) or self._why_unheard(joints)
         if refusal is not None:
-            return context.refuse(refusal)
+            return refusal
         self._before_zeroing()
         self._busy = True
-        started = record_start(self.set_zero)
         notice = ZERO_SENT if joint == ALL_JOINTS else ZERO_SENT_JOINT
         context.tell(notice, started, joint=joint)
         self._transactions.submit(
@@ -158,7 +151,7 @@ class Zeroing:
             )
         )
         context.refresh()
-        return started
+        return None
 
     def _why_unheard(self, joints: Sequence[int]) -> Refusal | None:
         """Tell that the angles are not heard: what became of the zero could not be seen."""

@@ -22,9 +22,10 @@ from armui.control.motion.jog_path import MotionFrame, axes_of, axis_in
 from armui.control.motion.joint_motion import why_not_move
 from armui.control.motion.motion_command import CommandKind
 from armui.control.motion.point_frames import leading_mode, point_way
-from armui.control.operations.operation import operation, record_start
+from armui.control.operations.operation import operation
+from armui.control.operations.started import Started
 from armui.control.parameters.arm_model import planning_model
-from armui.control.safety.gate import MotionRequest
+from armui.control.safety.gate import MotionRequest, drop_waiting
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.kinematics import poses
 from armui.kinematics.arm_kinematics import Kinematics
@@ -40,7 +41,6 @@ from armui.trajectory.points.program import Waypoint
 if TYPE_CHECKING:
     from armui.arm.models import ArmModel
     from armui.control.motion.joint_motion import Motion
-    from armui.control.operations.started import Started
     from armui.control.safety.gate import Plan
     from armui.kinematics.poses import Matrix
     from armui.protocol.frame import Frame
@@ -220,47 +220,64 @@ class Cartesian(ControllerPart):
 
         return plan
 
-    @operation("tool.move", "Move the tool to a pose", why_not_move, moves=True, shown_first=True)
-    def move(self, target: Sequence[float], move_mode: MoveMode) -> Started | Refusal:
+    @operation(
+        "tool.move",
+        "Move the tool to a pose",
+        why_not_move,
+        moves=True,
+        shown_first=True,
+        first=drop_waiting,
+    )
+    def move(
+        self, started: Started, target: Sequence[float], move_mode: MoveMode
+    ) -> Refusal | None:
         """Send the tool centre point to a pose, with MOVE P or on a straight line with MOVE L."""
         notice = SENT_LINE if move_mode is MoveMode.MOVE_L else SENT_POSE
         figures: dict[str, object] = dict(zip(map(str.lower, AXES), target, strict=True))
-        return self._move(record_start(self.move), target, move_mode, notice, figures)
+        return self._move(started, target, move_mode, notice, figures)
 
     @operation("tool.step", "Move the tool by a step", why_not_move, moves=True)
-    def step(self, axis: int, amount: float, frame: MotionFrame) -> Started | Refusal:
+    def step(
+        self, started: Started, axis: int, amount: float, frame: MotionFrame
+    ) -> Refusal | None:
         """Move the tool centre point by a step, on a straight line.
 
         The step is added to the target of the last motion, while that is ours and the tool is on
         its way there or has arrived; otherwise to the measured pose.
 
         Args:
+            started: The record of the command.
             axis: 0–5 for X, Y, Z, RX, RY, RZ.
             amount: In mm or degrees.
             frame: The frame of the axes.
         """
-        cannot = self._context.refresh().cannot_move
-        unknown = cannot or self.why_no_frame(frame) or self.why_unknown()
-        if unknown is not None:
-            return self._context.refuse(unknown)
+        unknown = self.why_no_frame(frame) or self.why_unknown()
         measured_deg = self._context.authority.measured_deg()
-        if measured_deg is None:
-            return self._context.refuse(JOINTS_UNKNOWN())
+        if unknown is not None or measured_deg is None:
+            return unknown or JOINTS_UNKNOWN()
         measured = poses.tool_matrix(self.kinematics().matrix(measured_deg), self.tool)
         base = self._base(measured)
         target = poses.shifted(base, axis, amount, axes_of(frame))
         unit = " mm" if axis < LINEAR_AXES else "°"
         figures: dict[str, object] = {"axis": axis_in(frame, axis), "step": f"{amount:+g}{unit}"}
         pose = poses.matrix_to_pose(target)
-        return self._move(record_start(self.step), pose, MoveMode.MOVE_L, STEPPED_TOOL, figures)
+        return self._move(started, pose, MoveMode.MOVE_L, STEPPED_TOOL, figures)
 
-    @operation("tool.arc", "Move the tool along an arc", why_not_move, moves=True, shown_first=True)
-    def move_arc(self, *points: Sequence[float]) -> Started | Refusal:
+    @operation(
+        "tool.arc",
+        "Move the tool along an arc",
+        why_not_move,
+        moves=True,
+        shown_first=True,
+        first=drop_waiting,
+    )
+    def move_arc(self, started: Started, *points: Sequence[float]) -> Refusal | None:
         """Move on the arc through three poses of the tool centre point (MOVE C).
 
         The arm must stand at the first of them, so that it takes no unchecked path.
 
         Args:
+            started: The record of the command.
             *points: Start, middle and end.
         """
         start, middle, end = (flange_pose(point, self.tool) for point in points)
@@ -271,11 +288,10 @@ class Cartesian(ControllerPart):
             leading = leading_mode(codec, context.state(), MoveMode.MOVE_C, percent)
             return leading + commands.move_arc(codec, start, middle, end, speed_percent=percent)
 
-        started = record_start(self.move_arc)
         way = (start, middle, end)
         request = self._request(started, MoveMode.MOVE_C, points[-1], self._plan_arc(points))
         request = replace(request, frames=frames, tool_way=way, told=(SENT_ARC, {}))
-        return context.gate().begin(request)
+        return context.gate().send(request)
 
     def check_arc(self, *points: Sequence[float]) -> Refusal | None:
         """Return why the arm cannot follow an arc from where it stands, or ``None``."""
@@ -305,7 +321,7 @@ class Cartesian(ControllerPart):
         move_mode: MoveMode,
         notice: Notice,
         figures: dict[str, object],
-    ) -> Started | Refusal:
+    ) -> Refusal | None:
         context, percent = self._context, self._motion.speed_percent
         flange = flange_pose(target, self.tool)
 
@@ -319,7 +335,7 @@ class Cartesian(ControllerPart):
         request = self._request(started, move_mode, target, self._plan(target, move_mode))
         way = (flange,) if move_mode is MoveMode.MOVE_L else ()
         request = replace(request, frames=frames, tool_way=way, told=(notice, figures))
-        return context.gate().begin(request)
+        return context.gate().send(request)
 
     def _request(
         self, started: Started, move_mode: MoveMode, target: Sequence[float], plan: Plan

@@ -43,7 +43,7 @@ from armui.control.motion.joint_motion import why_not_move
 from armui.control.motion.motion_command import CommandKind, MotionCommand
 from armui.control.motion.steered_path import SteeredJog, SteeredToolPath
 from armui.control.motion_end import abort_motion
-from armui.control.operations.operation import Consent, operation, record_start
+from armui.control.operations.operation import Consent, operation
 from armui.control.operations.started import Ending, Started
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.control.safety.standstill import QUIET_DEG, QUIET_S, RestWatch
@@ -172,33 +172,33 @@ class Jogging(ControllerPart):
         hold = self._hold
         return hold.jog if hold is not None and isinstance(hold.jog, SteeredJog) else None
 
-    @operation("jog.begin", "Jog", why_not_move, moves=True, consent=Consent.HELD)
-    def start(self, jog: Jog) -> Started | Refusal:
+    def _end_last(self) -> None:
+        """End the jog under way, and drop what waits: a press means something else."""
+        self.stop()
+        self._context.gate().halt()
+
+    @operation("jog.begin", "Jog", why_not_move, moves=True, consent=Consent.HELD, first=_end_last)
+    def start(self, started: Started, jog: Jog) -> Refusal | None:
         """Begin a jog that goes on until :meth:`stop`; a jog under way ends.
 
         A steered one ends as well if :meth:`steer` is not called for longer than a program may be
         stuck.
 
         Returns:
-            The record of the jog, or why it does not begin. The notice ``jog_ended`` tells what
+            Why it does not begin, or ``None``. The notice ``jog_ended`` tells what
             ends it later.
         """
-        self.stop()
-        context = self._context
-        context.gate().halt()
-        refusal = context.refresh().cannot_move
-        frame = _frame(jog)
-        if refusal is None and frame is not None:
+        context, frame = self._context, _frame(jog)
+        if frame is not None:
             refusal = self._cartesian.why_no_frame(frame) or self._cartesian.why_unknown()
-        if refusal is not None:
-            return context.refuse(refusal)
-        now_s = context.clock()
-        started, before = record_start(self.start), context.authority.command
+            if refusal is not None:
+                return refusal
+        now_s, before = context.clock(), context.authority.command
         self._hold = _Hold(jog, now_s, now_s, now_s, started, before=before)
         self._timer.start()
         context.refresh()
         self._tell_begun(started, jog)
-        return started
+        return None
 
     def _tell_begun(self, started: Started, jog: Jog) -> None:
         tell = self._context.tell

@@ -18,6 +18,7 @@ from armui.control.operations.operation import Consent, operation, record_start
 from armui.control.operations.started import Ending, Started
 from armui.control.requests import reports
 from armui.control.safety import interlocks
+from armui.control.safety.gate import drop_waiting
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.telemetry.events import EventKind, Level
 from armui.trajectory.files.errors import SPEED_OUT_OF_RANGE
@@ -124,7 +125,7 @@ class Motion(ControllerPart):
         return None if command is None else command.joints_deg
 
     @operation("motion.set_speed", "Set the motion speed", why_no_speed)
-    def set_speed_percent(self, percent: float) -> Started | Refusal:
+    def set_speed_percent(self, started: Started, percent: float) -> Refusal | None:
         """Set the speed of motions, 0–100 % of the arm's maximum (0x151 byte 2).
 
         The arm is told at once, in its present mode. Only the next motion brings the speed to the
@@ -133,14 +134,13 @@ class Motion(ControllerPart):
         """
         context = self._context
         if not 0 <= percent <= 100:
-            return context.refuse(SPEED_OUT_OF_RANGE(value=percent))
-        operating_state = context.refresh()
-        refusal = why_no_speed(operating_state)
+            return SPEED_OUT_OF_RANGE(value=percent)
+        operating_state = context.operating_state()
         slows = context.authority.lowers_speed(round(percent))  # a doubt is no reason against that
-        if refusal is None and operating_state.moving and not slows:
+        if operating_state.moving and not slows:
             refusal = operating_state.reference.why_not_move(percent)
-        if refusal is not None:
-            return context.refuse(refusal)
+            if refusal is not None:
+                return refusal
         lower = round(percent) < self.speed_percent
         self.speed_percent = round(percent)
         self._lower_speed.drop()
@@ -149,7 +149,6 @@ class Motion(ControllerPart):
             interlocks.why_no_command(operating_state.unreachable, operating_state.stop, None)
             is None
         )
-        started = record_start(self.set_speed_percent)
         started.close(Ending.SENT)
         if tellable and self.tell_speed():
             context.tell(SENT_SPEED, started, percent=self.speed_percent)
@@ -158,27 +157,23 @@ class Motion(ControllerPart):
         elif context.authority.holds:
             context.tell(SPEED_WAITS, started, percent=self.speed_percent)
         context.refresh()
-        return started
+        return None
 
     def tell_speed(self) -> bool:
         """Send the speed in the arm's present mode; return false if that is impossible now."""
         return self._context.tell_percent(self.speed_percent)
 
     @operation("motion.step", "Move a joint by a step", why_not_move, moves=True)
-    def jog(self, joint: int, delta_deg: float) -> Started | Refusal:
+    def jog(self, started: Started, joint: int, delta_deg: float) -> Refusal | None:
         """Move one joint by a step at once; the other five keep their targets."""
-        context = self._context
-        operating_state = context.refresh()
-        base_deg = context.authority.joint_base_deg()
+        base_deg = self._context.authority.joint_base_deg()
         if base_deg is None:
-            return context.refuse(operating_state.cannot_move or JOINTS_UNKNOWN())
-        limits = operating_state.limits
+            return JOINTS_UNKNOWN()
+        limits = self._context.operating_state().limits
         base_deg = settled(base_deg, limits)
-        refusal = operating_state.cannot_move or _why_no_step(
-            joint, base_deg[joint - 1], delta_deg, limits[joint - 1]
-        )
+        refusal = _why_no_step(joint, base_deg[joint - 1], delta_deg, limits[joint - 1])
         if refusal is not None:
-            return context.refuse(refusal)
+            return refusal
         target_deg = list(base_deg)
         target_deg[joint - 1] = asked = round(target_deg[joint - 1] + delta_deg, 3)
         if not limits[joint - 1].min_deg <= base_deg[joint - 1] <= limits[joint - 1].max_deg:
@@ -186,7 +181,7 @@ class Motion(ControllerPart):
             target_deg[joint - 1] = clipped(asked, limits[joint - 1])
         figures = {"joint": joint, "target": target_deg[joint - 1]}
         notice = JOGGED if target_deg[joint - 1] == asked else LED_TO_LIMIT
-        return self._move(record_start(self.jog), target_deg, notice, **figures)
+        return self._move(started, target_deg, notice, **figures)
 
     def jog_lagging(self, joint: int, step_deg: float) -> bool:
         """Return whether the arm lags so far that a held button should not step on."""
@@ -196,17 +191,32 @@ class Motion(ControllerPart):
         return abs(asked_deg[joint - 1] - heard.value) > _LAG_STEPS * abs(step_deg)
 
     @operation(
-        "motion.send", "Move the joints to angles", why_not_move, moves=True, shown_first=True
+        "motion.send",
+        "Move the joints to angles",
+        why_not_move,
+        moves=True,
+        shown_first=True,
+        first=drop_waiting,
     )
-    def send_joints(self, angles_deg: Sequence[float]) -> Started | Refusal:
+    def send_joints(self, started: Started, angles_deg: Sequence[float]) -> Refusal | None:
         """Move to six angles in degrees (MOVE J, 0x155–0x157 and 0x151)."""
-        figures = reports.numbered(angles_deg)
-        return self._move(record_start(self.send_joints), angles_deg, SENT_JOINTS, **figures)
+        return self._move(started, angles_deg, SENT_JOINTS, **reports.numbered(angles_deg))
 
-    @operation("motion.home", "Move to the factory zero angles", why_not_move, moves=True)
-    def go_home(self) -> Started | Refusal:
+    @operation(
+        "motion.home",
+        "Move to the factory zero angles",
+        why_not_move,
+        moves=True,
+        first=drop_waiting,
+    )
+    def go_home(self, started: Started) -> Refusal | None:
         """Move to the factory zero angles."""
-        return self._move(record_start(self.go_home), _HOME_DEG, WENT_HOME)
+        return self._move(started, _HOME_DEG, WENT_HOME)
+
+    def _drop_inside(self) -> None:
+        """Drop what waits, and the second part of the way back: it is looked for anew."""
+        drop_waiting(self)
+        self._next_deg = ()
 
     @operation(
         "motion.come_inside",
@@ -214,22 +224,19 @@ class Motion(ControllerPart):
         why_not_move,
         moves=True,
         consent=Consent.HELD,
+        first=_drop_inside,
     )
-    def come_inside(self) -> Started | Refusal:
+    def come_inside(self, started: Started) -> Refusal | None:
         """Bring an arm that lies outside its limits inside, slowly; its hand leaves its base then.
 
         All joints come inside together: until then the arm takes no other target.
         """
-        self._next_deg = ()
         targets = self._context.gate().ways_inside()
-        started = record_start(self.come_inside)
-        if not targets:
-            return self._context.refuse(self._context.refresh().cannot_move or NOTHING_OUTSIDE())
-        return self._come_inside(started, targets)
+        return self._come_inside(started, targets) if targets else NOTHING_OUTSIDE()
 
     def _come_inside(
         self, started: Started, targets: Sequence[tuple[float, ...]]
-    ) -> Started | Refusal:
+    ) -> Refusal | None:
         target_deg, *further = targets
 
         def on_sent(command: MotionCommand) -> None:
@@ -243,7 +250,7 @@ class Motion(ControllerPart):
             why_not=why_not_move,
             told=(COMES_INSIDE, reports.numbered(target_deg)),
         )
-        return self._context.gate().begin(replace(request, sent=on_sent))
+        return self._context.gate().send(replace(request, sent=on_sent))
 
     def _go_on_inside(self) -> None:
         """Take the second part of the way back once the first one has been gone."""
@@ -255,11 +262,15 @@ class Motion(ControllerPart):
             self._next_deg = ()
         elif authority.at_rest and not authority.under_way and command.started is not None:
             targets, self._next_deg = self._next_deg, ()
-            self._come_inside(record_start(self.come_inside), targets)
+            started = record_start(self.come_inside)
+            refusal = self._come_inside(started, targets)
+            if refusal is not None:
+                started.close(Ending.REFUSED)
+                self._context.refuse(refusal)
 
     def _move(
         self, started: Started, angles_deg: Sequence[float], notice: Notice, **figures: object
-    ) -> Started | Refusal:
+    ) -> Refusal | None:
         """Send six angles if that may be, and tell so with a notice."""
         context = self._context
         request = joint_request(
@@ -270,7 +281,7 @@ class Motion(ControllerPart):
             why_not=why_not_move,
             told=(notice, figures),
         )
-        return context.gate().begin(request)
+        return context.gate().send(request)
 
     def follow_arm(self) -> None:
         """Restore the operator's speed after a motion, and repeat a lower speed that is due.

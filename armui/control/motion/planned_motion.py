@@ -10,7 +10,7 @@ from armui.control.events import Notice
 from armui.control.motion.motion_command import Hold
 from armui.control.motion.retransmission import Retransmission
 from armui.control.operating_state import LINK_LOST
-from armui.control.operations.operation import operation, record_start
+from armui.control.operations.operation import operation
 from armui.control.operations.started import Ending, Started
 from armui.control.safety import interlocks
 from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN, SPEED_ZERO
@@ -119,30 +119,26 @@ class PlannedMotion(ControllerPart):
         why_not_plan,
         moves=True,
     )
-    def command(self, command: TrajectoryCommand) -> Started | Refusal:
+    def command(self, started: Started, command: TrajectoryCommand) -> Refusal | None:
         """Give a command of 0x150 byte 1.
 
         Raises:
             EncodeError: The command belongs to the transfer of points.
         """
         context = self._context
-        refusal = why_not_plan(context.refresh(), command)
+        frames = commands.trajectory_command(context.connection.codec, command)
+        if command in _ENDS:
+            self._end_all()
+            # past targets that wait to be sent
+            sent = context.connection.send_urgent(frames)
+            refusal = None if sent else LINK_LOST()
+            context.authority.cancelled(context.clock())
+        else:
+            refusal = self._send(command, frames)
         if refusal is None:
-            frames = commands.trajectory_command(context.connection.codec, command)
-            if command in _ENDS:
-                self._end_all()
-                # past targets that wait to be sent
-                sent = context.connection.send_urgent(frames)
-                refusal = None if sent else LINK_LOST()
-                context.authority.cancelled(context.clock())
-            else:
-                refusal = self._send(command, frames)
-        if refusal is not None:
-            return context.refuse(refusal)
-        started = record_start(self.command)
-        started.close(Ending.SENT)
-        context.tell(PLAN_SENT, started, plan=int(command))
-        return started
+            started.close(Ending.SENT)
+            context.tell(PLAN_SENT, started, plan=int(command))
+        return refusal
 
     def _send(self, command: TrajectoryCommand, frames: Sequence[Frame]) -> Refusal | None:
         authority, connection = self._context.authority, self._context.connection

@@ -3,19 +3,36 @@
 from __future__ import annotations
 
 import enum
+import inspect
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any, Final, TypeVar
+from functools import wraps
+from typing import TYPE_CHECKING, Any, Concatenate, Final, ParamSpec, Protocol, TypeVar
 
 from armui.arm.refusal import Refusal
 from armui.control.operating_state import OperatingState
-from armui.control.operations.started import Started
+from armui.control.operations.started import Ending, Started
 
-_Method = TypeVar("_Method", bound=Callable[..., object])
+if TYPE_CHECKING:
+    from armui.control.context import Context
+
 _ATTRIBUTE: Final = "_operation"
 
 WhyNot = Callable[..., Refusal | None]
-"""Returns a reason or ``None`` from the operating state and the arguments it depends on."""
+"""Returns a reason or ``None`` from the operating state and the arguments of the method that it
+depends on, by their names; what it takes by keyword only is not asked of the method."""
+
+
+class Part(Protocol):
+    """A part of the controller that has operations."""
+
+    @property
+    def _context(self) -> Context: ...
+
+
+_AnyPart = TypeVar("_AnyPart", bound=Part)
+_Method = TypeVar("_Method", bound=Callable[..., object])
+_P = ParamSpec("_P")
 
 
 class Consent(enum.Enum):
@@ -60,18 +77,91 @@ def operation(
     moves: bool = False,
     consent: Consent = Consent.NONE,
     shown_first: bool = False,
-) -> Callable[[_Method], _Method]:
-    """Declare a method of a part of the controller as an operation; see :class:`Operation`.
+    first: Callable[[Any], object] = lambda _part: None,
+) -> Callable[
+    [Callable[Concatenate[_AnyPart, Started, _P], Refusal | None]],
+    Callable[Concatenate[_AnyPart, _P], Started | Refusal],
+]:
+    """Make a method of a part of the controller an operation; see :class:`Operation`.
 
-    The method itself stays as it is, and so do the types its callers are checked against.
+    The reason against it is asked with what is heard now. Without one the method gets the record of
+    the command beside its arguments, and does its work; it returns ``None``, or why that could not
+    be done after all. A refusal is told the operator, here and nowhere else.
+
+    Args:
+        name: Its id.
+        title: Its English title.
+        why_not: As in :class:`Operation`.
+        moves: As in :class:`Operation`.
+        consent: As in :class:`Operation`.
+        shown_first: As in :class:`Operation`.
+        first: Does with the part what every press does, even one that is refused.
+
+    Returns:
+        What makes of the method one that returns the record of the command, or the refusal.
+
+    Raises:
+        TypeError: The reason depends on an argument that the method has not.
     """
 
-    def declare(method: _Method) -> _Method:
+    def wrap(
+        method: Callable[Concatenate[_AnyPart, Started, _P], Refusal | None],
+    ) -> Callable[Concatenate[_AnyPart, _P], Started | Refusal]:
+        signature = inspect.signature(method)
+        asked = _arguments_of(why_not)
+        if lost := sorted(asked - signature.parameters.keys()):
+            raise TypeError(f"{name}: the reason asks for {lost}")
+
+        @declare(name, title, why_not, moves=moves, consent=consent, shown_first=shown_first)
+        @wraps(method)
+        def carry_out(part: _AnyPart, /, *args: _P.args, **kwargs: _P.kwargs) -> Started | Refusal:
+            first(part)
+            context = part._context  # noqa: SLF001 - each part has kept what it was given
+            started = Started(name)
+            given = signature.bind(part, started, *args, **kwargs)
+            given.apply_defaults()
+            now = context.refresh()
+            refusal = why_not(now, **{each: given.arguments[each] for each in asked})
+            if refusal is None:
+                refusal = method(part, started, *args, **kwargs)
+            if refusal is None:
+                return started
+            started.close(Ending.REFUSED)
+            return context.refuse(refusal)
+
+        return carry_out
+
+    return wrap
+
+
+def _arguments_of(why_not: WhyNot) -> set[str]:
+    """Return the names of what a reason depends on beside the operating state."""
+    parameters = inspect.signature(why_not).parameters.values()
+    _now, *others = (each.name for each in parameters if each.kind is not each.KEYWORD_ONLY)
+    return set(others)
+
+
+def declare(
+    name: str,
+    title: str,
+    why_not: WhyNot,
+    *,
+    moves: bool = False,
+    consent: Consent = Consent.NONE,
+    shown_first: bool = False,
+) -> Callable[[_Method], _Method]:
+    """Declare a method as an :class:`Operation` that asks, records and refuses in a way of its own.
+
+    It is for what does not begin one command, told at each press; all others are made by
+    :func:`operation`.
+    """
+
+    def mark(method: _Method) -> _Method:
         declared = Operation(name, title, why_not, moves, consent, shown_first)
         setattr(method, _ATTRIBUTE, declared)
         return method
 
-    return declare
+    return mark
 
 
 def operation_of(method: Callable[..., object]) -> Operation:
@@ -85,7 +175,10 @@ def operation_of(method: Callable[..., object]) -> Operation:
 
 
 def record_start(method: Callable[..., object]) -> Started:
-    """Return the record of a declared method that begins now; the following part closes it."""
+    """Return the record of what a declared method has led to: a motion of its run, its next part.
+
+    The record of the command itself is made by :func:`operation`.
+    """
     return Started(operation_of(method).id)
 
 

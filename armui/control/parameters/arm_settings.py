@@ -16,7 +16,7 @@ from armui.arm.state import ArmState
 from armui.control.context import GENERATION_UNKNOWN, Context, ControllerPart
 from armui.control.events import Notice
 from armui.control.operating_state import OperatingState
-from armui.control.operations.operation import Consent, operation, record_start
+from armui.control.operations.operation import Consent, declare, operation
 from armui.control.operations.started import Ending, Started, ending_of
 from armui.control.parameters.setting_cell import CellState, SettingCellState
 from armui.control.parameters.setting_checks import (
@@ -176,7 +176,7 @@ class ArmSettings(QObject, ControllerPart):
 
     # What the operator wants ------------------------------------------------------------------
 
-    @operation("settings.read", "Read parameters", why_not_read)
+    @declare("settings.read", "Read parameters", why_not_read)
     def read(self, batches: Iterable[Batch]) -> Refusal | None:
         """Ask the arm for batches; those being read or saved already are left alone.
 
@@ -197,34 +197,34 @@ class ArmSettings(QObject, ControllerPart):
         return None
 
     @operation("settings.save", "Set parameters", why_no_settings, shown_first=True)
-    def save(self, changes: Changes) -> Started | Refusal:
+    def save(self, started: Started, changes: Changes) -> Refusal | None:
         """Set parameters and read back whether the arm has taken them.
 
         Only these are changed; the other fields of a frame are marked «leave unchanged» (generation
         2) or sent as they were read.
 
         Args:
+            started: The record of the command.
             changes: New values in the operator's units.
 
         Returns:
-            The record of the command, or why nothing was sent.
+            Why nothing was sent, or ``None``.
         """
-        codec = self._codec()
-        if isinstance(codec, Refusal):
-            return codec
-        refusal = self.why_not_kept(batches_of(changes)) or why_not(
-            codec, self._context.state(), changes
+        codec, state = self._context.connection.codec, self._context.state()
+        refusal = (
+            why_moving(state)
+            or self.why_not_kept(batches_of(changes))
+            or why_not(codec, state, changes)
         )
         if refusal is not None:
-            return self._context.refuse(refusal)
+            return refusal
         values = tuple((each.name, each.joint, value) for each, value in changes.items())
-        started = record_start(self.save)
         self._context.tell(SETTINGS_SENT, started, count=len(changes), values=values)
         self._saving, self._started = list(changes), started
         batches = batches_of(changes)
         self._submit(*(self._save(started, codec, batch, changes) for batch in batches))
         self.changed.emit()
-        return started
+        return None
 
     @operation(
         "settings.reset_end_limits",
@@ -232,9 +232,8 @@ class ArmSettings(QObject, ControllerPart):
         why_no_settings,
         consent=Consent.PRESS,
     )
-    def reset_end_limits(self) -> Started | Refusal:
+    def reset_end_limits(self, started: Started) -> Refusal | None:
         """【初始化】: restore the end's factory limits (0x477) and read them back."""
-        started = record_start(self.reset_end_limits)
         return self._reset(started, commands.reset_end_limits, [Batch(Group.END_LIMITS)])
 
     @operation(
@@ -243,9 +242,8 @@ class ArmSettings(QObject, ControllerPart):
         why_no_settings,
         consent=Consent.PRESS,
     )
-    def reset_joint_limits(self) -> Started | Refusal:
+    def reset_joint_limits(self, started: Started) -> Refusal | None:
         """Restore all joints' factory limits, speeds and accelerations (0x477)."""
-        started = record_start(self.reset_joint_limits)
         return self._reset(started, commands.reset_joint_limits, _JOINT_BATCHES)
 
     def settle(self, parameters: Iterable[Parameter]) -> None:
@@ -259,11 +257,6 @@ class ArmSettings(QObject, ControllerPart):
         self.changed.emit()
 
     # How it is carried out --------------------------------------------------------------------
-
-    def _codec(self) -> Codec | Refusal:
-        """Return what to speak, or why nothing can be set now."""
-        refusal = why_no_settings(self._context.refresh()) or why_moving(self._context.state())
-        return self._context.connection.codec if refusal is None else self._context.refuse(refusal)
 
     def _read(self, batch: Batch) -> None:
         self._mark(batch.parameters(), SettingCellState(CellState.READING))
@@ -303,16 +296,16 @@ class ArmSettings(QObject, ControllerPart):
         started: Started,
         command: Callable[[Codec], Sequence[Frame]],
         batches: Sequence[Batch],
-    ) -> Started | Refusal:
-        codec = self._codec()
-        if isinstance(codec, Refusal):
-            return codec
+    ) -> Refusal | None:
+        refusal = why_moving(self._context.state())
+        if refusal is not None:
+            return refusal
         for batch in batches:
             self._mark(batch.parameters(), SettingCellState(CellState.READING))
         self._context.tell(SETTINGS_RESET_SENT, started)
         self._submit(
             Transaction(
-                command(codec),
+                command(self._context.connection.codec),
                 partial(self._after_reset, started, batches),
                 SettingIndex.PARAMETER_COMMAND,
                 started=started,
@@ -321,7 +314,7 @@ class ArmSettings(QObject, ControllerPart):
             )
         )
         self.changed.emit()
-        return started
+        return None
 
     def _why_not_any_more(self) -> Refusal | None:
         """Return what has come up since the press against setting parameters."""

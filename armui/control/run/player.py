@@ -22,7 +22,7 @@ from armui.control.motion.point_frames import (
     why_not_possible,
 )
 from armui.control.operating_state import OperatingState
-from armui.control.operations.operation import Consent, operation, record_start
+from armui.control.operations.operation import Consent, declare, operation, record_start
 from armui.control.operations.started import Ending, Started
 from armui.control.parameters.arm_model import planning_model
 from armui.control.run.arrival import Arrival, ArrivalWatch
@@ -146,15 +146,12 @@ class Player(Execution):
     # What the operator wants ------------------------------------------------------------------
 
     @operation("run.start", "Run a trajectory", why_not_run, moves=True, shown_first=True)
-    def start(self, run: Run) -> Started | Refusal:
+    def start(self, started: Started, run: Run) -> Refusal | None:
         """Begin a run."""
         context = self._context
-        operating_state = context.refresh()
-        refusal = why_not_run(operating_state) or _why_empty(run)
-        if refusal is None:
-            refusal = why_not_possible(context.connection.generation, run.points)
+        refusal = _why_empty(run) or why_not_possible(context.connection.generation, run.points)
         if refusal is not None:
-            return context.refuse(refusal)
+            return refusal
         self._run, self._schedule = run, RunSchedule(run)
         # once: the question is asked at every look at the arm, and there may be 10,000 points
         self._has_lights = any(point.light for point in run.points)
@@ -163,30 +160,29 @@ class Player(Execution):
             Waypoint(MoveMode.MOVE_J, target_deg, speed_percent=COME_INSIDE_PERCENT)
             for target_deg in context.gate().ways_inside()
         ]
-        started = self._started = record_start(self.start)
+        self._started = started
         context.tell(RUN_STARTED, started, name=run.name)
         if self._way_in:
             context.tell(RUN_FROM_OUTSIDE)
         self._send_point()
-        return started
+        return None
 
     @operation("run.pause", "Pause the run", why_not_pause)
-    def pause(self) -> Started | Refusal:
+    def pause(self, started: Started) -> Refusal | None:
         """Have the arm stop where it is and keep its motion (0x150 byte 1 = 1)."""
         if self._phase not in {RunPhase.MOVING, RunPhase.DWELLING}:
-            return self._context.refuse(NOT_RUNNING())
+            return NOT_RUNNING()
         if self._phase is RunPhase.MOVING:
             self._hold.send()
         self._paused_phase, self._phase = self._phase, RunPhase.PAUSED
         self._paused_s = self._context.clock()
         self._await_hold()
-        started = record_start(self.pause)
         started.close(Ending.SENT)
         self._context.tell(RUN_PAUSED, started, row=self._index + 1)
         self._publish()
-        return started
+        return None
 
-    @operation("run.go_on", "Continue the run", why_not_go_on, moves=True, consent=Consent.HELD)
+    @declare("run.go_on", "Continue the run", why_not_go_on, moves=True, consent=Consent.HELD)
     def go_on(self) -> Started | Refusal | None:
         """End a pause (0x150 byte 1 = 2), or take the next step, which has no record of its own."""
         waits = self._phase is RunPhase.WAITING
@@ -366,7 +362,7 @@ class Player(Execution):
         context, percent = self._context, self._percent
         self._since_s = self._looked_s = context.clock()
         self._watch, self._phase = None, RunPhase.MOVING
-        answer = context.gate().send(
+        refusal = context.gate().send(
             MotionRequest(
                 started=record_start(self.start),
                 kind=CommandKind.RUN,
@@ -381,8 +377,8 @@ class Player(Execution):
                 refused=self._fail,
             )
         )
-        if isinstance(answer, Refusal):
-            self._fail(answer)
+        if refusal is not None:
+            self._fail(refusal)
         else:
             self._publish()
 

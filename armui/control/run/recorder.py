@@ -10,7 +10,7 @@ from armui.arm.refusal import Refusal
 from armui.control.context import Context, ControllerPart
 from armui.control.events import Notice
 from armui.control.operating_state import BUSY, OperatingState, why_unreachable
-from armui.control.operations.operation import operation, record_start
+from armui.control.operations.operation import operation
 from armui.control.operations.started import Ending, Started
 from armui.control.run.sample_store import SampleStore
 from armui.telemetry.events import Asker, EventKind, Level
@@ -76,22 +76,17 @@ class Recorder(QObject, ControllerPart):
         return 0.0 if self._samples is None else self._samples.duration_s
 
     @operation("recorder.start", "Record the arm's motion", why_not_record)
-    def start(self) -> Started | Refusal:
+    def start(self, started: Started) -> None:
         """Begin a new recording."""
-        refusal = why_not_record(self._context.refresh())
-        if refusal is not None:
-            return self._context.refuse(refusal)
-
         self._samples = SampleStore(self._context.operating_state().model_fit.taught_on)
         self.dropped = 0
         ring = self._context.connection.samples
         ring.take_samples()
         ring.dropped = 0
         ring.wanted = self._recording = True
-        started = self._started = record_start(self.start)
+        self._started = started
         self._context.tell(RECORDING_STARTED, started)
         self.changed.emit()
-        return started
 
     def rows_from(self, first: int) -> Array | None:
         """Return a copy of the samples from an index on; ``None`` if there are none."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import QObject, Qt, QTimer
 
@@ -28,15 +28,12 @@ from armui.control.run.player import (
     why_not_run,
 )
 from armui.control.run.progress import ENDLESS, Progress, RunPhase, sent_percent
-from armui.control.run.replay import why_behind, why_not
+from armui.control.run.replay import Replay, why_behind, why_not
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode
 from armui.telemetry.events import Asker, EventKind, Level
 from armui.trajectory.points.program import Waypoint
 from armui.ways.passes import Pass
-
-if TYPE_CHECKING:
-    from armui.control.run.replay import Replay
 
 REPLAY_GAP = Reason(
     "replay_gap",
@@ -107,74 +104,67 @@ class Replayer(Execution):
     # What the operator wants ------------------------------------------------------------------
 
     @operation("replay.start", "Replay a recording", why_not_run, moves=True, shown_first=True)
-    def start(self, replay: Replay) -> Started | Refusal:
+    def start(self, started: Started, replay: Replay) -> Refusal | None:
         """Begin a replay."""
         context = self._context
-        operating_state = context.refresh()
-        refusal = why_not_run(operating_state) or why_not(replay, operating_state)
+        refusal = why_not(replay, context.operating_state())
         if refusal is not None:
-            return context.refuse(refusal)
+            return refusal
         self._replay, self._cycle, self._at_s = replay, 1, 0.0
         self._way_in = list(context.gate().ways_inside())
         self._gripper_mm = None
-        started = self._started = record_start(self.start)
+        self._started = started
         refusal = self._approach(replay)
         if refusal is not None:
             self._replay, self._phase = None, RunPhase.IDLE
-            started.close(Ending.REFUSED)
-            return context.refuse(refusal)
+            return refusal
         context.tell(RUN_STARTED, started, name=replay.recording.name)
         if self._way_in:
             context.tell(RUN_FROM_OUTSIDE)
         self._timer.start()
         self._publish()
-        return started
+        return None
 
     @operation("replay.pause", "Pause the replay", why_not_pause)
-    def pause(self) -> Started | Refusal:
+    def pause(self, started: Started) -> Refusal | None:
         """Pause: by 0x150 on the way to the first sample, afterwards by sending no targets."""
         if self._phase is not RunPhase.MOVING:
-            return self._context.refuse(NOT_RUNNING())
+            return NOT_RUNNING()
         self._pace = 0.0
-        return self._pause()
+        self._pause(started)
+        return None
 
-    def _pause(self) -> Started:
+    def _pause(self, started: Started) -> None:
         if self._watch is not None:
             self._hold.send()
         self._phase = RunPhase.PAUSED
         self._await_hold()
-        started = record_start(self.pause)
         started.close(Ending.SENT)
         self._context.tell(REPLAY_PAUSED, started)
         self._publish()
-        return started
 
     @operation(
         "replay.go_on", "Continue the replay", why_not_go_on, moves=True, consent=Consent.HELD
     )
-    def go_on(self) -> Started | Refusal:
+    def go_on(self, started: Started) -> Refusal | None:
         """End a pause."""
         if self._phase is not RunPhase.PAUSED:
-            return self._context.refuse(NOT_PAUSED())
-        refusal = why_not_go_on(self._context.refresh())
-        if refusal is not None:
-            return self._context.refuse(refusal)
+            return NOT_PAUSED()
         refusal = None if self._watch is None else self._let_go_on(self._approach_percent)
         if refusal is not None:
-            return self._context.refuse(refusal)
+            return refusal
         self._phase = RunPhase.MOVING
         self._since_s = self._looked_s = self._context.clock()
-        started = record_start(self.go_on)
         started.close(Ending.SENT)
         self._context.tell(REPLAY_CONTINUED, started)
         self._publish()
-        return started
+        return None
 
     def set_override(self, percent: int) -> None:
         """Let the recorded time pass at another pace; 0 % brings it to a stop, as a pause."""
         self._override_percent = percent
         if percent == 0 and self._phase is RunPhase.MOVING:
-            self._pause()
+            self._pause(record_start(self.pause))
         elif self._watch is not None:
             self.tell_speed()
         if self.running:
@@ -253,8 +243,7 @@ class Replayer(Execution):
         request = replace(request, sent=self._on_set_out, refused=self._fail)
         if not self._way_in:
             request = replace(request, plan=replay.way)
-        answer = self._context.gate().send(request)
-        return answer if isinstance(answer, Refusal) else None
+        return self._context.gate().send(request)
 
     def _on_set_out(self, command: MotionCommand) -> None:
         replay = self._replay

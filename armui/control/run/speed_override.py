@@ -8,7 +8,7 @@ from armui.arm.refusal import Refusal
 from armui.control.context import Context, ControllerPart
 from armui.control.events import Notice
 from armui.control.motion.retransmission import Retransmission
-from armui.control.operations.operation import operation, record_start
+from armui.control.operations.operation import declare, record_start
 from armui.control.operations.started import Ending, Started
 from armui.control.run.player import NOT_RUNNING
 from armui.telemetry.events import EventKind, Level
@@ -62,7 +62,7 @@ class SpeedOverride(ControllerPart):
         self._lower_speed = Retransmission(context)
         self._before_zero = self.percent = FULL_PERCENT
 
-    @operation("run.override", "Set the speed override of runs", why_no_override)
+    @declare("run.override", "Set the speed override of runs", why_no_override)
     def set_percent(self, percent: float) -> Started | Refusal | None:
         """Set the share of their own speed for runs and replays, from this moment on.
 

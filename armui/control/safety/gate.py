@@ -31,6 +31,7 @@ from armui.ways.passes import Pass
 # The rules bring numpy along. They are loaded with the first arm: the window starts without them.
 if TYPE_CHECKING:
     from armui.control.operating_state import OperatingState
+    from armui.control.operations.operation import Part
     from armui.kinematics.poses import Matrix
     from armui.protocol.codes import MoveMode
     from armui.protocol.frame import Frame
@@ -282,20 +283,11 @@ class Gate(ControllerPart):
 
     # What is sent -------------------------------------------------------------------------------
 
-    def begin(self, request: MotionRequest) -> Started | Refusal:
-        """Do the same as :meth:`send`; the operator is told of a refusal."""
-        answer = self.send(request)
-        if not isinstance(answer, Refusal):
-            return answer
-        request.started.close(Ending.REFUSED)
-        return self._context.refuse(answer)
-
-    def send(self, request: MotionRequest) -> Started | Refusal:
+    def send(self, request: MotionRequest) -> Refusal | None:
         """Check a motion and send it, at once or within a second; another one that waits is void.
 
         Returns:
-            The record of the motion, which is closed if it is refused later, or why nothing was
-            sent.
+            Why nothing was sent, or ``None``; if it is refused later, its record is closed.
         """
         self._drop(Ending.CUT_OFF)
         context = self._context
@@ -328,7 +320,7 @@ class Gate(ControllerPart):
             return self._brake_first(request, measured_deg, motion)
         pending = self._wait_for(request)
         self._begin_check(pending, rules, planned)
-        return self._follow(pending) or request.started
+        return self._follow(pending)
 
     def _fluent(self, way: Way, motion: Momentum) -> Way | None:
         """Return the way of an arm that goes on to it from its motion; ``None``: it must brake."""
@@ -340,7 +332,7 @@ class Gate(ControllerPart):
 
     def _brake_first(
         self, request: MotionRequest, measured_deg: Sequence[float], motion: Momentum | None = None
-    ) -> Started | Refusal:
+    ) -> Refusal | None:
         """Have the arm end what it does; the motion follows once it rests.
 
         A motion that could not follow anyway ends no other one: where the arm will rest is known
@@ -357,7 +349,7 @@ class Gate(ControllerPart):
             abort_motion(self._context, End.REPLACED)
         self._rest.reset()
         self._wait_for(request)
-        return request.started
+        return None
 
     def _why_not_from(self, request: MotionRequest, begin_deg: Sequence[float]) -> Refusal | None:
         """Return why a motion could not begin at six angles, as far as that is known at once."""
@@ -387,7 +379,7 @@ class Gate(ControllerPart):
             self._threads = ThreadPoolExecutor(2, "armui-gate")
         return self._threads.submit(work)
 
-    def _send(self, request: MotionRequest, passed: Pass) -> Started | Refusal:
+    def _send(self, request: MotionRequest, passed: Pass) -> Refusal | None:
         frames = request.frames()
         if isinstance(frames, Refusal):
             return frames
@@ -410,7 +402,7 @@ class Gate(ControllerPart):
         if request.told is not None:
             notice, figures = request.told
             self._context.tell(notice, request.started, **figures)
-        return request.started
+        return None
 
     # The controller's tick ------------------------------------------------------------------
 
@@ -474,8 +466,7 @@ class Gate(ControllerPart):
         away_deg = max(abs(a - b) for a, b in zip(measured_deg, judged.begin_deg, strict=True))
         if self.rules() is not pending.rules or away_deg > _SAME_DEG:
             return BEGAN_ELSEWHERE()
-        sent = self._send(pending.request, self._let_through(judged, way))
-        return sent if isinstance(sent, Refusal) else None
+        return self._send(pending.request, self._let_through(judged, way))
 
     def _refuse(self, request: MotionRequest, refusal: Refusal) -> None:
         if request.refused is not None:
@@ -513,6 +504,11 @@ class Gate(ControllerPart):
         if self._threads is not None:
             self._threads.shutdown(wait=False, cancel_futures=True)
             self._threads = None
+
+
+def drop_waiting(part: Part) -> None:
+    """Drop the motion that waits: a press of another one voids it, even one that is refused."""
+    part._context.gate().halt()  # noqa: SLF001 - as an operation does
 
 
 def _is_short(way: Way, rules: Rules) -> bool:

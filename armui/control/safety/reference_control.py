@@ -17,7 +17,7 @@ from armui.control.events import Notice
 from armui.control.link.arm_key import arm_key
 from armui.control.motion.requests import joint_request
 from armui.control.operating_state import LinkState, OperatingState, StopState
-from armui.control.operations.operation import Consent, operation, record_start
+from armui.control.operations.operation import Consent, operation
 from armui.control.operations.started import Ending, Started
 from armui.control.safety.feedback_freshness import any_motor_off, in_drag_teaching
 from armui.control.safety.interlocks import JOINTS_UNKNOWN, MOVABLE_MODES, joint_list
@@ -211,31 +211,21 @@ class ReferenceControl(ControllerPart):
     @operation(
         "reference.allow", "Move with the reference in doubt", why_not_allow, consent=Consent.HELD
     )
-    def allow(self) -> Started | Refusal:
+    def allow(self, started: Started) -> None:
         """Agree to motions for a minute, though a joint's reference is in doubt."""
-        refusal = why_not_allow(self._context.refresh())
-        if refusal is not None:
-            return self._context.refuse(refusal)
         self._allowed_until_s = self._context.clock() + ALLOWED_S
-        started = record_start(self.allow)
         started.close(Ending.SENT)
         joints = joint_list(list(self.record.doubtful))
         self._context.tell(REFERENCE_ALLOWED, started, joints=joints, seconds=round(ALLOWED_S))
         self._context.refresh()
-        return started
 
     @operation("reference.begin", "Check the reference", why_not_begin)
-    def begin(self) -> Started | Refusal:
+    def begin(self, started: Started) -> None:
         """Begin the check; until it ends nothing moves but what it drives itself."""
-        refusal = why_not_begin(self._context.refresh())
-        if refusal is not None:
-            return self._context.refuse(refusal)
         self.check = ReferenceCheck(self.record.doubtful, self.record.pose_deg)
-        started = record_start(self.begin)
         started.close(Ending.SENT)
         self._context.tell(REFERENCE_CHECK_BEGUN, started)
         self._context.refresh()
-        return started
 
     @operation(
         "reference.drive",
@@ -244,40 +234,35 @@ class ReferenceControl(ControllerPart):
         moves=True,
         consent=Consent.HELD,
     )
-    def drive(self, joint: int) -> Started | Refusal:
+    def drive(self, started: Started, joint: int) -> Refusal | None:
         """Drive one joint (1–6) that is not in doubt to its mark, slowly; the others stay."""
         context, check = self._context, self.check
-        now = context.refresh()
-        refusal = why_not_drive(now, joint)
         measured_deg = context.authority.measured_deg()
-        step = None
-        if refusal is None and check is not None:
-            step = next(each for each in check.steps if each.joint == joint)
-            refusal = NO_MARK(joint=joint) if step.mark_deg is None else None
-        if refusal is None and measured_deg is None:
-            refusal = JOINTS_UNKNOWN()
-        if refusal is not None or step is None or step.mark_deg is None or measured_deg is None:
-            return context.refuse(refusal or CHECK_NOT_OPEN())
+        if check is None:
+            return CHECK_NOT_OPEN()
+        mark_deg = next(each for each in check.steps if each.joint == joint).mark_deg
+        if mark_deg is None or measured_deg is None:
+            return NO_MARK(joint=joint) if mark_deg is None else JOINTS_UNKNOWN()
         target_deg = list(measured_deg)
-        target_deg[joint - 1] = step.mark_deg
+        target_deg[joint - 1] = mark_deg
         request = joint_request(
             context,
-            record_start(self.drive),
+            started,
             target_deg,
             _DRIVE_PERCENT,
             why_not=lambda now: why_not_drive(now, joint),
-            told=(REFERENCE_DRIVEN, {"joint": joint, "target": step.mark_deg}),
+            told=(REFERENCE_DRIVEN, {"joint": joint, "target": mark_deg}),
         )
-        return context.gate().begin(request)
+        return context.gate().send(request)
 
     @operation(
         "reference.finish", "Finish the reference check", why_not_finish, consent=Consent.PRESS
     )
-    def finish(self) -> Started | Refusal:
+    def finish(self, started: Started) -> Refusal | None:
         """Keep the result of the check: what fits is in doubt no more."""
-        refusal, check = why_not_finish(self._context.refresh()), self.check
-        if refusal is not None or check is None:
-            return self._context.refuse(refusal or CHECK_NOT_OPEN())
+        check = self.check
+        if check is None:
+            return CHECK_NOT_OPEN()
         off_deg, at = check.off_deg, self._now()
         self.check = None
         self._allowed_until_s = -math.inf
@@ -290,29 +275,26 @@ class ReferenceControl(ControllerPart):
                 off_deg=off_deg,
             )
         )
-        started = record_start(self.finish)
         started.close(Ending.SENT)
         notice = REFERENCE_OFF if off_deg else REFERENCE_FITS
         self._context.tell(notice, started, joints=joint_list(list(off_deg)))
         self._context.refresh()
-        return started
+        return None
 
     @operation(
         "reference.teach", "Teach the reference pose", why_not_teach_pose, consent=Consent.PRESS
     )
-    def teach(self) -> Started | Refusal:
+    def teach(self, started: Started) -> Refusal | None:
         """Keep where the joints stand as the reference pose of this arm; its photo is dropped."""
-        refusal = why_not_teach_pose(self._context.refresh())
         angles_deg = self._context.state().angles_deg()
-        if refusal is not None or angles_deg is None:
-            return self._context.refuse(refusal or JOINTS_UNKNOWN())
+        if angles_deg is None:
+            return JOINTS_UNKNOWN()
         pose_deg = tuple(round(angle, 3) for angle in angles_deg)
         self._keep(replace(self.record, pose_deg=pose_deg, photo=""))
-        started = record_start(self.teach)
         started.close(Ending.SENT)
         self._context.tell(REFERENCE_TAUGHT, started)
         self._context.refresh()
-        return started
+        return None
 
     def keep_photo(self, path: str) -> None:
         """Keep the name of the file with a photo of the arm in its reference pose."""
