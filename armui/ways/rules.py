@@ -268,7 +268,8 @@ class Rules:
         """Return how much there is to look at on a way: its turn times what it may come to."""
         turn_deg = way.turn_deg * (_WITH_RAMPS if way.is_joint_move else 1.0)
         zones = sum(len(rule.bounds) for rule in self.every if rule.name == AREA)
-        return turn_deg * (_OWN_BODY_ZONES + zones)
+        # a motion that goes on fluently cannot wait for a thread
+        return turn_deg * (zones if any(way.spread_deg) else _OWN_BODY_ZONES + zones)
 
     def ramped(self, way: Way) -> Way:
         """Return a way with what the ramps of the joints may do to it."""

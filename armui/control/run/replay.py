@@ -68,12 +68,18 @@ class Replay:
         return tuple(float(angle) for angle in self.recording.joints_deg[0])
 
     def way(self, begin_deg: Sequence[float]) -> Way:
-        """Return the way from six angles to the first sample, along all, and back for a cycle."""
+        """Return the way from six angles to the first sample, along all, and back for a cycle.
+
+        The faster it is replayed, the further the arm may be off where it has to change its speed.
+        """
         from armui.ways.way import Way  # noqa: PLC0415 - numpy
 
         samples = self.recording.joints_deg
         back = samples[:1] if self.cycles != 1 else samples[:0]
-        return Way(np.vstack((np.array([begin_deg], dtype=float), samples, back)))
+        there = np.vstack((np.array([begin_deg], dtype=float), samples, back))
+        beside = np.zeros_like(there)
+        beside[1 : len(samples) + 1] = self.known.astray_deg * self.factor**2
+        return Way(there, beside_deg=beside)
 
     @cached_property
     def known(self) -> ReplayProfile:

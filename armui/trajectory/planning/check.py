@@ -274,12 +274,12 @@ def check(request: CheckRequest) -> CheckOutcome:
         cycles=request.cycles,
         speed_factor=request.speed_factor,
     )
-    found = _findings(content, path, request)
+    profile = replay_profile(content) if isinstance(content, Recording) else None
+    found = _findings(content, path, request, profile)
     if left_out:
         path = replace(path, rows=path.rows + left_out)
         found = [one if one.row is None else replace(one, row=one.row + left_out) for one in found]
         found.append(replace(BEGINS_OUTSIDE(seconds=round(left_out_s, 1)), row=left_out))
-    profile = replay_profile(content) if isinstance(content, Recording) else None
     by_place = {(one.kind, one.row, one.approach): one for one in reversed(found)}
     findings = tuple(sorted(by_place.values(), key=_rank))
     return CheckOutcome(path, path.expected_s, findings, profile, changed)
@@ -307,7 +307,9 @@ def _rank(finding: Finding) -> tuple[bool, int]:
     return finding.severity is not Severity.ERROR, -1 if finding.row is None else finding.row
 
 
-def _findings(content: Content, path: PlannedPath, request: CheckRequest) -> list[Finding]:
+def _findings(
+    content: Content, path: PlannedPath, request: CheckRequest, profile: ReplayProfile | None
+) -> list[Finding]:
     """Return what speaks against a path, by row; what concerns the whole comes first."""
     arm = request.arm
     findings = list(path.problems)
@@ -331,7 +333,7 @@ def _findings(content: Content, path: PlannedPath, request: CheckRequest) -> lis
         findings += _far_from_start(path)
         findings += _tool_too_fast(path, ~slow, arm)
         for carried, legs in _carried_legs(content, path, request):
-            findings += _broken(path, legs, carried, request)
+            findings += _broken(path, legs, carried, request, profile)
         findings = _tell_approach(findings, path)
     if any(each.cycle > 1 and each.severity is Severity.ERROR for each in findings):
         # what ends a later cycle says why they do not repeat
@@ -403,12 +405,23 @@ def _carried_legs(
 
 
 def _broken(
-    path: PlannedPath, legs: Sequence[_Leg], carried: Carried, request: CheckRequest
+    path: PlannedPath,
+    legs: Sequence[_Leg],
+    carried: Carried,
+    request: CheckRequest,
+    profile: ReplayProfile | None,
 ) -> Iterator[Finding]:
     """Yield where parts of a path break a rule, as the gate will ask it."""
     arm = replace(request.arm, held=carried.held)
     rules = rules_of(arm, carried.area, request.lowest_mm)
     ways = [rules.ramped(leg.way(path)) for leg in legs]
+    if profile is not None:
+        astray = profile.astray_deg.astype(float) * request.speed_factor**2
+        rows = [path.rows[leg.begin : leg.end + 1] for leg in legs]
+        ways[1:] = [
+            replace(way, beside_deg=astray[row])
+            for way, row in zip(ways[1:], rows[1:], strict=True)
+        ]
     for rule in rules.every:
         for leg, breach in _broken_legs(path, legs, ways, rule):
             kind = _KINDS[rule.name]
@@ -435,13 +448,17 @@ def _broken_legs(
         breach = _broken_approach(ways[0], rule)
         found += [] if breach is None else [(0, breach)]
     found += [(planned + place, breach) for place, breach in breaches(ways[planned:], rule)]
+    # where a part begins is told of the end of the one before
+    found = [
+        (place, breach)
+        for place, breach in found
+        if legs[place].begin in {0, legs[place].end}
+        or legs[place].nearest(path, breach.joints_deg) > legs[place].begin
+    ]
     runs = groupby(enumerate(found), lambda one: one[1][0] - one[0] if _is_recorded(path) else one)
     for _, run in runs:
         place, breach = max((one for _, one in run), key=lambda one: one[1].outside)
-        leg = legs[place]
-        # the end of the part before is told of where this one begins
-        if leg.begin in {0, leg.end} or leg.nearest(path, breach.joints_deg) > leg.begin:
-            yield leg, breach
+        yield legs[place], breach
 
 
 def _broken_approach(way: Way, rule: Rule) -> Excess | None:
