@@ -93,12 +93,12 @@ def corner_box(gap_mm):
 
 def test_a_corner_that_is_cut_into_a_zone_is_refused_and_driven_slowly(rig):
     accepted(rig.controller.motion.send_joints(LOW))
-    rig.run_until(lambda: not rig.controller.operating_state.moving)
+    rig.run(6.0)
     box = corner_box(MARGIN_MM + 8.0)
     accepted(rig.controller.cell.take(Cell("bench", area=area_of(box, margin_mm=MARGIN_MM))))
     answer = rig.controller.replayer.start(Replay(recording(120.0)))
     assert isinstance(answer, Refusal)
     assert answer.reason == AREA_IN_THE_WAY
-    accepted(rig.controller.replayer.start(Replay(recording(120.0), factor=0.1)))
+    accepted(rig.controller.replayer.start(Replay(recording(120.0), factor=0.2)))
     angles = driven(rig)
     assert check_of(box).gaps(angles).min() >= MARGIN_MM - 1.0
