@@ -17,7 +17,9 @@ from armui.control.motion.jog_path import JointJog
 from armui.control.operations.started import Ending, Started
 from armui.control.safety import gate
 from armui.control.safety.gate import BEGAN_ELSEWHERE, NOT_IN_TIME
+from armui.control.safety.interlocks import SPEED_ZERO
 from armui.kinematics.axes import JogFrame
+from armui.protocol.codes import MoveMode
 from armui.protocol.frame import Frame
 from armui.protocol.motion_frames import is_motion_frame
 from armui.ways.passes import Pass
@@ -234,6 +236,28 @@ def test_a_jog_voids_what_waits(moving):
     rig.run(3.0)
     assert waits.ending is Ending.CUT_OFF
     assert rig.firmware.joints_deg[0] > 0.0
+
+
+@pytest.mark.parametrize(
+    "press",
+    [
+        lambda arm: arm.motion.send_joints(HERE),
+        lambda arm: arm.motion.go_home(),
+        lambda arm: arm.motion.come_inside(),
+        lambda arm: arm.cartesian.move((300.0, 0.0, 300.0, 0.0, 90.0, 0.0), MoveMode.MOVE_P),
+        lambda arm: arm.cartesian.move_arc(*3 * ((300.0, 0.0, 300.0, 0.0, 90.0, 0.0),)),
+        lambda arm: arm.jogging.start(JointJog(2, 1)),
+    ],
+)
+def test_a_press_that_is_refused_voids_what_waits_too(moving, press):
+    rig = moving
+    waits = accepted(rig.controller.motion.send_joints(BACK))
+    percent, rig.controller.motion.speed_percent = rig.controller.motion.speed_percent, 0
+    assert press(rig.controller) == SPEED_ZERO()
+    assert waits.ending is Ending.CUT_OFF
+    rig.controller.motion.speed_percent = percent
+    rig.run(3.0)
+    assert 0x155 not in ids(rig)
 
 
 # A check that takes its time ---------------------------------------------------------------------
