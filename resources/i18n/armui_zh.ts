@@ -8360,10 +8360,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>暂停、继续、清除或终止规划运动</translation>
     </message>
     <message>
-        <source>Read parameters</source>
-        <translation>读取参数</translation>
-    </message>
-    <message>
         <source>Set parameters</source>
         <translation>设置参数</translation>
     </message>
@@ -8384,10 +8380,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>暂停执行</translation>
     </message>
     <message>
-        <source>Continue the run</source>
-        <translation>继续执行</translation>
-    </message>
-    <message>
         <source>Record the arm&apos;s motion</source>
         <translation>录制机械臂运动</translation>
     </message>
@@ -8402,10 +8394,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Continue the replay</source>
         <translation>继续回放</translation>
-    </message>
-    <message>
-        <source>Set the speed override of runs</source>
-        <translation>设置运行倍率</translation>
     </message>
     <message>
         <source>Make or import a cell</source>
@@ -10227,10 +10215,6 @@ The other program must have ended.</source>
         <translation>位于限位之外（静置的机械臂即如此）：{outside}。回到限位内之前，机械臂不接受其他目标；请按住“回到限位内”：各关节一起缓慢移动。</translation>
     </message>
     <message>
-        <source>The fingertip is {value} mm below the floor. Jog upwards unless there is nothing there. Settings have a lowest height for jogs.</source>
-        <translation>末端在地面以下 {value} mm。除非那里没有物体，请向上点动。“设置”中可选点动的最低高度。</translation>
-    </message>
-    <message>
         <source>Ready</source>
         <translation>就绪</translation>
     </message>
@@ -10301,6 +10285,10 @@ The other program must have ended.</source>
     <message>
         <source>A trajectory is running</source>
         <translation>正在执行轨迹</translation>
+    </message>
+    <message>
+        <source>The fingertip is {value} mm below the floor. Jog upwards unless there is nothing there. Settings have a lowest height for motions.</source>
+        <translation>末端在地面以下 {value} mm。除非那里没有物体，请向上点动。“设置”中可选运动的最低高度。</translation>
     </message>
     <message>
         <source>The arm is moving</source>
@@ -12692,6 +12680,10 @@ The other program must have ended.</source>
         <translation>点动步长</translation>
     </message>
     <message>
+        <source>lowest height</source>
+        <translation>最低高度</translation>
+    </message>
+    <message>
         <source>robot description</source>
         <translation>机器人模型</translation>
     </message>
@@ -12751,10 +12743,6 @@ The other program must have ended.</source>
         <source>models of the arms</source>
         <translation>机械臂型号</translation>
     </message>
-    <message>
-        <source>lowest height for jogs</source>
-        <translation>点动最低高度</translation>
-    </message>
 </context>
 <context>
     <name>SettingsDialog</name>
@@ -12793,6 +12781,10 @@ The other program must have ended.</source>
     <message>
         <source>Robot description (URDF)</source>
         <translation>机器人模型（URDF）</translation>
+    </message>
+    <message>
+        <source>Above the floor: the plane the arm stands on, or the room&apos;s floor where the cell says under Base how the arm stands. 0 mm is the floor, negative is below it. Every motion keeps to it: jogs, steps, single motions, runs and replays. An arm that is lower may only go up.</source>
+        <translation>高于地面：机械臂所在的平面，或单元“底座”中给出的房间地面。0 mm 即地面，负值在其下。所有运动都遵守：点动、步进、单次运动、轨迹和回放。已低于它的机械臂只能向上。</translation>
     </message>
     <message>
         <source>Browse…</source>
@@ -12835,10 +12827,6 @@ The other program must have ended.</source>
         <translation>运动止于末端的最低高度</translation>
     </message>
     <message>
-        <source>Above the floor: the plane the arm stands on, or the room&apos;s floor where the cell says under Base how the arm stands. 0 mm is the floor, negative is below it. Jogs, steps and single motions keep to it; runs are checked against the floor. An arm that is lower may only go up.</source>
-        <translation>相对地面：机械臂所立的平面；若单元在“底座”中说明了机械臂如何安放，则为房间的地面。0 mm 为地面，负值在其下。点动、步进和单次运动遵守此高度；轨迹运行按地面检查。低于此高度的机械臂只能向上。</translation>
-    </message>
-    <message>
         <source>Gamepad, SpaceMouse</source>
         <translation>手柄、SpaceMouse</translation>
     </message>
@@ -12857,10 +12845,6 @@ The other program must have ended.</source>
     <message>
         <source>Built-in model of the {model}</source>
         <translation>{model} 内置模型</translation>
-    </message>
-    <message>
-        <source>Jogs end at a lowest height of the fingertip</source>
-        <translation>点动止于末端最低高度</translation>
     </message>
     <message>
         <source>About armui…</source>

@@ -364,7 +364,7 @@ class StepKind(enum.Enum):
     BELOW_BASE = StepText(
         "below_base",
         "The fingertip is {value} mm below the floor. Jog upwards unless there "
-        "is nothing there. Settings have a lowest height for jogs.",
+        "is nothing there. Settings have a lowest height for motions.",
     )
     MOVING = StepText("moving", "The arm is moving")
     READY = StepText("ready", "Ready")

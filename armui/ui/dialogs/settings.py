@@ -70,7 +70,7 @@ class SettingsDialog(ArmDialog):
         ),
         Command(
             "settings.jog_floor",
-            Text("SettingsDialog", "Jogs end at a lowest height of the fingertip"),
+            Text("SettingsDialog", "Motions end at a lowest height of the fingertip"),
         ),
     )
     diagnosis_wanted = Signal()
@@ -190,8 +190,8 @@ class SettingsDialog(ArmDialog):
         tip = self.tr(
             "Above the floor: the plane the arm stands on, or the room's floor where the cell says "
             "under Base how the arm stands. 0 mm is the floor, negative is below it. "
-            "Jogs, steps and single motions keep to it; runs are checked against the floor. An arm "
-            "that is lower may only go up."
+            "Every motion keeps to it: jogs, steps, single motions, runs and replays. An arm that "
+            "is lower may only go up."
         )
         caption(self.jog_floor_box, text, tip=tip)
         self.jog_floor_spin.setAccessibleName(text)

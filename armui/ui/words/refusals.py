@@ -38,7 +38,7 @@ _SETTING_NAMES: Final = Texts("SettingName") | {
     "language": "language",
     "theme": "theme",
     "jog_step_deg": "jog step",
-    "jog_floor_mm": "lowest height for jogs",
+    "jog_floor_mm": "lowest height",
     "models": "models of the arms",
     "urdf_path": "robot description",
     "tool": "tool centre point",
