@@ -159,12 +159,6 @@ def joint_places(geometry: Geometry, joints_deg: Sequence[float]) -> tuple[Vecto
     return arm.turned(arm.elbow), arm.turned(arm.wrist), arm.turned(arm.flange)
 
 
-def flange_heights(geometry: Geometry, joints_deg: Matrix) -> Matrix:
-    """Return (…) the heights of the flange in mm at (…, 6) joint angles, without the rest."""
-    height: Matrix = plane_vectors(geometry, joints_deg).flange[2]
-    return height
-
-
 def plane_vectors(geometry: Geometry, joints_deg: Matrix) -> PlaneVectors:
     """Return the arm in its plane at (…, 6) joint angles; each component is a number or (…)."""
     return _plane_vectors(geometry, components(joints_deg), np.cos, np.sin, np.radians)

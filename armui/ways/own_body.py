@@ -49,8 +49,6 @@ _PALM_AT_MM: Final = 54.0
 _PALM_HALF_MM: Final = 56.0
 _PALM_RADIUS_MM: Final = 14.0
 _FINGER_RADIUS_MM: Final = 18.0
-_FURTHEST_MM: Final = 75.0
-"""The largest distance of a part of hand and gripper from their axis."""
 _SMALL_MM: Final = 1e-9
 
 

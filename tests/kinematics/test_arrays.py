@@ -8,7 +8,7 @@ from py_opw_kinematics import KinematicModel, Robot
 from scipy.spatial.transform import RigidTransform
 
 from armui.kinematics.arm_kinematics import Kinematics
-from armui.kinematics.forward import flange_heights, flange_transforms
+from armui.kinematics.forward import flange_transforms
 from armui.kinematics.inverse import missing_mm, solutions
 from armui.kinematics.poses import matrix_to_pose
 from armui.kinematics.singularity import jacobians, margins
@@ -76,7 +76,6 @@ def test_many_poses_are_what_each_of_them_is(name, geometry, joints):
 
     one_by_one = np.array([kinematics.matrix(row) for row in joints])
     assert together == pytest.approx(one_by_one.reshape(3, 101, 4, 4), abs=1e-9)
-    assert flange_heights(geometry, joints) == pytest.approx(one_by_one[:, 2, 3], abs=1e-9)
 
 
 def test_the_library_finds_the_same_solutions(opw_name, geometry, library, joints):

@@ -293,11 +293,6 @@ class Cartesian(ControllerPart):
         request = replace(request, frames=frames, tool_way=way, told=(SENT_ARC, {}))
         return context.gate().send(request)
 
-    def check_arc(self, *points: Sequence[float]) -> Refusal | None:
-        """Return why the arm cannot follow an arc from where it stands, or ``None``."""
-        way = self._plan_arc(points)(self._start_deg())
-        return way if isinstance(way, Refusal) else self._context.gate().judge(way)
-
     def _plan_arc(self, points: Sequence[Sequence[float]]) -> Plan:
         """Return what plans the way along an arc, which begins at the first of three poses."""
 

@@ -199,7 +199,6 @@ class Recovery(ControllerPart):
             Action.LEAVE_CELL: lambda _step: cell.choose(""),
         }
         self._mode_exit = mode_exit
-        self._planned_motion = planned_motion
 
     def act(
         self, step: Step, action: Action | None = None, mark: ArmMark | None = None

@@ -150,8 +150,6 @@ _MOST_LOOKED_AT: Final = 200_000
 _ARCHIVES: Final = (b"PK\x03\x04", b"7z\xbc\xaf\x27\x1c", b"Rar!", b"\x1f\x8b", b"BZh", b"\xfd7zXZ")
 """The first bytes of zip, 7z, rar, gzip, bzip2 and xz files."""
 
-_NOT_DATA: Final = FrameFlag.EXTENDED | FrameFlag.REMOTE | FrameFlag.ERROR
-
 
 def index_log(path: Path, folder: Path, most_frames: int = MOST_FRAMES) -> LogIndex:
     """Read a log into columns.

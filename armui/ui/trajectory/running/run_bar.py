@@ -45,8 +45,6 @@ from armui.ui.words.text import Text
 _ONCE, _TIMES, _LOOP = range(3)
 _SPIN_PX: Final = 34
 _SEND_KEY: Final = keys_of("editor.send")
-_SURPRISING_S: Final = 2.0
-"""If the check took longer, the operator no longer expects the arm to move."""
 
 
 @dataclass(frozen=True, slots=True)
