@@ -14,6 +14,7 @@ from armui.ui.actions.shortcut_list import ShortcutList
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.sections import KeyCap
 from armui.ui.dialogs.settings import SettingsDialog
+from armui.ui.panels.cell.cell_panel import TABS as CELL_TABS
 from armui.ui.trajectory.library.library_page import LibraryPage
 from tests.app_driver import PANELS
 from tests.operator.test_running import BACK, OUT, Operator, to
@@ -236,6 +237,13 @@ def moving(app_driver):
     app_driver.run(0.3)
 
 
+def show_all_of(app_driver, panel):
+    """Open a panel, and each of its tabs: what is on one is made when it is first shown."""
+    app_driver.click(f"menu_{panel}")
+    for tab in CELL_TABS if panel == "cell" else ():
+        app_driver.click(f"cell_tab_{tab.key}")
+
+
 @pytest.mark.parametrize(
     "state",
     [no_device, disabled, enabled, stopped, teaching, moving],
@@ -245,7 +253,7 @@ def test_a_button_that_is_not_seen_has_the_reason_it_has_when_it_is(app_driver, 
     state(app_driver)
     wrong = {}
     for panel in PANELS:
-        app_driver.click(f"menu_{panel}")
+        show_all_of(app_driver, panel)
         app_driver.run_until(lambda: not app_driver.controller.settings.busy)
         now, seen = app_driver.controller.operating_state, targets(app_driver)
         for each in commands(app_driver):
@@ -262,7 +270,7 @@ def test_a_button_that_is_not_seen_has_the_reason_it_has_when_it_is(app_driver, 
 def test_every_command_of_a_panel_has_its_button(app_driver):
     app_driver.connect()
     for panel in PANELS:
-        app_driver.click(f"menu_{panel}")
+        show_all_of(app_driver, panel)
         seen = targets(app_driver)
         for each in commands(app_driver):
             if each.place in {panel, "window", "view"}:
