@@ -167,7 +167,7 @@ def _of_tables(tree: ast.Module) -> Iterator[tuple[str, str]]:
                     if isinstance(text, ast.Constant):
                         yield context, str(text.value)
             case ast.Call(
-                func=ast.Name(id="operation"),
+                func=ast.Name(id="operation" | "declare"),
                 args=[ast.Constant(), ast.Constant(value=str(title)), *_],
             ):
                 yield "Operation", title

@@ -16,6 +16,10 @@ def wait_until(condition: Callable[[], object], limit_ms: int = LIMIT_MS) -> Non
     limit.timeout.connect(loop.quit)
     look.start()
     limit.start()
-    if not condition():
-        loop.exec()
+    try:
+        if not condition():
+            loop.exec()
+    finally:  # what fails here is not asked for in the tests behind it
+        look.stop()
+        limit.stop()
     assert condition(), "it never came"

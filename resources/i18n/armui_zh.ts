@@ -8360,6 +8360,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>暂停、继续、清除或终止规划运动</translation>
     </message>
     <message>
+        <source>Read parameters</source>
+        <translation>读取参数</translation>
+    </message>
+    <message>
         <source>Set parameters</source>
         <translation>设置参数</translation>
     </message>
@@ -8378,6 +8382,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Pause the run</source>
         <translation>暂停执行</translation>
+    </message>
+    <message>
+        <source>Continue the run</source>
+        <translation>继续执行</translation>
     </message>
     <message>
         <source>Record the arm&apos;s motion</source>
@@ -8418,6 +8426,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Say what the hand holds</source>
         <translation>标记夹爪夹持的工件</translation>
+    </message>
+    <message>
+        <source>Set the speed override of runs</source>
+        <translation>设置运行倍率</translation>
     </message>
     <message>
         <source>Teach the reference pose</source>

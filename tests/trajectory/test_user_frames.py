@@ -80,10 +80,10 @@ def test_the_way_in_a_frame_is_the_way_in_the_base():
     points = (pose(AWAY), line(OVER), arc(pose_near(HERE, (20, 20, 20)), AWAY), joint(*HERE))
     based = checked(ARM, *points)
     there = checked(ARM_AT, *(each if each.is_joint else framed(each) for each in points))
-    assert based.in_base is None
+    assert based.as_checked is None
     assert there.path.joints_deg == pytest.approx(based.path.joints_deg, abs=1e-4)
     assert [each.code for each in there.findings] == [each.code for each in based.findings]
-    assert [each.frame for each in there.in_base.points] == [""] * 4
+    assert [each.frame for each in there.as_checked.points] == [""] * 4
 
 
 def test_the_frame_moved_and_turned_carries_the_end_of_the_way():

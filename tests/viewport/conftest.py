@@ -1,6 +1,7 @@
 """One view and its process for all tests of a module: starting a process takes a second."""
 
 import pytest
+from PySide6.QtCore import QCoreApplication, QEvent
 
 from armui.system.paths import URDF
 from armui.viewport.palette import LIGHT
@@ -26,6 +27,8 @@ def drawn_view(qapp):
     view.shutdown()
     view.close()
     view.deleteLater()
+    # now, and not while the view of the next module is made
+    QCoreApplication.sendPostedEvents(view, QEvent.Type.DeferredDelete)
 
 
 @pytest.fixture
