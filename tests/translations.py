@@ -121,7 +121,9 @@ def lupdate(ts: Path) -> None:
     options += ["-tr-function-alias", "QT_TRANSLATE_NOOP+=Text"]
     with tempfile.TemporaryDirectory() as folder:
         tables = Path(folder) / "tables.py"
-        texts = [*_of_value_tables(), *(text for _, tree in modules() for text in _of_tables(tree))]
+        trees = [tree for _, tree in modules()]
+        of_trees = (text for tree in trees for of in (_of_tables, _of_acts) for text in of(tree))
+        texts = [*_of_value_tables(), *of_trees]
         for each in constants():
             texts += [(each.context, text) for text in (each.source, *each.more)]
         texts += [(command_line.CONTEXT, text) for text in command_texts()]
@@ -171,6 +173,18 @@ def _of_tables(tree: ast.Module) -> Iterator[tuple[str, str]]:
                 args=[ast.Constant(), ast.Constant(value=str(title)), *_],
             ):
                 yield "Operation", title
+
+
+def _of_acts(tree: ast.Module) -> Iterator[tuple[str, str]]:
+    """Context and text of the acts that the classes of a file declare."""
+    for declared in (each for each in ast.walk(tree) if isinstance(each, ast.ClassDef)):
+        for call in ast.walk(declared):
+            match call:
+                case ast.Call(func=ast.Name(id="Act"), args=args, keywords=more):
+                    tips = [each.value for each in more if each.arg == "tip"]
+                    for said in (*args[:1], *tips):
+                        if isinstance(said, ast.Constant) and said.value:
+                            yield declared.name, str(said.value)
 
 
 def _of_value_tables() -> list[tuple[str, str]]:

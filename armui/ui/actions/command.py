@@ -22,8 +22,8 @@ Target = QWidget | QAction
 """The widget or action that carries out a command: a button, a field that it leads to, or an
 action.
 """
-Reason = Callable[[OperatingState], str]
-"""Returns the reason in words why something cannot be done now; empty if it can."""
+Needs = Callable[[OperatingState], str]
+"""Returns in words what is missing for something to be done now; empty if nothing is."""
 
 
 def no_reason(*_: object) -> str:
@@ -70,7 +70,7 @@ class Command:
     own_title: Text | None = None
     operation: Operation | None = None
     arguments: Mapping[str, object] = field(default_factory=dict)
-    needs: Reason = no_reason
+    needs: Needs = no_reason
     leads: bool = False
     presses: bool = True
     risky: bool = False

@@ -10,6 +10,7 @@ from PySide6.QtCore import QCoreApplication
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QAbstractButton, QWidget
 
+from armui.ui.actions.act import BoundAct, HasActs
 from armui.ui.actions.command import Command, CommandSource, Target
 from armui.ui.widgets.hold_button import HoldButton
 
@@ -30,7 +31,8 @@ class PaletteItem:
         reason: The reason why it cannot be done now; empty if none is known.
         command: The command.
         source: The part of the window that offers it.
-        target: Carries it out; ``None`` if its page is hidden.
+        target: Carries it out, or leads to what does; ``None`` if its page is hidden.
+        act: The act that it is, if its part declares it as one.
         seen: True if the target is visible.
     """
 
@@ -40,6 +42,7 @@ class PaletteItem:
     command: Command
     source: CommandSource
     target: Target | None
+    act: BoundAct | None
     seen: bool
 
     @property
@@ -97,6 +100,8 @@ class PaletteItems:
         if item.command.only_led_to or (item.command.shown_first and not was_seen):
             if isinstance(target, QWidget):
                 lead_to(target)
+        elif item.act is not None:
+            item.act.press()
         elif isinstance(target, QAction):
             target.trigger()
         else:
@@ -112,13 +117,14 @@ class PaletteItems:
             title, place = command.title.text(), self._places[command.place].text()
             target = targets.get(command.name)
             seen = isinstance(target, QAction) or (target is not None and target.isVisible())
+            act = owner.act_of(command.name) if isinstance(owner, HasActs) else None
             if seen:
-                reason = _why_off(target)
+                reason = _why_off(target) if act is None else act.reason()
             else:
                 reason = source.why_not() or command.needs(now) or command.refusal(now)
                 reason = reason or (nothing_to_do() if known else "")
             place = "" if place == title else place
-            items.append(PaletteItem(title, place, reason, command, source, target, seen))
+            items.append(PaletteItem(title, place, reason, command, source, target, act, seen))
         return items
 
 

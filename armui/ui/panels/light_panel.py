@@ -24,24 +24,19 @@ from armui.arm.refusal import Reason, Refusal
 from armui.control.arm_controller import ArmController
 from armui.control.devices.lights import RANGES, Lights, check_light, why_no_lamps
 from armui.control.operating_state import OperatingState
-from armui.control.operations.operation import operation_of
 from armui.protocol.codes import ALL_LAMPS
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.actions.act import Act
 from armui.ui.actions.command import Command, Target
-from armui.ui.actions.keys import keys_of
 from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.panels.panel import Panel
 from armui.ui.theme import colors_of, scaled_font
 from armui.ui.widgets import painting
 from armui.ui.widgets.buttons import (
-    caption,
     choice_button,
     describe,
-    enable_or_explain,
     named,
-    push_button,
-    show_primary,
 )
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import STRETCH, empty_grid, in_row, scrolled
@@ -173,7 +168,6 @@ class ChannelRow(QWidget):
 _CHANNELS: Final = ("red", "green", "blue")
 _TALLEST_CARD_PX: Final = 270
 _FIELD_PX: Final = 74
-_CONFIRM_KEY: Final = keys_of("light.confirm")
 _PICKER: Final = (
     QColorDialog.ColorDialogOption.DontUseNativeDialog,
     QColorDialog.ColorDialogOption.NoButtons,
@@ -233,9 +227,24 @@ class LightPanel(Panel):
 
     commands = (
         Command("light.all", Text("LightPanel", "All lamps of the joint")),
-        Command("light.pick", Text("LightPanel", "Colour of the lamps")),
-        Command("light.confirm", operation=operation_of(Lights.set_light)),
         *(Command(f"light.joint_{j}", replace(_LAMPS, suffix=f"J{j}")) for j in JOINTS),
+    )
+
+    pick = Act(
+        "Pick a colour…",
+        named="pick_color_button",
+        tip="Opens a window to pick a colour in; nothing is sent.",
+        key="light.pick",
+        title=Text("LightPanel", "Colour of the lamps"),
+    )
+    confirm = Act(
+        "Confirm",
+        named="light_confirm_button",
+        does=Lights.set_light,
+        tip="Sends the colour to the lamps; nothing moves.",
+        key="light.confirm",
+        primary=True,
+        least_height_px=38,
     )
 
     def __init__(self, controller: ArmController) -> None:
@@ -250,12 +259,9 @@ class LightPanel(Panel):
         self._all_lamps = named("all_lamps", QCheckBox())
         self._all_lamps.setChecked(True)
         self._rows = {name: ChannelRow(name) for name in _CHANNELS}
-        self._pick = push_button("pick_color_button")
         self._picker: ColorDialog | None = None
         self._effect_label = QLabel()
         self._effect = named("effect_strip", ColorStrip())
-        self._confirm = push_button("light_confirm_button", primary=True)
-        self._confirm.setMinimumHeight(38)
         self._sent: tuple[object, ...] | None = None
         self._note = text_label("light_note", rank="muted", wraps=True)
         self._lay_out()
@@ -266,9 +272,8 @@ class LightPanel(Panel):
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
         return {
+            **super().command_targets(),
             "light.all": self._all_lamps,
-            "light.pick": self._pick,
-            "light.confirm": self._confirm,
             **{f"light.joint_{joint}": self._joints.button(joint) for joint in JOINTS},
         }
 
@@ -285,12 +290,12 @@ class LightPanel(Panel):
         for place, row in enumerate(self._rows.values(), start=2):
             grid.addWidget(row.label, place, 0)
             grid.addWidget(row, place, 1)
-        grid.addWidget(self._pick, 5, 1)
+        grid.addWidget(self.pick, 5, 1)
         grid.setRowStretch(6, 1)
         grid.setColumnStretch(1, 1)
 
         effect = in_row(self._effect_label, (self._effect, 1), spacing=12)
-        self._stack(scrolled(card, _TALLEST_CARD_PX), effect, self._confirm, self._note)
+        self._stack(scrolled(card, _TALLEST_CARD_PX), effect, self.confirm, self._note)
 
     def _make_joint_buttons(self) -> QHBoxLayout:
         buttons = in_row(spacing=6)
@@ -308,8 +313,6 @@ class LightPanel(Panel):
         self._lamp.value_edited.connect(self._on_edited)
         for row in self._rows.values():
             row.edited.connect(self._on_channel_edited)
-        self._pick.clicked.connect(self._on_pick)
-        self._confirm.clicked.connect(self._on_confirm)
         self._controller.operating_state_changed.connect(self._on_operating_state_changed)
 
     # -- the colour ---------------------------------------------------------------------------
@@ -328,6 +331,7 @@ class LightPanel(Panel):
             self._picker.show_color(color)
         self._on_edited()
 
+    @pick.pressed
     def _on_pick(self) -> None:
         if self._picker is None:
             self._picker = ColorDialog(self._controller, self.window())
@@ -360,6 +364,7 @@ class LightPanel(Panel):
         lamp = {} if self._all_lamps.isChecked() else {"lamp": self._lamp}
         return {**lamp, **{name: row.field for name, row in self._rows.items()}}
 
+    @confirm.pressed
     def _on_confirm(self) -> None:
         fields = self._figures()
         values = {
@@ -372,7 +377,7 @@ class LightPanel(Panel):
             joint = self._joints.checkedId()
             if self._accepted(self._controller.lights.set_light(joint, **values)):
                 self._sent = self._entered()
-                self._show_possible()
+                self.show_acts()
 
     def _entered(self) -> tuple[object, ...]:
         """Return all that is to be sent, as it is entered."""
@@ -394,12 +399,12 @@ class LightPanel(Panel):
         old, self._operating_state = self._operating_state, operating_state
         if why_no_lamps(old) != why_no_lamps(operating_state):
             self._refusal = None
-            self._show_possible()
+            self.show_acts()
             self._show_message()
 
     def _show_all(self) -> None:
         self._show_lamp()
-        self._show_possible()
+        self.show_acts()
         self._show_message()
 
     def _show_lamp(self) -> None:
@@ -412,12 +417,10 @@ class LightPanel(Panel):
             else _range_text("lamp")
         )
 
-    def _show_possible(self) -> None:
-        """Enable what can be used now; say in the tooltip why not."""
-        why_not = words.why_not(why_no_lamps(self._operating_state))
-        use = self.tr("Sends the colour to the lamps; nothing moves.")
-        enable_or_explain(self._confirm, why_not, use, key=_CONFIRM_KEY)
-        show_primary(self._confirm, wanted=self._entered() != self._sent)
+    @confirm.lit
+    def _is_new(self) -> bool:
+        """Return true while what is entered was not sent yet."""
+        return self._entered() != self._sent
 
     def _show_message(self) -> None:
         standing = self._unless_told(why_no_lamps(self._operating_state))
@@ -436,11 +439,8 @@ class LightPanel(Panel):
         self._all_lamps.setAccessibleName(self.tr("All lamps of the joint"))
         for name, row in self._rows.items():
             row.describe(words.light_figure(name), _range_text(name))
-        tip = self.tr("Opens a window to pick a colour in; nothing is sent.")
-        caption(self._pick, self.tr("Pick a colour…"), tip=tip)
         self._effect_label.setText(self.tr("Effect"))
         describe(self._effect, self.tr("Effect"), self.tr("The colour that Confirm sends"))
-        caption(self._confirm, self.tr("Confirm"), key=_CONFIRM_KEY)
         self._note.setText(
             self.tr(
                 "Works on joints that have a lamp board.\n"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable
 from typing import Final
 
 from PySide6.QtGui import QResizeEvent, QShowEvent
@@ -17,7 +17,7 @@ from armui.control.operations.started import Started, refusal_of
 from armui.control.safety.interlocks import ARM_FAULT, STOP_REQUESTED, STOPPED
 from armui.control.safety.recovery_steps import UNHINDERED, Step, StepKind
 from armui.ui import words
-from armui.ui.actions.command import Command, Target
+from armui.ui.actions.act import HasActs
 from armui.ui.dialogs.confirm_dialog import confirm
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import in_column
@@ -48,7 +48,7 @@ def level_of(refusal: Refusal) -> Level:
     return _LEVELS.get(refusal.reason, Level.WARNING)
 
 
-class Panel(Translated, QWidget):
+class Panel(HasActs, Translated, QWidget):
     """Shows news while it is visible, and is updated when it is shown again.
 
     A subclass creates its widgets, lays them out with :meth:`_stack`, connects with
@@ -57,12 +57,7 @@ class Panel(Translated, QWidget):
     Args:
         controller: The controller of the arm.
         message_name: The object name of the message.
-
-    Attributes:
-        commands: Its commands for the command palette.
     """
-
-    commands: Sequence[Command] = ()
 
     def __init__(self, controller: ArmController, message_name: str) -> None:
         super().__init__()
@@ -96,11 +91,16 @@ class Panel(Translated, QWidget):
     def _forget_outdated(self, old: OperatingState) -> None:
         """Drop what was said, if the operating state that is left explains it no more."""
 
-    def command_targets(self) -> Mapping[str, Target]:
-        """Return the target of each of its commands, by the command's name."""
-        return {}
-
     # -- what it finds here -------------------------------------------------------------------
+
+    @property
+    def controller(self) -> ArmController:
+        """The controller of the arm."""
+        return self._controller
+
+    def heading(self) -> str:
+        """Return its title, to which its acts belong."""
+        return self._title.text()
 
     def _listen(self, *told_here: str) -> None:
         """Follow the controller.

@@ -1,0 +1,355 @@
+"""Acts: each button of a panel, page or dialog is declared once, on its class."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
+
+from PySide6.QtGui import QKeySequence
+from PySide6.QtWidgets import QPushButton
+
+from armui.arm.refusal import Refusal
+from armui.control.operations.operation import Operation, operation_of
+from armui.ui import words
+from armui.ui.actions.command import Command, Needs, Target, no_reason
+from armui.ui.actions.keys import SHORTCUTS, keys_of
+from armui.ui.widgets.buttons import enable_or_explain, push_button, show_primary
+from armui.ui.widgets.hold_button import HoldButton
+from armui.ui.words.text import Text
+
+if TYPE_CHECKING:
+    from PySide6.QtWidgets import QWidget as _Base
+
+    from armui.control.arm_controller import ArmController
+else:
+    _Base = object
+
+_Key = TypeVar("_Key")
+_Method = TypeVar("_Method", bound=Callable[..., object])
+
+
+class Act:
+    """A button, with all that belongs to it: what it does, its reason, its texts, its command.
+
+    It is written on the class of the widget that shows it, and is the button when it is read from
+    an instance, where it is made at the first use. Its texts are translated in the context of that
+    class. What cannot be said in one line is a method of that class, marked by a decorator::
+
+        confirm = Act("Confirm", named="light_confirm_button", does=Lights.set_light)
+
+        @confirm.pressed
+        def _on_confirm(self) -> None: ...
+
+    Without :meth:`why_not` the reason against it is that of its operation; without either it can
+    always be pressed.
+
+    Args:
+        text: The English text on it; a ``Text`` if that belongs to another context.
+        named: Its object name.
+        does: The method of the controller's part that it leads to, declared as an operation.
+        arguments: The arguments that the reason of the operation depends on.
+        tip: The purpose in English, for the tooltip while it can be pressed.
+        whose: True if a screen reader says what the button belongs to before its text; see
+            :meth:`HasActs.heading`.
+        key: The name of its command in the palette, which its shortcut has as well; "" for none.
+        title: The title in the palette; without it that of the shortcut or of the operation, or
+            its text.
+        needs: As in :class:`Command`.
+        leads: As in :class:`Command`.
+        risky: As in :class:`Command`.
+        synonyms: As in :class:`Command`.
+        primary: True for the main button; see :meth:`lit`.
+        held: True if it must be held for a second.
+        on_enter: As of :func:`push_button`.
+        least_height_px: Its least height.
+    """
+
+    def __init__(
+        self,
+        text: str | Text,
+        *,
+        named: str,
+        does: Callable[..., object] | None = None,
+        arguments: Mapping[str, object] | None = None,
+        tip: str = "",
+        whose: bool = False,
+        key: str = "",
+        title: Text | None = None,
+        needs: Needs = no_reason,
+        leads: bool = False,
+        risky: bool = False,
+        synonyms: tuple[str, ...] = (),
+        primary: bool = False,
+        held: bool = False,
+        on_enter: bool | None = None,
+        least_height_px: int = 0,
+    ) -> None:
+        self.named = named
+        self.key = key
+        self.operation: Operation | None = None if does is None else operation_of(does)
+        self.arguments = dict(arguments or {})
+        self._label, self._use = text, tip
+        self._whose = whose
+        self._title, self._needs = title, needs
+        self._leads, self._risky, self._synonyms = leads, risky, synonyms
+        self._primary, self._held, self._on_enter = primary, held, on_enter
+        self._least_height_px = least_height_px
+        self._context = ""
+        self._methods: dict[str, str] = {}
+        self._member: tuple[object, ...] = ()
+
+    # -- what its class says about it ---------------------------------------------------------
+
+    def __set_name__(self, owner: type, _name: str) -> None:
+        self.declared_in(owner.__name__)
+
+    def declared_in(self, context: str) -> None:
+        """Take over the name of the class as the context of the texts."""
+        self._context = context
+
+    def join(self, methods: dict[str, str], key: object) -> None:
+        """Become a member of a family: share its methods, which are called with the key."""
+        self._methods, self._member = methods, (key,)
+
+    def pressed(self, method: _Method) -> _Method:
+        """Mark the method that is called when it is pressed, or was held."""
+        return self._marked("pressed", method)
+
+    def why_not(self, method: _Method) -> _Method:
+        """Mark the method that returns why it cannot be pressed: a refusal, words, or nothing."""
+        return self._marked("why_not", method)
+
+    def text(self, method: _Method) -> _Method:
+        """Mark the method that returns its text, where that changes."""
+        return self._marked("text", method)
+
+    def tip(self, method: _Method) -> _Method:
+        """Mark the method that returns its purpose, where that changes."""
+        return self._marked("tip", method)
+
+    def lit(self, method: _Method) -> _Method:
+        """Mark the method that returns true while it is highlighted as the main button."""
+        return self._marked("lit", method)
+
+    def _marked(self, what: str, method: _Method) -> _Method:
+        self._methods[what] = method.__name__
+        return method
+
+    @property
+    def command(self) -> Command | None:
+        """Its command in the palette."""
+        if not self.key:
+            return None
+        named_elsewhere = self.operation is not None or self.key in SHORTCUTS
+        title = self._title or (None if named_elsewhere else self._own_text)
+        return Command(
+            *(self.key, title, self.operation, self.arguments),
+            needs=self._needs,
+            leads=self._leads,
+            risky=self._risky,
+            synonyms=self._synonyms,
+        )
+
+    # -- the button of an instance ------------------------------------------------------------
+
+    @overload
+    def __get__(self, owner: None, kind: type) -> Act: ...
+    @overload
+    def __get__(self, owner: HasActs, kind: type) -> QPushButton: ...
+    def __get__(self, owner: HasActs | None, kind: type) -> Act | QPushButton:
+        """Return the button of a widget; the declaration itself if it is read from the class."""
+        return self if owner is None else self.button(owner)
+
+    def button(self, owner: HasActs) -> QPushButton:
+        """Return its button on a widget; it is made at the first use."""
+        return owner.button_of(self)
+
+    def make(self, owner: HasActs) -> QPushButton:
+        """Return a new button that calls the widget's method."""
+        if self._held:
+            button: QPushButton = HoldButton(owner.controller)
+            button.setObjectName(self.named)
+            signal = button.held  # type: ignore[attr-defined]
+        else:
+            button = push_button(self.named, primary=self._primary, on_enter=self._on_enter)
+            signal = button.clicked
+        if self._least_height_px:
+            button.setMinimumHeight(self._least_height_px)
+        signal.connect(self._handler(owner))
+        return button
+
+    def _handler(self, owner: HasActs) -> Callable[[], object]:
+        method: Callable[..., object] = getattr(owner, self._methods["pressed"])
+        return partial(method, *self._member) if self._member else method
+
+    def press(self, owner: HasActs) -> None:
+        """Do what a press of the button does, if nothing stands against it."""
+        if not self.reason(owner):
+            self._handler(owner)()
+
+    def reason(self, owner: HasActs) -> str:
+        """Return in words why it cannot be pressed now; "" if it can."""
+        if "why_not" in self._methods:
+            refusal: Refusal | str | None = self._ask(owner, "why_not")
+        elif self.operation is not None:
+            refusal = self.operation.why_not(owner.controller.operating_state, **self.arguments)
+        else:
+            refusal = None
+        return refusal if isinstance(refusal, str) else words.why_not(refusal)
+
+    def show(self, owner: HasActs) -> None:
+        """Show its text in the present language, and whether it can be pressed, with the reason."""
+        button = self.button(owner)
+        text = self._ask(owner, "text") if "text" in self._methods else self._own_text.text()
+        keys = keys_of(self.key) if self.key in SHORTCUTS else ""
+        if button.text() != text:
+            button.setText(text)
+            if keys:
+                button.setShortcut(QKeySequence(keys))  # a new text has removed it
+        heading = owner.heading() if self._whose else ""
+        button.setAccessibleName(f"{heading}: {text}" if heading else text)
+        use = self._ask(owner, "tip") if "tip" in self._methods else self._text(self._use).text()
+        enable_or_explain(button, self.reason(owner), use, key=keys)
+        if "lit" in self._methods:
+            show_primary(button, wanted=self._ask(owner, "lit"))
+
+    def _ask(self, owner: HasActs, what: str) -> Any:
+        return getattr(owner, self._methods[what])(*self._member)
+
+    @property
+    def _own_text(self) -> Text:
+        return self._label if isinstance(self._label, Text) else self._text(self._label)
+
+    def _text(self, source: str) -> Text:
+        return Text(self._context, source)
+
+
+class ActFamily(Generic[_Key]):
+    """Buttons that differ in a key, as in the command they send: one declaration for all.
+
+    It is read from an instance as the buttons by their keys; the methods that it marks are called
+    with the key.
+
+    Args:
+        acts: The acts by their keys.
+    """
+
+    def __init__(self, acts: Mapping[_Key, Act]) -> None:
+        self.acts = acts
+        methods: dict[str, str] = {}
+        for key, act in acts.items():
+            act.join(methods, key)
+        self._any = next(iter(acts.values()))
+
+    def __set_name__(self, owner: type, _name: str) -> None:
+        for act in self.acts.values():
+            act.declared_in(owner.__name__)
+
+    def pressed(self, method: _Method) -> _Method:
+        """Mark the method that is called with the key when one is pressed."""
+        return self._any.pressed(method)
+
+    def why_not(self, method: _Method) -> _Method:
+        """Mark the method that returns from the key why one cannot be pressed."""
+        return self._any.why_not(method)
+
+    def text(self, method: _Method) -> _Method:
+        """Mark the method that returns the text from the key."""
+        return self._any.text(method)
+
+    def tip(self, method: _Method) -> _Method:
+        """Mark the method that returns the purpose from the key."""
+        return self._any.tip(method)
+
+    def lit(self, method: _Method) -> _Method:
+        """Mark the method that returns from the key if one is highlighted."""
+        return self._any.lit(method)
+
+    @overload
+    def __get__(self, owner: None, kind: type) -> ActFamily[_Key]: ...
+    @overload
+    def __get__(self, owner: HasActs, kind: type) -> Mapping[_Key, QPushButton]: ...
+    def __get__(
+        self, owner: HasActs | None, kind: type
+    ) -> ActFamily[_Key] | Mapping[_Key, QPushButton]:
+        """Return the buttons of a widget; the declaration itself if it is read from the class."""
+        if owner is None:
+            return self
+        return {key: act.button(owner) for key, act in self.acts.items()}
+
+
+class HasActs(_Base):
+    """A mixin, placed before a widget's Qt class, for widgets whose class declares acts.
+
+    Attributes:
+        acts: The acts of the class, with those of its families.
+        commands: Its commands for the palette: those written on the class, then those of its acts.
+    """
+
+    acts: Sequence[Act] = ()
+    commands: Sequence[Command] = ()
+
+    def __init_subclass__(cls, **options: object) -> None:
+        super().__init_subclass__(**options)
+        declared = [each for each in vars(cls).values() if isinstance(each, Act | ActFamily)]
+        own = [act for each in declared for act in _acts_of(each)]
+        cls.acts = (*cls.acts, *own)
+        commands = (act.command for act in own)
+        cls.commands = (*cls.commands, *(each for each in commands if each is not None))
+
+    @property
+    def controller(self) -> ArmController:
+        """The controller of the arm."""
+        raise NotImplementedError
+
+    def heading(self) -> str:
+        """Return the name of what the acts belong to, for a screen reader."""
+        return ""
+
+    def button_of(self, act: Act) -> QPushButton:
+        """Return the button of an act of this widget; it is made at the first use."""
+        made: dict[Act, QPushButton] = self.__dict__.setdefault("_act_buttons", {})
+        if act not in made:
+            made[act] = act.make(self)
+        return made[act]
+
+    def show_acts(self) -> None:
+        """Show of each act its text, and whether it can be used now."""
+        for act in self.acts:
+            act.show(self)
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return the target of each command, by the command's name."""
+        return {act.key: act.button(self) for act in self.acts if act.key}
+
+    def act_of(self, command: str) -> BoundAct | None:
+        """Return the act of a command, or ``None`` if that leads to another widget."""
+        return next((BoundAct(act, self) for act in self.acts if act.key == command), None)
+
+
+@dataclass(frozen=True, slots=True)
+class BoundAct:
+    """An act of one widget.
+
+    Attributes:
+        act: The declaration.
+        owner: The widget.
+    """
+
+    act: Act
+    owner: HasActs
+
+    def reason(self) -> str:
+        """Return in words why it cannot be pressed now; "" if it can."""
+        return self.act.reason(self.owner)
+
+    def press(self) -> None:
+        """Do what a press of the button does, if nothing stands against it."""
+        self.owner.window().activateWindow()
+        self.act.press(self.owner)
+
+
+def _acts_of(declared: Act | ActFamily[Any]) -> Iterable[Act]:
+    return (declared,) if isinstance(declared, Act) else declared.acts.values()
