@@ -8,14 +8,14 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
 
 from PySide6.QtGui import QKeySequence
-from PySide6.QtWidgets import QPushButton
+from PySide6.QtWidgets import QAbstractButton, QToolButton
 
 from armui.arm.refusal import Refusal
 from armui.control.operations.operation import Operation, operation_of
 from armui.ui import words
 from armui.ui.actions.command import Command, Needs, Target, no_reason
 from armui.ui.actions.keys import SHORTCUTS, keys_of
-from armui.ui.widgets.buttons import enable_or_explain, push_button, show_primary
+from armui.ui.widgets.buttons import enable_or_explain, named, push_button, show_primary
 from armui.ui.widgets.hold_button import HoldButton
 from armui.ui.words.text import Text
 
@@ -62,6 +62,7 @@ class Act:
         synonyms: As in :class:`Command`.
         primary: True for the main button; see :meth:`lit`.
         held: True if it must be held for a second.
+        flat: True for a button without a frame, as in the head of a panel.
         on_enter: As of :func:`push_button`.
         least_height_px: Its least height.
     """
@@ -83,6 +84,7 @@ class Act:
         synonyms: tuple[str, ...] = (),
         primary: bool = False,
         held: bool = False,
+        flat: bool = False,
         on_enter: bool | None = None,
         least_height_px: int = 0,
     ) -> None:
@@ -94,7 +96,8 @@ class Act:
         self._whose = whose
         self._title, self._needs = title, needs
         self._leads, self._risky, self._synonyms = leads, risky, synonyms
-        self._primary, self._held, self._on_enter = primary, held, on_enter
+        self._primary, self._held, self._flat = primary, held, flat
+        self._on_enter = on_enter
         self._least_height_px = least_height_px
         self._context = ""
         self._methods: dict[str, str] = {}
@@ -157,27 +160,30 @@ class Act:
     @overload
     def __get__(self, owner: None, kind: type) -> Act: ...
     @overload
-    def __get__(self, owner: HasActs, kind: type) -> QPushButton: ...
-    def __get__(self, owner: HasActs | None, kind: type) -> Act | QPushButton:
+    def __get__(self, owner: HasActs, kind: type) -> QAbstractButton: ...
+    def __get__(self, owner: HasActs | None, kind: type) -> Act | QAbstractButton:
         """Return the button of a widget; the declaration itself if it is read from the class."""
         return self if owner is None else self.button(owner)
 
-    def button(self, owner: HasActs) -> QPushButton:
+    def button(self, owner: HasActs) -> QAbstractButton:
         """Return its button on a widget; it is made at the first use."""
         return owner.button_of(self)
 
-    def make(self, owner: HasActs) -> QPushButton:
+    def make(self, owner: HasActs) -> QAbstractButton:
         """Return a new button that calls the widget's method."""
+        button: QAbstractButton
         if self._held:
-            button: QPushButton = HoldButton(owner.controller)
-            button.setObjectName(self.named)
-            signal = button.held  # type: ignore[attr-defined]
+            hold = named(self.named, HoldButton(owner.controller))
+            hold.held.connect(self._handler(owner))
+            button = hold
         else:
-            button = push_button(self.named, primary=self._primary, on_enter=self._on_enter)
-            signal = button.clicked
+            if self._flat:
+                button = named(self.named, QToolButton())
+            else:
+                button = push_button(self.named, primary=self._primary, on_enter=self._on_enter)
+            button.clicked.connect(self._handler(owner))
         if self._least_height_px:
             button.setMinimumHeight(self._least_height_px)
-        signal.connect(self._handler(owner))
         return button
 
     def _handler(self, owner: HasActs) -> Callable[[], object]:
@@ -270,10 +276,10 @@ class ActFamily(Generic[_Key]):
     @overload
     def __get__(self, owner: None, kind: type) -> ActFamily[_Key]: ...
     @overload
-    def __get__(self, owner: HasActs, kind: type) -> Mapping[_Key, QPushButton]: ...
+    def __get__(self, owner: HasActs, kind: type) -> Mapping[_Key, QAbstractButton]: ...
     def __get__(
         self, owner: HasActs | None, kind: type
-    ) -> ActFamily[_Key] | Mapping[_Key, QPushButton]:
+    ) -> ActFamily[_Key] | Mapping[_Key, QAbstractButton]:
         """Return the buttons of a widget; the declaration itself if it is read from the class."""
         if owner is None:
             return self
@@ -308,9 +314,9 @@ class HasActs(_Base):
         """Return the name of what the acts belong to, for a screen reader."""
         return ""
 
-    def button_of(self, act: Act) -> QPushButton:
+    def button_of(self, act: Act) -> QAbstractButton:
         """Return the button of an act of this widget; it is made at the first use."""
-        made: dict[Act, QPushButton] = self.__dict__.setdefault("_act_buttons", {})
+        made: dict[Act, QAbstractButton] = self.__dict__.setdefault("_act_buttons", {})
         if act not in made:
             made[act] = act.make(self)
         return made[act]

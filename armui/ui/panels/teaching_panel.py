@@ -3,33 +3,32 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from itertools import chain
 from typing import Final, TypeVar
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QPushButton, QToolButton
+from PySide6.QtWidgets import QAbstractButton, QFrame, QGridLayout, QLabel
 
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
 from armui.control.devices.teaching import TEACHING_UNANSWERED, TeachingControl
 from armui.control.devices.teaching_phase import TeachingPhase, phase_of, why_not_teach
 from armui.control.events import Event, Level
-from armui.control.motion.planned_motion import PlannedMotion, why_not_plan
+from armui.control.motion.planned_motion import PlannedMotion
 from armui.control.operating_state import OperatingState
-from armui.control.operations.operation import operation_of
 from armui.control.operations.started import refusal_of
 from armui.control.safety.recovery_steps import UNHINDERED, Action, Step, StepKind
 from armui.protocol.codes import TeachingState, TrajectoryCommand
 from armui.ui import format as fmt
 from armui.ui import words
-from armui.ui.actions.command import Command, Target
+from armui.ui.actions.act import Act, ActFamily
 from armui.ui.dialogs.confirm_dialog import confirm
 from armui.ui.freshness import is_stale
 from armui.ui.panels.panel import Panel
 from armui.ui.panels.parameters.levels_panel import DragAssistanceDialog
-from armui.ui.widgets.buttons import caption, enable_or_explain, named
-from armui.ui.widgets.hold_button import HoldButton
 from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row, scrolled
 from armui.ui.widgets.text_label import text_label
+from armui.ui.words.arm import TEACHING_COMMANDS, TRAJECTORY_COMMANDS
 from armui.ui.words.text import Text, Texts
 
 _Key = TypeVar("_Key")
@@ -146,47 +145,60 @@ class TeachingExitSteps(QFrame):
         self._mark()
 
 
-_TEACH: Final = operation_of(TeachingControl.command)
-_PLAN: Final = operation_of(PlannedMotion.command)
-_TEACHING_TITLES: Final = (
-    (TeachingState.START_RECORDING, Text("TeachingCommand", "Start recording"), False),
-    (TeachingState.STOP_RECORDING, Text("TeachingCommand", "Stop recording"), False),
-    (TeachingState.RUN_RECORDING, Text("TeachingCommand", "Replay"), True),
-    (TeachingState.MOVE_TO_START, Text("TeachingCommand", "Move to start"), True),
-    (TeachingState.PAUSE, Text("TeachingCommand", "Pause"), False),
-    (TeachingState.CONTINUE, Text("TeachingCommand", "Continue"), True),
-    (TeachingState.ABORT, Text("TeachingCommand", "Terminate"), False),
-)
-"""Each command with its title, and whether it moves the arm: then the page is shown first."""
-_PLAN_TITLES: Final = (
-    (TrajectoryCommand.PAUSE, Text("Action", "Pause the planned motion")),
-    (TrajectoryCommand.CONTINUE, Text("Action", "Continue the held motion")),
-    (TrajectoryCommand.ABORT, Text("Action", "Terminate the planned motion")),
-    (TrajectoryCommand.CLEAR_CURRENT, Text("TrajectoryCommand", "Clear current")),
-    (TrajectoryCommand.CLEAR_ALL, Text("TrajectoryCommand", "Clear all")),
-)
+_PLAN_TITLES: Final = {
+    TrajectoryCommand.PAUSE: Text("Action", "Pause the planned motion"),
+    TrajectoryCommand.CONTINUE: Text("Action", "Continue the held motion"),
+    TrajectoryCommand.ABORT: Text("Action", "Terminate the planned motion"),
+}
+"""The titles in the palette that differ from the texts on the buttons."""
 
 
 class TeachingPanel(Panel):
     """The commands that make sense now; the others show why they do not."""
 
-    commands = (
-        *(
-            Command(f"teaching.{each.name.lower()}", title, _TEACH, {"command": each}, leads=leads)
-            for each, title, leads in _TEACHING_TITLES
-        ),
-        *(
-            Command(f"teaching.plan_{each.name.lower()}", title, _PLAN, {"command": each})
-            for each, title in _PLAN_TITLES
-        ),
-        Command("teaching.assistance", Text("TeachingPanel", "Drag assistance…")),
+    teach = ActFamily(
+        {
+            command: Act(
+                TEACHING_COMMANDS.entry(command),
+                named=f"teaching_{command.name.lower()}",
+                does=TeachingControl.command,
+                arguments={"command": command},
+                key=f"teaching.{command.name.lower()}",
+                title=TEACHING_COMMANDS.entry(command),
+                leads=command in _MOVES,
+                held=command is TeachingState.CONTINUE,  # no slip sets a held motion going
+                least_height_px=_BUTTON_PX,
+            )
+            for command in chain(*_COMMANDS)
+        }
+    )
+    plan = ActFamily(
+        {
+            command: Act(
+                TRAJECTORY_COMMANDS.entry(command),
+                named=f"plan_{command.name.lower()}",
+                does=PlannedMotion.command,
+                arguments={"command": command},
+                key=f"teaching.plan_{command.name.lower()}",
+                title=_PLAN_TITLES.get(command, TRAJECTORY_COMMANDS.entry(command)),
+                held=command is TrajectoryCommand.CONTINUE,
+                least_height_px=_BUTTON_PX,
+            )
+            for command in chain(*_PLANS)
+        }
+    )
+    assistance = Act(
+        "Drag assistance…",
+        named="drag_assistance_button",
+        tip="How much each joint helps the hand; firmware from S-V1.8-1.",
+        key="teaching.assistance",
+        flat=True,
     )
 
     def __init__(self, controller: ArmController, open_backup: Callable[[], object]) -> None:
         super().__init__(controller, "teaching_message")
         self._open_backup = open_backup
         self._assistance: DragAssistanceDialog | None = None
-        self._assistance_button = named("drag_assistance_button", QToolButton())
         self._unanswered: Event | None = None
         self._shown: tuple[object, ...] | None = None
         self._state_label = QLabel()
@@ -196,46 +208,10 @@ class TeachingPanel(Panel):
         self._teaching_exit_steps = TeachingExitSteps()
         self._plan_label = QLabel()
         self._plan_note = text_label(rank="muted", wraps=True)
-        self._buttons = {
-            command: self._make_button(f"teaching_{command.name.lower()}")
-            for row in _COMMANDS
-            for command in row
-        }
-        self._plan_buttons = {
-            command: self._make_button(f"plan_{command.name.lower()}")
-            for row in _PLANS
-            for command in row
-        }
-        # a motion that was held back is never set going by a slip
-        self._buttons[TeachingState.CONTINUE] = HoldButton(self._controller)
-        self._name(self._buttons[TeachingState.CONTINUE], "teaching_continue")
-        self._plan_buttons[TrajectoryCommand.CONTINUE] = HoldButton(self._controller)
-        self._name(self._plan_buttons[TrajectoryCommand.CONTINUE], "plan_continue")
         self._lay_out()
-        self._connect()
+        self._listen()
+        self._controller.step_changed.connect(self._show_new)
         self.retranslate_ui()
-
-    def command_targets(self) -> Mapping[str, Target]:
-        """Return the target of each command, by the command's name."""
-        return {
-            **{f"teaching.{each.name.lower()}": button for each, button in self._buttons.items()},
-            **{
-                f"teaching.plan_{plan.name.lower()}": button
-                for plan, button in self._plan_buttons.items()
-            },
-            "teaching.assistance": self._assistance_button,
-        }
-
-    @staticmethod
-    def _make_button(name: str) -> QPushButton:
-        button = QPushButton()
-        TeachingPanel._name(button, name)
-        return button
-
-    @staticmethod
-    def _name(button: QPushButton, name: str) -> None:
-        button.setObjectName(name)
-        button.setMinimumHeight(_BUTTON_PX)
 
     # -- layout -------------------------------------------------------------------------------
 
@@ -248,36 +224,22 @@ class TeachingPanel(Panel):
         state.setColumnStretch(1, 1)
         parts = (
             state,
-            _grid(_COMMANDS, self._buttons),
+            _grid(_COMMANDS, self.teach),
             self._note,
             self._teaching_exit_steps,
             6,
             self._plan_label,
-            _grid(_PLANS, self._plan_buttons),
+            _grid(_PLANS, self.plan),
             self._plan_note,
             STRETCH,
         )
         in_column(*parts, on=card, spacing=8, margins=(16, 12, 16, 12))
-        head = in_row((self._title, 1), self._assistance_button)
+        head = in_row((self._title, 1), self.assistance)
         self._stack(scrolled(card, _TALLEST_CARD_PX), head=head)
-
-    def _connect(self) -> None:
-        for command, button in self._buttons.items():
-            if isinstance(button, HoldButton):
-                button.held.connect(lambda which=command: self._command(which))
-            else:
-                button.clicked.connect(lambda _checked, which=command: self._on_command(which))
-        for plan, button in self._plan_buttons.items():
-            if isinstance(button, HoldButton):
-                button.held.connect(lambda which=plan: self._on_plan(which))
-            else:
-                button.clicked.connect(lambda _checked, which=plan: self._on_plan(which))
-        self._assistance_button.clicked.connect(self._open_assistance)
-        self._listen()
-        self._controller.step_changed.connect(self._show_new)
 
     # -- actions ------------------------------------------------------------------------------
 
+    @assistance.pressed
     def _open_assistance(self) -> None:
         if self._assistance is None:
             self._assistance = DragAssistanceDialog(
@@ -285,12 +247,13 @@ class TeachingPanel(Panel):
             )
         self._assistance.open()
 
+    @teach.pressed
     def _on_command(self, command: TeachingState) -> None:
         label = words.teaching_command(command)
         if command is TeachingState.START_RECORDING:
             title = words.step_question(Action.LEAD_BY_HAND)
             text = words.step_danger(Action.LEAD_BY_HAND)
-        elif command in _MOVES:
+        elif command in _MOVES and command is not TeachingState.CONTINUE:
             title, text = label, self._danger(command)
         else:
             self._command(command)
@@ -328,6 +291,7 @@ class TeachingPanel(Panel):
         self._refusal = refusal_of(self._controller.teaching.command(command))
         self._show_all()
 
+    @plan.pressed
     def _on_plan(self, plan: TrajectoryCommand) -> None:
         self._unanswered = None
         self._refusal = refusal_of(self._controller.planned_motion.command(plan))
@@ -384,22 +348,21 @@ class TeachingPanel(Panel):
         known = heard is not None and phase is not None
         self._state.setText(words.teaching_now(heard.value) if heard and known else fmt.NOTHING)
         self._phase.setText(_PHASES.text(phase) if phase is not None else fmt.NOTHING)
-        now = self._controller.operating_state
-        for command, button in self._buttons.items():
-            why_not = words.why_not(why_not_teach(now, command))
-            enable_or_explain(button, why_not, self._describe(command))
-        for plan, button in self._plan_buttons.items():
-            why_not = words.why_not(why_not_plan(now, plan))
-            enable_or_explain(button, why_not, self._plan_note.text())
+        self.show_acts()
         self._teaching_exit_steps.show_step(phase, self._controller.recovery.step)
         self._show_message()
 
+    @teach.tip
     def _describe(self, command: TeachingState) -> str:
         if command is TeachingState.START_RECORDING:
             return self.tr("The arm gives way to the hand and records where it is led.")
         if command in _MOVES:
             return self.tr("The arm moves: keep clear.")
         return words.teaching(command)
+
+    @plan.tip
+    def _describe_plan(self, _command: TrajectoryCommand) -> str:
+        return self._plan_note.text()
 
     def _show_message(self) -> None:
         self._tell()
@@ -433,19 +396,11 @@ class TeachingPanel(Panel):
         self._plan_note.setText(
             self.tr("Works on motions under way. The arm does not report it: watch the arm.")
         )
-        caption(self._assistance_button, self.tr("Drag assistance…"))
-        self._assistance_button.setToolTip(
-            self.tr("How much each joint helps the hand; firmware from S-V1.8-1.")
-        )
-        for command, button in self._buttons.items():
-            caption(button, words.teaching_command(command))
-        for plan, button in self._plan_buttons.items():
-            caption(button, words.trajectory_command(plan))
         self._teaching_exit_steps.retranslate_ui()
         self._show_all()
 
 
-def _grid(rows: Sequence[Sequence[_Key]], buttons: Mapping[_Key, QPushButton]) -> QGridLayout:
+def _grid(rows: Sequence[Sequence[_Key]], buttons: Mapping[_Key, QAbstractButton]) -> QGridLayout:
     """Return two or three buttons a row, each row as wide as the others."""
     grid = empty_grid(gaps=(8, 8))
     for number, row in enumerate(rows):

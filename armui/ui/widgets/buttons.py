@@ -80,7 +80,7 @@ def give_menu(button: QPushButton | QToolButton, menu: QMenu) -> None:
     menu.aboutToHide.connect(lambda: QTimer.singleShot(0, button, look))
 
 
-def show_primary(button: QPushButton, *, wanted: bool) -> None:
+def show_primary(button: QAbstractButton, *, wanted: bool) -> None:
     """Highlight a button or not, depending on whether it has something to do."""
     if bool(button.property("primary")) != wanted:
         button.setProperty("primary", wanted)

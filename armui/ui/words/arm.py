@@ -169,7 +169,7 @@ _MOUNTINGS: Final = Texts("Mounting") | {
     Mounting.ON_THE_RIGHT_SIDE: "Right side",
     Mounting.UPSIDE_DOWN: "Upside down",
 }
-_TEACHING_COMMANDS: Final = Texts("TeachingCommand") | {
+TEACHING_COMMANDS: Final = Texts("TeachingCommand") | {
     TeachingState.START_RECORDING: "Start recording",
     TeachingState.STOP_RECORDING: "Stop recording",
     TeachingState.RUN_RECORDING: "Replay",
@@ -179,7 +179,7 @@ _TEACHING_COMMANDS: Final = Texts("TeachingCommand") | {
     TeachingState.MOVE_TO_START: "Move to start",
 }
 
-_PLANS: Final = Texts("TrajectoryCommand") | {
+TRAJECTORY_COMMANDS: Final = Texts("TrajectoryCommand") | {
     TrajectoryCommand.PAUSE: "Pause",
     TrajectoryCommand.CONTINUE: "Continue",
     TrajectoryCommand.CLEAR_CURRENT: "Clear current",
@@ -232,12 +232,12 @@ def held_target(angles_deg: object) -> str:
 
 def teaching_command(command: TeachingState) -> str:
     """Return the name of a command of 0x150 byte 2 («开始示教记录»)."""
-    return _TEACHING_COMMANDS.text(command)
+    return TEACHING_COMMANDS.text(command)
 
 
 def trajectory_command(command: TrajectoryCommand) -> str:
     """Return the name of a command of 0x150 byte 1 («暂停当前轨迹»)."""
-    return _PLANS.text(command)
+    return TRAJECTORY_COMMANDS.text(command)
 
 
 def device_name(device: Device) -> str:

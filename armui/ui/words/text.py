@@ -125,6 +125,10 @@ class Texts(Mapping[Key, str]):
     def __len__(self) -> int:
         return len(self._sources)
 
+    def entry(self, key: Key) -> Text:
+        """Return a text of the table, to be translated when it is shown."""
+        return Text(self._context, self._sources[key])
+
     def text(self, key: Key, params: Mapping[str, object] | None = None) -> str:
         """Return a text in the operator's language, with its figures as in :func:`sentence`."""
         return sentence(self._context, self._sources[key], params or {})
