@@ -502,6 +502,10 @@
         <translation>用 MOVE P 移到记录的起点。</translation>
     </message>
     <message>
+        <source>MOVE C</source>
+        <translation>MOVE C</translation>
+    </message>
+    <message>
         <source>Moves from the start through the middle to the end. Some firmware has no arcs.</source>
         <translation>从起点经中点运动到终点。部分固件不支持圆弧。</translation>
     </message>
@@ -1392,8 +1396,16 @@
         <translation>把当前位姿填入输入框，不会运动。</translation>
     </message>
     <message>
+        <source>MOVE P</source>
+        <translation>MOVE P</translation>
+    </message>
+    <message>
         <source>Moves to the pose, each joint on its own path.</source>
         <translation>移到该位姿，各关节各自运动。</translation>
+    </message>
+    <message>
+        <source>MOVE L</source>
+        <translation>MOVE L</translation>
     </message>
     <message>
         <source>Moves to the pose on a straight line.</source>

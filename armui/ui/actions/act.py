@@ -42,8 +42,8 @@ class Act:
         @confirm.pressed
         def _on_confirm(self) -> None: ...
 
-    Without :meth:`why_not` the reason against it is that of its operation; without either it can
-    always be pressed.
+    It can be pressed while its operation has no reason against it, and `needs` misses nothing; a
+    method marked by :meth:`why_not` takes the place of both.
 
     Args:
         text: The English text on it; a ``Text`` if that belongs to another context.
@@ -199,10 +199,11 @@ class Act:
         """Return in words why it cannot be pressed now; "" if it can."""
         if "why_not" in self._methods:
             refusal: Refusal | str | None = self._ask(owner, "why_not")
-        elif self.operation is not None:
-            refusal = self.operation.why_not(owner.controller.operating_state, **self.arguments)
         else:
-            refusal = None
+            now = owner.controller.operating_state
+            refusal = self._needs(now)
+            if not refusal and self.operation is not None:
+                refusal = self.operation.why_not(now, **self.arguments)
         return refusal if isinstance(refusal, str) else words.why_not(refusal)
 
     def show(self, owner: HasActs) -> None:

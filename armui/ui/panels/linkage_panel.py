@@ -9,23 +9,19 @@ from typing import Final
 from PySide6.QtWidgets import QButtonGroup, QComboBox, QFrame, QLabel
 
 from armui.control.arm_controller import ArmController
-from armui.control.devices.linkage import LinkageControl, why_not_link
+from armui.control.devices.linkage import LinkageControl
 from armui.control.operating_state import LinkState, OperatingState
-from armui.control.operations.operation import operation_of
 from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN
 from armui.protocol.addressing import OFFSETS
 from armui.protocol.codes import LinkageRole
-from armui.ui import words
+from armui.ui.actions.act import Act
 from armui.ui.actions.command import Command, Target
 from armui.ui.dialogs.confirm_dialog import confirm
 from armui.ui.panels.panel import Panel
 from armui.ui.widgets.buttons import (
     caption,
     choice_button,
-    enable_or_explain,
     named,
-    push_button,
-    show_primary,
 )
 from armui.ui.widgets.layouts import empty_grid, scrolled
 from armui.ui.widgets.text_label import text_label
@@ -41,9 +37,21 @@ class LinkagePanel(Panel):
     commands = (
         Command("linkage.input", Text("Action", "Master arm (teaching input arm)"), risky=True),
         Command("linkage.output", Text("Action", "Slave arm (motion output arm)"), risky=True),
-        Command(
-            "linkage.confirm", Text("LinkagePanel", "Confirm"), operation_of(LinkageControl.set)
-        ),
+    )
+    back = Act(
+        "Back to a motion output arm without offsets",
+        named="linkage_back_button",
+        does=LinkageControl.set,
+    )
+    confirm = Act(
+        "Confirm",
+        named="linkage_confirm_button",
+        does=LinkageControl.set,
+        tip="Says what will change, and asks first.",
+        whose=True,
+        key="linkage.confirm",
+        title=Text("LinkagePanel", "Confirm"),
+        least_height_px=38,
     )
 
     def __init__(self, controller: ArmController) -> None:
@@ -58,25 +66,20 @@ class LinkagePanel(Panel):
         self._boxes = {name: named(f"linkage_{name}_offset", QComboBox()) for name in _BASES}
         self._in_use = text_label("linkage_in_use", wraps=True)
         self._teaching = text_label("linkage_teaching_input", wraps=True)
-        self._back = push_button("linkage_back_button")
-        self._confirm = push_button("linkage_confirm_button")
-        self._confirm.setMinimumHeight(38)
         self._note = text_label(rank="muted", wraps=True)
         self._lay_out()
-        self._confirm.clicked.connect(self._ask)
-        self._roles.idToggled.connect(lambda _role, _on: self._show_news())
+        self._roles.idToggled.connect(lambda _role, _on: self.show_acts())
         for box in self._boxes.values():
-            box.currentIndexChanged.connect(lambda _place: self._show_news())
-        self._back.clicked.connect(lambda: self._accepted(controller.linkage.release()))
+            box.currentIndexChanged.connect(lambda _place: self.show_acts())
         self._listen("linkage_")
         self.retranslate_ui()
 
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
         return {
+            **super().command_targets(),
             "linkage.input": self._role_buttons[LinkageRole.TEACHING_INPUT],
             "linkage.output": self._role_buttons[LinkageRole.MOTION_OUTPUT],
-            "linkage.confirm": self._confirm,
         }
 
     def _lay_out(self) -> None:
@@ -84,7 +87,7 @@ class LinkagePanel(Panel):
         grid = empty_grid(card, gaps=(10, 10), margins=(16, 12, 16, 12))
         grid.addWidget(self._role_label, 0, 0, 1, 2)
         for row, (role, button) in enumerate(self._role_buttons.items(), start=1):
-            button.setSizePolicy(self._confirm.sizePolicy())
+            button.setSizePolicy(self.confirm.sizePolicy())
             self._roles.addButton(button, int(role))
             grid.addWidget(button, row, 0, 1, 2)
         self._role_buttons[LinkageRole.MOTION_OUTPUT].setChecked(True)
@@ -98,11 +101,16 @@ class LinkagePanel(Panel):
         grid.setColumnStretch(0, 1)
         grid.setRowStretch(7, 1)
         self._stack(
-            self._teaching, self._back, scrolled(card, _TALLEST_CARD_PX), self._confirm, self._note
+            self._teaching, self.back, scrolled(card, _TALLEST_CARD_PX), self.confirm, self._note
         )
 
     # -- actions ------------------------------------------------------------------------------
 
+    @back.pressed
+    def _on_back(self) -> None:
+        self._accepted(self._controller.linkage.release())
+
+    @confirm.pressed
     def _ask(self) -> None:
         chosen = self._chosen()
         becomes_input = chosen[0] is LinkageRole.TEACHING_INPUT
@@ -160,15 +168,14 @@ class LinkagePanel(Panel):
         operating_state = self._operating_state
         teaching = operating_state.teaching_input
         self._teaching.setVisible(teaching)
-        self._back.setVisible(teaching)
-        why_not = words.why_not(why_not_link(operating_state))
-        enable_or_explain(self._confirm, why_not, self.tr("Says what will change, and asks first."))
-        self._show_news()
+        self.back.setVisible(teaching)
+        self.show_acts()
         self._show_in_use()
         self._show_message()
 
-    def _show_news(self) -> None:
-        """Light the button while what is chosen is not what is in use.
+    @confirm.lit
+    def _is_new(self) -> bool:
+        """Return true while what is chosen is not what is in use.
 
         What a teaching input uses is not heard; the way back from it stands above.
         """
@@ -179,7 +186,7 @@ class LinkagePanel(Panel):
         in_use = (LinkageRole.MOTION_OUTPUT, addressing.feedback_offset, addressing.control_offset)
         offsets = (self._boxes[name].currentData() for name in ("feedback", "control"))
         chosen = (self._roles.checkedId(), *offsets)
-        show_primary(self._confirm, wanted=not teaching and chosen != in_use)
+        return not teaching and chosen != in_use
 
     def _show_in_use(self) -> None:
         operating_state = self._operating_state
@@ -227,8 +234,6 @@ class LinkagePanel(Panel):
                 "and no feedback. It obeys nothing but this:"
             )
         )
-        caption(self._back, self.tr("Back to a motion output arm without offsets"))
-        caption(self._confirm, self.tr("Confirm"), whose=self._title.text())
         self._note.setText(
             self.tr("The arm cannot be asked for this setting: armui uses the IDs it hears.")
         )

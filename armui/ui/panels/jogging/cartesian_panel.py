@@ -32,6 +32,7 @@ from armui.protocol.codes import ArmStatusCode, MoveMode
 from armui.settings import SettingsStore
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.actions.act import Act
 from armui.ui.actions.command import Command, Target, with_pose
 from armui.ui.freshness import is_stale
 from armui.ui.panels.jogging.jog_panel import JogPanel, TargetRow
@@ -43,8 +44,6 @@ from armui.ui.widgets.buttons import (
     describe,
     enable_or_explain,
     named,
-    push_button,
-    show_primary,
 )
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.figure_field import FigureField
@@ -185,8 +184,6 @@ class FrameChoice(Translated, QWidget):
 
 
 _TARGET: Final = Text("Action", "Target of")
-_MOVE: Final = operation_of(Cartesian.move)
-_MOVE_ARC: Final = operation_of(Cartesian.move_arc)
 
 
 class CartesianPanel(JogPanel):
@@ -202,21 +199,36 @@ class CartesianPanel(JogPanel):
         Command("cartesian.tool", Text("FrameChoice", "Tool frame")),
         Command("cartesian.user", Text("FrameChoice", "User frame")),
         Command("cartesian.shown_frame", Text("CartesianPanel", "Frame of the figures")),
-        Command("cartesian.load", Text("CartesianPanel", "Load"), needs=with_pose),
-        Command("cartesian.move_p", Text("Action", "MOVE P: to the pose"), _MOVE),
-        Command(
-            "cartesian.move_l", Text("Action", "MOVE L: on a straight line to the pose"), _MOVE
-        ),
         Command("cartesian.arc", Text("PoseExtras", "Arc by three poses")),
         Command("cartesian.tool_centre", Text("PoseExtras", "Tool centre point")),
-        Command("cartesian.capture_start", Text("ArcBox", "Capture start"), needs=with_pose),
-        Command("cartesian.capture_middle", Text("ArcBox", "Capture middle"), needs=with_pose),
-        Command("cartesian.capture_end", Text("ArcBox", "Capture end"), needs=with_pose),
-        Command("cartesian.arc_start", Text("ArcBox", "Go to start"), _MOVE),
-        Command("cartesian.move_c", Text("Action", "MOVE C: along the arc"), _MOVE_ARC),
+        *ArcBox.commands,
         Command("cartesian.keys", Text("JogPanel", "Keyboard jogging")),
         Command("cartesian.step", operation=operation_of(Cartesian.step), presses=False),
         *(Command(f"cartesian.target_{axis}", replace(_TARGET, suffix=axis)) for axis in AXES),
+    )
+
+    load = Act(
+        "Load",
+        named="load_pose_button",
+        tip="Fills the fields with the measured pose; nothing moves.",
+        key="cartesian.load",
+        needs=with_pose,
+    )
+    move_p = Act(
+        "MOVE P",
+        named="move_p_button",
+        does=Cartesian.move,
+        tip="Moves to the pose, each joint on its own path.",
+        key="cartesian.move_p",
+        title=Text("Action", "MOVE P: to the pose"),
+    )
+    move_l = Act(
+        "MOVE L",
+        named="move_l_button",
+        does=Cartesian.move,
+        tip="Moves to the pose on a straight line.",
+        key="cartesian.move_l",
+        title=Text("Action", "MOVE L: on a straight line to the pose"),
     )
 
     def __init__(self, controller: ArmController, preferences: SettingsStore) -> None:
@@ -242,10 +254,7 @@ class CartesianPanel(JogPanel):
             for place, name in enumerate(AXES)
         ]
         self._tool = ToolBox()
-        self._arc = ArcBox(controller.cartesian.in_frame)
-        self._load = push_button("load_pose_button")
-        self._move_p = push_button("move_p_button")
-        self._move_l = push_button("move_l_button")
+        self._arc = ArcBox(controller)
         self._lay_out()
         self._connect()
         controller.cell_changed.connect(self._on_cell_changed)
@@ -262,7 +271,7 @@ class CartesianPanel(JogPanel):
         rows = in_column(head, *self._rows, spacing=4)
         parts = (rows, self._extras, STRETCH)
         in_column(*parts, on=card, spacing=10, margins=(16, 8, 16, 10))
-        buttons = (self._load, self._move_p, self._move_l)
+        buttons = (self.load, self.move_p, self.move_l)
         self._finish(card, buttons, tallest_px=_TALLEST_CARD_PX, above=(self._frame,))
 
     def _connect(self) -> None:
@@ -272,30 +281,20 @@ class CartesianPanel(JogPanel):
         self._arc.start_wanted.connect(self._on_go_to_start)
         self._arc.send_wanted.connect(self._on_send_arc)
         self._shown_frame.activated.connect(self._on_frame_chosen)
-        self._load.clicked.connect(self._on_load)
-        self._move_p.clicked.connect(lambda: self._send(MoveMode.MOVE_P))
-        self._move_l.clicked.connect(lambda: self._send(MoveMode.MOVE_L))
 
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
         base, tool, user = self._frame.buttons
         arc, tool_centre = self._extras.buttons
-        start, middle, end = self._arc.captures
         return {
+            **super().command_targets(),
+            **self._arc.command_targets(),
             "cartesian.base": base,
             "cartesian.tool": tool,
             "cartesian.user": user,
             "cartesian.shown_frame": self._shown_frame,
-            "cartesian.load": self._load,
-            "cartesian.move_p": self._move_p,
-            "cartesian.move_l": self._move_l,
             "cartesian.arc": arc,
             "cartesian.tool_centre": tool_centre,
-            "cartesian.capture_start": start,
-            "cartesian.capture_middle": middle,
-            "cartesian.capture_end": end,
-            "cartesian.arc_start": self._arc.go_to_start,
-            "cartesian.move_c": self._arc.send,
             "cartesian.keys": self._keys,
             "cartesian.step": self._rows[0].plus,
             **{f"cartesian.target_{row.name}": row.field for row in self._rows},
@@ -400,6 +399,7 @@ class CartesianPanel(JogPanel):
 
     # -- targets ------------------------------------------------------------------------------
 
+    @load.pressed
     def _on_load(self) -> None:
         pose = self._shown_pose()
         if pose is not None:
@@ -407,13 +407,21 @@ class CartesianPanel(JogPanel):
             self._follow_arm()
         self._accepted(None if pose is not None else POSE_UNKNOWN())
 
+    @move_p.pressed
+    def _move_p(self) -> None:
+        self._send(MoveMode.MOVE_P)
+
+    @move_l.pressed
+    def _move_l(self) -> None:
+        self._send(MoveMode.MOVE_L)
+
     def _send(self, move_mode: MoveMode) -> None:
         target = self.targets()
         if target is None:
             self._accepted(self._nonsense() or POSE_UNKNOWN())
             return
         self._sent = self._accepted(self._controller.cartesian.move(target, move_mode))
-        self._light_move()
+        self.show_acts()
 
     def _forget_outdated(self, old: OperatingState) -> None:
         """Once a pose was driven to, the fields follow the arm again."""
@@ -454,7 +462,7 @@ class CartesianPanel(JogPanel):
 
     def _on_edited(self) -> None:
         self._sent = False
-        self._light_move()
+        self.show_acts()
         self._accepted(None)
 
     # -- what the arm says --------------------------------------------------------------------
@@ -473,12 +481,13 @@ class CartesianPanel(JogPanel):
         if (pose is None) is self._heard:
             self._heard = pose is not None
             self._show_possible()
-        self._light_move()
+        CartesianPanel.move_p.show(self)
 
-    def _light_move(self) -> None:
-        """Light MOVE P while a target was given that was not sent, and that the arm is not at."""
+    @move_p.lit
+    def _is_elsewhere(self) -> bool:
+        """Return true while a target was given that was not sent, and that the arm is not at."""
         pose = None if self._sent else self._shown_pose()
-        show_primary(self._move_p, wanted=pose is not None and self._differ_from(pose))
+        return pose is not None and self._differ_from(pose)
 
     def _stale(self) -> bool:
         state = self._controller.state
@@ -502,15 +511,9 @@ class CartesianPanel(JogPanel):
         self._show_measured()
 
     def _show_possible(self) -> None:
-        why_not = self._allow_jog()
-        no_pose = with_pose(self._operating_state)
-        self._arc.allow(no_pose, why_not)
-        use = self.tr("Fills the fields with the measured pose; nothing moves.")
-        enable_or_explain(self._load, no_pose, use)
-        use = self.tr("Moves to the pose, each joint on its own path.")
-        enable_or_explain(self._move_p, why_not, use)
-        use = self.tr("Moves to the pose on a straight line.")
-        enable_or_explain(self._move_l, why_not, use)
+        self._allow_jog()
+        self._arc.show_acts()
+        self.show_acts()
 
     def _first_wrong(self) -> Refusal | None:
         """A figure that is none, or what the arm itself says against its last target."""
@@ -544,7 +547,4 @@ class CartesianPanel(JogPanel):
         self._shown_frame.setAccessibleName(self.tr("Frame of the figures"))
         self._measured_head.setText(self.tr("Measured"))
         self._title.setText(self.tr("Tool control"))
-        caption(self._load, self.tr("Load"))
-        caption(self._move_p, "MOVE P")
-        caption(self._move_l, "MOVE L")
         super().retranslate_ui()

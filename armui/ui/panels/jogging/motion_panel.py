@@ -21,19 +21,15 @@ from armui.control.motion.joint_motion import Motion
 from armui.control.operations.operation import operation_of
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.ui import format as fmt
+from armui.ui.actions.act import Act
 from armui.ui.actions.command import Command, Target, also, with_angles
-from armui.ui.actions.keys import keys_of
 from armui.ui.freshness import is_stale
 from armui.ui.panels.jogging.jog_panel import JogPanel, TargetRow
 from armui.ui.panels.jogging.own_home import OwnHome
 from armui.ui.theme import scaled_font
 from armui.ui.widgets.buttons import (
-    caption,
     describe,
-    enable_or_explain,
     named,
-    push_button,
-    show_primary,
 )
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.figure_field import FigureField
@@ -52,7 +48,6 @@ _KEYS: Final = tuple(
     (f"J{joint}", plus, minus)
     for joint, plus, minus in zip(JOINTS, "QWERTY", "ASDFGH", strict=True)
 )
-_HOME_KEY, _LOAD_KEY, _SEND_KEY = (keys_of(f"motion.{act}") for act in ("home", "load", "send"))
 
 _WIDEST_ANGLE: Final = "-000.000°"
 _WIDEST_LIMIT: Final = "-000.00°"
@@ -198,7 +193,6 @@ class JointRow(TargetRow):
 
 
 _ZERO: Final = also("zero zeros origin home 归零 零位 零点 原点 复位")
-_OWN_HOME: Final = also("home park rest 原位 停放 待机位")
 _JOINTS: Final = also("movej joints 关节运动")
 _TARGET: Final = Text("Action", "Target of")
 _KEYBOARD: Final = also("keyboard teach 键盘")
@@ -216,23 +210,38 @@ class MotionPanel(JogPanel):
     """
 
     commands = (
-        Command(
-            "motion.own_home",
-            Text("OwnHome", "Own home"),
-            operation_of(Motion.send_joints),
-            leads=True,  # whether one is kept, and where it is, stands on the page
-            synonyms=_OWN_HOME,
-        ),
+        *OwnHome.commands,
         Command("motion.set_own_home_measured", Text("Action", "Own home: the measured angles")),
         Command("motion.set_own_home_typed", Text("Action", "Own home: the targets")),
-        Command("motion.home", operation=operation_of(Motion.go_home), synonyms=_ZERO),
-        Command("motion.load", needs=with_angles),
-        Command("motion.send", operation=operation_of(Motion.send_joints), synonyms=_JOINTS),
         Command("motion.keys", Text("JogPanel", "Keyboard jogging"), synonyms=_KEYBOARD),
         Command("motion.step", Text("JogPanel", "Step of − and +")),
         Command("motion.jog_step", operation=operation_of(Motion.jog), presses=False),
         Command("motion.jog", operation=operation_of(Jogging.start)),
         *(Command(f"motion.target_{j}", replace(_TARGET, suffix=f"J{j}")) for j in JOINTS),
+    )
+
+    home = Act(
+        "Home",
+        named="home_button",
+        does=Motion.go_home,
+        tip="Moves all joints to 0°.",
+        key="motion.home",
+        synonyms=_ZERO,
+    )
+    load = Act(
+        "Load",
+        named="load_button",
+        tip="Fills the fields with the measured angles; nothing moves.",
+        key="motion.load",
+        needs=with_angles,
+    )
+    send = Act(
+        "Send",
+        named="send_button",
+        does=Motion.send_joints,
+        tip="Moves the arm to the angles in the fields.",
+        key="motion.send",
+        synonyms=_JOINTS,
     )
 
     def __init__(self, controller: ArmController, preferences: SettingsStore) -> None:
@@ -250,9 +259,6 @@ class MotionPanel(JogPanel):
         limits = self._operating_state.limits
         self._rows: Sequence[JointRow] = [JointRow(j, limits[j - 1]) for j in JOINTS]
         self._own_home = OwnHome(controller, preferences, self.targets)
-        self._home = push_button("home_button")
-        self._load = push_button("load_button")
-        self._send = push_button("send_button")
         self._lay_out()
         self._connect()
         self.set_jog_step(preferences.settings.jog_step_deg)
@@ -263,27 +269,22 @@ class MotionPanel(JogPanel):
         heads = in_row(_FIELD_INDENT_PX, self._target_head, STRETCH, self._measured_head)
         rows = ((row, 1) for row in self._rows)
         in_column(heads, *rows, on=card, spacing=2, margins=(16, 6, 16, 6))
-        buttons = (self._home, self._own_home, self._load, self._send)
+        buttons = (self.home, self._own_home, self.load, self.send)
         self._finish(card, buttons, tallest_px=_TALLEST_CARD_PX)
 
     def _connect(self) -> None:
         self._follow_rows()
-        self._home.clicked.connect(self._on_home)
         self._own_home.refused.connect(self._accepted)
         self._own_home.sent.connect(lambda: self._release(*JOINTS))
         self._own_home.kept.connect(self._on_home_kept)
-        self._load.clicked.connect(self._on_load)
-        self._send.clicked.connect(self._on_send)
 
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
         return {
-            "motion.home": self._home,
-            "motion.own_home": self._own_home.go,
+            **super().command_targets(),
+            **self._own_home.command_targets(),
             "motion.set_own_home_measured": self._own_home.set_measured,
             "motion.set_own_home_typed": self._own_home.set_typed,
-            "motion.load": self._load,
-            "motion.send": self._send,
             "motion.keys": self._keys,
             "motion.step": self._step_box,
             "motion.jog_step": self.first_jog,
@@ -352,19 +353,22 @@ class MotionPanel(JogPanel):
         self._refusal, self._event = None, event
         self._show_message()
 
+    @home.pressed
     def _on_home(self) -> None:
         if self._accepted(self._controller.motion.go_home()):
             self._release(*JOINTS)
 
+    @load.pressed
     def _on_load(self) -> None:
         angles_deg = self._controller.state.angles_deg()
         if angles_deg is None:
             self._accepted(JOINTS_UNKNOWN())
             return
         self._fill(angles_deg)
-        self._light_send()
+        self.show_acts()
         self._accepted(None)
 
+    @send.pressed
     def _on_send(self) -> None:
         targets_deg = self.targets()
         if targets_deg is None:
@@ -381,7 +385,7 @@ class MotionPanel(JogPanel):
 
     def _on_edited(self) -> None:
         self._refusal = self._event = None
-        self._light_send()
+        self.show_acts()
         self._show_message()
 
     # -- what the arm says --------------------------------------------------------------------
@@ -405,17 +409,18 @@ class MotionPanel(JogPanel):
         if (angles_deg is None) is self._heard:
             self._heard = angles_deg is not None
             self._show_possible()
-        self._light_send()
+        MotionPanel.send.show(self)
 
     def _angles_deg(self) -> tuple[float, ...] | None:
         if self._operating_state.device is None:
             return None
         return self._controller.motion.setpoint_deg or self._controller.state.angles_deg()
 
-    def _light_send(self) -> None:
-        """Light 发送 while a target was given that the arm is not at."""
+    @send.lit
+    def _is_elsewhere(self) -> bool:
+        """Return true while a target was given that the arm is not at."""
         angles_deg = self._angles_deg() or (math.inf,) * len(JOINTS)
-        show_primary(self._send, wanted=self._differ_from(angles_deg))
+        return self._differ_from(angles_deg)
 
     def _forget_targets(self) -> None:
         self._fill(None)
@@ -434,15 +439,9 @@ class MotionPanel(JogPanel):
     # -- appearance ---------------------------------------------------------------------------
 
     def _show_possible(self) -> None:
-        why_not = self._allow_jog()
-        no_angles = with_angles(self._operating_state)
-        use = self.tr("Moves all joints to 0°.")
-        enable_or_explain(self._home, why_not, use, key=_HOME_KEY)
+        self._allow_jog()
         self._own_home.show_possible()
-        use = self.tr("Fills the fields with the measured angles; nothing moves.")
-        enable_or_explain(self._load, no_angles, use, key=_LOAD_KEY)
-        use = self.tr("Moves the arm to the angles in the fields.")
-        enable_or_explain(self._send, why_not, use, key=_SEND_KEY)
+        self.show_acts()
 
     def _first_wrong(self) -> Refusal | None:
         for row in self._rows:
@@ -460,9 +459,6 @@ class MotionPanel(JogPanel):
         self._step_box.setToolTip(self.tr("How far one press of − or + moves a joint"))
         self._target_head.setText(self.tr("Target"))
         self._measured_head.setText(self.tr("Measured"))
-        caption(self._home, self.tr("Home"), key=_HOME_KEY)
-        caption(self._load, self.tr("Load"), key=_LOAD_KEY)
-        caption(self._send, self.tr("Send"), key=_SEND_KEY)
         super().retranslate_ui()
 
 

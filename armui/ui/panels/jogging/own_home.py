@@ -14,20 +14,21 @@ from armui.arm.refusal import Reason, Refusal
 from armui.control.context import GENERATION_UNKNOWN
 from armui.control.events import Event, Level, Notice
 from armui.control.link.arm_key import arm_key
+from armui.control.motion.joint_motion import Motion
 from armui.control.operating_state import NOT_CONNECTED
 from armui.control.operations.started import refusal_of
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.ui import format as fmt
-from armui.ui import words
+from armui.ui.actions.act import Act, HasActs
+from armui.ui.actions.command import also
 from armui.ui.widgets.buttons import (
-    caption,
-    enable_or_explain,
     give_menu,
     named,
     push_button,
 )
 from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.translated import Translated
+from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -46,7 +47,7 @@ _ARROW_PX: Final = 28
 Angles = tuple[float, ...]
 
 
-class OwnHome(Translated, QWidget):
+class OwnHome(HasActs, Translated, QWidget):
     """Moves to the operator's home pose of the connected arm, and sets it.
 
     Setting it moves nothing. The arm moves there like to any other target: by MOVE J, with the same
@@ -63,13 +64,22 @@ class OwnHome(Translated, QWidget):
         kept: It was set: an :class:`Event` with the angles.
 
     Attributes:
-        go: The button that moves there.
         set_measured, set_typed: The buttons that set it.
     """
 
     refused = Signal(object)
     sent = Signal()
     kept = Signal(object)
+
+    go = Act(
+        "Own home",
+        named="own_home_button",
+        does=Motion.send_joints,
+        key="motion.own_home",
+        title=Text("OwnHome", "Own home"),
+        leads=True,  # whether one is kept, and where it is, stands on the page
+        synonyms=also("home park rest 原位 停放 待机位"),
+    )
 
     def __init__(
         self,
@@ -81,7 +91,6 @@ class OwnHome(Translated, QWidget):
         self._controller = controller
         self._preferences = preferences
         self._typed = typed
-        self.go = push_button("own_home_button")
         self._set = push_button("set_own_home_button")
         self._menu = QMenu(self._set)
         self.set_measured = named("set_own_home_measured", QAction(self._menu))
@@ -94,10 +103,14 @@ class OwnHome(Translated, QWidget):
                 button.sizePolicy().horizontalPolicy(), QSizePolicy.Policy.Expanding
             )
         in_row((self.go, 1), self._set, on=self, spacing=2, margins=0)
-        self.go.clicked.connect(self._on_go)
         self.set_measured.triggered.connect(lambda _checked=False: self._keep_measured())
         self.set_typed.triggered.connect(lambda _checked=False: self._keep(self._typed()))
         self.retranslate_ui()
+
+    @property
+    def controller(self) -> ArmController:
+        """The controller of the arm."""
+        return self._controller
 
     @property
     def _arm(self) -> str | None:
@@ -117,6 +130,7 @@ class OwnHome(Translated, QWidget):
         kept = self._preferences.settings.home_poses.get(self._arm or "")
         return None if kept is None else tuple(kept)
 
+    @go.pressed
     def _on_go(self) -> None:
         angles_deg = self.angles_deg
         if angles_deg is None:
@@ -155,20 +169,25 @@ class OwnHome(Translated, QWidget):
             return beyond
         return self._preferences.keep("home_poses", {arm: angles_deg})
 
+    @go.why_not
+    def _why_not_go(self) -> Refusal | None:
+        angles_deg, now = self.angles_deg, self._controller.operating_state
+        if angles_deg is None:
+            return NO_OWN_HOME()
+        return now.cannot_move or check_joints(angles_deg, now.limits)
+
+    @go.tip
+    def _what_it_does(self) -> str:
+        if self.angles_deg is None:
+            return self._doubt()
+        use = self.tr("Moves the joints to {angles}.").format(angles=_figures(self.angles_deg))
+        return "\n".join(filter(None, (use, self._doubt())))
+
     def show_possible(self) -> None:
         """Enable it, or show why not; the tooltip contains the pose."""
-        angles_deg = self.angles_deg
-        if angles_deg is None:
-            reason, use = words.refusal(NO_OWN_HOME()), ""
-        else:
-            now = self._controller.operating_state
-            refusal = now.cannot_move or check_joints(angles_deg, now.limits)
-            reason = words.why_not(refusal)
-            use = self.tr("Moves the joints to {angles}.").format(angles=_figures(angles_deg))
-        doubt = self._doubt()
-        enable_or_explain(self.go, reason, "\n".join(filter(None, (use, doubt))))
+        self.show_acts()
         kept = self.tr("Sets your own home for this arm; nothing moves.")
-        self._set.setToolTip("\n".join(filter(None, (kept, doubt))))
+        self._set.setToolTip("\n".join(filter(None, (kept, self._doubt()))))
 
     def _doubt(self) -> str:
         """What to say where another arm at this adapter would be taken for this one."""
@@ -181,7 +200,6 @@ class OwnHome(Translated, QWidget):
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
-        caption(self.go, self.tr("Own home"))
         self._set.setAccessibleName(self.tr("Set own home"))
         self.set_measured.setText(self.tr("Set to the measured angles"))
         self.set_typed.setText(self.tr("Set to the targets in the fields"))

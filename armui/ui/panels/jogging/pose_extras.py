@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from functools import partial
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt, Signal
@@ -16,20 +15,29 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from armui.control.motion.cartesian import Cartesian
 from armui.kinematics.axes import AXES, LINEAR_AXES
 from armui.ui import format as fmt
+from armui.ui.actions.act import Act, ActFamily, HasActs
+from armui.ui.actions.command import with_pose
 from armui.ui.theme import scaled_font
-from armui.ui.widgets.buttons import caption, choice_button, enable_or_explain, push_button
+from armui.ui.widgets.buttons import caption, choice_button
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import empty_grid, in_column, in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
+from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
     from armui.control.cell.cell_control import CellControl
 
 Pose = tuple[float, ...]
-_POINTS = ("start", "middle", "end")
+_POINTS: Final[Mapping[str, Text]] = {
+    "start": Text("ArcBox", "Capture start"),
+    "middle": Text("ArcBox", "Capture middle"),
+    "end": Text("ArcBox", "Capture end"),
+}
 _TEXT_SCALE: Final = 0.85
 
 
@@ -100,11 +108,11 @@ class ToolBox(Translated, QWidget):
             field.setAccessibleName(self.tr("Tool {axis}").format(axis=name))
 
 
-class ArcBox(Translated, QWidget):
+class ArcBox(HasActs, Translated, QWidget):
     """Three poses, each captured from the arm, and the two buttons that use them.
 
     Args:
-        shown: Returns a pose of the base as it is shown.
+        controller: Gives the frame in which poses are shown, and the reasons.
     """
 
     capture_wanted = Signal(int)
@@ -113,17 +121,43 @@ class ArcBox(Translated, QWidget):
     """Emitted to move to the start of the arc."""
     send_wanted = Signal()
 
-    def __init__(self, shown: Callable[[Pose], Pose]) -> None:
+    captures = ActFamily(
+        {
+            place: Act(
+                text,
+                named=f"capture_{point}",
+                tip="Captures the arm's present pose; nothing moves.",
+                key=f"cartesian.capture_{point}",
+                needs=with_pose,
+            )
+            for place, (point, text) in enumerate(_POINTS.items())
+        }
+    )
+    go_to_start = Act(
+        "Go to start",
+        named="arc_start_button",
+        does=Cartesian.move,
+        tip="Moves to the captured start with MOVE P.",
+        key="cartesian.arc_start",
+        title=Text("ArcBox", "Go to start"),
+    )
+    send = Act(
+        "MOVE C",
+        named="move_c_button",
+        does=Cartesian.move_arc,
+        tip="Moves from the start through the middle to the end. Some firmware has no arcs.",
+        key="cartesian.move_c",
+        title=Text("Action", "MOVE C: along the arc"),
+    )
+
+    def __init__(self, controller: ArmController) -> None:
         super().__init__()
-        self._shown = shown
+        self._controller = controller
         self.poses: list[Pose | None] = [None, None, None]
-        self.captures = [push_button(f"capture_{point}") for point in _POINTS]
         self._texts = [text_label(f"captured_{point}", rank="muted") for point in _POINTS]
-        self.go_to_start = push_button("arc_start_button")
-        self.send = push_button("move_c_button")
         grid = empty_grid(self, gaps=(6, 3), margins=0)
-        for place, (button, text) in enumerate(zip(self.captures, self._texts, strict=True)):
-            button.clicked.connect(partial(self.capture_wanted.emit, place))
+        captures = self.captures.values()
+        for place, (button, text) in enumerate(zip(captures, self._texts, strict=True)):
             button.setProperty("compact", True)
             text.setAlignment(Qt.AlignmentFlag.AlignCenter)
             text.setFont(scaled_font(text, _TEXT_SCALE))
@@ -133,9 +167,24 @@ class ArcBox(Translated, QWidget):
         buttons = in_row((self.go_to_start, 1), (self.send, 1), spacing=6)
         grid.addLayout(buttons, 2, 0, 1, len(_POINTS))
         grid.setRowStretch(3, 1)
-        self.go_to_start.clicked.connect(self.start_wanted)
-        self.send.clicked.connect(self.send_wanted)
         self.retranslate_ui()
+
+    @property
+    def controller(self) -> ArmController:
+        """The controller of the arm."""
+        return self._controller
+
+    @captures.pressed
+    def _on_capture(self, place: int) -> None:
+        self.capture_wanted.emit(place)
+
+    @go_to_start.pressed
+    def _on_go_to_start(self) -> None:
+        self.start_wanted.emit()
+
+    @send.pressed
+    def _on_send(self) -> None:
+        self.send_wanted.emit()
 
     def take(self, place: int, pose: Pose) -> None:
         """Set a captured pose."""
@@ -154,36 +203,20 @@ class ArcBox(Translated, QWidget):
             (name for name, pose in zip(names, self.poses, strict=True) if pose is None), None
         )
 
-    def allow(self, why_no_capture: str, why_no_move: str) -> None:
-        """Enable the buttons, or disable them with the reasons."""
-        for button in self.captures:
-            use = self.tr("Captures the arm's present pose; nothing moves.")
-            enable_or_explain(button, why_no_capture, use)
-        use = self.tr("Moves to the captured start with MOVE P.")
-        enable_or_explain(self.go_to_start, why_no_move, use)
-        use = self.tr(
-            "Moves from the start through the middle to the end. Some firmware has no arcs."
-        )
-        enable_or_explain(self.send, why_no_move, use)
-
     def _show_poses(self) -> None:
         for text, pose in zip(self._texts, self.poses, strict=True):
             if pose is None:
                 text.setText(fmt.NOTHING)
                 text.setToolTip("")
                 continue
-            shown = self._shown(pose)
+            shown = self._controller.cartesian.in_frame(pose)
             x, y, z, rx, ry, rz = (fmt.number(value, 1) for value in shown)
             text.setText(f"{' '.join(fmt.number(value, 0) for value in shown[:3])} mm")
             text.setToolTip(f"X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°")
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
-        names = (self.tr("Capture start"), self.tr("Capture middle"), self.tr("Capture end"))
-        for button, text in zip(self.captures, names, strict=True):
-            caption(button, text)
-        caption(self.go_to_start, self.tr("Go to start"))
-        caption(self.send, "MOVE C")
+        self.show_acts()
         self._show_poses()
 
 
