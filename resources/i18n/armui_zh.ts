@@ -10461,6 +10461,18 @@ The other program must have ended.</source>
         <translation>示教基准位姿</translation>
     </message>
     <message>
+        <source>The motor is off.</source>
+        <translation>该电机已失能。</translation>
+    </message>
+    <message>
+        <source>Type first by how much it is off.</source>
+        <translation>请先输入偏差值。</translation>
+    </message>
+    <message>
+        <source>No joint is answered yet.</source>
+        <translation>还没有任何关节作出回答。</translation>
+    </message>
+    <message>
         <source>Look at the whole arm beside the picture, which shows what it reports. Tick each joint that stands elsewhere than the picture shows. Nothing drives those joints; any that is in doubt is ticked already.</source>
         <translation>对照画面查看整台机械臂，画面显示的是它上报的位置。勾选实际位置与画面不同的关节。这些关节不会被驱动；如有存疑的关节，则已勾选。</translation>
     </message>

@@ -141,7 +141,7 @@ def test_a_button_is_assigned_for_this_device_and_kept(app_driver, dialog, pads)
 def test_the_first_buttons_come_back(app_driver, dialog, pads):
     switch_on(app_driver, dialog, pads, PAD)
     choose(dialog, "dead_man", "a")
-    dialog._buttons._first.click()
+    dialog._buttons.restore.click()
     assert app_driver.controller.gamepad.buttons_of(PAD).dead_man == "left_shoulder"
 
 

@@ -63,7 +63,7 @@ class Act:
         primary: True for the main button; see :meth:`lit`.
         held: True if it must be held for a second.
         flat: True for a button without a frame, as in the head of a panel.
-        on_enter: As of :func:`push_button`.
+        on_enter: True if Enter presses it anywhere in its dialog.
         least_height_px: Its least height.
     """
 
@@ -85,7 +85,7 @@ class Act:
         primary: bool = False,
         held: bool = False,
         flat: bool = False,
-        on_enter: bool | None = None,
+        on_enter: bool = False,
         least_height_px: int = 0,
     ) -> None:
         self.named = named
@@ -199,11 +199,13 @@ class Act:
         """Return in words why it cannot be pressed now; "" if it can."""
         if "why_not" in self._methods:
             refusal: Refusal | str | None = self._ask(owner, "why_not")
-        else:
+        elif self.operation is not None or self._needs is not no_reason:
             now = owner.controller.operating_state
             refusal = self._needs(now)
             if not refusal and self.operation is not None:
                 refusal = self.operation.why_not(now, **self.arguments)
+        else:
+            refusal = None
         return refusal if isinstance(refusal, str) else words.why_not(refusal)
 
     def show(self, owner: HasActs) -> None:
@@ -308,7 +310,7 @@ class HasActs(_Base):
 
     @property
     def controller(self) -> ArmController:
-        """The controller of the arm."""
+        """The controller of the arm; only acts that ask or move the arm need it."""
         raise NotImplementedError
 
     def heading(self) -> str:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import platform
-from collections.abc import Mapping
 from datetime import datetime
 from functools import partial
 from pathlib import Path
@@ -22,14 +21,13 @@ from armui.system.files import read_file
 from armui.system.licences import Licence, licences
 from armui.system.version_record import TakenOver, taken_over
 from armui.ui import words
-from armui.ui.actions.command import Command, Target
+from armui.ui.actions.act import Act
 from armui.ui.background import Background, Job
 from armui.ui.dialogs.base import ArmDialog, CloseButton
-from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import fill, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.text_label import text_label
-from armui.ui.words.text import Text
 
 _SIZE_PX: Final = (820, 600)
 _LIST_WIDTH_PX: Final = 240
@@ -55,7 +53,7 @@ class AboutDialog(ArmDialog):
         parent: The main window.
     """
 
-    commands = (Command("about.copy", Text("AboutDialog", "Copy as text")),)
+    copy_button = Act("Copy as text", named="about_copy", key="about.copy")
 
     def __init__(
         self,
@@ -77,23 +75,17 @@ class AboutDialog(ArmDialog):
         self.text = named("about_licence", QPlainTextEdit())
         self.text.setReadOnly(True)
         self._message = named("about_message", MessageLine())
-        self.copy_button = push_button("about_copy", on_enter=False)
         shown = in_row(self.list, (self.text, 1), spacing=12)
         fill(self.body, self._facts, self._licence_note, (shown, 1))
         fill(self.footer, self.copy_button, (self._message, 1), CloseButton(self, on_enter=True))
         self.resize(*_SIZE_PX)
         self.list.currentRowChanged.connect(self._read)
-        self.copy_button.clicked.connect(self._on_copy)
         self.retranslate_ui()
-
-    def command_targets(self) -> Mapping[str, Target]:
-        """Return what carries out each command, by the command's name."""
-        return {"about.copy": self.copy_button}
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
         self.set_title(self.tr("About armui"))
-        self.copy_button.setText(self.tr("Copy as text"))
+        self.show_acts()
         self.list.setAccessibleName(self.tr("Licences"))
         self.text.setAccessibleName(self.tr("Text of the licence"))
         self._licence_note.setText(
@@ -172,6 +164,7 @@ class AboutDialog(ArmDialog):
     def _on_text(self, text: str | Refusal) -> None:
         self.text.setPlainText(words.refusal(text) if isinstance(text, Refusal) else text)
 
+    @copy_button.pressed
     def _on_copy(self) -> None:
         QGuiApplication.clipboard().setText(self.facts())
         self._message.show_message(self.tr("Copied: paste it into a mail."), Level.DONE)

@@ -6,7 +6,7 @@ Each value was heard, read or set; values that the arm does not report are shown
 from __future__ import annotations
 
 import platform
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -29,15 +29,15 @@ from armui.protocol.addressing import Addressing
 from armui.protocol.generation import Generation
 from armui.ui import format as fmt
 from armui.ui import words
-from armui.ui.actions.command import Command, Target
+from armui.ui.actions.act import Act
 from armui.ui.background import Background, Job
 from armui.ui.dialogs.base import ArmDialog, CloseButton
-from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import empty_grid, fill
 from armui.ui.widgets.seen_timer import SeenTimer
 from armui.ui.widgets.text_label import text_label
 from armui.ui.words.reference import reference_text
-from armui.ui.words.text import Text, Texts
+from armui.ui.words.text import Texts
 
 _SIZE_PX: Final = (720, 720)
 _REFRESH_MS: Final = 1000
@@ -330,7 +330,7 @@ class AboutArmDialog(ArmDialog):
         parent: The main window.
     """
 
-    commands = (Command("about_arm.copy", Text("AboutArmDialog", "Copy as text")),)
+    copy_button = Act("Copy as text", named="about_arm_copy", key="about_arm.copy")
 
     def __init__(
         self,
@@ -340,7 +340,6 @@ class AboutArmDialog(ArmDialog):
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(controller, parent)
-        self._controller = controller
         self._online = online
         self._background = background
         self._links: tuple[LinkFacts, ...] = ()
@@ -352,13 +351,8 @@ class AboutArmDialog(ArmDialog):
         self._build()
         self.resize(*_SIZE_PX)
         self._timer = SeenTimer(self, _REFRESH_MS, self._refresh)
-        self.copy_button.clicked.connect(self._on_copy)
         controller.operating_state_changed.connect(self._on_state_changed)
         self.retranslate_ui()
-
-    def command_targets(self) -> Mapping[str, Target]:
-        """Return the target of each command, by the command's name."""
-        return {"about_arm.copy": self.copy_button}
 
     def _build(self) -> None:
         self._grid_widget = QWidget()
@@ -371,14 +365,13 @@ class AboutArmDialog(ArmDialog):
         area.viewport().setAutoFillBackground(False)
         self._grid_widget.setAutoFillBackground(False)
         self._said = text_label("about_arm_said", rank="muted")
-        self.copy_button = push_button("about_arm_copy", on_enter=False)
         self.body.addWidget(area, 1)
         fill(self.footer, self.copy_button, (self._said, 1), CloseButton(self, on_enter=True))
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
         self.set_title(self.tr("About this arm"))
-        self.copy_button.setText(self.tr("Copy as text"))
+        self.show_acts()
         self._refresh()
 
     def showEvent(self, event: QShowEvent) -> None:
@@ -394,6 +387,7 @@ class AboutArmDialog(ArmDialog):
         """Return everything that is shown as text, one line for each row."""
         return "".join(f"{row.label}: {row.value}\n" for row in self._rows)
 
+    @copy_button.pressed
     def _on_copy(self) -> None:
         QGuiApplication.clipboard().setText(self.text())
         self._said.setText(self.tr("Copied: paste it into a mail."))

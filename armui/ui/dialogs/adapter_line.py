@@ -28,9 +28,10 @@ from armui.doctor.facts import Diagnosis, Section
 from armui.doctor.judge_heard import ARM
 from armui.doctor.process import DoctorProcess
 from armui.ui import words
+from armui.ui.actions.act import Act
 from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.dialogs.finding_row import WORDS, Remedy
-from armui.ui.widgets.buttons import enable_or_explain, named, push_button
+from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.layouts import STRETCH, fill, in_row
 from armui.ui.widgets.message_line import MessageLine, Words
 from armui.ui.widgets.text_label import text_label
@@ -307,6 +308,8 @@ class KeepDialog(ArmDialog):
 
     _told = Signal(object, object)
 
+    agree_button = Act("Write these files", named="adapter_agree", primary=True)
+
     def __init__(
         self,
         controller: ArmController,
@@ -330,9 +333,7 @@ class KeepDialog(ArmDialog):
         self.files = named("adapter_files", QPlainTextEdit())
         self.files.setReadOnly(True)
         self._note = text_label(rank="muted", wraps=True, plain=True)
-        self.agree_button = push_button("adapter_agree", primary=True, on_enter=False)
         self._build()
-        self.agree_button.clicked.connect(self._on_agree)
         self._told.connect(self._on_told, Qt.ConnectionType.QueuedConnection)
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
@@ -359,7 +360,6 @@ class KeepDialog(ArmDialog):
         self.set_title(self.tr("Keep at every start") if keeps else self.tr("Forget"))
         self._name_label.setText(self.tr("Name of the adapter"))
         self.files.setAccessibleName(self.tr("Files of the system"))
-        self.agree_button.setText(self.tr("Write these files") if keeps else self.tr("Remove"))
         self._note.setText(
             self.tr(
                 "The system asks for the administrator's password. The name holds for this adapter "
@@ -416,9 +416,18 @@ class KeepDialog(ArmDialog):
         return "\n".join(parts)
 
     def _refresh(self) -> None:
-        nothing = "" if self._planned else self.tr("The files are being read.")
-        enable_or_explain(self.agree_button, nothing)
+        self.show_acts()
 
+    @agree_button.text
+    def _agreement(self) -> str:
+        keeps = self._remedy[0] == "remember"
+        return self.tr("Write these files") if keeps else self.tr("Remove")
+
+    @agree_button.why_not
+    def _why_not_agree(self) -> str:
+        return "" if self._planned else self.tr("The files are being read.")
+
+    @agree_button.pressed
     def _on_agree(self) -> None:
         planned = self._planned
         if planned is not None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
 from typing import Final, Protocol, runtime_checkable
 
 from PySide6.QtCore import QEvent, QMargins, QRect, Qt
@@ -10,7 +9,7 @@ from PySide6.QtGui import QContextMenuEvent, QGuiApplication, QMoveEvent, QShowE
 from PySide6.QtWidgets import QDialog, QPushButton, QWidget
 
 from armui.control.arm_controller import ArmController
-from armui.ui.actions.command import Command, Target
+from armui.ui.actions.act import HasActs
 from armui.ui.shell.workspace_layout import Place, fitted
 from armui.ui.widgets.curve_menu import offer_curves
 from armui.ui.widgets.halt_button import HaltButton
@@ -105,7 +104,7 @@ class CloseButton(Translated, QPushButton):
         self.setText(self.tr("Close"))
 
 
-class ArmDialog(Translated, KeepsFocus, QDialog):
+class ArmDialog(HasActs, Translated, KeepsFocus, QDialog):
     """A dialog with its title, halt and emergency stop in one line at the top.
 
     It never blocks the main window, so the stop there stays within reach, too. Escape closes it.
@@ -117,13 +116,11 @@ class ArmDialog(Translated, KeepsFocus, QDialog):
     Attributes:
         body: The layout for its own content.
         footer: The layout for its buttons, from left to right.
-        commands: Its commands for the command palette.
     """
-
-    commands: Sequence[Command] = ()
 
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self._controller = controller
         self.setModal(False)
         self._moved = False
         self._heading = text_label(rank="title", wraps=True, plain=True)
@@ -137,9 +134,10 @@ class ArmDialog(Translated, KeepsFocus, QDialog):
         self.footer = in_row(spacing=_GAP_PX // 2)
         in_column(header, (self.body, 1), self.footer, on=self, spacing=_GAP_PX, margins=_MARGIN_PX)
 
-    def command_targets(self) -> Mapping[str, Target]:
-        """Return the target of each of its commands, by the command's name."""
-        return {}
+    @property
+    def controller(self) -> ArmController:
+        """The controller of the arm."""
+        return self._controller
 
     def add_to_header(self, widget: QWidget) -> None:
         """Add a widget between the title and the stops."""

@@ -28,6 +28,7 @@ from armui.control.operating_state import LinkState, OperatingState
 from armui.doctor.facts import Diagnosis
 from armui.doctor.process import adapter_trouble
 from armui.ui import words
+from armui.ui.actions.act import Act, HasActs
 from armui.ui.actions.command import Command, Target
 from armui.ui.background import Background, Job
 from armui.ui.dialogs.adapter_line import AdapterLine
@@ -44,7 +45,7 @@ from armui.ui.dialogs.model_choice import (
     bitrate_text,
     same_device,
 )
-from armui.ui.widgets.buttons import enable_or_explain, named, push_button
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import STRETCH, fill, in_column, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.progress import quiet_progress
@@ -70,7 +71,7 @@ _MOST: Final = 1
 """Only the gravest is shown: 诊断 lists all of them."""
 
 
-class ManualEntry(Translated, QWidget):
+class ManualEntry(HasActs, Translated, QWidget):
     """Fields for interface and channel as python-can names them.
 
     Args:
@@ -81,6 +82,7 @@ class ManualEntry(Translated, QWidget):
     """
 
     entered = Signal(object)
+    add_button = Act("Add to the list", named="connect_add")
 
     def __init__(self, interfaces: Sequence[str]) -> None:
         super().__init__()
@@ -93,13 +95,11 @@ class ManualEntry(Translated, QWidget):
         self._channel_label = QLabel()
         self.channel_edit = QLineEdit()
         self._channel_label.setBuddy(self.channel_edit)
-        self.add_button = push_button(on_enter=False)
         of_interface = (self.interface_label, (self.interface_box, 2), 6)
         of_channel = (self._channel_label, (self.channel_edit, 3))
         in_row(*of_interface, *of_channel, self.add_button, on=self, spacing=8, margins=0)
-        self.add_button.clicked.connect(self._on_add)
-        self.channel_edit.textChanged.connect(self._on_changed)
-        self.interface_box.editTextChanged.connect(self._on_changed)
+        self.channel_edit.textChanged.connect(lambda _text: self.show_acts())
+        self.interface_box.editTextChanged.connect(lambda _text: self.show_acts())
         self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
@@ -107,15 +107,14 @@ class ManualEntry(Translated, QWidget):
         self.interface_label.setText(self.tr("Interface"))
         self._channel_label.setText(self.tr("Channel"))
         self.channel_edit.setPlaceholderText(self.tr("e.g. COM5, /dev/ttyACM0, 239.0.0.1"))
-        self.add_button.setText(self.tr("Add to the list"))
-        self._on_changed()
+        self.show_acts()
 
-    def _on_changed(self) -> None:
-        complete = bool(self._interface() and self._channel())
-        self.add_button.setEnabled(complete)
-        tip = "" if complete else self.tr("Enter the interface and its channel first.")
-        self.add_button.setToolTip(tip)
+    @add_button.why_not
+    def _why_not_add(self) -> str:
+        complete = self._interface() and self._channel()
+        return "" if complete else self.tr("Enter the interface and its channel first.")
 
+    @add_button.pressed
     def _on_add(self) -> None:
         interface, channel = self._interface(), self._channel()
         self.entered.emit(
@@ -205,6 +204,10 @@ class ConnectDialog(ArmDialog):
         Command("connect.model", Text("Action", "Model of the arm")),
         Command("connect.listen_only", Text("ConnectDialog", "Listen only")),
     )
+    refresh_button = Act("Refresh", named="connect_refresh")
+    diagnosis_button = Act("Diagnosis…", named="connect_diagnosis")
+    disconnect_button = Act("Disconnect", named="connect_disconnect")
+    connect_button = Act("Connect", named="connect_connect", primary=True, on_enter=True)
     diagnosis_wanted = Signal(object)
 
     def __init__(
@@ -222,7 +225,6 @@ class ConnectDialog(ArmDialog):
         )
         self._wanted: Device | None = None
         self._before_leaving = before_leaving
-        self._controller = controller
         self._operating_state = controller.operating_state
         self._model = DeviceModel()
         self._searching = False
@@ -233,10 +235,6 @@ class ConnectDialog(ArmDialog):
         self._model.modelReset.connect(self._restore_selection)
         self._table.selectionModel().selectionChanged.connect(self._on_selection_changed)
         self._table.doubleClicked.connect(self._on_connect)
-        self.connect_button.clicked.connect(self._on_connect)
-        self.disconnect_button.clicked.connect(self._on_disconnect)
-        self.refresh_button.clicked.connect(self._search)
-        self.diagnosis_button.clicked.connect(self._on_diagnosis)
         self._manual.entered.connect(self._on_entered)
         self.model_choice.chosen.connect(self._refresh)
         if self._trouble is not None:
@@ -251,6 +249,7 @@ class ConnectDialog(ArmDialog):
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
         return {
+            **super().command_targets(),
             "connect.model": self.model_choice.box,
             "connect.listen_only": self.listen_only_box,
         }
@@ -270,7 +269,6 @@ class ConnectDialog(ArmDialog):
         header.setSectionResizeMode(CHANNEL, QHeaderView.ResizeMode.Stretch)
         self._progress = quiet_progress()
         self._progress.setRange(0, 0)
-        self.diagnosis_button = push_button("connect_diagnosis", on_enter=False)
         said = in_row((self._message, 1), self.diagnosis_button, spacing=8)
         self.model_choice = ModelChoice(kept_models)
         fill(self.body, said)
@@ -298,9 +296,6 @@ class ConnectDialog(ArmDialog):
         return in_row(self._bitrate_label, self.bitrate_box, *about, spacing=LINE_GAP_PX)
 
     def _build_buttons(self) -> None:
-        self.refresh_button = push_button(on_enter=False)
-        self.disconnect_button = push_button(on_enter=False)
-        self.connect_button = push_button(primary=True, on_enter=True)
         fill(self.footer, self.refresh_button, STRETCH)
         fill(self.footer, self.disconnect_button, self.connect_button, CloseButton(self))
 
@@ -308,10 +303,6 @@ class ConnectDialog(ArmDialog):
         """Set all texts in the operator's language."""
         self.set_title(self.tr("Connect arm"))
         self._table.setAccessibleName(self.tr("CAN devices"))
-        self.refresh_button.setText(self.tr("Refresh"))
-        self.connect_button.setText(self.tr("Connect"))
-        self.disconnect_button.setText(self.tr("Disconnect"))
-        self.diagnosis_button.setText(self.tr("Diagnosis…"))
         self._bitrate_label.setText(self.tr("Bit rate"))
         self.model_choice.retranslate_ui()
         self.model_choice.line_up(self._bitrate_label, self._manual.interface_label)
@@ -336,11 +327,13 @@ class ConnectDialog(ArmDialog):
             self._wanted = None
             self._search()
 
+    @refresh_button.pressed
     def _search(self) -> None:
         self._controller.search_devices()
         if self._trouble is not None:
             self._trouble.examine()
 
+    @connect_button.pressed
     def _on_connect(self) -> None:
         device = self._selected()
         if device is None or self._is_connected_so(device):
@@ -360,9 +353,11 @@ class ConnectDialog(ArmDialog):
         self._wanted = device
         self._controller.connect_device(device)
 
+    @diagnosis_button.pressed
     def _on_diagnosis(self) -> None:
         self.diagnosis_wanted.emit(self._selected())
 
+    @disconnect_button.pressed
     def _on_disconnect(self) -> None:
         self._leave_then(self._controller.disconnect_device)
 
@@ -465,19 +460,24 @@ class ConnectDialog(ArmDialog):
     def _refresh(self) -> None:
         self._refresh_message()
         self._refresh_bitrate()
+        self.show_acts()
+
+    @connect_button.why_not
+    def _why_not_connect(self) -> str:
         device = self._selected()
         if device is None:
-            reason = self.tr("Choose a device in the list first.")
-        elif self._is_connected_so(device):
-            reason = self.tr("This device is connected.")
-        else:
-            reason = ""
-        enable_or_explain(self.connect_button, reason)
+            return self.tr("Choose a device in the list first.")
+        connected = self._is_connected_so(device)
+        return self.tr("This device is connected.") if connected else ""
+
+    @disconnect_button.why_not
+    def _why_not_disconnect(self) -> str:
         nothing = self._operating_state.device is None
-        reason = self.tr("No device is connected.") if nothing else ""
-        enable_or_explain(self.disconnect_button, reason)
-        reason = self.tr("The search is under way.") if self._searching else ""
-        enable_or_explain(self.refresh_button, reason)
+        return self.tr("No device is connected.") if nothing else ""
+
+    @refresh_button.why_not
+    def _why_not_search(self) -> str:
+        return self.tr("The search is under way.") if self._searching else ""
 
     def _refresh_message(self) -> None:
         operating_state = self._operating_state

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from typing import Any, Final
@@ -24,15 +24,14 @@ from armui.doctor.process import DoctorProcess
 from armui.doctor.report import as_text
 from armui.protocol.codec import Codec
 from armui.protocol.generation import Generation
-from armui.ui.actions.command import Command, Target
+from armui.ui.actions.act import Act
 from armui.ui.dialogs.adapter_line import AdapterLine, Examination, Examine
 from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.dialogs.finding_row import WORDS, FindingRow
-from armui.ui.widgets.buttons import enable_or_explain, named, push_button
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import STRETCH, bare_area, fill, in_column
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.text_label import text_label
-from armui.ui.words.text import Text
 
 _SIZE_PX: Final = (860, 640)
 _GAP_PX: Final = 12
@@ -108,10 +107,9 @@ class DoctorDialog(ArmDialog):
         report_wanted: The operator wants to report a problem.
     """
 
-    commands = (
-        Command("doctor.copy", Text("DoctorDialog", "Copy report")),
-        Command("doctor.again", Text("DoctorDialog", "Run again")),
-    )
+    copy_button = Act("Copy report", named="doctor_copy", key="doctor.copy")
+    report_button = Act("Report a problem…", named="doctor_report")
+    again_button = Act("Run again", named="doctor_again", key="doctor.again")
     report_wanted = Signal()
     _told = Signal(object, object)
 
@@ -125,7 +123,6 @@ class DoctorDialog(ArmDialog):
         super().__init__(controller, parent)
         self._adapter = adapter or AdapterLine(controller)
         self._adapter.listens_elsewhere = self._listens_to
-        self._controller = controller
         self._examine = examine
         self._device: Device | None = None
         self._under_way: Examination | None = None
@@ -135,17 +132,10 @@ class DoctorDialog(ArmDialog):
         self._rows: list[Callable[[], QWidget]] = []
         self._build()
         self.resize(*_SIZE_PX)
-        self.copy_button.clicked.connect(self._on_copy)
-        self.report_button.clicked.connect(self.report_wanted)
-        self.again_button.clicked.connect(self.examine)
         self._adapter.changed.connect(self._on_adapter_changed)
         # queued, for an answer may come while the examination is being begun
         self._told.connect(self._on_told, Qt.ConnectionType.QueuedConnection)
         self.retranslate_ui()
-
-    def command_targets(self) -> Mapping[str, Target]:
-        """Return the target of each command, by the command's name."""
-        return {"doctor.copy": self.copy_button, "doctor.again": self.again_button}
 
     # Layout -----------------------------------------------------------------------------------
 
@@ -156,9 +146,6 @@ class DoctorDialog(ArmDialog):
         self._progress.setTextVisible(False)
         self._note = text_label(rank="muted", wraps=True, plain=True)
         self._area = named("doctor_findings", bare_area())
-        self.copy_button = push_button("doctor_copy", on_enter=False)
-        self.report_button = push_button("doctor_report", on_enter=False)
-        self.again_button = push_button("doctor_again", on_enter=False)
         self.close_button = CloseButton(self)
         self.close_button.setDefault(True)
         shown = (self._message, self._progress, self._adapter, (self._area, 1), self._note)
@@ -169,9 +156,6 @@ class DoctorDialog(ArmDialog):
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
         self.set_title(self.tr("Diagnosis"))
-        self.copy_button.setText(self.tr("Copy report"))
-        self.report_button.setText(self.tr("Report a problem…"))
-        self.again_button.setText(self.tr("Run again"))
         self._note.setText(
             self.tr("Only looked and listened: nothing was sent. In a terminal: armui doctor")
         )
@@ -189,6 +173,7 @@ class DoctorDialog(ArmDialog):
         super().open()
         self.examine()
 
+    @again_button.pressed
     def examine(self) -> None:
         """Start the examination again."""
         self._end()
@@ -221,6 +206,11 @@ class DoctorDialog(ArmDialog):
         if self.isVisible():
             self.examine()
 
+    @report_button.pressed
+    def _on_report(self) -> None:
+        self.report_wanted.emit()
+
+    @copy_button.pressed
     def _on_copy(self) -> None:
         QGuiApplication.clipboard().setText(self.report())
 
@@ -249,12 +239,18 @@ class DoctorDialog(ArmDialog):
     def _refresh(self) -> None:
         waiting = self._under_way is not None
         self._progress.setVisible(waiting)
-        reason = self.tr("The diagnosis is running.") if waiting else ""
-        enable_or_explain(self.again_button, reason)
-        nothing = reason or ("" if self._findings() else self.tr("There is no report yet."))
-        enable_or_explain(self.copy_button, nothing)
+        self.show_acts()
         self._refresh_message(waiting=waiting)
         self._refresh_rows()
+
+    @again_button.why_not
+    def _why_not_again(self) -> str:
+        return "" if self._under_way is None else self.tr("The diagnosis is running.")
+
+    @copy_button.why_not
+    def _why_not_copy(self) -> str:
+        nothing = "" if self._findings() else self.tr("There is no report yet.")
+        return self._why_not_again() or nothing
 
     def _refresh_message(self, *, waiting: bool) -> None:
         if waiting:

@@ -29,6 +29,7 @@ from armui.doctor.process import DoctorProcess
 from armui.doctor.report import as_json, as_text
 from armui.system.files import size_text
 from armui.ui import words
+from armui.ui.actions.act import Act
 from armui.ui.actions.command import Command, Target
 from armui.ui.background import Background, Job
 from armui.ui.dialogs.adapter_line import Examination, Examine
@@ -36,7 +37,7 @@ from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.dialogs.doctor import with_connected
 from armui.ui.dialogs.files import choose_file
 from armui.ui.dialogs.finding_row import WORDS
-from armui.ui.widgets.buttons import caption, enable_or_explain, named, push_button
+from armui.ui.widgets.buttons import caption, enable_or_explain, named
 from armui.ui.widgets.layouts import STRETCH, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.text_label import text_label
@@ -61,9 +62,9 @@ class ProblemReportDialog(ArmDialog):
     """
 
     commands = (
-        Command("report.save", Text("ProblemReportDialog", "Save the report…")),
         Command("report.bus", Text("ProblemReportDialog", "Add the last minutes of the bus")),
     )
+    save_button = Act("Save the report…", named="report_save", key="report.save", primary=True)
     _told = Signal(object, object)
 
     def __init__(
@@ -75,7 +76,6 @@ class ProblemReportDialog(ArmDialog):
         examine: Examine = DoctorProcess,
     ) -> None:
         super().__init__(controller, parent)
-        self._controller = controller
         self._background = background
         self._settings = settings
         self._examine = examine
@@ -87,13 +87,13 @@ class ProblemReportDialog(ArmDialog):
         self._collecting = False
         self._bus_job: Job[bytes] | None = None
         self._saving: Job[Path | Refusal] | None = None
+        self._hangs = False
         self._build()
         self.resize(*_SIZE_PX)
         # queued, for an answer may come while the examination is being begun
         self._told.connect(self._on_told, Qt.ConnectionType.QueuedConnection)
         self.list.currentRowChanged.connect(self._show_file)
         self.bus_box.clicked.connect(self._on_bus)
-        self.save_button.clicked.connect(self._on_save)
         self._late = QTimer(self)
         self._late.setSingleShot(True)
         self._late.setInterval(_HANGS_MS)
@@ -102,7 +102,7 @@ class ProblemReportDialog(ArmDialog):
 
     def command_targets(self) -> Mapping[str, Target]:
         """Return what carries out each command, by the command's name."""
-        return {"report.save": self.save_button, "report.bus": self.bus_box}
+        return {**super().command_targets(), "report.bus": self.bus_box}
 
     # Layout -----------------------------------------------------------------------------------
 
@@ -115,7 +115,6 @@ class ProblemReportDialog(ArmDialog):
         self.text = named("report_text", QPlainTextEdit())
         self.text.setReadOnly(True)
         self.text.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
-        self.save_button = push_button("report_save", primary=True, on_enter=False)
         shown = in_row(self.list, (self.text, 1), spacing=12)
         fill(self.body, self._note, self.bus_box, (shown, 1), self._message)
         fill(self.footer, STRETCH, self.save_button, CloseButton(self))
@@ -133,7 +132,6 @@ class ProblemReportDialog(ArmDialog):
         caption(self.bus_box, self.tr("Add the last minutes of the bus"))
         self.list.setAccessibleName(self.tr("Files of the report"))
         self.text.setAccessibleName(self.tr("The file that is chosen"))
-        self.save_button.setText(self.tr("Save the report…"))
         self._refresh()
 
     # What the operator does -------------------------------------------------------------------
@@ -170,6 +168,7 @@ class ProblemReportDialog(ArmDialog):
             self._background.begin_here(self._bus_job, write)
         self._refresh()
 
+    @save_button.pressed
     def _on_save(self) -> None:
         now = datetime.now().astimezone()
         chooser = choose_file(
@@ -188,6 +187,7 @@ class ProblemReportDialog(ArmDialog):
             self._saving.wanted = False
         self._saving = Job(self._on_saved)
         self._message.show_message(self.tr("Saving {path}…").format(path=path))
+        self._hangs = False
         self._late.start()
         self._background.begin_here(self._saving, save, path, self.files())
         self._refresh()
@@ -251,11 +251,12 @@ class ProblemReportDialog(ArmDialog):
         """Tell what became of a report on a disk that answers late, unless it was saved anew."""
         said = self.tr("The disk does not answer. Save the report in another folder.")
         self._message.show_message(said, Level.FAULT)
-        self._refresh(late=True)
+        self._hangs = True
+        self._refresh()
 
     # How it looks -----------------------------------------------------------------------------
 
-    def _refresh(self, *, late: bool = False) -> None:
+    def _refresh(self) -> None:
         files = self.files()
         labels = [f"{each.name}  ({size_text(len(each.data))})" for each in files]
         if labels != [self.list.item(row).text() for row in range(self.list.count())]:
@@ -264,22 +265,20 @@ class ProblemReportDialog(ArmDialog):
             self.list.addItems(labels)
             self.list.setCurrentRow(min(row, len(labels) - 1))
             self._show_file(self.list.currentRow())
-        self._refresh_buttons(late=late)
-
-    def _refresh_buttons(self, *, late: bool) -> None:
-        reason = ""
-        if self._collecting:
-            reason = self.tr("The report is being collected.")
-        elif self._bus_job is not None:
-            reason = self.tr("The frames are being written down.")
-        elif self._saving is not None and not late:
-            reason = self.tr("The report is being saved.")
-        elif not self._files:
-            reason = self.tr("There is nothing to save.")
-        enable_or_explain(self.save_button, reason)
+        self.show_acts()
         heard = self._controller.sessions.ring().frames
         nothing = "" if heard else self.tr("Nothing was heard on a bus.")
         enable_or_explain(self.bus_box, nothing)
+
+    @save_button.why_not
+    def _why_not_save(self) -> str:
+        if self._collecting:
+            return self.tr("The report is being collected.")
+        if self._bus_job is not None:
+            return self.tr("The frames are being written down.")
+        if self._saving is not None and not self._hangs:
+            return self.tr("The report is being saved.")
+        return "" if self._files else self.tr("There is nothing to save.")
 
     def _show_file(self, row: int) -> None:
         files = self.files()

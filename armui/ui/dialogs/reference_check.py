@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
@@ -15,26 +14,20 @@ from armui.arm.reference_record import ReferenceRecord
 from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
 from armui.control.events import Level
-from armui.control.operations.operation import operation_of
 from armui.control.operations.started import Started, refusal_of
 from armui.control.safety.reference_control import (
     ReferenceControl,
-    why_not_allow,
-    why_not_begin,
     why_not_drive,
-    why_not_finish,
-    why_not_teach_pose,
 )
 from armui.ui import format as fmt
 from armui.ui import words
-from armui.ui.actions.command import Command, Target
+from armui.ui.actions.act import Act
 from armui.ui.background import Background, Job
 from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.dialogs.confirm_dialog import confirm
 from armui.ui.dialogs.files import choose_file
-from armui.ui.widgets.buttons import caption, enable_or_explain, named, push_button
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.figure_field import FigureField
-from armui.ui.widgets.hold_button import HoldButton
 from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_column, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.text_label import text_label
@@ -60,23 +53,50 @@ class ReferenceDialog(ArmDialog):
         parent: The main window.
     """
 
-    commands = (
-        Command("reference.allow", None, operation_of(ReferenceControl.allow)),
-        Command("reference.begin", None, operation_of(ReferenceControl.begin)),
-        Command("reference.drive", None, operation_of(ReferenceControl.drive)),
-        Command("reference.finish", None, operation_of(ReferenceControl.finish)),
-        Command(
-            "reference.teach",
-            Text("ReferenceDialog", "Teach reference pose…"),
-            operation_of(ReferenceControl.teach),
-        ),
+    begin_button = Act(
+        "Begin the check",
+        named="reference_begin",
+        does=ReferenceControl.begin,
+        key="reference.begin",
+    )
+    allow_button = Act(
+        "Move anyway",
+        named="reference_allow",
+        does=ReferenceControl.allow,
+        key="reference.allow",
+        held=True,
+    )
+    look_button = Act("The others stand as shown", named="reference_look")
+    off_button = Act("Motor off…", named="reference_motor_off")
+    drive_button = Act(
+        "Drive to the mark",
+        named="reference_drive",
+        does=ReferenceControl.drive,
+        key="reference.drive",
+        held=True,
+    )
+    mark_button = Act("Stands at its mark", named="reference_at_mark")
+    differs_button = Act("Off by this", named="reference_differs")
+    finish_button = Act(
+        "Finish the check",
+        named="reference_finish",
+        does=ReferenceControl.finish,
+        key="reference.finish",
+        primary=True,
+    )
+    back_button = Act("Answer again", named="reference_back")
+    teach_button = Act(
+        "Teach reference pose…",
+        named="reference_teach",
+        does=ReferenceControl.teach,
+        key="reference.teach",
+        title=Text("ReferenceDialog", "Teach reference pose…"),
     )
 
     def __init__(
         self, controller: ArmController, background: Background, parent: QWidget | None = None
     ) -> None:
         super().__init__(controller, parent)
-        self._controller = controller
         self._background = background
         self._photo = ""
         self._said: Refusal | None = None
@@ -84,16 +104,6 @@ class ReferenceDialog(ArmDialog):
         self._connect()
         self.resize(*_SIZE_PX)
         self.retranslate_ui()
-
-    def command_targets(self) -> Mapping[str, Target]:
-        """Return the target of each command, by the command's name."""
-        return {
-            "reference.allow": self.allow_button,
-            "reference.begin": self.begin_button,
-            "reference.drive": self.drive_button,
-            "reference.finish": self.finish_button,
-            "reference.teach": self.teach_button,
-        }
 
     # -- layout -------------------------------------------------------------------------------
 
@@ -116,18 +126,8 @@ class ReferenceDialog(ArmDialog):
         self._elsewhere = {
             joint: named(f"reference_elsewhere_{joint}", QCheckBox(f"J{joint}")) for joint in JOINTS
         }
-        self.begin_button = push_button("reference_begin", on_enter=False)
-        self.allow_button = named("reference_allow", HoldButton(self._controller))
-        self.look_button = push_button("reference_look", on_enter=False)
-        self.off_button = push_button("reference_motor_off", on_enter=False)
-        self.drive_button = named("reference_drive", HoldButton(self._controller))
-        self.mark_button = push_button("reference_at_mark", on_enter=False)
         self.off_field = named("reference_off_field", FigureField(1, "°"))
         self.off_field.setFixedWidth(100)
-        self.differs_button = push_button("reference_differs", on_enter=False)
-        self.finish_button = push_button("reference_finish", primary=True, on_enter=False)
-        self.back_button = push_button("reference_back", on_enter=False)
-        self.teach_button = push_button("reference_teach", on_enter=False)
         self._picture = QLabel()
         self._picture.setVisible(False)
         self._message = MessageLine(self)
@@ -153,18 +153,7 @@ class ReferenceDialog(ArmDialog):
         )
 
     def _connect(self) -> None:
-        reference = self._controller.reference
-        self.begin_button.clicked.connect(lambda: self._tell(reference.begin()))
-        self.allow_button.held.connect(lambda: self._tell(reference.allow()))
-        self.look_button.clicked.connect(self._on_looked)
-        self.off_button.clicked.connect(self._ask_motor_off)
-        self.drive_button.held.connect(self._on_drive)
-        self.mark_button.clicked.connect(self._on_at_mark)
-        self.differs_button.clicked.connect(self._on_differs)
         self.off_field.value_edited.connect(self._show)
-        self.finish_button.clicked.connect(lambda: self._tell(reference.finish()))
-        self.back_button.clicked.connect(self._on_back)
-        self.teach_button.clicked.connect(self._ask_to_teach)
         self._controller.state_changed.connect(self._on_changed)
         self._controller.operating_state_changed.connect(self._on_changed)
 
@@ -200,12 +189,32 @@ class ReferenceDialog(ArmDialog):
         self._said = refusal_of(result)
         self._show()
 
+    @begin_button.pressed
+    def _on_begin(self) -> None:
+        self._tell(self._controller.reference.begin())
+
+    @allow_button.pressed
+    def _on_allow(self) -> None:
+        self._tell(self._controller.reference.allow())
+
+    @finish_button.pressed
+    def _on_finish(self) -> None:
+        self._tell(self._controller.reference.finish())
+
+    @look_button.pressed
     def _on_looked(self) -> None:
         self._controller.reference.look(
             [j for j, box in self._elsewhere.items() if box.isChecked()]
         )
         self._show()
 
+    @off_button.why_not
+    def _why_not_off(self) -> str:
+        step, enabled = self._step, self._controller.operating_state.enabled
+        off = step is not None and enabled[step.joint - 1] is False
+        return self.tr("The motor is off.") if off else ""
+
+    @off_button.pressed
     def _ask_motor_off(self) -> None:
         step = self._step
         if step is None:
@@ -225,11 +234,25 @@ class ReferenceDialog(ArmDialog):
             on_withdrawn=self._tell,
         )
 
+    @drive_button.why_not
+    def _why_not_drive(self) -> Refusal | None:
+        joint = JOINTS[0] if self._step is None else self._step.joint
+        return why_not_drive(self._controller.operating_state, joint)
+
+    @drive_button.pressed
     def _on_drive(self) -> None:
         step = self._step
         if step is not None:
             self._tell(self._controller.reference.drive(step.joint))
 
+    @mark_button.why_not
+    def _why_not_at_mark(self) -> str:
+        step = self._step
+        if step is None or not step.by_hand or step.mark_deg is None or self._why_not_off():
+            return ""
+        return self.tr("Switch its motor off and turn it by hand first.")
+
+    @mark_button.pressed
     def _on_at_mark(self) -> None:
         step, reference = self._step, self._controller.reference
         if step is not None:
@@ -237,6 +260,12 @@ class ReferenceDialog(ArmDialog):
             if off_deg is not None:
                 self._answer(step.joint, off_deg)
 
+    @differs_button.why_not
+    def _why_not_differs(self) -> str:
+        given = self.off_field.value is not None
+        return "" if given else self.tr("Type first by how much it is off.")
+
+    @differs_button.pressed
     def _on_differs(self) -> None:
         step, off_deg = self._step, self.off_field.value
         if step is not None and off_deg is not None:
@@ -247,6 +276,13 @@ class ReferenceDialog(ArmDialog):
         self.off_field.show_value(None)
         self._show()
 
+    @back_button.why_not
+    def _why_not_back(self) -> str:
+        check = self._check
+        answered = check is not None and len(check.unanswered) < len(JOINTS)
+        return "" if answered else self.tr("No joint is answered yet.")
+
+    @back_button.pressed
     def _on_back(self) -> None:
         check = self._check
         if check is not None:
@@ -255,6 +291,7 @@ class ReferenceDialog(ArmDialog):
                 self._controller.reference.take_back(answered[-1])
             self._show()
 
+    @teach_button.pressed
     def _ask_to_teach(self) -> None:
         confirm(
             self,
@@ -290,7 +327,7 @@ class ReferenceDialog(ArmDialog):
             self._show()
 
     def _show(self) -> None:
-        now, check, step = self._controller.operating_state, self._check, self._step
+        check, step = self._check, self._step
         record = self._controller.reference.record
         self._show_joints(record.doubtful, step)
         looks = check is not None and not check.looked
@@ -312,20 +349,7 @@ class ReferenceDialog(ArmDialog):
         self.teach_button.setVisible(check is None)
         self.allow_button.setVisible(check is None and bool(record.doubtful))
         self.back_button.setVisible(check is not None and check.looked)
-        self.back_button.setEnabled(check is not None and len(check.unanswered) < len(JOINTS))
-        enable_or_explain(self.begin_button, words.why_not(why_not_begin(now)))
-        enable_or_explain(self.allow_button, words.why_not(why_not_allow(now)))
-        enable_or_explain(self.teach_button, words.why_not(why_not_teach_pose(now)))
-        enable_or_explain(self.finish_button, words.why_not(why_not_finish(now)))
-        if step is not None:
-            refusal = why_not_drive(now, step.joint)
-            self.drive_button.setEnabled(refusal is None)
-            self.drive_button.setToolTip(words.why_not(refusal))
-            off = now.enabled[step.joint - 1] is False
-            self.off_button.setEnabled(not off)
-            first = self.tr("Switch its motor off and turn it by hand first.")
-            enable_or_explain(self.mark_button, first if by_hand and marked and not off else "")
-        self.differs_button.setEnabled(self.off_field.value is not None)
+        self.show_acts()
         self._task.setText(self._task_text(record, check, step))
         self._show_photo(record.photo if step is not None and step.joint in (2, 3) else "")
         said = words.why_not(self._said)
@@ -428,17 +452,7 @@ class ReferenceDialog(ArmDialog):
         heads = (self.tr("Joint"), self.tr("Reported"), self.tr("At the mark"), self.tr("Result"))
         for head, text in zip(self._heads, heads, strict=True):
             head.setText(text)
-        caption(self.begin_button, self.tr("Begin the check"))
-        caption(self.allow_button, self.tr("Move anyway"))
-        caption(self.look_button, self.tr("The others stand as shown"))
-        caption(self.off_button, self.tr("Motor off…"))
-        caption(self.drive_button, self.tr("Drive to the mark"))
-        caption(self.mark_button, self.tr("Stands at its mark"))
-        caption(self.differs_button, self.tr("Off by this"))
         self.off_field.setAccessibleName(self.tr("Off by"))
-        caption(self.finish_button, self.tr("Finish the check"))
-        caption(self.back_button, self.tr("Answer again"))
-        caption(self.teach_button, self.tr("Teach reference pose…"))
         self._show()
 
 

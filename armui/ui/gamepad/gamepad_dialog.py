@@ -38,10 +38,11 @@ from armui.gamepad.layout import (
 from armui.setting_checks import GamepadMode
 from armui.settings import SettingsStore
 from armui.ui import words
+from armui.ui.actions.act import Act, HasActs
 from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.theme import colors_of
 from armui.ui.widgets import painting
-from armui.ui.widgets.buttons import caption, choice_button, named, push_button
+from armui.ui.widgets.buttons import caption, choice_button, named
 from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_column, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.seen_timer import SeenTimer
@@ -73,7 +74,7 @@ _MOST_SEEN: Final = 12
 _OPTIONAL: Final = frozenset({"halt", "mode"})
 
 
-class ButtonRows(Translated, QWidget):
+class ButtonRows(HasActs, Translated, QWidget):
     """A row for each action of a button.
 
     Args:
@@ -82,6 +83,7 @@ class ButtonRows(Translated, QWidget):
 
     chosen = Signal(object)
     """Emitted with the :class:`Assignment` that the operator has chosen."""
+    restore = Act("Restore", named="gamepad_defaults_button", tip="The buttons as delivered")
 
     def __init__(self, kind: DeviceKind) -> None:
         super().__init__()
@@ -90,7 +92,6 @@ class ButtonRows(Translated, QWidget):
         self._labels = {action: QLabel() for action in ACTIONS}
         self._boxes = {action: named(f"gamepad_{action}_box", QComboBox()) for action in ACTIONS}
         self._down = text_label("gamepad_down", rank="muted", wraps=True)
-        self._first = push_button("gamepad_defaults_button", on_enter=False)
         grid = empty_grid(self, gaps=(12, 8), margins=0)
         grid.setColumnStretch(1, 1)
         for row, action in enumerate(ACTIONS):
@@ -102,10 +103,9 @@ class ButtonRows(Translated, QWidget):
             box.activated.connect(partial(self._on_chosen, action))
             grid.addWidget(label, row, 0)
             grid.addWidget(box, row, 1)
-        grid.addLayout(in_row(STRETCH, self._first), len(ACTIONS), 0, 1, 2)
+        grid.addLayout(in_row(STRETCH, self.restore), len(ACTIONS), 0, 1, 2)
         grid.addWidget(self._down, len(ACTIONS) + 1, 0, 1, 2)
         grid.setRowStretch(len(ACTIONS) + 2, 1)
-        self._first.clicked.connect(lambda: self.chosen.emit(DEFAULTS[self._kind]))
         self.retranslate_ui()
 
     def show_assignment(self, now: Assignment) -> None:
@@ -125,6 +125,10 @@ class ButtonRows(Translated, QWidget):
                 font.setBold(lit)
                 label.setFont(font)
 
+    @restore.pressed
+    def _on_restore(self) -> None:
+        self.chosen.emit(DEFAULTS[self._kind])
+
     def _choices(self, action: str) -> tuple[str, ...]:
         return (*(("",) if action in _OPTIONAL else ()), *BUTTONS[self._kind])
 
@@ -139,8 +143,7 @@ class ButtonRows(Translated, QWidget):
             for place, button in enumerate(self._choices(action)):
                 text = gamepad_button(self._kind, button) if button else self.tr("No button")
                 box.setItemText(place, text)
-        tip = self.tr("The buttons as delivered")
-        caption(self._first, self.tr("Restore"), tip=tip)
+        self.show_acts()
         self.show_down(frozenset())
 
 
@@ -271,6 +274,8 @@ class GamepadDialog(ArmDialog):
         parent: The main window.
     """
 
+    copy_button = Act("Copy the command", named="gamepad_copy_button")
+
     def __init__(
         self, store: SettingsStore, controller: ArmController, parent: QWidget | None = None
     ) -> None:
@@ -289,7 +294,6 @@ class GamepadDialog(ArmDialog):
         self.one_axis_box.clicked.connect(self._on_one_axis)
         self.device_box.activated.connect(self._on_device)
         self._modes.idClicked.connect(self._on_mode)
-        self.copy_button.clicked.connect(self._on_copy)
         self.on_box.setFocus()
         self.retranslate_ui()
 
@@ -310,7 +314,6 @@ class GamepadDialog(ArmDialog):
             modes.addWidget(button)
         self._hint = text_label("gamepad_hint", rank="muted", wraps=True)
         self._message = named("gamepad_message", MessageLine())
-        self.copy_button = push_button("gamepad_copy_button", on_enter=False)
         self._axes_card, self._buttons_card = QFrame(), QFrame()
         self._axes_title, self._buttons_title = QLabel(), QLabel()
         self._axes_place = in_column(self._axes_title, spacing=10)
@@ -451,6 +454,7 @@ class GamepadDialog(ArmDialog):
         new = {self._shown.name: asdict(wanted)}
         self._take(words.why_not(self._store.keep("gamepad_buttons", new)))
 
+    @copy_button.pressed
     def _on_copy(self) -> None:
         QGuiApplication.clipboard().setText(PIP_COMMAND)
 
@@ -478,5 +482,5 @@ class GamepadDialog(ArmDialog):
                 "The buttons for emergency stop and halt work at any time, in every window."
             )
         )
-        caption(self.copy_button, self.tr("Copy the command"))
+        self.show_acts()
         self._refresh()
