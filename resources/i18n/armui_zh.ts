@@ -3960,6 +3960,49 @@
     </message>
 </context>
 <context>
+    <name>Figure</name>
+    <message>
+        <source>Joint number</source>
+        <translation>关节序号</translation>
+    </message>
+    <message>
+        <source>Lamp number</source>
+        <translation>灯珠序号</translation>
+    </message>
+    <message>
+        <source>R channel</source>
+        <translation>R 通道</translation>
+    </message>
+    <message>
+        <source>G channel</source>
+        <translation>G 通道</translation>
+    </message>
+    <message>
+        <source>B channel</source>
+        <translation>B 通道</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>开度</translation>
+    </message>
+    <message>
+        <source>Torque</source>
+        <translation>力矩</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>轴</translation>
+    </message>
+</context>
+<context>
     <name>FileDialog</name>
     <message>
         <source>Folder</source>
@@ -5200,25 +5243,6 @@ Z 轴指向 {direction}</translation>
     <message>
         <source>driver error</source>
         <translation>驱动器错误</translation>
-    </message>
-</context>
-<context>
-    <name>GripperFigure</name>
-    <message>
-        <source>Opening</source>
-        <translation>开度</translation>
-    </message>
-    <message>
-        <source>Torque</source>
-        <translation>力矩</translation>
-    </message>
-    <message>
-        <source>Angle</source>
-        <translation>角度</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>速度</translation>
     </message>
 </context>
 <context>
@@ -6742,29 +6766,6 @@ at 100 %</source>
     <message>
         <source>Grey values of red, green and blue, 0 to 255: 255,128,0</source>
         <translation>红、绿、蓝灰度值，0 至 255，例如 255,128,0</translation>
-    </message>
-</context>
-<context>
-    <name>LightFigure</name>
-    <message>
-        <source>Joint number</source>
-        <translation>关节序号</translation>
-    </message>
-    <message>
-        <source>Lamp number</source>
-        <translation>灯珠序号</translation>
-    </message>
-    <message>
-        <source>R channel</source>
-        <translation>R 通道</translation>
-    </message>
-    <message>
-        <source>G channel</source>
-        <translation>G 通道</translation>
-    </message>
-    <message>
-        <source>B channel</source>
-        <translation>B 通道</translation>
     </message>
 </context>
 <context>
@@ -10866,6 +10867,22 @@ The other program must have ended.</source>
     <message>
         <source>The three points lie nearly in line: the third is {value}° off the X axis, at least {minimum}° are needed. Take the point on the +Y side again, further to the side.</source>
         <translation>三点几乎共线：第三点偏离 X 轴只有 {value}°，至少需要 {minimum}°。请在 +Y 一侧更偏的位置重新采集该点。</translation>
+    </message>
+    <message>
+        <source>{figure}: “{value}” is not a number. Enter a value from {minimum} to {maximum} {unit}.</source>
+        <translation>{figure}：“{value}”不是数字，请输入 {minimum} 至 {maximum} {unit} 之间的值。</translation>
+    </message>
+    <message>
+        <source>{figure}: {value} {unit} is out of range. Enter a value from {minimum} to {maximum} {unit}.</source>
+        <translation>{figure}：{value} {unit} 超出范围，请输入 {minimum} 至 {maximum} {unit} 之间的值。</translation>
+    </message>
+    <message>
+        <source>{figure}: “{value}” is not a whole number. Enter one from {minimum} to {maximum}.</source>
+        <translation>{figure}：“{value}”不是整数。请输入 {minimum} 至 {maximum} 的整数。</translation>
+    </message>
+    <message>
+        <source>{figure}: {value} is out of range. Enter a whole number from {minimum} to {maximum}.</source>
+        <translation>{figure}：{value} 超出范围。请输入 {minimum} 至 {maximum} 的整数。</translation>
     </message>
     <message>
         <source>The process of the simulated arm has ended. One that was connected is started anew by itself, as after a power cut; otherwise connect again.</source>

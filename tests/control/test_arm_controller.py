@@ -7,6 +7,7 @@ import can
 import pytest
 
 from armui.arm.device import Device
+from armui.arm.figures import FIGURE_OUT_OF_RANGE
 from armui.arm.limits import JOINT_NOT_A_NUMBER
 from armui.control.devices.motors import NOT_STOPPED
 from armui.control.operating_state import (
@@ -21,7 +22,6 @@ from armui.control.safety.interlocks import NOT_ENABLED, SPEED_ZERO, STOPPED
 from armui.protocol.codes import ControlMode
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
-from armui.trajectory.files.errors import SPEED_OUT_OF_RANGE
 from tests.accepted import accepted
 from tests.moments import now
 
@@ -175,7 +175,7 @@ def test_the_speed_goes_to_the_arm_in_the_mode_it_is_in(rig):
 @pytest.mark.parametrize("percent", [-1, 100.5, 255])
 def test_an_impossible_speed_is_refused(rig, percent):
     rig.connect()
-    assert rig.controller.motion.set_speed_percent(percent).reason == SPEED_OUT_OF_RANGE
+    assert rig.controller.motion.set_speed_percent(percent).reason == FIGURE_OUT_OF_RANGE
     assert rig.controller.operating_state.speed_percent == 30
 
 

@@ -5,14 +5,11 @@ import errno
 import can
 import pytest
 
+from armui.arm.figures import FIGURE_NOT_A_NUMBER, FIGURE_OUT_OF_RANGE
 from armui.arm.parameters import Parameter
 from armui.arm.state import GripperFault, gripper_of
 from armui.control.devices.gripper import GRIPPER_SILENT
-from armui.control.devices.gripper_ranges import (
-    GRIPPER_NOT_A_NUMBER,
-    GRIPPER_OUT_OF_RANGE,
-    figures_of,
-)
+from armui.control.devices.gripper_ranges import gripper_figures
 from armui.control.operating_state import LINK_LOST, NOT_CONNECTED, OFFLINE
 from armui.control.operations.started import Ending, refusal_of
 from armui.control.safety.interlocks import OTHER_CONTROL, STOPPED
@@ -160,10 +157,10 @@ def test_not_beyond_the_stroke(arm2):
     arm2.run_until(lambda: not arm2.controller.settings.busy)
     assert arm2.gripper.figures.stroke_read
     refusal = arm2.gripper.move(70.001, 1.0)
-    assert refusal.reason == GRIPPER_OUT_OF_RANGE
+    assert refusal.reason == FIGURE_OUT_OF_RANGE
     assert refusal.params["maximum"] == 70.0
-    assert arm2.gripper.move(20.0, 5.001).params["gripper"] == "torque"
-    assert arm2.gripper.move(float("nan"), 1.0).reason == GRIPPER_NOT_A_NUMBER
+    assert arm2.gripper.move(20.0, 5.001).params["figure"] == "torque"
+    assert arm2.gripper.move(float("nan"), 1.0).reason == FIGURE_NOT_A_NUMBER
     arm2.step()
     assert sent(arm2) == []
     accepted(arm2.gripper.move(70.0, 5.0))
@@ -228,5 +225,5 @@ def test_no_stroke_limit_means_the_widest(rig):
     rig.firmware.settings.teaching = rig.firmware.settings.teaching._replace(stroke_limit_mm=0)
     rig.controller.settings.read([Parameter("stroke_limit_mm").batch])
     rig.run_until(lambda: not rig.controller.settings.busy)
-    figures = figures_of(TWO, rig.controller.state)
+    figures = gripper_figures(TWO, rig.controller.state)
     assert figures.travel.maximum == 100.0

@@ -2,11 +2,14 @@
 
 import pytest
 
-from armui.control.devices.lights import LIGHT_OUT_OF_RANGE, check_light
+from armui.arm.figures import WHOLE_OUT_OF_RANGE, check_arguments
+from armui.control.devices.lights import Lights
 from armui.control.operating_state import NOT_CONNECTED, OFFLINE
 from armui.protocol.codes import ALL_LAMPS
 from armui.protocol.frame import Frame
 from tests.accepted import accepted
+
+LIGHT = {"joint": 1, "lamp": 0, "red": 0, "green": 0, "blue": 0}
 
 
 def light(payload):
@@ -50,7 +53,7 @@ def test_what_was_refused_is_not_counted(rig):
     rig.connect()
     rig.heard()
     lights = rig.controller.lights
-    assert lights.set_light(1, 0, 256, 0, 0).reason == LIGHT_OUT_OF_RANGE
+    assert lights.set_light(1, 0, 256, 0, 0).reason == WHOLE_OUT_OF_RANGE
     assert rig.codes()[-1] == "refused"
     accepted(lights.set_light(1, 0, 1, 2, 3))
     rig.step()
@@ -105,12 +108,14 @@ def test_a_stopped_arm_can_be_lit(rig):
     ],
 )
 def test_out_of_range_names_figure_value_and_range(figures, wrong):
-    refusal = check_light(**figures)
-    assert refusal.reason == LIGHT_OUT_OF_RANGE
-    assert tuple(refusal.params.values()) == wrong
+    refusal = check_arguments(Lights.set_light, LIGHT | figures)
+    assert refusal.reason == WHOLE_OUT_OF_RANGE
+    named = ("figure", "value", "minimum", "maximum")
+    assert tuple(refusal.params[name] for name in named) == wrong
 
 
 @pytest.mark.parametrize("lamp", [0, 254, ALL_LAMPS])
 def test_the_ends_of_the_ranges_may_be_sent(lamp):
-    assert check_light(joint=1, lamp=lamp, red=0, green=255, blue=0) is None
-    assert check_light(joint=6, lamp=lamp, red=255, green=0, blue=255) is None
+    for joint, red, green, blue in ((1, 0, 255, 0), (6, 255, 0, 255)):
+        light = {"joint": joint, "lamp": lamp, "red": red, "green": green, "blue": blue}
+        assert check_arguments(Lights.set_light, light) is None

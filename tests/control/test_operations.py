@@ -10,6 +10,7 @@ from typing import Any, get_type_hints
 
 import pytest
 
+from armui.arm.figures import WHOLE_OUT_OF_RANGE, figures_of
 from armui.arm.refusal import Reason, Refusal
 from armui.control.operating_state import LinkState, OperatingState
 from armui.control.operations.operation import Consent, Operations, declare, operation, operation_of
@@ -71,6 +72,29 @@ def operating_states() -> Iterator[OperatingState]:
                 cannot_run=None,
                 cannot_enable=None,
             )
+
+
+def test_every_plain_number_of_an_operation_has_its_range(rig):
+    for name, bound in rig.controller.operations.items():
+        method = bound.carry_out
+        figures = figures_of(getattr(method, "__func__", method))
+        plain = {
+            argument
+            for argument, hint in get_type_hints(method).items()
+            if hint in {int, float} and argument != "return"
+        }
+        assert figures.keys() == plain, name
+
+
+def test_what_is_out_of_its_range_is_refused_and_not_begun(rig):
+    rig.ready()
+    rig.heard()
+    operations = rig.controller.operations
+    for name, joint in (("motors.enable", 0), ("joints.clear_error", 8), ("joints.set_zero", -1)):
+        assert operations[name].carry_out(joint).reason == WHOLE_OUT_OF_RANGE
+    assert operations["motion.step"].carry_out(0, 1.0).reason == WHOLE_OUT_OF_RANGE
+    rig.step()
+    assert rig.heard() == []
 
 
 def test_the_registry_holds_every_declaration(rig):

@@ -62,7 +62,7 @@ def test_limits_are_those_that_are_measured(bench):
     figures = bench.controller.gripper.figures.travel
     # 100 mm at most: 50 + 40 · 12 / 15
     assert (figures.minimum, figures.maximum) == (0.0, 82.0)
-    assert bench.controller.gripper.move(82.5, 1.0).reason.id == "gripper_out_of_range"
+    assert bench.controller.gripper.move(82.5, 1.0).reason.id == "figure_out_of_range"
     accepted(bench.controller.gripper.move(82.0, 1.0))
     bench.run(0.1)
     assert sent(bench) == ["000186A003E80100"]  # 100,000

@@ -6,6 +6,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from armui.arm.figures import FIGURE_NOT_A_NUMBER, FIGURE_OUT_OF_RANGE
 from armui.control.motion.jog_path import JointJog
 from armui.control.motion.motion_command import Hold
 from armui.control.run.player import NOT_RUNNING, OVERRIDE_ZERO
@@ -13,7 +14,6 @@ from armui.control.run.progress import Run, RunPhase
 from armui.control.run.replay import Replay
 from armui.protocol.codes import MoveMode
 from armui.protocol.frame import Frame
-from armui.trajectory.files.errors import SPEED_OUT_OF_RANGE
 from armui.trajectory.points.program import Waypoint
 from armui.trajectory.samples.recording import Recording
 from tests.accepted import accepted
@@ -303,8 +303,9 @@ def test_it_is_there_for_a_run_and_stays_for_the_next(ready):
 
 
 def test_a_figure_that_is_no_percentage_is_refused(ready):
-    for value in (-1, 101, math.nan):
-        assert override(ready, value).reason == SPEED_OUT_OF_RANGE
+    for value in (-1, 101):
+        assert override(ready, value).reason == FIGURE_OUT_OF_RANGE
+    assert override(ready, math.nan).reason == FIGURE_NOT_A_NUMBER
     assert ready.controller.speed_override.percent == 100
 
 

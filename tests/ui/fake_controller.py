@@ -14,7 +14,7 @@ from armui.arm.parameters import Batch, Parameter
 from armui.arm.reference_record import ReferenceRecord
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, GripperState
-from armui.control.devices.gripper_ranges import Figures, figures_of
+from armui.control.devices.gripper_ranges import Figures, gripper_figures
 from armui.control.events import Event, Level
 from armui.control.link.arm_mark import ArmMark
 from armui.control.motion.jog_path import JointJog, ToolJog
@@ -421,7 +421,7 @@ class FakeGripper:
 
     @property
     def figures(self) -> Figures:
-        return figures_of(self._controller.operating_state.generation, self._controller.state)
+        return gripper_figures(self._controller.operating_state.generation, self._controller.state)
 
     own_figures = figures
     is_calibrated = False

@@ -6,11 +6,16 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QSpinBox
 
-from armui.control.operating_state import Busy, LinkState, OperatingState, StopState
+from armui.control.operating_state import (
+    RUN_UNDER_WAY,
+    Busy,
+    LinkState,
+    OperatingState,
+    StopState,
+)
 from armui.control.safety.interlocks import STOPPED
 from armui.protocol.codes import ALL_JOINTS
 from armui.protocol.generation import Generation
-from armui.trajectory.files.errors import SPEED_OUT_OF_RANGE
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.shell.top_bar import CommunicationButton, EnableButton, TopBar
 from armui.ui.widgets.text_label import ValueLabel
@@ -127,7 +132,7 @@ def test_a_drag_sends_once_when_the_handle_is_let_go(slider, field, controller, 
 
 def test_a_refused_speed_is_not_shown_as_a_fact(field, slider, controller, qtbot):
     controller.be(operating_state())
-    controller.answer = SPEED_OUT_OF_RANGE(value=60)
+    controller.answer = RUN_UNDER_WAY()
     field.setValue(60)
     assert field.value() == 30
     assert slider.requested == 30

@@ -13,6 +13,7 @@ import pytest
 from PySide6.QtWidgets import QApplication
 
 from armui.arm.device import Device
+from armui.arm.figures import PERCENT, check_figure
 from armui.arm.limits import JOINT_NOT_A_NUMBER, JOINT_OUT_OF_LIMITS
 from armui.arm.refusal import Reason, Refusal
 from armui.bus.adapters import BUS_BACKEND_MISSING, BUS_DOWN
@@ -30,7 +31,6 @@ from armui.protocol.codes import MoveMode
 from armui.setting_checks import check
 from armui.settings import SettingsStore
 from armui.trajectory import columns, files
-from armui.trajectory.files.errors import SPEED_OUT_OF_RANGE
 from armui.trajectory.files.text import NUMBER_BAD
 from armui.trajectory.points.program import GripperOpening, Waypoint, check_point
 from armui.ui import words
@@ -172,7 +172,7 @@ def test_an_angle_out_of_limits_names_joint_value_and_limits(chinese: None) -> N
     ("refusal", "expected"),
     [
         (NOT_ENABLED(joints="1, 3"), "1、3"),
-        (SPEED_OUT_OF_RANGE(value=101), "101 %"),
+        (check_figure("percent", 101, PERCENT), "101 %"),
         (JOINT_NOT_A_NUMBER(joint=4, value="abc"), "“abc”"),
         (OTHER_CONTROL(mode=2), "示教模式"),
         (OTHER_CONTROL(mode=0x2F), "未知 (0x2F)"),

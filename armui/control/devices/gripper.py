@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Annotated, Final
 
 from armui.arm.arrivals import LATE_S
+from armui.arm.figures import RangeOfArm
 from armui.arm.parameters import Parameter
 from armui.arm.quirks import why_not_by_firmware
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState, GripperState
 from armui.control.context import GENERATION_UNKNOWN, Context, ControllerPart
-from armui.control.devices.gripper_ranges import Figures, calibrated, check, figures_of
+from armui.control.devices.gripper_ranges import Figures, calibrated, check, gripper_figures
 from armui.control.events import Notice
 from armui.control.operating_state import LINK_LOST, RUN_UNDER_WAY, OperatingState
 from armui.control.operations.operation import Consent, operation
@@ -82,6 +83,8 @@ GRIPPER_ACT_FAILED = Notice(
 
 CALIBRATED_MM: Final = "mm_calibrated"
 """The unit of an opening by the gripper's table, for a sentence."""
+OfGripper = Annotated[float, RangeOfArm()]
+"""A figure whose range and unit :attr:`GripperControl.figures` tells."""
 _MM: Final = "mm"
 _THERE: Final = 0.5
 """A gripper this close to its target, in mm or degrees, has arrived."""
@@ -226,7 +229,7 @@ class GripperControl(ControllerPart):
     def own_figures(self) -> Figures:
         """The same without the gripper's table: as the arm itself counts."""
         generation, state = self._context.connection.generation, self._context.state()
-        return figures_of(generation, state, by_angle=self.tells_angle)
+        return gripper_figures(generation, state, by_angle=self.tells_angle)
 
     @property
     def is_calibrated(self) -> bool:
@@ -263,7 +266,7 @@ class GripperControl(ControllerPart):
         table = self._table_of(unit)
         if table is None:
             return travel
-        own = figures_of(self._context.connection.generation, self._context.state()).travel
+        own = gripper_figures(self._context.connection.generation, self._context.state()).travel
         return round(min(max(table.asked_mm(travel), own.minimum), own.maximum), 3)
 
     def learn_stroke(self) -> None:
@@ -279,7 +282,12 @@ class GripperControl(ControllerPart):
         "gripper.move", "Move the gripper", why_not_move_gripper, moves=True, shown_first=True
     )
     def move(
-        self, started: Started, travel: float, effort: float, *, uncalibrated: bool = False
+        self,
+        started: Started,
+        travel: OfGripper,
+        effort: OfGripper,
+        *,
+        uncalibrated: bool = False,
     ) -> Refusal | None:
         """Open or close the gripper; the same frame enables it (0x159).
 
@@ -337,7 +345,7 @@ class GripperControl(ControllerPart):
         return self.move(target, figures.effort.first if effort is None else effort)
 
     @operation("gripper.enable", "Enable the gripper", why_not_move_gripper, moves=True)
-    def enable(self, started: Started, effort: float) -> Refusal | None:
+    def enable(self, started: Started, effort: OfGripper) -> Refusal | None:
         """Enable the gripper at its present place."""
         refusal = check(self.figures.effort, effort)
         heard = self._heard()

@@ -2,25 +2,15 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Final
 
-from armui.arm.refusal import Reason, Refusal
+from armui.arm.figures import Range, check_figure
+from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.protocol.generation import Generation
 from armui.trajectory.points.program import RANGES
-
-GRIPPER_NOT_A_NUMBER = Reason(
-    "gripper_not_a_number",
-    "{gripper}: “{value}” is not a number. Enter a value from {minimum} to {maximum} {unit}.",
-)
-GRIPPER_OUT_OF_RANGE = Reason(
-    "gripper_out_of_range",
-    "{gripper}: {value} {unit} is out of range. Enter a value from {minimum} to {maximum} {unit}.",
-)
-
 
 WIDEST_MM: Final = 100.0
 """The stroke of the large gripper: no gripper of this arm opens wider."""
@@ -30,7 +20,7 @@ _LEAST_SPEED_RAD_S: Final = 0.001
 
 
 @dataclass(frozen=True, slots=True)
-class Figure:
+class GripperFigure:
     """A figure of the gripper's command with its range.
 
     Attributes:
@@ -63,12 +53,12 @@ class Figures:
         stroke_read: True if the end of the travel was read from the arm (0x47E).
     """
 
-    travel: Figure
-    effort: Figure
+    travel: GripperFigure
+    effort: GripperFigure
     stroke_read: bool
 
 
-def figures_of(
+def gripper_figures(
     generation: Generation | None, state: ArmState, *, by_angle: bool = False
 ) -> Figures:
     """Return the ranges of an arm's gripper; those of generation 2 while that is unknown.
@@ -84,15 +74,15 @@ def figures_of(
     if generation is Generation.ONE:
         angle, speed = RANGES["gripper angle"], RANGES["gripper speed"]
         return Figures(
-            Figure("angle", "°", angle.minimum, angle.maximum, _SLIDER_DEG, 1.0, 0.0, 0.1),
-            Figure("speed", "rad/s", _LEAST_SPEED_RAD_S, speed.maximum, 6.0, 0.1, 1.0, 0.01),
+            GripperFigure("angle", "°", angle.minimum, angle.maximum, _SLIDER_DEG, 1.0, 0.0, 0.1),
+            GripperFigure("speed", "rad/s", _LEAST_SPEED_RAD_S, speed.maximum, 6.0, 0.1, 1.0, 0.01),
             stroke_read=False,
         )
-    torque = Figure("torque", "N·m", 0.0, RANGES["torque"].maximum, 5.0, 0.1, 1.0, 0.01)
+    torque = GripperFigure("torque", "N·m", 0.0, RANGES["torque"].maximum, 5.0, 0.1, 1.0, 0.01)
     if by_angle:
         span = RANGES["gripper angle"]
         return Figures(
-            Figure("angle", "°", span.minimum, span.maximum, _SLIDER_DEG, 1.0, 0.0, 0.1),
+            GripperFigure("angle", "°", span.minimum, span.maximum, _SLIDER_DEG, 1.0, 0.0, 0.1),
             torque,
             stroke_read=False,
         )
@@ -101,7 +91,7 @@ def figures_of(
     read = 0.0 < stroke_mm <= WIDEST_MM
     widest = float(stroke_mm) if read else WIDEST_MM
     return Figures(
-        Figure("opening", "mm", 0.0, widest, widest, 1.0, 0.0, 0.1),
+        GripperFigure("opening", "mm", 0.0, widest, widest, 1.0, 0.0, 0.1),
         torque,
         stroke_read=read,
     )
@@ -118,17 +108,6 @@ def calibrated(figures: Figures, measured_mm: Callable[[float], float]) -> Figur
     )
 
 
-def check(figure: Figure, value: float) -> Refusal | None:
+def check(figure: GripperFigure, value: float) -> Refusal | None:
     """Return why a figure may not be sent; ``None``: it may."""
-    params: dict[str, float | int | str] = {
-        "gripper": figure.name,
-        "value": value,
-        "minimum": figure.minimum,
-        "maximum": figure.maximum,
-        "unit": figure.unit,
-    }
-    if not math.isfinite(value):
-        return GRIPPER_NOT_A_NUMBER(**params)
-    if figure.minimum <= value <= figure.maximum:
-        return None
-    return GRIPPER_OUT_OF_RANGE(**params)
+    return check_figure(figure.name, value, Range(figure.minimum, figure.maximum, figure.unit))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import partial
 
+from armui.arm.figures import JointOrAll
 from armui.arm.refusal import Refusal
 from armui.control.context import Context
 from armui.control.events import Notice
@@ -62,8 +63,8 @@ class JointErrors:
         return self._joint is not None
 
     @operation("joints.clear_error", "Clear errors of the drivers", why_not_clear)
-    def clear(self, started: Started, joint: int) -> Refusal | None:
-        """Ask a joint (1–6, 7 all) to clear its error."""
+    def clear(self, started: Started, joint: JointOrAll) -> Refusal | None:
+        """Ask a joint, or all, to clear its error."""
         if self._joint is not None:
             return BUSY(what="clearing_error")
         context = self._context

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Final
+from typing import Annotated, Final
 
-from armui.arm.limits import JOINTS
+from armui.arm.figures import Also, JointNumber, Range
 from armui.arm.refusal import Reason, Refusal
 from armui.control.context import Context
 from armui.control.events import Notice
@@ -19,10 +18,6 @@ from armui.telemetry.events import EventKind, Level
 RUN_SETS_LAMPS = Reason(
     "run_sets_lamps",
     "The run under way sets the lamps itself. Wait until it is done, or end the run first.",
-)
-LIGHT_OUT_OF_RANGE = Reason(
-    "light_out_of_range",
-    "{light}: {value} is out of range. Enter a whole number from {minimum} to {maximum}.",
 )
 SENT_LAMP = Notice(
     "sent_lamp",
@@ -40,14 +35,10 @@ SENT_LAMPS = Notice(
 )
 
 
-RANGES: Final[Mapping[str, range]] = {
-    "joint": JOINTS,
-    "lamp": range(ALL_LAMPS),
-    "red": range(256),
-    "green": range(256),
-    "blue": range(256),
-}
-"""The range of each figure of the command; a lamp may be :data:`ALL_LAMPS` as well."""
+Lamp = Annotated[int, Range(0, ALL_LAMPS - 1), Also(ALL_LAMPS)]
+"""One lamp of a joint, or :data:`ALL_LAMPS`."""
+Grey = Annotated[int, Range(0, 255)]
+"""The value of a colour channel."""
 
 _COUNTS: Final = 256
 
@@ -76,24 +67,21 @@ class Lights:
 
     @operation("lamps.set", "Set the lamps of a joint", why_no_lamps)
     def set_light(  # noqa: PLR0917 - a lamp, and its colour as everybody writes one
-        self, started: Started, joint: int, lamp: int, red: int, green: int, blue: int
+        self, started: Started, joint: JointNumber, lamp: Lamp, red: Grey, green: Grey, blue: Grey
     ) -> Refusal | None:
         """Set the colour of a lamp of a joint.
 
         Args:
             started: The record of the command.
-            joint: 1–6.
-            lamp: 0–254, or :data:`ALL_LAMPS`.
-            red: Grey value of the red channel, 0–255.
-            green: Grey value of the green channel, 0–255.
-            blue: Grey value of the blue channel, 0–255.
+            joint: The joint.
+            lamp: The lamp on its board.
+            red: The red channel.
+            green: The green channel.
+            blue: The blue channel.
 
         Returns:
             Why nothing was sent, or ``None``.
         """
-        refusal = check_light(joint=joint, lamp=lamp, red=red, green=green, blue=blue)
-        if refusal is not None:
-            return refusal
         connection, color = self._context.connection, (red, green, blue)
         frames = commands.set_light(
             connection.codec, joint, color, lamp=lamp, counter=self._counter
@@ -106,17 +94,3 @@ class Lights:
         told = f"#{red:02X}{green:02X}{blue:02X}"
         self._context.tell(notice, started, joint=joint, lamp=lamp, color=told)
         return None
-
-
-def check_light(**figures: int) -> Refusal | None:
-    """Return why figures may not be sent to a lamp; ``None``: they may.
-
-    Args:
-        **figures: Values by their names in :data:`RANGES`.
-    """
-    for name, value in figures.items():
-        allowed = RANGES[name]
-        if value in allowed or (name == "lamp" and value == ALL_LAMPS):
-            continue
-        return LIGHT_OUT_OF_RANGE(light=name, value=value, minimum=allowed[0], maximum=allowed[-1])
-    return None

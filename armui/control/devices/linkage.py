@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Final
+from typing import Annotated, Final
 
+from armui.arm.figures import OneOf
 from armui.arm.refusal import Reason, Refusal
 from armui.control.context import Context, ControllerPart
 from armui.control.events import Notice
@@ -61,6 +62,9 @@ LINKAGE_FOUND = Notice(
 )
 
 
+Offset = Annotated[int, OneOf(OFFSETS, OFFSET_NOT_POSSIBLE)]
+"""An offset of identifiers."""
+
 _NO_OFFSET: Final = Addressing()
 
 
@@ -111,10 +115,10 @@ class LinkageControl(ControllerPart):
         started: Started,
         role: LinkageRole,
         *,
-        feedback_offset: int = 0,
-        control_offset: int = 0,
-        target_offset: int = 0,
-    ) -> Refusal | None:
+        feedback_offset: Offset = 0,
+        control_offset: Offset = 0,
+        target_offset: Offset = 0,
+    ) -> None:
         """Make the arm a teaching input or a motion output.
 
         An arm that is silent is asked too: a teaching input sends no feedback.
@@ -125,14 +129,8 @@ class LinkageControl(ControllerPart):
             feedback_offset: The offset of the feedback, 0x2A1–0x2A8.
             control_offset: The offset of the commands, 0x150–0x15F.
             target_offset: The offset of the commands that a teaching input sends.
-
-        Returns:
-            Why nothing was sent, or ``None``.
         """
         context = self._context
-        for offset in (feedback_offset, control_offset, target_offset):
-            if offset not in OFFSETS:
-                return OFFSET_NOT_POSSIBLE(value=offset)
         self.busy = True
         frames = commands.set_linkage(
             context.connection.codec,
@@ -161,7 +159,6 @@ class LinkageControl(ControllerPart):
             )
         )
         context.refresh()
-        return None
 
     def release(self) -> Started | Refusal:
         """Make the arm a motion output arm without offsets again (0xFC)."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
+from armui.arm.figures import JointOrAll
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
@@ -97,12 +98,12 @@ class Motors(ControllerPart):
         return self._busy
 
     @operation("motors.enable", "Enable motors", why_not_enable)
-    def enable(self, started: Started, joint: int = ALL_JOINTS) -> None:
+    def enable(self, started: Started, joint: JointOrAll = ALL_JOINTS) -> None:
         """Enable a motor, or all six with 7 (0x471); repeat until the drivers report it."""
         self._switch(started, joint, on=True)
 
     @operation("motors.disable", "Disable motors", why_not_disable, consent=Consent.PRESS)
-    def disable(self, started: Started, joint: int = ALL_JOINTS) -> None:
+    def disable(self, started: Started, joint: JointOrAll = ALL_JOINTS) -> None:
         """Disable a motor, or all six with 7 (0x471): the arm DROPS.
 
         An activity under way is no reason to refuse it: that activity ends.

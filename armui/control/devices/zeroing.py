@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
+from armui.arm.figures import JointOrAll
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
@@ -118,8 +119,8 @@ class Zeroing:
         return _why_elsewhere(joints, before, self._context.connection.newest) is None
 
     @operation("joints.set_zero", "Set zeros", why_not_zero, consent=Consent.PRESS)
-    def set_zero(self, started: Started, joint: int = ALL_JOINTS) -> Refusal | None:
-        """Make the present position of a joint (1–6, 7 all) its zero."""
+    def set_zero(self, started: Started, joint: JointOrAll = ALL_JOINTS) -> Refusal | None:
+        """Make the present position of a joint, or of each, its zero."""
         context = self._context
         state = context.state()
         joints = JOINTS if joint == ALL_JOINTS else (joint,)

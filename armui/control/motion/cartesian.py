@@ -9,8 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Annotated, Final
 
+from armui.arm.figures import Range, RangeOfArm
 from armui.arm.model_check import MODEL_DIFFERS, ModelFit, fitting_models
 from armui.arm.models import all_models
 from armui.arm.refusal import Reason, Refusal
@@ -83,6 +84,9 @@ STEPPED_TOOL = Notice(
     streams=True,
 )
 
+
+ToolAxis = Annotated[int, Range(0, len(AXES) - 1)]
+"""0–5 for X, Y, Z, RX, RY, RZ."""
 
 _NO_TOOL: Final = (0.0,) * 6
 _MODEL_MM: Final = 5.0
@@ -238,7 +242,11 @@ class Cartesian(ControllerPart):
 
     @operation("tool.step", "Move the tool by a step", why_not_move, moves=True)
     def step(
-        self, started: Started, axis: int, amount: float, frame: MotionFrame
+        self,
+        started: Started,
+        axis: ToolAxis,
+        amount: Annotated[float, RangeOfArm()],
+        frame: MotionFrame,
     ) -> Refusal | None:
         """Move the tool centre point by a step, on a straight line.
 
@@ -247,7 +255,7 @@ class Cartesian(ControllerPart):
 
         Args:
             started: The record of the command.
-            axis: 0–5 for X, Y, Z, RX, RY, RZ.
+            axis: The axis.
             amount: In mm or degrees.
             frame: The frame of the axes.
         """

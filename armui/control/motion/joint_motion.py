@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Annotated, Final
 
+from armui.arm.figures import JointNumber, Percent, RangeOfArm
 from armui.arm.limits import ANGLE_STEP_DEG, JointLimits, check_joint, clipped, settled
 from armui.arm.refusal import Reason, Refusal
 from armui.control.context import Context, ControllerPart
@@ -21,7 +22,6 @@ from armui.control.safety import interlocks
 from armui.control.safety.gate import drop_waiting
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.telemetry.events import EventKind, Level
-from armui.trajectory.files.errors import SPEED_OUT_OF_RANGE
 
 if TYPE_CHECKING:
     from armui.control.motion.motion_command import MotionCommand
@@ -125,16 +125,14 @@ class Motion(ControllerPart):
         return None if command is None else command.joints_deg
 
     @operation("motion.set_speed", "Set the motion speed", why_no_speed)
-    def set_speed_percent(self, started: Started, percent: float) -> Refusal | None:
-        """Set the speed of motions, 0–100 % of the arm's maximum (0x151 byte 2).
+    def set_speed_percent(self, started: Started, percent: Percent) -> Refusal | None:
+        """Set the speed of motions, of the arm's maximum (0x151 byte 2).
 
         The arm is told at once, in its present mode. Only the next motion brings the speed to the
         arm during a jog, while its identifiers are uncertain, while somebody else moves it and
         while a motion is held back in it.
         """
         context = self._context
-        if not 0 <= percent <= 100:
-            return SPEED_OUT_OF_RANGE(value=percent)
         operating_state = context.operating_state()
         slows = context.authority.lowers_speed(round(percent))  # a doubt is no reason against that
         if operating_state.moving and not slows:
@@ -164,7 +162,9 @@ class Motion(ControllerPart):
         return self._context.tell_percent(self.speed_percent)
 
     @operation("motion.step", "Move a joint by a step", why_not_move, moves=True)
-    def jog(self, started: Started, joint: int, delta_deg: float) -> Refusal | None:
+    def jog(
+        self, started: Started, joint: JointNumber, delta_deg: Annotated[float, RangeOfArm("°")]
+    ) -> Refusal | None:
         """Move one joint by a step at once; the other five keep their targets."""
         base_deg = self._context.authority.joint_base_deg()
         if base_deg is None:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from functools import wraps
 from typing import TYPE_CHECKING, Any, Concatenate, Final, ParamSpec, Protocol, TypeVar
 
+from armui.arm.figures import check_arguments
 from armui.arm.refusal import Refusal
 from armui.control.operating_state import OperatingState
 from armui.control.operations.started import Ending, Started
@@ -84,9 +85,10 @@ def operation(
 ]:
     """Make a method of a part of the controller an operation; see :class:`Operation`.
 
-    The reason against it is asked with what is heard now. Without one the method gets the record of
-    the command beside its arguments, and does its work; it returns ``None``, or why that could not
-    be done after all. A refusal is told the operator, here and nowhere else.
+    The reason against it is asked with what is heard now, and the figures it is called with are
+    checked against their annotations (:mod:`armui.arm.figures`). Without a reason the method gets
+    the record of the command beside its arguments, and does its work; it returns ``None``, or why
+    that could not be done after all. A refusal is told the operator, here and nowhere else.
 
     Args:
         name: Its id.
@@ -122,6 +124,7 @@ def operation(
             given.apply_defaults()
             now = context.refresh()
             refusal = why_not(now, **{each: given.arguments[each] for each in asked})
+            refusal = refusal or check_arguments(method, given.arguments)
             if refusal is None:
                 refusal = method(part, started, *args, **kwargs)
             if refusal is None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
+from armui.arm.figures import PERCENT, Percent, check_figure
 from armui.arm.refusal import Refusal
 from armui.control.context import Context, ControllerPart
 from armui.control.events import Notice
@@ -12,7 +13,6 @@ from armui.control.operations.operation import declare, record_start
 from armui.control.operations.started import Ending, Started
 from armui.control.run.player import NOT_RUNNING
 from armui.telemetry.events import EventKind, Level
-from armui.trajectory.files.errors import SPEED_OUT_OF_RANGE
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -33,8 +33,8 @@ STEP_PERCENT: Final = 10
 
 def why_no_override(now: OperatingState, percent: float) -> Refusal | None:
     """Return why the override may not be set: 0 % is a pause, so there must be a run to pause."""
-    if not 0 <= percent <= 100:
-        return SPEED_OUT_OF_RANGE(value=percent)
+    if (refusal := check_figure("percent", percent, PERCENT)) is not None:
+        return refusal
     if percent < 1 and not now.running:
         return NOT_RUNNING()
     return None
@@ -63,13 +63,13 @@ class SpeedOverride(ControllerPart):
         self._before_zero = self.percent = FULL_PERCENT
 
     @declare("run.override", "Set the speed override of runs", why_no_override)
-    def set_percent(self, percent: float) -> Started | Refusal | None:
+    def set_percent(self, percent: Percent) -> Started | Refusal | None:
         """Set the share of their own speed for runs and replays, from this moment on.
 
         It may be lowered at once. At 0 % a run is held back until a held press on 继续.
 
         Args:
-            percent: 0–100.
+            percent: The share.
 
         Returns:
             The record of the command, or why nothing was sent; ``None`` where it is so already.

@@ -8,6 +8,7 @@ from dataclasses import replace
 from datetime import datetime
 from typing import Final, Protocol
 
+from armui.arm.figures import JointNumber
 from armui.arm.limits import JOINTS
 from armui.arm.reference_record import ReferenceRecord
 from armui.arm.refusal import Reason, Refusal
@@ -234,8 +235,8 @@ class ReferenceControl(ControllerPart):
         moves=True,
         consent=Consent.HELD,
     )
-    def drive(self, started: Started, joint: int) -> Refusal | None:
-        """Drive one joint (1–6) that is not in doubt to its mark, slowly; the others stay."""
+    def drive(self, started: Started, joint: JointNumber) -> Refusal | None:
+        """Drive one joint that is not in doubt to its mark, slowly; the others stay."""
         context, check = self._context, self.check
         measured_deg = context.authority.measured_deg()
         if check is None:

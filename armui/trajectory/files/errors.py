@@ -19,9 +19,6 @@ FILE_VERSION = Reason(
 HEADER_UNKNOWN = Reason(
     "header_unknown", "“{value}” is not an entry of the header; use name, note or modified."
 )
-SPEED_OUT_OF_RANGE = Reason(
-    "speed_out_of_range", "Speed {value} % is out of range. Enter a value from 0 to 100 %."
-)
 
 
 def field_refusal(error: FieldError) -> Refusal:

@@ -15,6 +15,7 @@ from itertools import chain, starmap
 from operator import attrgetter
 from typing import Any, Final, NamedTuple
 
+from armui.arm.figures import Range
 from armui.arm.refusal import Reason, Refusal
 from armui.cell.checks import check_name as check_cell_name
 from armui.cell.tools import Tool, check_tool
@@ -60,14 +61,6 @@ VALUE_COUNT: Final = 6
 LONGEST_TEXT: Final = 4000
 """The most characters of a note or a comment."""
 LONGEST_NAME: Final = 200
-
-
-class Range(NamedTuple):
-    """The range of a figure, with its unit."""
-
-    minimum: float
-    maximum: float
-    unit: str
 
 
 ANGLE: Final = Range(-360.0, 360.0, "°")

@@ -9,6 +9,7 @@ from typing import Final
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QAbstractButton, QButtonGroup, QFrame, QLabel, QSizePolicy, QWidget
 
+from armui.arm.figures import FIGURE_NOT_A_NUMBER
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, GripperState, Reading
 from armui.control.arm_controller import ArmController
@@ -19,7 +20,7 @@ from armui.control.devices.gripper import (
     why_not_let_go,
     why_not_move_gripper,
 )
-from armui.control.devices.gripper_ranges import GRIPPER_NOT_A_NUMBER, Figure, check, figures_of
+from armui.control.devices.gripper_ranges import GripperFigure, check, gripper_figures
 from armui.control.operating_state import BUSY, OperatingState
 from armui.control.operations.operation import operation_of
 from armui.protocol.generation import Generation
@@ -125,7 +126,7 @@ class GripperRow(QWidget):
     edited = Signal()
     stepped = Signal(int)
 
-    def __init__(self, figure: Figure, *, steps: bool) -> None:
+    def __init__(self, figure: GripperFigure, *, steps: bool) -> None:
         super().__init__()
         name = f"gripper_{figure.name}"
         self._figure = figure
@@ -163,26 +164,26 @@ class GripperRow(QWidget):
         self.retranslate_ui()
 
     @property
-    def figure(self) -> Figure:
+    def figure(self) -> GripperFigure:
         """The quantity of the row."""
         return self._figure
 
     def refusal(self) -> Refusal | None:
         """Return the reason against the field's content, or ``None``; an empty field is invalid."""
         if self.field.value is None:
-            return GRIPPER_NOT_A_NUMBER(**self._params(), value=self.field.text())
+            return FIGURE_NOT_A_NUMBER(**self._params(), value=self.field.text())
         return check(self._figure, self.field.value)
 
     def _params(self) -> dict[str, float | int | str]:
         figure = self._figure
         return {
-            "gripper": figure.name,
+            "figure": figure.name,
             "minimum": figure.minimum,
             "maximum": figure.maximum,
             "unit": figure.unit,
         }
 
-    def set_figure(self, figure: Figure) -> None:
+    def set_figure(self, figure: GripperFigure) -> None:
         """Set another range of the same quantity."""
         if figure != self._figure:
             self._figure = figure
@@ -227,7 +228,7 @@ class GripperRow(QWidget):
     def retranslate_ui(self) -> None:
         """Set names and ranges in the operator's language."""
         figure = self._figure
-        name = words.gripper_figure(figure.name)
+        name = words.figure(figure.name)
         self._label.setText(name)
         span = f"{name}: {figure.minimum:g}–{figure.maximum:g} {figure.unit}"
         for widget in (self.field, self.slider):
@@ -303,7 +304,7 @@ class GripperPanel(Panel):
 
     def _make_rows(self, generation: Generation) -> tuple[GripperRow, GripperRow]:
         """The generations measure other quantities: each has rows of its own."""
-        figures = figures_of(generation, self._controller.state)
+        figures = gripper_figures(generation, self._controller.state)
         travel = GripperRow(figures.travel, steps=True)
         effort = GripperRow(figures.effort, steps=False)
         for row in (travel, effort):

@@ -19,10 +19,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from armui.arm.figures import FIGURE_NOT_WHOLE, figures_of
 from armui.arm.limits import JOINTS
-from armui.arm.refusal import Reason, Refusal
+from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
-from armui.control.devices.lights import RANGES, Lights, check_light, why_no_lamps
+from armui.control.devices.lights import Lights, why_no_lamps
 from armui.control.operating_state import OperatingState
 from armui.protocol.codes import ALL_LAMPS
 from armui.ui import format as fmt
@@ -44,11 +45,7 @@ from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.track_slider import TrackSlider
 from armui.ui.words.text import Text
 
-LIGHT_NOT_A_NUMBER = Reason(
-    "light_not_a_number",
-    "{light}: “{value}” is not a whole number. Enter one from {minimum} to {maximum}.",
-)
-
+_LIGHT: Final = figures_of(Lights.set_light)
 
 FULL: Final = 255
 """The highest value of a colour channel."""
@@ -360,7 +357,7 @@ class LightPanel(Panel):
         self._on_edited()
 
     def _figures(self) -> dict[str, FigureField]:
-        """Return the fields that count now, by the names of ``lights.RANGES``."""
+        """Return the fields that count now, by the names in ``_LIGHT``."""
         lamp = {} if self._all_lamps.isChecked() else {"lamp": self._lamp}
         return {**lamp, **{name: row.field for name, row in self._rows.items()}}
 
@@ -429,16 +426,16 @@ class LightPanel(Panel):
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
         self._title.setText(self.tr("Light control"))
-        self._joint_label.setText(words.light_figure("joint"))
+        self._joint_label.setText(words.figure("joint"))
         for joint in JOINTS:
             name = self.tr("Lamps of joint {joint}").format(joint=joint)
             describe(self._joints.button(joint), name)
-        self._lamp_label.setText(words.light_figure("lamp"))
-        self._lamp.setAccessibleName(words.light_figure("lamp"))
+        self._lamp_label.setText(words.figure("lamp"))
+        self._lamp.setAccessibleName(words.figure("lamp"))
         self._all_lamps.setText(self.tr("All"))
         self._all_lamps.setAccessibleName(self.tr("All lamps of the joint"))
         for name, row in self._rows.items():
-            row.describe(words.light_figure(name), _range_text(name))
+            row.describe(words.figure(name), _range_text(name))
         self._effect_label.setText(self.tr("Effect"))
         describe(self._effect, self.tr("Effect"), self.tr("The colour that Confirm sends"))
         self._note.setText(
@@ -451,14 +448,14 @@ class LightPanel(Panel):
 
 
 def _range_text(name: str) -> str:
-    return f"{words.light_figure(name)}: {RANGES[name][0]}–{RANGES[name][-1]}"
+    allowed = _LIGHT[name].range
+    return f"{words.figure(name)}: {allowed.minimum}–{allowed.maximum}"
 
 
 def _why_wrong(name: str, field: FigureField) -> Refusal | None:
     """Return what is to be said against the text in a field."""
     value = field.value
     if value is not None:
-        return check_light(**{name: int(value)})
-    bounds = {"minimum": RANGES[name][0], "maximum": RANGES[name][-1]}
+        return _LIGHT[name].check(int(value))
     text = field.text().strip() or fmt.NOTHING
-    return LIGHT_NOT_A_NUMBER(light=name, value=text, **bounds)
+    return FIGURE_NOT_WHOLE(figure=name, value=text, **_LIGHT[name].range._asdict())

@@ -89,11 +89,18 @@ _TEACHING_STATES: Final = Texts("Teaching") | {
     0x06: "Replay terminated",
     0x07: "Moving to the start of the trajectory",
 }
-_GRIPPER_FIGURES: Final = Texts("GripperFigure") | {
+_FIGURES: Final = Texts("Figure") | {
+    "joint": "Joint number",
+    "lamp": "Lamp number",
+    "red": "R channel",
+    "green": "G channel",
+    "blue": "B channel",
     "opening": "Opening",
     "torque": "Torque",
     "angle": "Angle",
     "speed": "Speed",
+    "percent": "Speed",
+    "axis": "Axis",
 }
 
 _ACTS: Final = Texts("GripperAct") | {
@@ -154,13 +161,6 @@ _VERDICTS: Final = Texts("JointVerdict") | {
     StatusVerdict.UNKNOWN: "Unknown",
     StatusVerdict.FAULT: "Fault",
     StatusVerdict.OFFLINE: "Offline",
-}
-_LIGHTS: Final = Texts("LightFigure") | {
-    "joint": "Joint number",
-    "lamp": "Lamp number",
-    "red": "R channel",
-    "green": "G channel",
-    "blue": "B channel",
 }
 _MOUNTINGS: Final = Texts("Mounting") | {
     Mounting.UNCHANGED: "Unchanged",
@@ -309,9 +309,9 @@ def mounting_check(needed: Mounting | None, told: Mounting | None) -> str:
     )
 
 
-def light_figure(name: str) -> str:
-    """Return the name of a figure of the light command: a key of ``lights.RANGES``."""
-    return _LIGHTS.word(name)
+def figure(name: str) -> str:
+    """Return the name of a figure of a command («开度»); see `armui.arm.figures`."""
+    return _FIGURES.word(name)
 
 
 def joint_item(item: Item) -> str:
@@ -332,11 +332,6 @@ def joint_verdict(verdict: StatusVerdict) -> str:
 def end_load(load: EndLoad) -> str:
     """Return the name of a load («半载»)."""
     return _LOADS.text(load)
-
-
-def gripper_figure(name: str) -> str:
-    """Return the name of a figure of the gripper's command («开度»)."""
-    return _GRIPPER_FIGURES.word(name)
 
 
 def calibrated_mm() -> str:

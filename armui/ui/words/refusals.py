@@ -12,7 +12,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 from armui.arm.parameters import KINDS, Parameter
 from armui.arm.refusal import Refusal
 from armui.ui.words import arm
-from armui.ui.words.arm import gripper_figure, light_figure, other_mode
+from armui.ui.words.arm import other_mode
 from armui.ui.words.parameters import full_name, value_text
 from armui.ui.words.text import NOT_KNOWN, Texts, sentence, source_of
 
@@ -105,13 +105,11 @@ def refusal(reason: Refusal) -> str:
         params["what"] = under_way(what)
     if isinstance(field := params.get("field"), str):
         params["field"] = _SETTING_NAMES.word(field)
-    if isinstance(light := params.get("light"), str):
-        params["light"] = light_figure(light)
+    if isinstance(figure := params.get("figure"), str):
+        params["figure"] = arm.figure(figure)
     for name in ("part", "one", "other"):
         if isinstance(part := params.get(name), str):
             params[name] = arm.part_name(part)
-    if isinstance(figure := params.get("gripper"), str):
-        params["gripper"] = gripper_figure(figure)
     source = source_of(reason.reason)
     return sentence("Refusal", source, params) if source else _unexpected(reason)
 
