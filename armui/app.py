@@ -33,7 +33,8 @@ from armui.control.safety.kept_references import KeptReferences
 from armui.control.sessions.choices import SessionChoices, choices_of
 from armui.ending import SystemEnd
 from armui.protocol.generation import Generation, PiperModel
-from armui.settings import Choices, Settings, SettingsStore, default_path
+from armui.setting_fields import Settings
+from armui.settings import SettingsStore, default_path
 from armui.start import StartOptions
 from armui.system import failures, paths
 from armui.system.exact_timers import keep_timers
@@ -378,7 +379,7 @@ def _run(options: StartOptions) -> int:
     QApplication.setDesktopFileName("org.armui.armui")
     app = make_application(sys.argv[:1])
     GarbageSearch(app)  # before any other thread begins
-    chosen: Choices = {} if options.language is None else {"language": options.language}
+    chosen = {} if options.language is None else {"language": options.language}
     store = SettingsStore(default_path(), for_this_run=chosen)
     arms = SimulatedArms(options.sim_firmware, options.sim_joints_deg)
     device = _started_with(options, store)

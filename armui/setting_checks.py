@@ -1,15 +1,15 @@
-"""The choices and limits of settings, and the check of a value."""
+"""The types of settings, and what a value of them may be."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import Final, Literal, get_args
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Final, Literal, TypeGuard
 
 from armui.arm.json_fields import finite
 from armui.arm.limits import JOINTS
 from armui.arm.reference_record import read_record
 from armui.arm.refusal import Reason, Refusal
-from armui.protocol.generation import PiperModel
 
 SETTING_BAD = Reason(
     "setting_bad",
@@ -39,64 +39,109 @@ GamepadMode = Literal["joint", "base", "tool", "user"]
 GamepadButtons = Mapping[str, Mapping[str, str]]
 """The button's name for each action (`armui.gamepad.layout.ACTIONS`), by device."""
 
+Possible = Callable[[object], bool]
+"""Returns whether a setting may have a value."""
+
 _MOST_SHOWN: Final = 60
 """The most characters of a wrong value in a message."""
 _LONGEST_PATH: Final = 4096
-_MOST_DEVICES: Final = 200
-_LONGEST_NAME: Final = 200
+LONGEST_NAME: Final = 200
 _TURN_DEG: Final = 360.0
-_MOST_ARMS: Final = 1000
-
-JOG_STEP_MIN_DEG: Final = 0.001
-"""The resolution of an angle on the bus."""
-JOG_STEP_MAX_DEG: Final = 30.0
-
-JOG_FLOOR_MOST_MM: Final = 500
-
-TRAIL_LONGEST_S: Final = 600
-
-ROTATE_MIN_MB: Final = 1
-ROTATE_MAX_MB: Final = 4000
-"""A size that every file system supports."""
+_MOST_ENTRIES: Final = 1000
+MOST_KEPT: Final = 200
+"""The most arms or devices remembered of a setting, if it does not say more."""
 
 TOOL_LONGEST_MM: Final = 500.0
 _TOOL_LONGEST: Final = (TOOL_LONGEST_MM,) * 3 + (180.0,) * 3
 
 
-def check(name: str, value: object) -> Refusal | None:
-    """Return why a setting may not have a value, or ``None`` if it may."""
-    if name == "jog_step_deg":
-        return _check_jog_step(value)
-    if name == "tool":
-        return _check_tool(value)
-    allowed = {
-        "language": value in get_args(Language),
-        "theme": value in get_args(ThemeName),
-        "mountings": _are_of_arms(value, get_args(MountingName)),
-        "home_poses": _are_home_poses(value),
-        "stop_again": isinstance(value, bool),
-        "jog_floor_mm": value is None or _is_whole(value, -JOG_FLOOR_MOST_MM, JOG_FLOOR_MOST_MM),
-        "urdf_path": value is None or _is_path(value),
-        "session_folder": value is None or _is_path(value),
-        "session_format": value in get_args(SessionFormat),
-        "session_rotate_mb": _is_whole(value, ROTATE_MIN_MB, ROTATE_MAX_MB),
-        "session_save_at_faults": isinstance(value, bool),
-        "has_jogged": isinstance(value, bool),
-        "picture_direction": value in get_args(PictureDirection),
-        "picture_orthographic": isinstance(value, bool),
-        "picture_tool_frame": isinstance(value, bool),
-        "picture_trail_s": _is_whole(value, 0, TRAIL_LONGEST_S),
-        "gamepad": isinstance(value, bool),
-        "gamepad_mode": value in get_args(GamepadMode),
-        "gamepad_one_axis": isinstance(value, bool),
-        "gamepad_buttons": _are_buttons(value),
-        "cells": _are_named(value),
-        "models": _are_of_arms(value, tuple(PiperModel)),
-        "references": _are_references(value),
-    }
-    if allowed.get(name, False):
-        return None
-    return SETTING_BAD(field=name, value=shown(value))
+@dataclass(frozen=True, slots=True)
+class Within:
+    """Accepts the finite numbers from one to another.
+
+    Attributes:
+        least: The least of them.
+        most: The greatest of them.
+    """
+
+    least: float
+    most: float
+
+    def __call__(self, value: object) -> bool:
+        """Return whether a value is one of them."""
+        figure = finite(value)
+        return figure is not None and self.least <= figure <= self.most
+
+
+@dataclass(frozen=True, slots=True)
+class Whole:
+    """Accepts the whole numbers from one to another.
+
+    Attributes:
+        least: The least of them.
+        most: The greatest of them.
+    """
+
+    least: int
+    most: int
+
+    def __call__(self, value: object) -> bool:
+        """Return whether a value is one of them."""
+        return is_whole(value) and self.least <= value <= self.most
+
+
+@dataclass(frozen=True, slots=True)
+class OneOf:
+    """Accepts the values of a choice.
+
+    Attributes:
+        choices: The values.
+    """
+
+    choices: tuple[object, ...]
+
+    def __call__(self, value: object) -> bool:
+        """Return whether a value is one of them."""
+        return value in self.choices
+
+
+@dataclass(frozen=True, slots=True)
+class OrNone:
+    """Accepts ``None`` besides.
+
+    Attributes:
+        possible: Accepts the other values.
+    """
+
+    possible: Possible
+
+    def __call__(self, value: object) -> bool:
+        """Return whether a value is one of them."""
+        return value is None or self.possible(value)
+
+
+@dataclass(frozen=True, slots=True)
+class OfEach:
+    """Accepts an entry for each of several arms or devices, by what they are remembered by.
+
+    Attributes:
+        entry: Accepts one of them.
+        kept: The most that are kept; those chosen longest ago are dropped.
+        longest_key: The most characters of what an arm or device is remembered by.
+    """
+
+    entry: Possible
+    kept: int = MOST_KEPT
+    longest_key: int = _LONGEST_PATH
+
+    def __call__(self, value: object) -> bool:
+        """Return whether a value consists of such entries, and not of far too many."""
+        return (
+            isinstance(value, Mapping)
+            and len(value) <= _MOST_ENTRIES
+            and all(isinstance(key, str) and len(key) <= self.longest_key for key in value)
+            and all(self.entry(each) for each in value.values())
+        )
 
 
 def shown(value: object) -> str:
@@ -108,7 +153,22 @@ def shown(value: object) -> str:
     return text if len(text) <= _MOST_SHOWN else text[:_MOST_SHOWN] + "…"
 
 
-def _is_path(value: object) -> bool:
+def never(_value: object) -> bool:
+    """Accept no value."""
+    return False
+
+
+def is_bool(value: object) -> bool:
+    """Return whether a value is a truth value; 0 and 1 are none."""
+    return isinstance(value, bool)
+
+
+def is_whole(value: object) -> TypeGuard[int]:
+    """Return whether a value is a whole number; a truth value is none."""
+    return isinstance(value, int) and not isinstance(value, bool)
+
+
+def is_path(value: object) -> bool:
     """Return whether a value can be the name of a file, here and in Qt."""
     if not isinstance(value, str) or not 0 < len(value) <= _LONGEST_PATH or "\0" in value:
         return False
@@ -119,86 +179,50 @@ def _is_path(value: object) -> bool:
     return True
 
 
-def _is_whole(value: object, least: int, most: int) -> bool:
-    return isinstance(value, int) and not isinstance(value, bool) and least <= value <= most
+def is_name(value: object) -> bool:
+    """Return whether a value is a name as long as a device, a button or a cell may have."""
+    return isinstance(value, str) and len(value) <= LONGEST_NAME
 
 
-def _are_buttons(value: object) -> bool:
-    """Names to names to names, none of them longer than any device has."""
-    if not isinstance(value, Mapping) or len(value) > _MOST_DEVICES:
-        return False
-    return all(
-        _is_name(device)
-        and isinstance(buttons, Mapping)
-        and all(_is_name(what) and _is_name(button) for what, button in buttons.items())
-        for device, buttons in value.items()
-    )
-
-
-def _are_of_arms(value: object, allowed: Sequence[object]) -> bool:
-    """Return whether a value says something of arms, by what they are remembered by."""
+def is_pose(value: object) -> bool:
+    """Return whether a value consists of six finite angles, none of them more than a turn."""
     return (
-        isinstance(value, dict)
-        and len(value) <= _MOST_ARMS
-        and all(isinstance(key, str) and len(key) <= _LONGEST_PATH for key in value)
-        and all(each in allowed for each in value.values())
+        isinstance(value, list | tuple)
+        and len(value) == len(JOINTS)
+        and all((angle := finite(each)) is not None and abs(angle) <= _TURN_DEG for each in value)
     )
 
 
-def _are_named(value: object) -> bool:
-    """Return whether a value names something for each arm, by what they are remembered by."""
-    return (
-        isinstance(value, dict)
-        and len(value) <= _MOST_ARMS
-        and all(isinstance(key, str) and len(key) <= _LONGEST_PATH for key in value)
-        and all(_is_name(each) for each in value.values())
+def is_reference(value: object) -> bool:
+    """Return whether a value says what is known of an arm's reference."""
+    return read_record(value) is not None
+
+
+def are_buttons(value: object) -> bool:
+    """Return whether a value gives the button of each action of a device."""
+    return isinstance(value, Mapping) and all(
+        is_name(what) and is_name(button) for what, button in value.items()
     )
 
 
-def _are_home_poses(value: object) -> bool:
-    """Six finite angles for each arm, none of them more than a turn."""
-    if not isinstance(value, dict) or len(value) > _MOST_ARMS:
-        return False
-    return all(
-        isinstance(key, str)
-        and len(key) <= _LONGEST_PATH
-        and isinstance(pose, list | tuple)
-        and len(pose) == len(JOINTS)
-        and all((angle := finite(each)) is not None and abs(angle) <= _TURN_DEG for each in pose)
-        for key, pose in value.items()
-    )
+def is_tool(value: object) -> bool:
+    """Return whether a value consists of three lengths of a tool and three angles, all finite."""
+    return _wrong_of_tool(value) is None
 
 
-def _are_references(value: object) -> bool:
-    if not isinstance(value, dict) or len(value) > _MOST_ARMS:
-        return False
-    return all(
-        isinstance(key, str) and len(key) <= _LONGEST_PATH and read_record(record) is not None
-        for key, record in value.items()
-    )
+def why_no_tool(value: object) -> Refusal:
+    """Return which figure of a tool is not possible."""
+    wrong = _wrong_of_tool(value)
+    named = value if wrong is None else wrong[0]
+    return TOOL_NOT_POSSIBLE(value=shown(named), maximum=round(TOOL_LONGEST_MM))
 
 
-def _is_name(value: object) -> bool:
-    return isinstance(value, str) and len(value) <= _LONGEST_NAME
-
-
-def _check_jog_step(value: object) -> Refusal | None:
-    figure = finite(value)
-    if figure is None:
-        return JOG_STEP_NOT_A_NUMBER(value=shown(value))
-    if not JOG_STEP_MIN_DEG <= figure <= JOG_STEP_MAX_DEG:
-        bounds = {"minimum": JOG_STEP_MIN_DEG, "maximum": JOG_STEP_MAX_DEG}
-        return JOG_STEP_OUT_OF_RANGE(value=figure, **bounds)
-    return None
-
-
-def _check_tool(value: object) -> Refusal | None:
-    """Six finite figures: three lengths of a tool this arm can carry, three angles."""
+def _wrong_of_tool(value: object) -> tuple[object] | None:
+    """Return the first figure that is not possible; ``None`` if there is none."""
     figures = list(value) if isinstance(value, list | tuple) else []
     if len(figures) != len(_TOOL_LONGEST):
-        figures = [value] * len(_TOOL_LONGEST)
+        return (value,)
     for figure, longest in zip(figures, _TOOL_LONGEST, strict=True):
-        size = finite(figure)
-        if size is None or abs(size) > longest:
-            return TOOL_NOT_POSSIBLE(value=shown(figure), maximum=round(TOOL_LONGEST_MM))
+        if not Within(-longest, longest)(figure):
+            return (figure,)
     return None

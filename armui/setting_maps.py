@@ -8,26 +8,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Any
 
 from armui.arm.refusal import Reason, Refusal
-from armui.setting_checks import SETTING_BAD, check, shown
+from armui.setting_checks import SETTING_BAD, shown
+from armui.setting_fields import OF_EACH, check
 
 SETTING_ENTRIES_BAD = Reason(
     "setting_entries_bad",
     "Setting “{field}”: {count} of its entries cannot be read, the first is “{key}”: “{value}”. "
     "The others hold; these stay in the file until you choose anew.",
 )
-
-NAMES: Final = frozenset(
-    {"mountings", "home_poses", "gamepad_buttons", "models", "references", "cells"}
-)
-"""The settings that are such maps."""
-
-MOST: Final = 200
-"""The most arms remembered; those chosen longest ago are dropped."""
-_MOST_REFERENCES: Final = 1000
-"""A doubt that is forgotten may cost an arm: these are kept longer."""
 
 Entries = dict[str, Any]
 Revision = Callable[[Entries], object]
@@ -98,7 +89,7 @@ def revise(name: str, revision: Revision, settings: Entries) -> None:
     before = settings.get(name)
     entries = dict(before) if isinstance(before, Mapping) else {}
     revision(entries)
-    most = _MOST_REFERENCES if name == "references" else MOST
+    most = OF_EACH[name].kept
     if len(entries) > most:
         understood = list(read_map(name, entries).entries)
         for key in understood[: max(0, len(understood) - most)]:
@@ -108,7 +99,7 @@ def revise(name: str, revision: Revision, settings: Entries) -> None:
 
 def loses_map(before: Mapping[str, Any], after: Mapping[str, Any]) -> bool:
     """Return whether settings have a map where something else stood, whatever that was."""
-    names = [each for each in NAMES if before.get(each) is not None]
+    names = [each for each in OF_EACH if before.get(each) is not None]
     return any(
         isinstance(after[each], Mapping) and not isinstance(before[each], Mapping) for each in names
     )

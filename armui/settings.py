@@ -15,27 +15,17 @@ import json
 import os
 import threading
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import fields, replace
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final, TypedDict, Unpack
+from typing import TYPE_CHECKING, Any, Concatenate, Final, ParamSpec, TypeVar
 
 from filelock import Timeout
 
 from armui import setting_maps
 from armui.arm.refusal import Reason, Refusal
-from armui.setting_checks import (
-    SETTING_BAD,
-    GamepadButtons,
-    GamepadMode,
-    Language,
-    MountingName,
-    PictureDirection,
-    SessionFormat,
-    ThemeName,
-    check,
-    shown,
-)
+from armui.setting_checks import SETTING_BAD, shown
+from armui.setting_fields import OF_EACH, Settings, check
 from armui.setting_maps import KeptMap, Revision
 from armui.system import paths
 from armui.system.alone import alone_with
@@ -74,101 +64,16 @@ _MOST_BYTES: Final = 1_000_000
 """A thousand times what the settings need: a larger file is something else."""
 
 
-class Choices(TypedDict, total=False):
-    """The settings to change, by name."""
-
-    language: Language
-    theme: ThemeName
-    jog_step_deg: float
-    urdf_path: str | None
-    tool: tuple[float, ...]
-    mountings: Mapping[str, MountingName]
-    home_poses: Mapping[str, Sequence[float]]
-    stop_again: bool
-    jog_floor_mm: int | None
-    session_folder: str | None
-    session_format: SessionFormat
-    session_rotate_mb: int
-    session_save_at_faults: bool
-    has_jogged: bool
-    picture_direction: PictureDirection
-    picture_orthographic: bool
-    picture_tool_frame: bool
-    picture_trail_s: int
-    gamepad: bool
-    gamepad_mode: GamepadMode
-    gamepad_one_axis: bool
-    gamepad_buttons: GamepadButtons
-    models: Mapping[str, str]
-    references: Mapping[str, Mapping[str, object]]
-    cells: Mapping[str, str]
+_Choices = ParamSpec("_Choices")
+_Answer = TypeVar("_Answer")
+_Store = TypeVar("_Store")
 
 
-@dataclass(frozen=True, slots=True)
-class Settings:
-    """The settings of the program.
-
-    Attributes:
-        language: The language of the windows.
-        theme: Light, dark, or as the system.
-        jog_step_deg: The step of − and + for a joint.
-        urdf_path: The robot description in the 3D picture; ``None`` for the built-in one.
-        tool: The tool centre point in the flange: X, Y, Z in mm, RX, RY, RZ in degrees.
-        mountings: The mounting last set for each arm, by the adapter's serial number with the arm's
-            node number.
-        home_poses: The operator's own home pose of each arm, six angles in degrees, by the same
-            key.
-        stop_again: True if an emergency stop that another host undoes is sent again automatically.
-        jog_floor_mm: The least height of the fingertip over the base plane for jogs; ``None`` for
-            any.
-        session_folder: The folder for recordings of sessions; ``None`` for the user's folder for
-            data.
-        session_format: The suffix of their files.
-        session_rotate_mb: A file that has reached this size is followed by another.
-        models: The chosen model by the adapter's serial number, with the node number if known; the
-            last choice last.
-        references: What is known of each arm's reference, by the key of `home_poses`; see
-            `armui.arm.reference_record`.
-        cells: The name of each arm's cell, by the adapter's serial number; the last choice last.
-        session_save_at_faults: True if the last minutes are saved automatically at a fault or a
-            stop.
-        has_jogged: True if the operator has moved an arm before: the first step is not shown any
-            more.
-        picture_direction: The first direction of the 3D picture.
-        picture_orthographic: True if it is drawn without perspective.
-        picture_tool_frame: True if it shows the axes of the tool centre point.
-        picture_trail_s: The seconds of the tool's way that it shows; 0 for none.
-        gamepad: True if a gamepad or SpaceMouse may jog the arm.
-        gamepad_mode: The mode of its axes.
-        gamepad_one_axis: True if only one of them moves at a time.
-        gamepad_buttons: The operator's own assignments of its buttons.
-    """
-
-    language: Language = "zh"
-    theme: ThemeName = "light"
-    jog_step_deg: float = 1.0
-    urdf_path: str | None = None
-    tool: tuple[float, ...] = (0.0,) * 6
-    mountings: Mapping[str, MountingName] = field(default_factory=dict)
-    home_poses: Mapping[str, Sequence[float]] = field(default_factory=dict)
-    stop_again: bool = False
-    jog_floor_mm: int | None = None
-    session_folder: str | None = None
-    session_format: SessionFormat = ".blf"
-    session_rotate_mb: int = 100
-    session_save_at_faults: bool = False
-    has_jogged: bool = False
-    picture_direction: PictureDirection = "iso"
-    picture_orthographic: bool = False
-    picture_tool_frame: bool = True
-    picture_trail_s: int = 15
-    gamepad: bool = False
-    gamepad_mode: GamepadMode = "joint"
-    gamepad_one_axis: bool = True
-    gamepad_buttons: GamepadButtons = field(default_factory=dict)
-    models: Mapping[str, str] = field(default_factory=dict)
-    references: Mapping[str, Mapping[str, object]] = field(default_factory=dict)
-    cells: Mapping[str, str] = field(default_factory=dict)
+def _by_name(
+    _settings: Callable[_Choices, Settings],
+) -> Callable[[Callable[..., _Answer]], Callable[Concatenate[_Store, _Choices], _Answer]]:
+    """Give a method the settings as its keywords, so that mypy knows their names and types."""
+    return lambda method: method
 
 
 Subscriber = Callable[[Settings], None]
@@ -190,7 +95,7 @@ class SettingsStore:
         problems: The faults of the file when it was read.
     """
 
-    def __init__(self, path: Path, for_this_run: Choices | None = None) -> None:
+    def __init__(self, path: Path, for_this_run: Mapping[str, Any] | None = None) -> None:
         self._path = path
         self._subscribers: list[Subscriber] = []
         self._files: Executor | None = None
@@ -230,7 +135,8 @@ class SettingsStore:
             self._take_news()
             return self._maps[name].strange_at(key)
 
-    def change(self, **choices: Unpack[Choices]) -> Refusal | None:
+    @_by_name(Settings)
+    def change(self, **choices: object) -> Refusal | None:
         """Change settings, save them, and notify the subscribers.
 
         Of a setting with an entry for each arm or device, those that differ from the present ones
@@ -247,7 +153,7 @@ class SettingsStore:
                 return refusal
         revisions: list[Revision] = []
         for name, value in choices.items():
-            if isinstance(value, Mapping) and name in setting_maps.NAMES:
+            if isinstance(value, Mapping) and name in OF_EACH:
                 new = setting_maps.changes(getattr(self.settings, name), value)
                 revisions.append(_of_map(name, partial(setting_maps.put, name, new)))
             else:
@@ -355,8 +261,7 @@ class SettingsStore:
             self._take_maps(entries)
 
     def _take_maps(self, entries: Mapping[str, Any]) -> None:
-        names = setting_maps.NAMES
-        self._maps = {name: setting_maps.read_map(name, entries.get(name)) for name in names}
+        self._maps = {name: setting_maps.read_map(name, entries.get(name)) for name in OF_EACH}
         understood: dict[str, Any] = {name: each.entries for name, each in self._maps.items()}
         self._kept = replace(self._kept, **understood)
         self._settings = replace(self._settings, **understood)
@@ -510,7 +415,7 @@ def _from_entries(entries: Mapping[str, Any]) -> tuple[Settings, tuple[Refusal, 
     good: dict[str, Any] = {}
     problems = []
     for each in fields(Settings):
-        if each.name not in entries or each.name in setting_maps.NAMES:
+        if each.name not in entries or each.name in OF_EACH:
             continue
         value = entries[each.name]
         if check(each.name, value) is None:

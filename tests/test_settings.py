@@ -12,9 +12,9 @@ from armui.setting_checks import (
     JOG_STEP_NOT_A_NUMBER,
     JOG_STEP_OUT_OF_RANGE,
     TOOL_NOT_POSSIBLE,
-    check,
 )
-from armui.settings import SETTINGS_NOT_SAVED, Settings, SettingsStore, default_path
+from armui.setting_fields import DECLARED, Settings, check
+from armui.settings import SETTINGS_NOT_SAVED, SettingsStore, default_path
 
 
 @pytest.fixture
@@ -31,7 +31,7 @@ def written(path: Path, text: str) -> Path:
 def test_first_run_has_the_first_settings_and_no_file(path: Path) -> None:
     store = SettingsStore(path)
 
-    assert store.settings == Settings("zh", "light", 1.0, None)
+    assert store.settings == Settings(language="zh", theme="light", jog_step_deg=1.0)
     assert store.problems == ()
     assert not path.exists()
 
@@ -39,7 +39,7 @@ def test_first_run_has_the_first_settings_and_no_file(path: Path) -> None:
 def test_a_change_is_there_in_the_next_run(path: Path) -> None:
     assert SettingsStore(path).change(language="en", jog_step_deg=0.25) is None
 
-    assert SettingsStore(path).settings == Settings("en", "light", 0.25, None)
+    assert SettingsStore(path).settings == Settings(language="en", theme="light", jog_step_deg=0.25)
     assert json.loads(path.read_text(encoding="utf-8")) == {
         "language": "en",
         "theme": "light",
@@ -95,8 +95,8 @@ def test_what_holds_for_one_run_only_is_not_saved(path: Path) -> None:
     store = SettingsStore(path, {"language": "en"})
     store.change(theme="dark")
 
-    assert store.settings == Settings("en", "dark")
-    assert SettingsStore(path).settings == Settings("zh", "dark")
+    assert store.settings == Settings(language="en", theme="dark")
+    assert SettingsStore(path).settings == Settings(language="zh", theme="dark")
 
 
 def test_the_operators_choice_goes_before_that_of_the_run(path: Path) -> None:
@@ -245,6 +245,22 @@ def test_a_failed_write_leaves_the_old_file_whole(
     assert problem.params["text"] == "No space left on device"
     assert path.read_bytes() == before
     assert [entry.name for entry in path.parent.iterdir()] == ["settings.json"]
+
+
+@pytest.mark.parametrize("name", DECLARED)
+def test_every_setting_may_be_what_it_is_at_first(name: str) -> None:
+    assert check(name, getattr(Settings(), name)) is None
+    assert DECLARED[name].label
+
+
+def test_only_those_declared_can_be_changed(path: Path) -> None:
+    store = SettingsStore(path)
+
+    refusal = store.change(colour="red")  # type: ignore[call-arg] # mypy knows it, too
+
+    assert refusal is not None
+    assert refusal.params == {"field": "colour", "value": "red"}
+    assert not path.exists()
 
 
 def test_the_file_is_in_the_users_own_folder() -> None:

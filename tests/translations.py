@@ -33,6 +33,7 @@ from armui.doctor.facts import OfArm, OfCan, OfProgram, OfScreen
 from armui.doctor.report import ReportText
 from armui.protocol.generation import Generation
 from armui.protocol.layout import load_database
+from armui.setting_fields import DECLARED
 from armui.system import command_line
 from armui.system.sentence import Sentence
 from armui.trajectory.planning.findings import FindingKind
@@ -123,7 +124,7 @@ def lupdate(ts: Path) -> None:
         tables = Path(folder) / "tables.py"
         trees = [tree for _, tree in modules()]
         of_trees = (text for tree in trees for of in (_of_tables, _of_acts) for text in of(tree))
-        texts = [*_of_value_tables(), *of_trees]
+        texts = [*_of_value_tables(), *_of_settings(), *of_trees]
         for each in constants():
             texts += [(each.context, text) for text in (each.source, *each.more)]
         texts += [(command_line.CONTEXT, text) for text in command_texts()]
@@ -193,6 +194,12 @@ def _of_value_tables() -> list[tuple[str, str]]:
     signals = (signal for message in messages for signal in message.signals)
     words = {str(word) for signal in signals for word in (signal.choices or {}).values()}
     return [("SignalWord", word) for word in sorted(words) if signal_word(word) == word]
+
+
+def _of_settings() -> list[tuple[str, str]]:
+    """The same of the settings."""
+    said = (text for each in DECLARED.values() for text in (each.label, each.tip))
+    return [("Setting", text) for text in said if text]
 
 
 def _marked(text: tuple[str, str]) -> str:

@@ -109,13 +109,11 @@ def _settings_file(path: Path | None) -> ReportFile:
     """Return the settings that the program knows; the rest of the file is not passed on."""
     name = "settings.json"
     try:
-        from dataclasses import fields  # noqa: PLC0415 - beside what may be missing
-
-        from armui.settings import Settings, default_path  # noqa: PLC0415 - filelock
+        from armui.setting_fields import DECLARED  # noqa: PLC0415 - beside what may be missing
+        from armui.settings import default_path  # noqa: PLC0415 - filelock
 
         entries = json.loads(read_file(path or default_path(), 1_000_000))
-        known = {each.name for each in fields(Settings)}
-        kept = {key: value for key, value in entries.items() if key in known}
+        kept = {key: value for key, value in entries.items() if key in DECLARED}
     except FileNotFoundError:
         return ReportFile(name, b"{}\n")
     except (OSError, ValueError, ImportError, AttributeError, RecursionError) as error:

@@ -67,7 +67,8 @@ if TYPE_CHECKING:
 
     from armui.arm.refusal import Refusal
     from armui.control.arm_controller import ArmController
-    from armui.settings import Settings, SettingsStore
+    from armui.setting_fields import Settings
+    from armui.settings import SettingsStore
     from armui.system.failures import Failure
     from armui.ui.picture.target_drag import HandGuide
     from armui.viewport.view import ArmView

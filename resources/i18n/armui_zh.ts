@@ -12719,90 +12719,7 @@ The other program must have ended.</source>
     </message>
 </context>
 <context>
-    <name>SettingName</name>
-    <message>
-        <source>language</source>
-        <translation>语言</translation>
-    </message>
-    <message>
-        <source>theme</source>
-        <translation>主题</translation>
-    </message>
-    <message>
-        <source>jog step</source>
-        <translation>点动步长</translation>
-    </message>
-    <message>
-        <source>lowest height</source>
-        <translation>最低高度</translation>
-    </message>
-    <message>
-        <source>robot description</source>
-        <translation>机器人模型</translation>
-    </message>
-    <message>
-        <source>tool centre point</source>
-        <translation>工具中心点</translation>
-    </message>
-    <message>
-        <source>folder of the session recordings</source>
-        <translation>会话记录的文件夹</translation>
-    </message>
-    <message>
-        <source>format of the session recordings</source>
-        <translation>会话记录的格式</translation>
-    </message>
-    <message>
-        <source>size at which a new file is begun</source>
-        <translation>会话记录的分卷大小</translation>
-    </message>
-    <message>
-        <source>saving at faults and stops</source>
-        <translation>故障或急停时自动保存</translation>
-    </message>
-    <message>
-        <source>view of the 3D picture</source>
-        <translation>3D 画面的视角</translation>
-    </message>
-    <message>
-        <source>3D picture without perspective</source>
-        <translation>3D 画面的平行投影</translation>
-    </message>
-    <message>
-        <source>tool frame in the 3D picture</source>
-        <translation>3D 画面中的工具坐标系</translation>
-    </message>
-    <message>
-        <source>tool trail in the 3D picture</source>
-        <translation>3D 画面中的末端轨迹</translation>
-    </message>
-    <message>
-        <source>jogging by gamepad</source>
-        <translation>手柄点动</translation>
-    </message>
-    <message>
-        <source>what a gamepad moves</source>
-        <translation>手柄控制的对象</translation>
-    </message>
-    <message>
-        <source>one axis at a time by gamepad</source>
-        <translation>手柄一次只动一个轴</translation>
-    </message>
-    <message>
-        <source>buttons of the gamepads</source>
-        <translation>手柄按键</translation>
-    </message>
-    <message>
-        <source>models of the arms</source>
-        <translation>机械臂型号</translation>
-    </message>
-</context>
-<context>
-    <name>SettingsDialog</name>
-    <message>
-        <source>Settings</source>
-        <translation>设置</translation>
-    </message>
+    <name>Setting</name>
     <message>
         <source>Language</source>
         <translation>语言</translation>
@@ -12810,6 +12727,113 @@ The other program must have ended.</source>
     <message>
         <source>Theme</source>
         <translation>主题</translation>
+    </message>
+    <message>
+        <source>Jog step</source>
+        <translation>点动步长</translation>
+    </message>
+    <message>
+        <source>Robot description (URDF)</source>
+        <translation>机器人模型（URDF）</translation>
+    </message>
+    <message>
+        <source>Tool centre point</source>
+        <translation>工具中心点</translation>
+    </message>
+    <message>
+        <source>Mounting of each arm</source>
+        <translation>各机械臂的安装方式</translation>
+    </message>
+    <message>
+        <source>Home pose of each arm</source>
+        <translation>各机械臂的原位</translation>
+    </message>
+    <message>
+        <source>Stop again if another host undoes an emergency stop</source>
+        <translation>急停被其他程序解除时自动再次急停</translation>
+    </message>
+    <message>
+        <source>This is always reported as a fault. With this setting the stop is also sent again by itself.</source>
+        <translation>这种情况总会作为故障提示。勾选后还会自动再次发送急停。</translation>
+    </message>
+    <message>
+        <source>Motions end at a lowest height of the fingertip</source>
+        <translation>运动止于末端的最低高度</translation>
+    </message>
+    <message>
+        <source>Above the floor: the plane the arm stands on, or the room&apos;s floor where the cell says under Base how the arm stands. 0 mm is the floor, negative is below it. Every motion keeps to it: jogs, steps, single motions, runs and replays. An arm that is lower may only go up.</source>
+        <translation>高于地面：机械臂所在的平面，或单元“底座”中给出的房间地面。0 mm 即地面，负值在其下。所有运动都遵守：点动、步进、单次运动、轨迹和回放。已低于它的机械臂只能向上。</translation>
+    </message>
+    <message>
+        <source>Folder of the session recordings</source>
+        <translation>会话记录的文件夹</translation>
+    </message>
+    <message>
+        <source>Format of the session recordings</source>
+        <translation>会话记录的格式</translation>
+    </message>
+    <message>
+        <source>Size at which a new file is begun</source>
+        <translation>会话记录的分卷大小</translation>
+    </message>
+    <message>
+        <source>Saving at faults and stops</source>
+        <translation>故障或急停时自动保存</translation>
+    </message>
+    <message>
+        <source>First jog</source>
+        <translation>首次点动</translation>
+    </message>
+    <message>
+        <source>View of the 3D picture</source>
+        <translation>3D 画面的视角</translation>
+    </message>
+    <message>
+        <source>3D picture without perspective</source>
+        <translation>3D 画面的平行投影</translation>
+    </message>
+    <message>
+        <source>Tool frame in the 3D picture</source>
+        <translation>3D 画面中的工具坐标系</translation>
+    </message>
+    <message>
+        <source>Tool trail in the 3D picture</source>
+        <translation>3D 画面中的末端轨迹</translation>
+    </message>
+    <message>
+        <source>Jogging by gamepad</source>
+        <translation>手柄点动</translation>
+    </message>
+    <message>
+        <source>What a gamepad moves</source>
+        <translation>手柄控制的对象</translation>
+    </message>
+    <message>
+        <source>One axis at a time by gamepad</source>
+        <translation>手柄一次只动一个轴</translation>
+    </message>
+    <message>
+        <source>Buttons of the gamepads</source>
+        <translation>手柄按键</translation>
+    </message>
+    <message>
+        <source>Models of the arms</source>
+        <translation>机械臂型号</translation>
+    </message>
+    <message>
+        <source>References of the arms</source>
+        <translation>各机械臂的零位基准</translation>
+    </message>
+    <message>
+        <source>Cells of the arms</source>
+        <translation>各机械臂的单元</translation>
+    </message>
+</context>
+<context>
+    <name>SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>设置</translation>
     </message>
     <message>
         <source>Light</source>
@@ -12824,20 +12848,8 @@ The other program must have ended.</source>
         <translation>跟随系统</translation>
     </message>
     <message>
-        <source>Jog step</source>
-        <translation>点动步长</translation>
-    </message>
-    <message>
         <source>{minimum}° to {maximum}°: how far − and + move a joint</source>
         <translation>{minimum}° 至 {maximum}°，即每按一次 − 或 + 关节转动的角度</translation>
-    </message>
-    <message>
-        <source>Robot description (URDF)</source>
-        <translation>机器人模型（URDF）</translation>
-    </message>
-    <message>
-        <source>Above the floor: the plane the arm stands on, or the room&apos;s floor where the cell says under Base how the arm stands. 0 mm is the floor, negative is below it. Every motion keeps to it: jogs, steps, single motions, runs and replays. An arm that is lower may only go up.</source>
-        <translation>高于地面：机械臂所在的平面，或单元“底座”中给出的房间地面。0 mm 即地面，负值在其下。所有运动都遵守：点动、步进、单次运动、轨迹和回放。已低于它的机械臂只能向上。</translation>
     </message>
     <message>
         <source>Browse…</source>
@@ -12866,18 +12878,6 @@ The other program must have ended.</source>
     <message>
         <source>Robot description</source>
         <translation>机器人模型</translation>
-    </message>
-    <message>
-        <source>Stop again if another host undoes an emergency stop</source>
-        <translation>急停被其他程序解除时自动再次急停</translation>
-    </message>
-    <message>
-        <source>This is always reported as a fault. With this setting the stop is also sent again by itself.</source>
-        <translation>这种情况总会作为故障提示。勾选后还会自动再次发送急停。</translation>
-    </message>
-    <message>
-        <source>Motions end at a lowest height of the fingertip</source>
-        <translation>运动止于末端的最低高度</translation>
     </message>
     <message>
         <source>Gamepad, SpaceMouse</source>

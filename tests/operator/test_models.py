@@ -9,7 +9,7 @@ from armui.arm.device import Device
 from armui.arm.models import model_data, robot_description
 from armui.control.operating_state import LinkState
 from armui.protocol.generation import PiperModel
-from armui.setting_maps import MOST
+from armui.setting_checks import MOST_KEPT
 from armui.settings import SettingsStore
 from armui.ui.dialogs.connect import ConnectDialog
 from armui.ui.dialogs.kept_models import KeptModels, last_model
@@ -124,12 +124,12 @@ def test_models_are_kept_by_serial_number_and_node(tmp_path):
 
 def test_only_so_many_are_remembered(tmp_path):
     store = SettingsStore(tmp_path / "settings.json")
-    many = {f"adapter {number}": "piper_h" for number in range(MOST)}
+    many = {f"adapter {number}": "piper_h" for number in range(MOST_KEPT)}
     assert store.change(models=many) is None
 
     KeptModels(store).keep(replace(OTHER, model=PiperModel.PIPER_L))
 
-    assert len(store.settings.models) == MOST
+    assert len(store.settings.models) == MOST_KEPT
     assert "adapter 0" not in store.settings.models
     assert KeptModels(store).of(OTHER) is PiperModel.PIPER_L
 

@@ -12,8 +12,9 @@ from armui.control.cell.cell_reasons import CELL_NOT_READ
 from armui.control.link.arm_key import arm_key
 from armui.control.safety.kept_references import KeptReferences
 from armui.protocol.generation import PiperModel
-from armui.setting_maps import MOST, NAMES
-from armui.settings import Settings, SettingsStore
+from armui.setting_checks import MOST_KEPT
+from armui.setting_fields import OF_EACH, Settings
+from armui.settings import SettingsStore
 from armui.ui.dialogs.kept_models import KeptModels
 
 RECORD = ReferenceRecord((2,), "2026-01-01T08:00:00").as_entry()
@@ -48,7 +49,7 @@ def two(path):
 
 def test_every_setting_that_is_a_map_is_kept_by_entry():
     maps = {name for name, value in vars_of(Settings()).items() if isinstance(value, dict)}
-    assert maps == NAMES == set(ENTRIES)
+    assert maps == set(OF_EACH) == set(ENTRIES)
 
 
 def vars_of(settings):
@@ -196,12 +197,12 @@ def test_what_waits_to_be_saved_is_not_undone_by_an_older_look(path):
 
 def test_so_many_are_remembered_whoever_kept_them(path):
     first, second = two(path)
-    first.keep("models", {f"first {number}": "piper" for number in range(MOST - 1)})
+    first.keep("models", {f"first {number}": "piper" for number in range(MOST_KEPT - 1)})
     second.keep("models", {"second": "piper_h"})
-    assert len(in_file(path, "models")) == MOST
+    assert len(in_file(path, "models")) == MOST_KEPT
     first.keep("models", {"newest": "piper_l"})
     kept = list(in_file(path, "models"))
-    assert (len(kept), kept[0], kept[-2:]) == (MOST, "first 1", ["second", "newest"])
+    assert (len(kept), kept[0], kept[-2:]) == (MOST_KEPT, "first 1", ["second", "newest"])
 
 
 def test_models_of_two_programs(path):

@@ -12,7 +12,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from armui.protocol.codes import MoveMode
-from armui.settings import Settings, SettingsStore
+from armui.setting_fields import Settings
+from armui.settings import SettingsStore
 from armui.trajectory import files
 from armui.trajectory.files import TrajectoryFileError
 from armui.trajectory.library.drafts import Drafts

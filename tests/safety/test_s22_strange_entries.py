@@ -9,8 +9,9 @@ import pytest
 from armui.arm.reference_record import ReferenceRecord
 from armui.control.cell.cell_reasons import CELL_NOT_READ
 from armui.control.safety.kept_references import KeptReferences
-from armui.setting_maps import MOST
-from armui.settings import Settings, SettingsStore
+from armui.setting_checks import MOST_KEPT
+from armui.setting_fields import Settings
+from armui.settings import SettingsStore
 from tests.safety.test_s21_entries_of_arms import ENTRIES, as_json, enabled, in_file
 
 STRANGE: tuple[object, ...] = (
@@ -70,9 +71,9 @@ def test_many_of_them_are_told_in_one_line(path):
     store = SettingsStore(path)
     assert [each.params["count"] for each in store.problems] == [300]
     # they are not what is dropped where there are too many
-    store.keep("cells", {f"arm {number}": "crate" for number in range(MOST + 5)})
+    store.keep("cells", {f"arm {number}": "crate" for number in range(MOST_KEPT + 5)})
     kept = in_file(path, "cells")
-    assert len(kept) == 300 + MOST
+    assert len(kept) == 300 + MOST_KEPT
     assert "good" not in kept
     assert kept["adapter 0"] == 0
 
@@ -188,7 +189,7 @@ def test_a_file_that_is_gone_is_written_whole(path):
 
 def test_no_file_is_written_that_the_next_start_would_not_read(path):
     store = SettingsStore(path)
-    long = {f"{number:04}" + "k" * 4000: "x" * 200 for number in range(MOST)}
+    long = {f"{number:04}" + "k" * 4000: "x" * 200 for number in range(MOST_KEPT)}
     assert store.keep("cells", long) is None
     before = path.read_bytes()
     told = store.keep("models", dict.fromkeys(long, "piper"))

@@ -28,7 +28,7 @@ from armui.control.requests.reports import GENERATION
 from armui.control.safety.interlocks import ARM_FAULT, JOINTS_UNKNOWN, NOT_ENABLED, OTHER_CONTROL
 from armui.control.safety.stopping import STOP_NOT_SENT, STOP_SENT, STOP_UNCONFIRMED
 from armui.protocol.codes import MoveMode
-from armui.setting_checks import check
+from armui.setting_fields import check
 from armui.settings import SettingsStore
 from armui.trajectory import columns, files
 from armui.trajectory.files.text import NUMBER_BAD

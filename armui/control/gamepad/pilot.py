@@ -27,7 +27,7 @@ from armui.kinematics.axes import JogFrame
 
 if TYPE_CHECKING:
     from armui.control.controller_parts import ControllerParts
-    from armui.settings import Settings
+    from armui.setting_fields import Settings
 
 GAMEPAD_UNATTENDED = Reason(
     "gamepad_unattended",

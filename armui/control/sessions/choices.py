@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Final
 
 from armui.session.recording.kinds import RecordingFormat
-from armui.settings import Settings
+from armui.setting_fields import Settings
 from armui.system import paths
 
 MEGABYTE: Final = 1_000_000

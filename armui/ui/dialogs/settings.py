@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QHideEvent, QShowEvent
@@ -18,12 +19,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from armui import setting_checks
 from armui.arm.models import model_data
 from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.setting_checks import JOG_STEP_NOT_A_NUMBER
+from armui.setting_fields import JOG_FLOOR_MM, JOG_STEP_DEG
 from armui.settings import SettingsStore
 from armui.ui import format as fmt
 from armui.ui import words
@@ -31,11 +32,12 @@ from armui.ui.actions.command import Command, Target
 from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.dialogs.files import choose_file
 from armui.ui.gamepad.gamepad_dialog import GamepadDialog
-from armui.ui.widgets.buttons import caption, named, push_button
+from armui.ui.widgets.buttons import caption, describe, named, push_button
 from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.painting import repolish
 from armui.ui.widgets.text_label import ElidedLabel
+from armui.ui.words.settings import setting_label, setting_tip
 from armui.ui.words.text import Text
 from armui.viewport.messages import URDF_MISSING
 
@@ -46,6 +48,8 @@ _SIZE_PX: Final = (680, 500)
 _STEP_WIDTH_PX: Final = 110
 _LANGUAGES: Final = (("zh", "中文"), ("en", "English"))
 """The languages, each in its own name, so that its readers find it."""
+_BOXES: Final = ("stop_again",)
+"""The settings with a check box, from top to bottom."""
 
 
 class SettingsDialog(ArmDialog):
@@ -64,14 +68,8 @@ class SettingsDialog(ArmDialog):
 
     commands = (
         Command("settings.gamepad", Text("SettingsDialog", "Gamepad…")),
-        Command(
-            "settings.stop_again",
-            Text("SettingsDialog", "Stop again if another host undoes an emergency stop"),
-        ),
-        Command(
-            "settings.jog_floor",
-            Text("SettingsDialog", "Motions end at a lowest height of the fingertip"),
-        ),
+        Command("settings.jog_floor", setting_label("jog_floor_mm")),
+        *(Command(f"settings.{name}", setting_label(name)) for name in _BOXES),
     )
     diagnosis_wanted = Signal()
     about_arm_wanted = Signal()
@@ -92,7 +90,8 @@ class SettingsDialog(ArmDialog):
         self.language_box.activated.connect(self._on_language)
         self.theme_box.activated.connect(self._on_theme)
         self.jog_step_edit.editingFinished.connect(self._on_jog_step)
-        self.stop_again_box.clicked.connect(self._on_stop_again)
+        for name, box in self._boxes.items():
+            box.clicked.connect(partial(self._on_box, name))
         self.jog_floor_box.clicked.connect(self._on_jog_floor)
         self.jog_floor_spin.valueChanged.connect(self._on_jog_floor)
         self.browse_button.clicked.connect(self._on_browse)
@@ -112,8 +111,8 @@ class SettingsDialog(ArmDialog):
         """Return the target of each command, by the command's name."""
         return {
             "settings.gamepad": self.gamepad_button,
-            "settings.stop_again": self.stop_again_box,
             "settings.jog_floor": self.jog_floor_box,
+            **{f"settings.{name}": box for name, box in self._boxes.items()},
         }
 
     # Layout -----------------------------------------------------------------------------------
@@ -123,11 +122,10 @@ class SettingsDialog(ArmDialog):
         self._theme_label, self.theme_box = QLabel(), QComboBox()
         self._jog_label, self.jog_step_edit, self._jog_hint = QLabel(), QLineEdit(), QLabel()
         self._urdf_label, self._urdf_name = QLabel(), named("urdf_name", ElidedLabel())
-        self.stop_again_box = named("stop_again_box", QCheckBox())
+        self._boxes = {name: named(f"{name}_box", QCheckBox()) for name in _BOXES}
         self.jog_floor_box = named("jog_floor_box", QCheckBox())
         self.jog_floor_spin = named("jog_floor_spin", QSpinBox())
-        most = setting_checks.JOG_FLOOR_MOST_MM
-        self.jog_floor_spin.setRange(-most, most)
+        self.jog_floor_spin.setRange(JOG_FLOOR_MM.least, JOG_FLOOR_MM.most)
         self.jog_floor_spin.setSingleStep(10)
         self.jog_floor_spin.setSuffix(" mm")
         self.jog_floor_spin.setKeyboardTracking(False)
@@ -159,7 +157,8 @@ class SettingsDialog(ArmDialog):
         grid.addWidget(self._gamepad_label, place, 0)
         row = in_row(self.gamepad_button, (self._gamepad_state, 1), spacing=12)
         grid.addLayout(row, place, 1)
-        grid.addWidget(self.stop_again_box, grid.rowCount(), 1)
+        for box in self._boxes.values():
+            grid.addWidget(box, grid.rowCount(), 1)
         self._message = MessageLine()
         fill(self.body, grid, STRETCH, self._message)
         told = (self.diagnosis_button, self.about_arm_button, self.about_button)
@@ -168,34 +167,20 @@ class SettingsDialog(ArmDialog):
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
         self.set_title(self.tr("Settings"))
-        self._language_label.setText(self.tr("Language"))
-        self._theme_label.setText(self.tr("Theme"))
+        self._language_label.setText(setting_label("language").text())
+        self._theme_label.setText(setting_label("theme").text())
         for index, text in enumerate((self.tr("Light"), self.tr("Dark"), self.tr("As the system"))):
             self.theme_box.setItemText(index, text)
-        self._jog_label.setText(self.tr("Jog step"))
+        self._jog_label.setText(setting_label("jog_step_deg").text())
         self._jog_hint.setText(
             self.tr("{minimum}° to {maximum}°: how far − and + move a joint").format(
-                minimum=f"{setting_checks.JOG_STEP_MIN_DEG:g}",
-                maximum=f"{setting_checks.JOG_STEP_MAX_DEG:g}",
+                minimum=f"{JOG_STEP_DEG.least:g}", maximum=f"{JOG_STEP_DEG.most:g}"
             )
         )
-        self._urdf_label.setText(self.tr("Robot description (URDF)"))
-        text = self.tr("Stop again if another host undoes an emergency stop")
-        tip = self.tr(
-            "This is always reported as a fault. With this setting the stop is also sent again "
-            "by itself."
-        )
-        caption(self.stop_again_box, text, tip=tip)
-        text = self.tr("Motions end at a lowest height of the fingertip")
-        tip = self.tr(
-            "Above the floor: the plane the arm stands on, or the room's floor where the cell says "
-            "under Base how the arm stands. 0 mm is the floor, negative is below it. "
-            "Every motion keeps to it: jogs, steps, single motions, runs and replays. An arm that "
-            "is lower may only go up."
-        )
-        caption(self.jog_floor_box, text, tip=tip)
-        self.jog_floor_spin.setAccessibleName(text)
-        self.jog_floor_spin.setToolTip(tip)
+        self._urdf_label.setText(setting_label("urdf_path").text())
+        for name, box in {**self._boxes, "jog_floor_mm": self.jog_floor_box}.items():
+            caption(box, setting_label(name).text(), tip=setting_tip(name).text())
+        describe(self.jog_floor_spin, self.jog_floor_box.text(), self.jog_floor_box.toolTip())
         self.browse_button.setText(self.tr("Browse…"))
         self.built_in_button.setText(self.tr("Use the built-in one"))
         self._gamepad_label.setText(self.tr("Gamepad, SpaceMouse"))
@@ -227,7 +212,8 @@ class SettingsDialog(ArmDialog):
         now = self._store.settings
         self.language_box.setCurrentIndex(self.language_box.findData(now.language))
         self.theme_box.setCurrentIndex(self.theme_box.findData(now.theme))
-        self.stop_again_box.setChecked(now.stop_again)
+        for name, box in self._boxes.items():
+            box.setChecked(getattr(now, name))
         self.jog_floor_box.setChecked(now.jog_floor_mm is not None)
         self.jog_floor_spin.setEnabled(now.jog_floor_mm is not None)
         if now.jog_floor_mm is not None:
@@ -259,8 +245,9 @@ class SettingsDialog(ArmDialog):
     def _on_theme(self) -> None:
         self._show_problem(self._store.change(theme=self.theme_box.currentData()))
 
-    def _on_stop_again(self) -> None:
-        self._show_problem(self._store.change(stop_again=self.stop_again_box.isChecked()))
+    def _on_box(self, name: str) -> None:
+        chosen: dict[str, Any] = {name: self._boxes[name].isChecked()}
+        self._show_problem(self._store.change(**chosen))
 
     def _on_jog_floor(self, *_: object) -> None:
         on = self.jog_floor_box.isChecked()

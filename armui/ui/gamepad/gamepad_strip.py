@@ -27,7 +27,8 @@ from armui.ui.words.gamepad import gamepad_button, gamepad_mode
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.control.gamepad.pilot import PilotView
-    from armui.settings import Settings, SettingsStore
+    from armui.setting_fields import Settings
+    from armui.settings import SettingsStore
 
 _ICON_PX: Final = 20
 _SIDE_PX: Final = 26

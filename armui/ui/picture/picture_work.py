@@ -46,7 +46,8 @@ if TYPE_CHECKING:
     from armui.arm.state import ArmState
     from armui.control.arm_controller import ArmController
     from armui.control.operating_state import OperatingState
-    from armui.settings import Settings, SettingsStore
+    from armui.setting_fields import Settings
+    from armui.settings import SettingsStore
     from armui.ui.background import Background
     from armui.ui.picture.target_drag import DragTarget, HandGuide, ZoneTarget
     from armui.ui.trajectory.preview.path_preview import PathPreview

@@ -11,9 +11,11 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from armui.arm.parameters import KINDS, Parameter
 from armui.arm.refusal import Refusal
+from armui.setting_fields import DECLARED
 from armui.ui.words import arm
 from armui.ui.words.arm import other_mode
 from armui.ui.words.parameters import full_name, value_text
+from armui.ui.words.settings import setting_label
 from armui.ui.words.text import NOT_KNOWN, Texts, sentence, source_of
 
 if TYPE_CHECKING:
@@ -33,29 +35,6 @@ _UNDER_WAY: Final = Texts("UnderWay") | {
     "teaching": "a teaching command",
     "recovery": "the step before",
 }
-
-_SETTING_NAMES: Final = Texts("SettingName") | {
-    "language": "language",
-    "theme": "theme",
-    "jog_step_deg": "jog step",
-    "jog_floor_mm": "lowest height",
-    "models": "models of the arms",
-    "urdf_path": "robot description",
-    "tool": "tool centre point",
-    "gamepad": "jogging by gamepad",
-    "gamepad_mode": "what a gamepad moves",
-    "gamepad_one_axis": "one axis at a time by gamepad",
-    "gamepad_buttons": "buttons of the gamepads",
-    "session_folder": "folder of the session recordings",
-    "session_format": "format of the session recordings",
-    "session_rotate_mb": "size at which a new file is begun",
-    "picture_direction": "view of the 3D picture",
-    "picture_orthographic": "3D picture without perspective",
-    "picture_tool_frame": "tool frame in the 3D picture",
-    "picture_trail_s": "tool trail in the 3D picture",
-    "session_save_at_faults": "saving at faults and stops",
-}
-"""The names of settings by the field of `armui.settings.Settings`."""
 
 _FIGURES: Final = Texts("PointFigure") | {
     "speed": "Speed",
@@ -103,8 +82,8 @@ def refusal(reason: Refusal) -> str:
         params["status"] = arm.arm_status(code)
     if isinstance(what := params.get("what"), str):
         params["what"] = under_way(what)
-    if isinstance(field := params.get("field"), str):
-        params["field"] = _SETTING_NAMES.word(field)
+    if (field := params.get("field")) in DECLARED:
+        params["field"] = setting_label(str(field)).text()
     if isinstance(figure := params.get("figure"), str):
         params["figure"] = arm.figure(figure)
     for name in ("part", "one", "other"):

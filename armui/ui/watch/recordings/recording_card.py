@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from armui.control.sessions.session_recorder import KEPT_S
-from armui.setting_checks import ROTATE_MAX_MB, ROTATE_MIN_MB
+from armui.setting_fields import ROTATE_MB
 from armui.system.clock import local_time
 from armui.system.files import size_text
 from armui.ui import format as fmt
@@ -186,7 +186,7 @@ class RecordingCard(Translated, QFrame):
             self.format_box.addItem(f"{name} ({suffix})", suffix)
         self.size_box = named(
             "session_rotate_size",
-            QSpinBox(minimum=ROTATE_MIN_MB, maximum=ROTATE_MAX_MB, suffix=" MB"),
+            QSpinBox(minimum=ROTATE_MB.least, maximum=ROTATE_MB.most, suffix=" MB"),
         )
         self.size_box.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.size_box.setKeyboardTracking(False)
