@@ -19,7 +19,6 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from armui.arm.figures import FIGURE_NOT_WHOLE, figures_of
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
@@ -30,6 +29,7 @@ from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.act import Act
 from armui.ui.actions.command import Command, Target
+from armui.ui.actions.figure import CommandField, Figure
 from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.panels.panel import Panel
 from armui.ui.theme import colors_of, scaled_font
@@ -39,13 +39,11 @@ from armui.ui.widgets.buttons import (
     describe,
     named,
 )
-from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import STRETCH, empty_grid, in_row, scrolled
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.track_slider import TrackSlider
+from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Text
-
-_LIGHT: Final = figures_of(Lights.set_light)
 
 FULL: Final = 255
 """The highest value of a colour channel."""
@@ -104,11 +102,11 @@ def _luminance(color: QColor) -> float:
     return 0.2126 * color.redF() + 0.7152 * color.greenF() + 0.0722 * color.blueF()
 
 
-class ChannelRow(QWidget):
+class ChannelRow(Translated, QWidget):
     """A channel value of 0–255; the field accepts other figures, too, and is marked then.
 
     Args:
-        name: The first part of the names of slider and field: ``<name>_slider``, ``<name>_field``.
+        field: The field of the channel.
 
     Signals:
         edited: The operator changed the value.
@@ -116,24 +114,23 @@ class ChannelRow(QWidget):
 
     edited = Signal()
 
-    def __init__(self, name: str) -> None:
+    def __init__(self, field: CommandField) -> None:
         super().__init__()
-        self.label = QLabel()
-        self.slider = named(f"{name}_slider", TrackSlider(1.0, origin=0.0))
+        self.field = field
+        self.field.setFixedWidth(_FIELD_PX)
+        self.slider = named(f"{field.figure.name}_slider", TrackSlider(1.0, origin=0.0))
         self.slider.setRange(0, FULL)
         self.slider.setPageStep(_PAGE)
-        self.field = named(f"{name}_field", FigureField(0))
-        self.field.setFixedWidth(_FIELD_PX)
-        self.label.setBuddy(self.field)
         in_row((self.slider, 1), self.field, on=self, spacing=10, margins=0)
         self.slider.valueChanged.connect(self._on_slider_moved)
         self.field.value_edited.connect(self._on_field_edited)
+        self.retranslate_ui()
 
     @property
     def value(self) -> int | None:
         """The channel value, or ``None`` if the field holds none."""
         value = self.field.value
-        return None if value is None or not 0 <= value <= FULL else int(value)
+        return None if value is None or self.field.why_wrong() is not None else int(value)
 
     def show_value(self, value: int) -> None:
         """Set the value without emitting a signal."""
@@ -155,14 +152,11 @@ class ChannelRow(QWidget):
         self.slider.show_requested(self.field.value, attention=wrong)
         self.field.show_attention(wanted=wrong)
 
-    def describe(self, name: str, tip: str) -> None:
+    def retranslate_ui(self) -> None:
         """Set the channel's name in the operator's language."""
-        self.label.setText(name)
-        for widget in (self.slider, self.field):
-            describe(widget, name, tip)
+        describe(self.slider, self.field.name, self.field.span)
 
 
-_CHANNELS: Final = ("red", "green", "blue")
 _TALLEST_CARD_PX: Final = 270
 _FIELD_PX: Final = 74
 _PICKER: Final = (
@@ -244,18 +238,20 @@ class LightPanel(Panel):
         least_height_px=38,
     )
 
+    lamp = Figure(Lights.set_light, "lamp", named="lamp_field")
+    red = Figure(Lights.set_light, "red", named="red_field")
+    green = Figure(Lights.set_light, "green", named="green_field")
+    blue = Figure(Lights.set_light, "blue", named="blue_field")
+
     def __init__(self, controller: ArmController) -> None:
         super().__init__(controller, "light_message")
         self._joint_label = QLabel()
         self._joints = QButtonGroup(self)
-        self._lamp_label = QLabel()
-        self._lamp = named("lamp_field", FigureField(0))
-        self._lamp.setFixedWidth(_FIELD_PX)
-        self._lamp.show_value(0)
-        self._lamp_label.setBuddy(self._lamp)
+        self.lamp.setFixedWidth(_FIELD_PX)
+        self.lamp.show_value(0)
         self._all_lamps = named("all_lamps", QCheckBox())
         self._all_lamps.setChecked(True)
-        self._rows = {name: ChannelRow(name) for name in _CHANNELS}
+        self._rows = [ChannelRow(field) for field in (self.red, self.green, self.blue)]
         self._picker: ColorDialog | None = None
         self._effect_label = QLabel()
         self._effect = named("effect_strip", ColorStrip())
@@ -281,11 +277,11 @@ class LightPanel(Panel):
         grid = empty_grid(card, gaps=(10, 8), margins=(16, 12, 16, 12))
         grid.addWidget(self._joint_label, 0, 0)
         grid.addLayout(self._make_joint_buttons(), 0, 1)
-        lamp = in_row(self._all_lamps, STRETCH, self._lamp)
-        grid.addWidget(self._lamp_label, 1, 0)
+        lamp = in_row(self._all_lamps, STRETCH, self.lamp)
+        grid.addWidget(self.lamp.label, 1, 0)
         grid.addLayout(lamp, 1, 1)
-        for place, row in enumerate(self._rows.values(), start=2):
-            grid.addWidget(row.label, place, 0)
+        for place, row in enumerate(self._rows, start=2):
+            grid.addWidget(row.field.label, place, 0)
             grid.addWidget(row, place, 1)
         grid.addWidget(self.pick, 5, 1)
         grid.setRowStretch(6, 1)
@@ -307,8 +303,8 @@ class LightPanel(Panel):
     def _connect(self) -> None:
         self._joints.idClicked.connect(self._on_edited)
         self._all_lamps.toggled.connect(self._on_edited)
-        self._lamp.value_edited.connect(self._on_edited)
-        for row in self._rows.values():
+        self.lamp.value_edited.connect(self._on_edited)
+        for row in self._rows:
             row.edited.connect(self._on_channel_edited)
         self._controller.operating_state_changed.connect(self._on_operating_state_changed)
 
@@ -316,7 +312,7 @@ class LightPanel(Panel):
 
     def color(self) -> QColor | None:
         """Return the colour in the fields, or ``None`` if one of them is invalid."""
-        red, green, blue = (self._rows[name].value for name in _CHANNELS)
+        red, green, blue = (row.value for row in self._rows)
         if red is None or green is None or blue is None:
             return None
         return QColor(red, green, blue)
@@ -343,8 +339,9 @@ class LightPanel(Panel):
         self._on_edited()
 
     def _show_color(self, color: QColor) -> None:
-        for name, value in zip(_CHANNELS, (color.red(), color.green(), color.blue()), strict=True):
-            self._rows[name].show_value(value)
+        channels = color.red(), color.green(), color.blue()
+        for row, value in zip(self._rows, channels, strict=True):
+            row.show_value(value)
         self._effect.show_color(color)
 
     # -- actions ------------------------------------------------------------------------------
@@ -356,16 +353,16 @@ class LightPanel(Panel):
         button.setFocus(Qt.FocusReason.OtherFocusReason)
         self._on_edited()
 
-    def _figures(self) -> dict[str, FigureField]:
-        """Return the fields that count now, by the names in ``_LIGHT``."""
-        lamp = {} if self._all_lamps.isChecked() else {"lamp": self._lamp}
-        return {**lamp, **{name: row.field for name, row in self._rows.items()}}
+    def _figures(self) -> list[CommandField]:
+        """Return the fields that count now."""
+        lamp = () if self._all_lamps.isChecked() else (self.lamp,)
+        return [*lamp, *(row.field for row in self._rows)]
 
     @confirm.pressed
     def _on_confirm(self) -> None:
         fields = self._figures()
         values = {
-            name: int(field.value) for name, field in fields.items() if field.value is not None
+            field.figure.name: int(field.value) for field in fields if field.value is not None
         }
         if len(values) < len(fields):
             self._accepted(self._first_wrong())
@@ -378,12 +375,11 @@ class LightPanel(Panel):
 
     def _entered(self) -> tuple[object, ...]:
         """Return all that is to be sent, as it is entered."""
-        return self._joints.checkedId(), *(
-            (name, field.text()) for name, field in self._figures().items()
-        )
+        texts = ((field.figure.name, field.text()) for field in self._figures())
+        return self._joints.checkedId(), *texts
 
     def _first_wrong(self) -> Refusal | None:
-        wrong = (_why_wrong(name, field) for name, field in self._figures().items())
+        wrong = (field.why_wrong() for field in self._figures())
         return next((refusal for refusal in wrong if refusal is not None), None)
 
     def _on_edited(self) -> None:
@@ -406,12 +402,12 @@ class LightPanel(Panel):
 
     def _show_lamp(self) -> None:
         every = self._all_lamps.isChecked()
-        self._lamp.setEnabled(not every)
-        self._lamp.show_attention(wanted=not every and _why_wrong("lamp", self._lamp) is not None)
-        self._lamp.setToolTip(
+        self.lamp.setEnabled(not every)
+        self.lamp.show_attention(wanted=not every and self.lamp.why_wrong() is not None)
+        self.lamp.setToolTip(
             self.tr("Every lamp is chosen. Take the tick away to choose one.")
             if every
-            else _range_text("lamp")
+            else self.lamp.span
         )
 
     @confirm.lit
@@ -430,12 +426,8 @@ class LightPanel(Panel):
         for joint in JOINTS:
             name = self.tr("Lamps of joint {joint}").format(joint=joint)
             describe(self._joints.button(joint), name)
-        self._lamp_label.setText(words.figure("lamp"))
-        self._lamp.setAccessibleName(words.figure("lamp"))
         self._all_lamps.setText(self.tr("All"))
         self._all_lamps.setAccessibleName(self.tr("All lamps of the joint"))
-        for name, row in self._rows.items():
-            row.describe(words.figure(name), _range_text(name))
         self._effect_label.setText(self.tr("Effect"))
         describe(self._effect, self.tr("Effect"), self.tr("The colour that Confirm sends"))
         self._note.setText(
@@ -445,17 +437,3 @@ class LightPanel(Panel):
             )
         )
         self._show_all()
-
-
-def _range_text(name: str) -> str:
-    allowed = _LIGHT[name].range
-    return f"{words.figure(name)}: {allowed.minimum}–{allowed.maximum}"
-
-
-def _why_wrong(name: str, field: FigureField) -> Refusal | None:
-    """Return what is to be said against the text in a field."""
-    value = field.value
-    if value is not None:
-        return _LIGHT[name].check(int(value))
-    text = field.text().strip() or fmt.NOTHING
-    return FIGURE_NOT_WHOLE(figure=name, value=text, **_LIGHT[name].range._asdict())
