@@ -28,7 +28,8 @@ from armui.control.cell.cell_keeper import CellKeeper
 from armui.control.event_log.keeper import EventKeeper
 from armui.control.events import Event, Notice
 from armui.control.link.instance_registry import InstanceRegistry
-from armui.control.operating_state import LinkState, OperatingState
+from armui.control.link.link_state import LinkState
+from armui.control.operating_state import OperatingState
 from armui.control.safety.kept_references import KeptReferences
 from armui.control.sessions.choices import SessionChoices, choices_of
 from armui.ending import SystemEnd
@@ -58,7 +59,8 @@ if TYPE_CHECKING:
 
     import can
 
-    from armui.sim.arm_process import ArmChoice, ArmProcess
+    from armui.sim.arm_choice import ArmChoice
+    from armui.sim.arm_process import ArmProcess
     from armui.ui.picture.target_drag import HandGuide
     from armui.viewport.client import PictureClient
 
@@ -226,7 +228,14 @@ class Program:
         self._node_keeper = NodeKeeper(controller, KeptModels(store))
         controller.cell.use_own_tool(settings.tool)
         folder = trajectories or paths.trajectories()
-        self._cell_keeper = CellKeeper(controller.cell, store, folder, files or workers)
+        self._cell_keeper = CellKeeper(
+            *(store, folder, files or workers),
+            loaded=controller.cell.take_loaded,
+            not_renamed=controller.cell.give_name,
+            problem=controller.cell.tell_problem,
+        )
+        controller.cell.store = self._cell_keeper
+        self._cell_keeper.load()
         controller.session_choices = partial(_session_choices, store)
         controller.reference_memory = KeptReferences(store)
         self._unsubscribe = store.subscribe(self._on_settings_changed)
@@ -561,7 +570,7 @@ class SimulatedArms:
             begun[1].end()
 
     def _choice(self, device: Device) -> ArmChoice:
-        from armui.sim.arm_process import ArmChoice  # noqa: PLC0415 - as above
+        from armui.sim.arm_choice import ArmChoice  # noqa: PLC0415 - as above
 
         generation = Generation(device.generation or 2)
         version = self._firmware if generation is Generation.TWO else None

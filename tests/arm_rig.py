@@ -18,7 +18,7 @@ from PySide6.QtCore import QCoreApplication, QDeadlineTimer
 from armui.arm.device import Device
 from armui.control.arm_controller import ArmController
 from armui.control.events import Event
-from armui.control.operating_state import LinkState
+from armui.control.link.link_state import LinkState
 from armui.protocol.codec import Codec, Message
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation, PiperModel

@@ -20,7 +20,6 @@ from armui.bus.link import BusReport
 from armui.control.assessment_inputs import Assessor
 from armui.control.authority import Authority
 from armui.control.authority_watch import AuthorityWatch
-from armui.control.context import Context
 from armui.control.controller_parts import ControllerParts
 from armui.control.events import Event, Notice
 from armui.control.link.connection import (
@@ -32,8 +31,10 @@ from armui.control.link.connection import (
 )
 from armui.control.link.device_finder import DeviceFinder
 from armui.control.link.link_watch import LinkWatch
+from armui.control.motion.abort import abort_motion
 from armui.control.motion.motion_command import End
-from armui.control.motion_end import MotionEnd, abort_motion
+from armui.control.motion.motion_context import MotionContext
+from armui.control.motion_end import MotionEnd
 from armui.control.operating_state import Busy, OperatingState
 from armui.control.parts import Parts
 from armui.control.safety.emergency_stop import is_stopped
@@ -128,9 +129,13 @@ class ArmController(ControllerParts):
         self._stop = Stopping(self._connection, self._tell, clock, lambda: self._parts.halt())  # noqa: PLW0108
         authority = self._authority = Authority()
         self._watch = AuthorityWatch(authority, self._connection, self._tell, self._end_too_fast)
-        self._assessor = Assessor(self, self._connection, self._stop, self._watch, clock)
+        self._assessor = Assessor(
+            *(self, self._connection, self._stop, self._watch, clock),
+            state=lambda: self._state,
+            announce=self.operating_state_changed.emit,
+        )
         self._refresh = self._assessor.refresh
-        self._context = Context(
+        self._context = MotionContext(
             self._connection,
             self._tell,
             clock,

@@ -13,16 +13,15 @@ from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, Six, is_fresh
 from armui.control.authority import Authority
 from armui.control.cell.intrusion import AreaIntrusion
+from armui.control.link.link_state import LinkState, why_unreachable
 from armui.control.link.offsets import OffsetFollower
 from armui.control.operating_state import (
     BUSY,
     RUN_UNDER_WAY,
     Busy,
-    LinkState,
     OperatingState,
     OtherHostReport,
     StopState,
-    why_unreachable,
 )
 from armui.control.run.progress import RunPhase
 from armui.control.safety import interlocks

@@ -9,8 +9,9 @@ from armui.control.assessment import ActiveTasks, AssessmentInputs, assess
 from armui.control.operating_state import Busy, OperatingState
 
 if TYPE_CHECKING:
-    from armui.control.arm_controller import ArmController
+    from armui.arm.state import ArmState
     from armui.control.authority_watch import AuthorityWatch
+    from armui.control.controller_parts import ControllerParts
     from armui.control.link.connection import Connection
     from armui.control.safety.stopping import Stopping
 
@@ -19,21 +20,27 @@ class Assessor:
     """Keeps the operating state, so that reading it costs nothing; :meth:`refresh` assesses anew.
 
     Args:
-        controller: Has the parts, and the signal for another operating state.
+        controller: Has the parts.
         connection: The way to the arm.
         stopping: Follows the stops.
         watch: Feeds the authority, which knows who moves the arm.
         clock: Monotonic time in seconds.
+        state: Returns the arm as last heard.
+        announce: Called with another operating state.
     """
 
     def __init__(
         self,
-        controller: ArmController,
+        controller: ControllerParts,
         connection: Connection,
         stopping: Stopping,
         watch: AuthorityWatch,
         clock: Callable[[], float],
+        *,
+        state: Callable[[], ArmState],
+        announce: Callable[[OperatingState], object],
     ) -> None:
+        self._state, self._announce = state, announce
         self._controller = controller
         self._connection = connection
         self._stopping = stopping
@@ -59,11 +66,10 @@ class Assessor:
     def assess(self) -> OperatingState:
         """Return a new operating state, from the last observation and the state of the parts."""
         now_s = self._clock()
-        controller = self._controller
-        operating_state = assess(controller.state, self._inputs(now_s), now_s)
+        operating_state = assess(self._state(), self._inputs(now_s), now_s)
         if operating_state != self.read():
             self._operating_state = operating_state
-            controller.operating_state_changed.emit(operating_state)
+            self._announce(operating_state)
         return self.read()
 
     def _pending(self) -> frozenset[str]:
@@ -91,7 +97,7 @@ class Assessor:
             link=connection.link,
             device=connection.device,
             link_problem=connection.problem,
-            stop=self._stopping.state(controller.state, now_s, resuming=resuming),
+            stop=self._stopping.state(self._state(), now_s, resuming=resuming),
             stop_unconfirmed=emergency_stop.unconfirmed(now_s),
             stop_lapsed=emergency_stop.lapsed,
             busy=busy,
@@ -100,8 +106,8 @@ class Assessor:
             generation=connection.generation,
             offsets=connection.offsets,
             model_fit=controller.model_watch.fit(),
-            below_base_mm=controller.jog_floor.below_base_mm(controller.state),
-            intrusion=controller.area_guard.intrusion(controller.state),
+            below_base_mm=controller.jog_floor.below_base_mm(self._state()),
+            intrusion=controller.area_guard.intrusion(self._state()),
             keeps_area=controller.area_guard.area is not None,
             reference=controller.reference.status,
             uncommanded=controller.sinking.motion,

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Reason, Refusal
 from armui.control.devices.teaching_phase import is_own_replay
+from armui.control.link.link_state import NOT_CONNECTED
 from armui.control.motion.motion_command import (
     CommandKind,
     End,
@@ -22,7 +23,6 @@ from armui.control.motion.motion_command import (
     Observation,
     why_held,
 )
-from armui.control.operating_state import NOT_CONNECTED
 from armui.control.safety.feedback_freshness import any_motor_off, in_drag_teaching, why_silent
 from armui.control.safety.interlocks import MOVABLE_STATUSES
 from armui.control.safety.other_command import OtherCommand

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Final
 from armui.arm.refusal import Refusal
 from armui.control.event_log.observed import Observed
 from armui.control.events import Notice
+from armui.control.link.link_state import LinkState
 from armui.control.motion.motion_command import CommandKind, End, MotionCommand, Observation
-from armui.control.operating_state import LinkState, OtherHostReport
+from armui.control.operating_state import OtherHostReport
 from armui.control.operations.started import Ending
 from armui.control.safety.command_acknowledgement import AcknowledgementMonitor
 from armui.protocol.addressing import OFFSETS
@@ -19,7 +20,7 @@ from armui.telemetry.events import EventKind, EventOutcome, Level
 if TYPE_CHECKING:
     from armui.control.authority import Authority
     from armui.control.link.connection import Connection
-    from armui.control.operations.started import Tell
+    from armui.control.operations.telling import Tell
 
 OTHER_HOST_MOVES = Notice(
     "other_host_moves",

@@ -10,16 +10,12 @@ from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.control.authority import Authority
 from armui.control.events import Notice
+from armui.control.link.link_state import LINK_LOST, why_unreachable
 from armui.control.motion.motion_command import CommandKind, End, MotionCommand
-from armui.control.operating_state import LINK_LOST, OperatingState, why_unreachable
-from armui.control.operations.started import (
-    Ending,
-    Started,
-    Tell,
-    close_and_tell,
-    report_and_tell,
-)
-from armui.control.parameters.arm_model import planning_model
+from armui.control.operating_state import OperatingState
+from armui.control.operations.started import Ending, Started
+from armui.control.operations.telling import Tell, close_and_tell, report_and_tell
+from armui.control.parameters.planning_model import planning_model
 from armui.control.safety.overspeed import tool_pace
 from armui.protocol import commands
 from armui.protocol.codes import ControlMode, TrajectoryCommand
@@ -27,7 +23,6 @@ from armui.telemetry.events import EventKind, Level
 
 if TYPE_CHECKING:
     from armui.control.link.connection import Connection
-    from armui.control.safety.gate import Gate
     from armui.control.safety.overspeed import ToolPace
     from armui.kinematics.poses import Matrix
     from armui.protocol.codes import MoveMode
@@ -60,7 +55,6 @@ class Context:
             it where it has changed that state itself.
         observe: Gives the authority all feedback received so far, and does nothing more.
         authority: Knows who moves the arm, and our own command.
-        gate: Returns what checks every motion.
     """
 
     connection: Connection
@@ -71,7 +65,6 @@ class Context:
     refresh: Callable[[], OperatingState]
     observe: Callable[[], None]
     authority: Authority
-    gate: Callable[[], Gate]
 
     def refuse(self, refusal: Refusal) -> Refusal:
         """Tell the operator why something was not done; return the reason."""
@@ -213,26 +206,6 @@ class Context:
         if not self.authority.lowers_speed(speed_percent):
             return []
         return self.speed_frames(mode, speed_percent)
-
-    def tell_percent(self, percent: int) -> bool:
-        """Send another speed percentage in the arm's present mode; return false if impossible.
-
-        It changes how fast the arm goes on a way that was passed, and no way.
-
-        While a motion is held back, or may be, only 0 % is sent: any other value would set it
-        going.
-        """
-        self.observe()
-        authority = self.authority
-        refusal = authority.why_no_speed(percent)
-        mode = None if refusal is not None else authority.mode_in_force()
-        passed = self.gate().ask_no_way()
-        if mode is None or not self.connection.send(
-            self.speed_frames(mode, percent), passed=passed
-        ):
-            return False
-        self.authority.told_percent(percent)
-        return True
 
     def speed_frames(self, mode: tuple[ControlMode, MoveMode], percent: int) -> list[Frame]:
         """Return 0x151 with another speed, 0–100 %, in the arm's present modes."""

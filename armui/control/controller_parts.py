@@ -34,8 +34,8 @@ from armui.control.motion.joint_motion import Motion
 from armui.control.motion.motion_command import End
 from armui.control.motion.planned_motion import PlannedMotion
 from armui.control.operations.operation import Operations
-from armui.control.parameters.arm_model import planning_model, tool_capsule
 from armui.control.parameters.arm_settings import ArmSettings
+from armui.control.parameters.planning_model import planning_model, tool_capsule
 from armui.control.requests.transactions import TransactionQueue
 from armui.control.run.player import Player
 from armui.control.run.recorder import Recorder
@@ -52,8 +52,9 @@ if TYPE_CHECKING:
     from datetime import datetime
 
     from armui.arm.refusal import Refusal
-    from armui.control.context import Context, ControllerPart
+    from armui.control.context import ControllerPart
     from armui.control.event_log.collector import EventCollector
+    from armui.control.motion.motion_context import MotionContext
     from armui.control.safety.gate import Background
     from armui.control.safety.reference_control import ReferenceControl, ReferenceMemory
     from armui.control.sessions.choices import SessionChoices
@@ -79,7 +80,7 @@ class ControllerParts(QObject):
     """Returns how and where sessions are recorded; by default as `SessionRecorder` has it."""
     reference_memory: ReferenceMemory | None = None
     """Keeps what is known of each arm's reference; by default nothing is kept."""
-    _context: Context
+    _context: MotionContext
     """The context that the parts share; the controller sets it before it asks for any."""
     _background: Background | None
     """Has a thread check a long way; the controller sets it likewise."""
@@ -149,7 +150,12 @@ class ControllerParts(QObject):
     @cached_property
     def gamepad(self) -> GamepadPilot:
         """Jogs by gamepad and SpaceMouse, once it is switched on."""
-        return GamepadPilot(self, self._context.clock)
+        return GamepadPilot(
+            *(self.jogging, self.cartesian),
+            stop=self.emergency_stop,
+            halt=self.halt_and_hold,
+            clock=self._context.clock,
+        )
 
     @cached_property
     def motors(self) -> Motors:

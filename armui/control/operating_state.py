@@ -13,6 +13,11 @@ from armui.arm.models import model_data
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import Six, Status
 from armui.control.cell.intrusion import AreaIntrusion
+from armui.control.link.link_state import (
+    NOT_CONNECTED,
+    LinkState,
+    why_unreachable,
+)
 from armui.control.motion.motion_command import Hold, Mover, why_held
 from armui.control.run.progress import RunPhase
 from armui.control.safety.reference_status import ReferenceStatus
@@ -20,28 +25,6 @@ from armui.control.safety.uncommanded_motion import UncommandedMotion
 from armui.protocol.addressing import Addressing
 from armui.protocol.generation import Generation, PiperModel
 
-LISTEN_ONLY = Reason(
-    "listen_only",
-    "This connection only listens: nothing is sent but the emergency stop. Connect without "
-    "Listen only to command the arm.",
-)
-REPLAYED_LOG = Reason(
-    "replayed_log",
-    "This is a recording that is replayed: nothing can be sent. Whatever is to reach an arm is "
-    "done in the main window.",
-)
-LINK_LOST = Reason(
-    "link_lost", "The CAN device is gone. Plug it in again: the program reconnects by itself."
-)
-OFFLINE = Reason(
-    "offline",
-    "The device is open, but nothing is heard from the arm. Check its power, the CAN cable "
-    "and the bit rate.",
-)
-NOT_CONNECTED = Reason(
-    "not_connected",
-    "No arm is connected. Click the button at the top left, choose a device and connect it.",
-)
 BUSY = Reason("busy", "Still under way: {what}. Wait until it is done.")
 RUN_UNDER_WAY = Reason(
     "run_under_way",
@@ -49,42 +32,6 @@ RUN_UNDER_WAY = Reason(
     "or end the run first.",
 )
 JOG_UNDER_WAY = Reason("jog_under_way", "The arm is being jogged. Let go first, then press again.")
-
-
-class LinkState(enum.Enum):
-    """The states of the link to the arm."""
-
-    NO_DEVICE = enum.auto()
-    """No device is connected."""
-    OPENING = enum.auto()
-    OFFLINE = enum.auto()
-    """A device is open, and no arm has been heard on it for half a second."""
-    ONLINE = enum.auto()
-    LOST = enum.auto()
-    """The device is gone; the program keeps trying to reopen it."""
-
-
-def why_only_heard(device: Device | None) -> Refusal | None:
-    """Return why an arm that is heard may not be sent anything, or ``None``."""
-    if device is None or not device.listen_only:
-        return None
-    return Refusal(LISTEN_ONLY if device.recorded is None else REPLAYED_LOG)
-
-
-def why_unreachable(link: LinkState, device: Device | None = None) -> Refusal | None:
-    """Return why nothing at all can be sent: no arm is heard, or it is only listened to.
-
-    Args:
-        link: The state of the link.
-        device: The open device; ``None`` for an action that is also possible on a listen-only link.
-    """
-    if link is LinkState.ONLINE and (refusal := why_only_heard(device)) is not None:
-        return refusal
-    if link is LinkState.LOST:
-        return LINK_LOST()
-    if link is LinkState.OFFLINE:
-        return OFFLINE()
-    return None if link is LinkState.ONLINE else NOT_CONNECTED()
 
 
 class StopState(enum.Enum):

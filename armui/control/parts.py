@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 
 from armui.control.context import ControllerPart
 from armui.control.events import Notice
-from armui.control.operations.started import Tell
+from armui.control.operations.telling import Tell
 from armui.telemetry.events import EventKind, Level
 
 PART_FAILED_NOTICE = Notice(

@@ -9,44 +9,20 @@ from __future__ import annotations
 
 import multiprocessing
 import socket
-import struct
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Final
 
 from armui.protocol.frame_records import RECORD_BYTES
-from armui.protocol.generation import Generation, PiperModel
+from armui.sim.arm_choice import HAND, LETS_GO, ArmChoice
 from armui.system.helper_process import end_with_the_program
 from armui.system.record_socket import RecordSocket
 from armui.system.thread_priority import raise_in_background
 
 PROCESS_NAME: Final = "armui-simulated-arm"
 
-HAND: Final = struct.Struct("<7d")
-"""Six angles in degrees and a speed in degrees a second; a speed of 0 lets go."""
-LETS_GO: Final = (0.0,) * 7
-"""What the hand's line says of a hand that is not there."""
-
 _BEGINS_WITHIN_S: Final = 60.0
 """A loaded computer takes some seconds to load what the arm is made of."""
 _ENDS_WITHIN_S: Final = 2.0
-
-
-@dataclass(frozen=True, slots=True)
-class ArmChoice:
-    """What a simulated arm is to be.
-
-    Attributes:
-        generation: The protocol it speaks.
-        model: The model of the family.
-        version: Its firmware's version (generation 2), ``None`` for today's.
-        joints_deg: The angles at which it lies, joint 1 first; ``None`` for the rest pose.
-    """
-
-    generation: Generation
-    model: PiperModel = PiperModel.PIPER
-    version: str | None = None
-    joints_deg: tuple[float, ...] | None = None
 
 
 class LineHand:

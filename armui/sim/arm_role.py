@@ -18,7 +18,10 @@ from armui.sim.mechanics.powered_joints import STANDSTILL, SixValues
 from armui.sim.parameters.settings import LinkageSettings
 
 if TYPE_CHECKING:
-    from armui.sim.firmware import Firmware
+    from armui.sim.condition import Condition
+    from armui.sim.mechanics.mechanics import HandGuiding, Mechanics
+    from armui.sim.parameters.flash import Flash
+    from armui.sim.parameters.settings import ArmSettingsRecord
 
 
 CONTROL: Final = frozenset(
@@ -85,21 +88,33 @@ class ArmRole:
     """
 
     def __init__(
-        self, arm: Firmware, *, drop_targets: Callable[[], None], speak: Callable[[], None]
+        self,
+        generation: Generation,
+        mechanics: Mechanics,
+        condition: Condition,
+        settings: ArmSettingsRecord,
+        *,
+        hand: HandGuiding,
+        flash: Flash,
+        drop_targets: Callable[[], None],
+        speak: Callable[[], None],
     ) -> None:
         """Manages the role of one arm.
 
         Args:
-            arm: The arm.
+            generation: The protocol it speaks.
+            mechanics: Its joints, which give way as a teaching input.
+            condition: Its modes.
+            settings: The values it keeps; the role is one.
+            hand: The hand that leads it.
+            flash: The storage of its settings.
             drop_targets: Drops the arm's targets.
             speak: Switches to the identifiers in the settings.
         """
-        self._generation = arm.generation
-        self._mechanics = arm.mechanics
-        self._condition = arm.condition
-        self._settings = arm.settings
-        self._hand = arm.hand_guiding
-        self._flash = arm.flash
+        self._generation = generation
+        self._mechanics, self._condition = mechanics, condition
+        self._settings, self._flash = settings, flash
+        self._hand = hand
         self._drop_targets = drop_targets
         self._speak = speak
         self._waits = False

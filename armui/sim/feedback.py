@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
-from functools import cache, partial
-from typing import TYPE_CHECKING, Final
+from functools import partial
+from typing import TYPE_CHECKING, Final, Protocol
 
 from armui.arm.limits import JOINTS
 from armui.arm.state import GripperFault
@@ -15,13 +14,16 @@ from armui.protocol.codec import Codec
 from armui.protocol.codes import DEGREES_PER
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
-from armui.protocol.layout import load_database
 from armui.sim.condition import Alarm
 from armui.sim.mechanics.powered_joints import STANDSTILL, SixValues
 
 if TYPE_CHECKING:
-    from armui.sim.firmware import Firmware
+    from armui.kinematics.arm_kinematics import Kinematics
+    from armui.sim.condition import Condition
+    from armui.sim.faults.lost_reference import LostReference
+    from armui.sim.mechanics.drivers import Drivers
     from armui.sim.mechanics.gripper import SimulatedGripper
+    from armui.sim.mechanics.mechanics import Mechanics
 
 
 _NUDGE_DEG: Final = 0.01
@@ -62,94 +64,6 @@ class FrameCache:
         return frame
 
 
-TICK_NS: Final = 5_000_000
-"""Frames leave on this grid: one burst of frames for each switch of threads."""
-
-_NS_PER_MS: Final = 1_000_000
-_PER_DRIVER: Final = ("DriverFast", "DriverSlow")
-_END_MOTION: Final = tuple(f"EndMotion{joint}" for joint in range(1, 7))
-_IK_SOLUTION: Final = ("IkSolution12", "IkSolution34", "IkSolution56")
-_IK_SOLUTION_MS: Final = 5
-"""The cycle time of the IK solution, which is assumed: the protocol text gives none."""
-_DRIVERS: Final = tuple(f"{kind}{joint}" for kind in _PER_DRIVER for joint in range(1, 7))
-
-
-_OPTIONS: Final = {
-    **dict.fromkeys(_END_MOTION, "end_motion"),
-    **dict.fromkeys(_IK_SOLUTION, "ik_solution"),
-}
-"""The attribute that switches on the frames that are not always sent."""
-
-
-@dataclass(slots=True)
-class _Slot:
-    """Frames that leave together."""
-
-    due_ns: int
-    period_ns: int
-    names: tuple[str, ...]
-    option: str
-
-
-class FeedbackSchedule:
-    """The periodic feedback of one generation, with the cycle times of its DBC file.
-
-    The controller sends all frames with the same cycle time as one burst, so that their values
-    belong together. The six drivers send independently, spread over the period as far as the grid
-    allows.
-
-    Attributes:
-        end_motion: True if 0x481–0x486 are on; they follow the controller's frames.
-        ik_solution: True if 0x2AA–0x2AC are sent.
-    """
-
-    def __init__(self, generation: Generation) -> None:
-        self.end_motion = self.ik_solution = False
-        self._slots = [_Slot(*slot) for slot in _slots(generation)]
-        self.next_ns = min(slot.due_ns for slot in self._slots)
-        self.periods_ns: Mapping[str, int] = {
-            name: slot.period_ns for slot in self._slots for name in slot.names
-        }
-
-    def pop(self) -> list[str]:
-        """Return the names of the frames due at `next_ns`, in bus order, and advance."""
-        now_ns = self.next_ns
-        names: list[str] = []
-        for slot in self._slots:
-            if slot.due_ns == now_ns:
-                if not slot.option or getattr(self, slot.option):
-                    names += slot.names
-                slot.due_ns += slot.period_ns
-        self.next_ns = min(slot.due_ns for slot in self._slots)
-        return names
-
-
-@cache
-def _slots(generation: Generation) -> tuple[tuple[int, int, tuple[str, ...], str], ...]:
-    """Return when each burst is first due, its period, its frames and their option."""
-    database = load_database(generation)
-    groups: dict[tuple[int, int, str], list[str]] = {}
-
-    def add(name: str, cycle_time_ms: int, part: int = 1, parts: int = 1) -> None:
-        period_ns = cycle_time_ms * _NS_PER_MS
-        first_ns = -(-period_ns * part // (parts * TICK_NS)) * TICK_NS
-        groups.setdefault((first_ns, period_ns, _OPTIONS.get(name, "")), []).append(name)
-
-    periodic = {each.name: each.cycle_time for each in database.messages if each.cycle_time}
-    for name, cycle_time_ms in periodic.items():
-        if name not in _DRIVERS:
-            add(name, cycle_time_ms)
-    if any(each.name in _IK_SOLUTION for each in database.messages):
-        for name in _IK_SOLUTION:
-            add(name, _IK_SOLUTION_MS)
-    for name in _DRIVERS:
-        add(name, periodic[name], int(name[-1]), 6)
-    return tuple(
-        (first_ns, period_ns, tuple(names), option)
-        for (first_ns, period_ns, option), names in groups.items()
-    )
-
-
 _DEGREES_PER: Final = {**DEGREES_PER, "pulse": 360.0 / 65536.0}
 """The units with the encoder's pulses. The protocol text gives no number of pulses for a turn; this
 one is assumed.
@@ -160,10 +74,29 @@ _MOST_STEPS: Final = 32767
 """The most that the 16 bits of a driver's speed hold (0x251–0x256); a faster joint reports this."""
 
 
+class ReportedArm(Protocol):
+    """What the feedback tells of an arm: its parts, and the angles as the arm believes them."""
+
+    condition: Condition
+    drivers: Drivers
+    gripper: SimulatedGripper
+    kinematics: Kinematics
+    lost_reference: LostReference
+    mechanics: Mechanics
+
+    @property
+    def reported_deg(self) -> SixValues:
+        """The joint angles as they are told, joint 1 first."""
+
+    @property
+    def ik_solution_deg(self) -> SixValues | None:
+        """The joint angles of the last pose of MOVE P, as in 0x2AA–0x2AC."""
+
+
 class Feedback:
     """Builds the periodic frames from the state of the arm's parts."""
 
-    def __init__(self, codec: Codec, arm: Firmware) -> None:
+    def __init__(self, codec: Codec, arm: ReportedArm) -> None:
         self._cache = FrameCache(codec)
         self._arm = arm
         self._kinematics = arm.kinematics

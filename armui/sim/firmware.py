@@ -40,7 +40,8 @@ from armui.sim.condition import Condition
 from armui.sim.faults.bugs import FirmwareBugs
 from armui.sim.faults.lost_reference import LostReference
 from armui.sim.faults.protection import Protection
-from armui.sim.feedback import Feedback, FeedbackSchedule
+from armui.sim.feedback import Feedback
+from armui.sim.feedback_schedule import FeedbackSchedule
 from armui.sim.mechanics.drivers import Drivers
 from armui.sim.mechanics.gravity import Weight
 from armui.sim.mechanics.gripper import SimulatedGripper
@@ -154,10 +155,26 @@ class Firmware:
             drop_targets=self._moves.drop_targets,
         )
         self.lost_reference = LostReference(self.settings_applier)
-        self._linkage = ArmRole(self, drop_targets=self._moves.drop_targets, speak=self._speak)
-        self._motion_commands = MotionCommandHandler(self, self._moves, self._enter)
+        self._linkage = ArmRole(
+            *(generation, self.mechanics, self.condition, self.settings),
+            hand=self.hand_guiding,
+            flash=self.flash,
+            drop_targets=self._moves.drop_targets,
+            speak=self._speak,
+        )
+        self._motion_commands = MotionCommandHandler(
+            *(generation, self.mechanics, self.condition, self.teaching),
+            moves=self._moves,
+            unsupported=self.unsupported,
+            enter=self._enter,
+        )
         self._linkage.take_effect()
-        self.bugs = FirmwareBugs(bugs, self, self._linkage.set)
+        self.bugs = FirmwareBugs(
+            *(bugs, self.mechanics, self.condition, self.settings, self.settings_applier),
+            lost=self.lost_reference,
+            lead=self._linkage.set,
+            corrupt_limits=self.corrupt_limits,
+        )
         self._handlers: dict[str, Callable[[Signals], list[Frame]]] = {
             "MotionCommand": self._motion_command,
             "ModeControl": self._mode_control,

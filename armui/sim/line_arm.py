@@ -8,8 +8,8 @@ from armui.arm.models import model_data
 from armui.arm.rest_pose import rest_pose_deg
 from armui.protocol.frame import Frame
 from armui.protocol.frame_records import pack, unpack
+from armui.sim.arm_choice import HAND, LETS_GO, ArmChoice
 from armui.sim.arm_loop import ArmLoop
-from armui.sim.arm_process import HAND, LETS_GO, ArmChoice
 from armui.sim.firmware import Firmware
 from armui.system.record_socket import RecordSocket
 

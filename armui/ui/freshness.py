@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from armui.arm.state import ArmState, Reading
-from armui.control.operating_state import LinkState, OperatingState
+from armui.control.link.link_state import LinkState
+from armui.control.operating_state import OperatingState
 
 
 def is_stale(heard: Reading[Any] | None, state: ArmState, operating_state: OperatingState) -> bool:

@@ -20,7 +20,7 @@ from armui.app import _SWITCH_INTERVAL_S, Program, keep_from_collector
 from armui.arm.device import Device
 from armui.bus.worker import Opener
 from armui.control.arm_controller import ArmController
-from armui.control.operating_state import LinkState
+from armui.control.link.link_state import LinkState
 from armui.settings import SettingsStore
 from armui.system.clock import steady_s
 from armui.system.helper_process import HelperProcess

@@ -22,7 +22,7 @@ from PySide6.QtWidgets import QPushButton
 from armui.app import _SWITCH_INTERVAL_S
 from armui.arm.device import Device
 from armui.control.arm_controller import ArmController
-from armui.control.operating_state import LinkState
+from armui.control.link.link_state import LinkState
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node

@@ -10,14 +10,8 @@ from armui.arm.device import Device
 from armui.arm.figures import FIGURE_OUT_OF_RANGE
 from armui.arm.limits import JOINT_NOT_A_NUMBER
 from armui.control.devices.motors import NOT_STOPPED
-from armui.control.operating_state import (
-    BUSY,
-    LINK_LOST,
-    NOT_CONNECTED,
-    OFFLINE,
-    LinkState,
-    StopState,
-)
+from armui.control.link.link_state import LINK_LOST, NOT_CONNECTED, OFFLINE, LinkState
+from armui.control.operating_state import BUSY, StopState
 from armui.control.safety.interlocks import NOT_ENABLED, SPEED_ZERO, STOPPED
 from armui.protocol.codes import ControlMode
 from armui.protocol.frame import Frame

@@ -6,7 +6,7 @@ import can
 import pytest
 
 from armui.arm.parameters import SETTING_NO_CHOICE, Batch, Group, Parameter, all_batches, heard
-from armui.control.operating_state import LINK_LOST
+from armui.control.link.link_state import LINK_LOST
 from armui.control.operations.started import SETTING_NOT_READ_BACK, SETTING_UNANSWERED
 from armui.control.parameters.arm_settings import SETTING_NOT_KEPT
 from armui.control.parameters.setting_cell import CellState

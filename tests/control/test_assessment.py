@@ -11,18 +11,10 @@ from armui.arm.device import Device
 from armui.arm.limits import JointLimits
 from armui.arm.state import ArmState, Reading
 from armui.control.assessment import ActiveTasks, AssessmentInputs, assess
+from armui.control.link.link_state import LINK_LOST, LISTEN_ONLY, OFFLINE, LinkState
 from armui.control.link.offsets import OffsetFollower
 from armui.control.motion.motion_command import PLAN_PAUSED, Hold, Mover
-from armui.control.operating_state import (
-    BUSY,
-    LINK_LOST,
-    LISTEN_ONLY,
-    OFFLINE,
-    RUN_UNDER_WAY,
-    Busy,
-    LinkState,
-    StopState,
-)
+from armui.control.operating_state import BUSY, RUN_UNDER_WAY, Busy, StopState
 from armui.control.run.progress import RunPhase
 from armui.control.safety.feedback_freshness import FEEDBACK_SILENT
 from armui.control.safety.interlocks import (

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from armui.control.authority import Authority
+from armui.control.link.link_state import NOT_CONNECTED
 from armui.control.motion.motion_command import HELD_AT_ZERO, PLAN_PAUSED, CommandKind, End, Mover
-from armui.control.operating_state import NOT_CONNECTED
 from armui.control.safety.feedback_freshness import FEEDBACK_SILENT
 from armui.control.safety.other_command import OTHER_HOST
 from armui.protocol.codes import ControlMode, MoveMode

@@ -20,9 +20,9 @@ from armui.control.authority_watch import (
     AuthorityWatch,
 )
 from armui.control.events import Notice
+from armui.control.link.link_state import LinkState
 from armui.control.link.offsets import OffsetFollower
 from armui.control.motion.motion_command import CommandKind, End, Mover
-from armui.control.operating_state import LinkState
 from armui.control.safety.other_command import OTHER_HOST, OTHER_HOST_STREAMS, OTHER_MODE
 from armui.control.safety.overspeed import TOO_FAST
 from armui.protocol.addressing import Addressing

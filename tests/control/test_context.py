@@ -9,9 +9,11 @@ from unittest.mock import Mock
 import pytest
 
 from armui.arm.state import ArmState
-from armui.control.context import COMMAND_OVER, REFUSED, Context
+from armui.control.context import COMMAND_OVER, REFUSED
+from armui.control.link.link_state import LINK_LOST, OFFLINE
 from armui.control.motion.motion_command import CommandKind, End, MotionCommand
-from armui.control.operating_state import LINK_LOST, OFFLINE, OperatingState
+from armui.control.motion.motion_context import MotionContext
+from armui.control.operating_state import OperatingState
 from armui.control.operations.started import Started
 from armui.control.safety.other_command import OTHER_HOST
 from armui.protocol.codec import Codec
@@ -51,7 +53,7 @@ class Part:
         self.connection = Connection()
         self.told: list[Any] = []
         self.looks = 0
-        self.context = Context(
+        self.context = MotionContext(
             connection=cast("Any", self.connection),
             tell=lambda code, _started=None, /, **params: self.told.append((code, params)),
             clock=lambda: self.arm.now_s,

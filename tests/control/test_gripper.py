@@ -10,7 +10,7 @@ from armui.arm.parameters import Parameter
 from armui.arm.state import GripperFault, gripper_of
 from armui.control.devices.gripper import GRIPPER_SILENT
 from armui.control.devices.gripper_ranges import gripper_figures
-from armui.control.operating_state import LINK_LOST, NOT_CONNECTED, OFFLINE
+from armui.control.link.link_state import LINK_LOST, NOT_CONNECTED, OFFLINE
 from armui.control.operations.started import Ending, refusal_of
 from armui.control.safety.interlocks import OTHER_CONTROL, STOPPED
 from armui.protocol.frame import Frame

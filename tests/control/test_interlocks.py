@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from armui.arm.state import ArmState, Reading, Six
+from armui.control.link.link_state import OFFLINE as OFFLINE_REASON
 from armui.control.operating_state import BUSY, Busy, StopState
-from armui.control.operating_state import OFFLINE as OFFLINE_REASON
 from armui.control.safety import interlocks
 from armui.control.safety.interlocks import (
     ARM_FAULT,

@@ -6,10 +6,11 @@ from contextlib import suppress
 import pytest
 
 from armui.arm.parameters import Parameter
+from armui.control.link.link_state import NOT_CONNECTED
 from armui.control.motion.jog_pace import REST_S, pace
 from armui.control.motion.jog_path import JOG_AT_LIMIT, JointJog, ToolJog
 from armui.control.motion.jog_stream import JOG_SINGULAR
-from armui.control.operating_state import BUSY, NOT_CONNECTED
+from armui.control.operating_state import BUSY
 from armui.control.operations.started import Started
 from armui.control.safety.interlocks import NOT_ENABLED
 from armui.kinematics.arm_kinematics import Kinematics

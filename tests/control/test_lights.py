@@ -4,7 +4,7 @@ import pytest
 
 from armui.arm.figures import WHOLE_OUT_OF_RANGE, check_arguments
 from armui.control.devices.lights import Lights
-from armui.control.operating_state import NOT_CONNECTED, OFFLINE
+from armui.control.link.link_state import NOT_CONNECTED, OFFLINE
 from armui.protocol.codes import ALL_LAMPS
 from armui.protocol.frame import Frame
 from tests.accepted import accepted

@@ -4,8 +4,8 @@ import can
 import pytest
 
 from armui.control.devices.linkage import LINKAGE_WHILE_MOVING, OFFSET_NOT_POSSIBLE
+from armui.control.link.link_state import NOT_CONNECTED, LinkState
 from armui.control.link.offsets import OffsetFollower
-from armui.control.operating_state import NOT_CONNECTED, LinkState
 from armui.control.operations.started import SETTING_UNANSWERED
 from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN
 from armui.protocol.addressing import Addressing

@@ -12,7 +12,8 @@ import pytest
 
 from armui.arm.figures import WHOLE_OUT_OF_RANGE, figures_of
 from armui.arm.refusal import Reason, Refusal
-from armui.control.operating_state import LinkState, OperatingState
+from armui.control.link.link_state import LinkState
+from armui.control.operating_state import OperatingState
 from armui.control.operations.operation import Consent, Operations, declare, operation, operation_of
 from armui.control.operations.started import Ending, Started
 from armui.control.safety.reference_status import ReferenceStatus

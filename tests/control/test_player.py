@@ -6,9 +6,10 @@ import can
 import pytest
 
 from armui.arm.limits import JOINT_OUT_OF_LIMITS
+from armui.control.link.link_state import LINK_LOST, OFFLINE
+from armui.control.motion.abort import RUN_STOPPED
 from armui.control.motion.point_frames import GRIPPER_OTHER_GENERATION
-from armui.control.motion_end import RUN_STOPPED
-from armui.control.operating_state import LINK_LOST, OFFLINE, RUN_UNDER_WAY
+from armui.control.operating_state import RUN_UNDER_WAY
 from armui.control.run.arrival import RUN_ELSEWHERE
 from armui.control.run.player import NOT_PAUSED, NOT_RUNNING, RUN_TOO_SLOW
 from armui.control.run.progress import ENDLESS, Run, RunPhase

@@ -6,7 +6,8 @@ from typing import Any
 
 import pytest
 
-from armui.control.operating_state import BUSY, LinkState
+from armui.control.link.link_state import LinkState
+from armui.control.operating_state import BUSY
 from armui.control.safety.recovery import STEP_GONE
 from armui.control.safety.recovery_steps import Action, StepKind
 from armui.protocol.codes import ControlMode, TeachingState

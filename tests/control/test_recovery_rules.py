@@ -23,14 +23,9 @@ from armui.control.cell.cell_reasons import (
 from armui.control.cell.intrusion import AreaIntrusion
 from armui.control.devices.teaching_phase import why_not_teach
 from armui.control.events import Level
+from armui.control.link.link_state import LinkState
 from armui.control.motion.motion_command import Hold, Observation
-from armui.control.operating_state import (
-    Busy,
-    LinkState,
-    OperatingState,
-    OtherHostReport,
-    StopState,
-)
+from armui.control.operating_state import Busy, OperatingState, OtherHostReport, StopState
 from armui.control.run.progress import OVER, RunPhase
 from armui.control.safety.recovery_rules import STEP_IN_VAIN, next_step
 from armui.control.safety.recovery_steps import UNHINDERED, Action, Step, StepKind

@@ -6,7 +6,8 @@ from datetime import UTC, datetime
 import numpy as np
 import pytest
 
-from armui.control.operating_state import BUSY, NOT_CONNECTED
+from armui.control.link.link_state import NOT_CONNECTED
+from armui.control.operating_state import BUSY
 from armui.control.run.progress import ENDLESS, RunPhase
 from armui.control.run.replay import REPLAY_LAGGING, Replay
 from armui.trajectory.samples.recording import Recording

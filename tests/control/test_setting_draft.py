@@ -5,7 +5,7 @@ import pytest
 from armui.arm.limits import JointLimits
 from armui.arm.parameters import SETTING_NOT_A_NUMBER, Parameter
 from armui.arm.state import ArmState, Reading
-from armui.control.operating_state import LINK_LOST
+from armui.control.link.link_state import LINK_LOST
 from armui.control.parameters.setting_cell import CellState, SettingCellState
 from armui.control.parameters.setting_checks import LIMITS_CROSSED
 from armui.control.parameters.setting_draft import CellStatus, SettingDraft

@@ -10,8 +10,9 @@ from armui.arm.device import Device
 from armui.arm.state import ArmState, Reading
 from armui.control.context import REFUSED
 from armui.control.events import Notice
+from armui.control.link.link_state import LINK_LOST, NOT_CONNECTED, OFFLINE, LinkState
 from armui.control.link.offsets import OffsetFollower
-from armui.control.operating_state import LINK_LOST, NOT_CONNECTED, OFFLINE, LinkState, StopState
+from armui.control.operating_state import StopState
 from armui.control.safety.stopping import (
     HALT_AT_REST,
     HALT_LISTEN_ONLY,

@@ -2,7 +2,7 @@
 
 import can
 
-from armui.control.operating_state import LinkState
+from armui.control.link.link_state import LinkState
 from armui.protocol.frame import Frame
 from tests.accepted import accepted
 

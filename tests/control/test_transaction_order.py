@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from armui.control.operating_state import BUSY, LINK_LOST, OFFLINE, LinkState
+from armui.control.link.link_state import LINK_LOST, OFFLINE, LinkState
+from armui.control.operating_state import BUSY
 from armui.control.operations.started import (
     ARM_CHANGED,
     ENDED_BY_STOP,

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from armui.control.operating_state import BUSY, LINK_LOST
+from armui.control.link.link_state import LINK_LOST
+from armui.control.operating_state import BUSY
 from armui.control.operations.started import SETTING_NOT_READ_BACK, SETTING_UNANSWERED
 from tests.control.transaction_line import (
     BEGIN_S,

@@ -14,7 +14,7 @@ from armui.control.motion.steered_path import SteeredJog
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codes import MoveMode
 from armui.trajectory.library.run_options import RunOptions
-from armui.ui.trajectory.running.run_request import CheckBasis
+from armui.ui.trajectory.running.preflight import CheckBasis
 from tests.accepted import accepted
 from tests.control.jogger import bend, hold, release, rest_s
 from tests.family import PIPER

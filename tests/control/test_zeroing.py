@@ -6,7 +6,8 @@ import can
 import pytest
 
 from armui.control.devices.zeroing import ZERO_NOT_SET, ZERO_NOT_TAKEN
-from armui.control.operating_state import BUSY, LINK_LOST, NOT_CONNECTED
+from armui.control.link.link_state import LINK_LOST, NOT_CONNECTED
+from armui.control.operating_state import BUSY
 from armui.control.operations.started import ENDED_BY_STOP, SETTING_UNANSWERED
 from armui.control.safety.interlocks import STOPPED
 from armui.control.safety.standstill import JOINTS_MOVING, SPEED_UNKNOWN

@@ -5,7 +5,8 @@ from __future__ import annotations
 from types import SimpleNamespace
 from typing import Any, cast
 
-from armui.control.operating_state import BUSY, LinkState
+from armui.control.link.link_state import LinkState
+from armui.control.operating_state import BUSY
 from armui.control.requests.transactions import ReadBack, Transaction, TransactionQueue
 from armui.protocol.codes import SettingIndex
 from armui.protocol.frame import Frame

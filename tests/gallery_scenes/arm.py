@@ -6,7 +6,8 @@ import errno
 
 import can
 
-from armui.control.operating_state import LinkState, StopState
+from armui.control.link.link_state import LinkState
+from armui.control.operating_state import StopState
 from armui.control.run.progress import Run, RunPhase
 from armui.control.safety.recovery_steps import StepKind
 from armui.protocol.codes import MoveMode

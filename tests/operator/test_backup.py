@@ -10,7 +10,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QLineEdit
 
 from armui.arm.parameters import all_batches
-from armui.control.operating_state import LinkState
+from armui.control.link.link_state import LinkState
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.ui.dialogs.backup import FILED, HELD, NAME, STATE, BackupDialog

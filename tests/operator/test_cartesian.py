@@ -8,7 +8,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from armui.control.operating_state import LinkState
+from armui.control.link.link_state import LinkState
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.kinematics.axes import AXES
 from armui.kinematics.poses import Pose, pose_to_matrix, tool_pose

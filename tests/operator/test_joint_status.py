@@ -6,7 +6,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QTableView
 
 from armui.arm.joint_status import StatusVerdict
-from armui.control.operating_state import NOT_CONNECTED, LinkState
+from armui.control.link.link_state import NOT_CONNECTED, LinkState
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.ui.watch.joint_status_page import JointStatusPage

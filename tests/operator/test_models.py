@@ -7,7 +7,7 @@ import pytest
 
 from armui.arm.device import Device
 from armui.arm.models import model_data, robot_description
-from armui.control.operating_state import LinkState
+from armui.control.link.link_state import LinkState
 from armui.protocol.generation import PiperModel
 from armui.setting_checks import MOST_KEPT
 from armui.settings import SettingsStore

@@ -8,7 +8,8 @@ from PySide6.QtCore import QElapsedTimer, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox
 
-from armui.control.operating_state import LinkState, StopState
+from armui.control.link.link_state import LinkState
+from armui.control.operating_state import StopState
 from armui.protocol.frame import Frame
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog

@@ -10,7 +10,8 @@ from dataclasses import replace
 import pytest
 
 from armui.arm.device import Device
-from armui.control.operating_state import LinkState, StopState
+from armui.control.link.link_state import LinkState
+from armui.control.operating_state import StopState
 from armui.doctor.adapter_change import AdapterChange, Done, Planned
 from armui.ui.dialogs.adapter_line import AdapterLine
 from tests.accepted import accepted

@@ -6,7 +6,8 @@ import can
 import pytest
 
 from armui.arm.device import Device
-from armui.control.operating_state import LinkState, StopState
+from armui.control.link.link_state import LinkState
+from armui.control.operating_state import StopState
 from armui.control.safety.interlocks import STOP_REQUESTED
 from armui.control.safety.recovery_steps import Action, StepKind
 from armui.ui.widgets.stop_button import StopButton

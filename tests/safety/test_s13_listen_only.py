@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 from PySide6.QtWidgets import QCheckBox, QTableView
 
-from armui.control.operating_state import LISTEN_ONLY
+from armui.control.link.link_state import LISTEN_ONLY
 from armui.control.safety.recovery_steps import StepKind
 from armui.control.safety.stopping import HALT_LISTEN_ONLY
 from armui.protocol.codes import LinkageRole, TrajectoryCommand

@@ -6,7 +6,7 @@ import pytest
 
 from armui.arm.refusal import Refusal
 from armui.control.authority import MET_MOVING
-from armui.control.operating_state import LinkState
+from armui.control.link.link_state import LinkState
 from tests.accepted import accepted
 from tests.safety.fuzz.traffic import Sender
 from tests.safety.fuzz.world import World

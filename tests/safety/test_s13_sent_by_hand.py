@@ -5,9 +5,9 @@ from dataclasses import replace
 import pytest
 
 from armui.control.link.bus_access import FRAME_NOT_HELD
+from armui.control.link.link_state import LISTEN_ONLY, NOT_CONNECTED, OFFLINE
 from armui.control.motion.jog_path import JointJog
 from armui.control.motion.motion_command import End, Mover
-from armui.control.operating_state import LISTEN_ONLY, NOT_CONNECTED, OFFLINE
 from armui.control.run.progress import Run, RunPhase
 from armui.control.safety.feedback_freshness import FEEDBACK_SILENT
 from armui.control.safety.interlocks import STOP_REQUESTED, STOPPED

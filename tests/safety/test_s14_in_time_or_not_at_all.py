@@ -3,7 +3,7 @@
 import pytest
 
 from armui.arm.parameters import Batch, Group, Parameter
-from armui.control.operating_state import OFFLINE
+from armui.control.link.link_state import OFFLINE
 from armui.control.operations.started import ARM_CHANGED, NOTHING_LEFT, Ending
 from armui.control.parameters.parameter_reader import ParameterReader
 from armui.control.safety.interlocks import JOINTS_UNKNOWN

@@ -8,8 +8,8 @@ from can.interfaces.virtual import VirtualBus
 
 from armui.arm.device import Device
 from armui.bus.worker import BusWorker
+from armui.control.link.link_state import LinkState
 from armui.control.motion.jog_path import JointJog
-from armui.control.operating_state import LinkState
 from armui.protocol.codec import Codec
 from armui.protocol.generation import Generation
 from tests.accepted import accepted

@@ -8,7 +8,7 @@ import can
 import pytest
 
 from armui.arm.parameters import Batch, Group, Parameter, heard
-from armui.control.operating_state import LinkState
+from armui.control.link.link_state import LinkState
 from armui.control.parameters.setting_cell import CellState
 from armui.control.parameters.setting_checks import SETTING_UNKNOWN
 from armui.control.safety.recovery_steps import StepKind

@@ -15,7 +15,7 @@ from armui.arm.limits import JOINTS
 from armui.arm.tracker import Tracker
 from armui.bus.frame_processor import FrameProcessor
 from armui.control.event_log.status_listener import StatusListener
-from armui.control.operating_state import LinkState
+from armui.control.link.link_state import LinkState
 from armui.protocol.codec import Codec, InvalidFrame
 from armui.protocol.firmware_version import FirmwareVersion
 from armui.protocol.frame import Frame

@@ -6,7 +6,7 @@ import pytest
 
 from armui.cell.tools import NO_TOOL
 from armui.control.cell.cell_reasons import CELL_NOT_CONFIRMED
-from armui.control.operating_state import LinkState
+from armui.control.link.link_state import LinkState
 from armui.control.safety.recovery_steps import StepKind
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node

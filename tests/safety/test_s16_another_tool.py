@@ -8,7 +8,7 @@ from armui.control.parameters.arm_model import arm_model, start_deg
 from armui.trajectory.library.run_options import RunOptions
 from armui.trajectory.planning.check import CheckRequest, check
 from armui.trajectory.points.program import Trajectory
-from armui.ui.trajectory.running.run_request import CHANGED_SINCE_CHECK, CheckBasis, Preflight
+from armui.ui.trajectory.running.preflight import CHANGED_SINCE_CHECK, CheckBasis, Preflight
 from tests.accepted import accepted
 from tests.control.jogger import bend
 from tests.control.under_way import OUT, to

@@ -23,7 +23,7 @@ from armui.trajectory.library.run_options import RunOptions
 from armui.trajectory.planning.check import CheckRequest, check
 from armui.trajectory.points.clipboard import from_text, to_text
 from armui.trajectory.points.program import Trajectory, Waypoint
-from armui.ui.trajectory.running.run_request import CHANGED_SINCE_CHECK, CheckBasis, Preflight
+from armui.ui.trajectory.running.preflight import CHANGED_SINCE_CHECK, CheckBasis, Preflight
 from armui.ui.trajectory.running.runner import Runner
 from tests.accepted import accepted
 from tests.control.jogger import bend

@@ -10,7 +10,7 @@ from armui.arm.device import Device
 from armui.bus.link import BUS_OFF as BUS_OFF_REASON
 from armui.bus.link import BUS_SEND_BLOCKED, BUS_UNACKNOWLEDGED, BusHealth, BusState
 from armui.bus.send_errors import queue_is_full
-from armui.control.operating_state import LinkState
+from armui.control.link.link_state import LinkState
 from armui.ui import words
 from tests.accepted import accepted
 

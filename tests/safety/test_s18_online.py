@@ -3,7 +3,7 @@
 import pytest
 
 from armui.arm.tracker import Tracker
-from armui.control.operating_state import LinkState
+from armui.control.link.link_state import LinkState
 from armui.control.safety.recovery_steps import Action, StepKind
 from armui.protocol.codec import Codec
 from armui.protocol.frame import Frame

@@ -10,9 +10,9 @@ from PySide6.QtWidgets import QApplication
 
 from armui.arm.device import Device
 from armui.control.arm_controller import ArmController
+from armui.control.link.link_state import LinkState
 from armui.control.motion.jog_path import JointJog
 from armui.control.motion.jogging import Jogging
-from armui.control.operating_state import LinkState
 from armui.protocol.frame import Frame
 from armui.ui.dialogs.confirm_dialog import CloseQuestion
 from tests.accepted import accepted

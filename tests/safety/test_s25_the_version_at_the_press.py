@@ -3,7 +3,7 @@
 import can
 import pytest
 
-from armui.control.operating_state import LinkState
+from armui.control.link.link_state import LinkState
 from armui.control.safety.mode_exit import VERSION_UNANSWERED
 from armui.control.safety.recovery_steps import Action
 from armui.protocol.frame import Frame

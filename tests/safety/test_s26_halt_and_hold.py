@@ -7,7 +7,8 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from armui.control.operating_state import NOT_CONNECTED, StopState
+from armui.control.link.link_state import NOT_CONNECTED
+from armui.control.operating_state import StopState
 from armui.control.safety.stopping import HALT_LISTEN_ONLY
 from armui.protocol.codes import LinkageRole, TeachingState
 from armui.protocol.frame import Frame

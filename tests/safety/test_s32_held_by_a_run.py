@@ -9,7 +9,7 @@ from armui.control.run.progress import RunPhase
 from armui.trajectory.library.run_options import RunOptions
 from armui.trajectory.planning.check import AREA_TOO_NEAR, HELD_UNKNOWN, CheckRequest, check
 from armui.trajectory.points.program import Trajectory
-from armui.ui.trajectory.running.run_request import (
+from armui.ui.trajectory.running.preflight import (
     CHANGED_SINCE_CHECK,
     CheckBasis,
     Preflight,

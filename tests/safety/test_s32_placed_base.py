@@ -21,7 +21,7 @@ from armui.protocol.generation import PiperModel
 from armui.trajectory.library.run_options import RunOptions
 from armui.trajectory.planning.check import CheckRequest, check
 from armui.trajectory.points.program import Trajectory
-from armui.ui.trajectory.running.run_request import CHANGED_SINCE_CHECK, CheckBasis, Preflight
+from armui.ui.trajectory.running.preflight import CHANGED_SINCE_CHECK, CheckBasis, Preflight
 from armui.ways.rules import TOO_LOW
 from tests.accepted import accepted
 from tests.control.jogger import BENT_DEG, bend, hold

@@ -6,8 +6,8 @@ from dataclasses import replace
 import pytest
 
 from armui.arm.reference_record import ReferenceRecord, read_record
+from armui.control.link.link_state import LinkState
 from armui.control.motion.jog_path import JointJog
-from armui.control.operating_state import LinkState
 from armui.control.run.progress import RunPhase
 from armui.control.safety.recovery_steps import Action, StepKind
 from armui.control.safety.reference_control import BROUGHT_BY_HAND, JOINTS_UNANSWERED, LOOK_FIRST

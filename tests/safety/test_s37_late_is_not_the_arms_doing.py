@@ -2,10 +2,10 @@
 
 import pytest
 
+from armui.control.link.link_state import LinkState
 from armui.control.link.link_watch import FEEDBACK_LATE
 from armui.control.motion.jog_path import JointJog
 from armui.control.motion.motion_command import Mover
-from armui.control.operating_state import LinkState
 from armui.control.run.progress import RunPhase
 from armui.control.run.replay import Replay
 from armui.protocol.codes import TrajectoryCommand

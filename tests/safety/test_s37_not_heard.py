@@ -5,7 +5,7 @@ import errno
 import can
 import pytest
 
-from armui.control.operating_state import LinkState
+from armui.control.link.link_state import LinkState
 from armui.control.safety.uncommanded_motion import MotionKind
 from armui.ui import words
 from tests.accepted import accepted

@@ -26,8 +26,8 @@ from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, EndLimits
 from armui.arm.tracker import Tracker
 from armui.control.authority import Authority
-from armui.control.context import Context
 from armui.control.motion.motion_command import Observation
+from armui.control.motion.motion_context import MotionContext
 from armui.control.operating_state import OperatingState
 from armui.control.run.player import Player
 from armui.control.run.progress import ENDLESS, OVER, Progress, Run, RunPhase
@@ -157,7 +157,7 @@ class Driver:
             model_fit=Mock(wrong=None, geometry=self.firmware.type.geometry),
             limits=limits,
         )
-        context = Context(
+        context = MotionContext(
             connection=self.bus,  # type: ignore[arg-type] # stands in for it
             tell=lambda *_, **__: None,
             clock=lambda: self.now_s,

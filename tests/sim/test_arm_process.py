@@ -12,7 +12,8 @@ from armui.arm.rest_pose import REST_DEG
 from armui.protocol.codec import Codec, Message
 from armui.protocol.frame_records import RECORD_BYTES, pack, unpack
 from armui.protocol.generation import Generation, PiperModel
-from armui.sim.arm_process import HAND, PROCESS_NAME, ArmChoice, ArmProcess, LineHand
+from armui.sim.arm_choice import HAND, ArmChoice
+from armui.sim.arm_process import PROCESS_NAME, ArmProcess, LineHand
 from armui.sim.line_arm import LineArm
 from armui.system.record_socket import RecordSocket
 from tests.posix import kill

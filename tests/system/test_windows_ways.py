@@ -17,7 +17,8 @@ import pytest
 from PySide6.QtCore import QObject, Signal
 
 from armui import app
-from armui.control.operating_state import LinkState, OperatingState
+from armui.control.link.link_state import LinkState
+from armui.control.operating_state import OperatingState
 from armui.doctor.probes import screen
 from armui.system import command_line, command_process
 from armui.system.atomic import write_whole

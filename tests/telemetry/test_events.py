@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from armui.arm.device import Device
-from armui.control.operating_state import LINK_LOST
+from armui.control.link.link_state import LINK_LOST
 from armui.telemetry.event_json import NAME, append, from_json, to_json
 from armui.telemetry.events import (
     REPEAT_S,

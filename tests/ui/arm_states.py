@@ -8,7 +8,8 @@ from typing import Any, TypeVar
 
 from armui.arm.device import Device
 from armui.arm.state import ArmState, Reading, Six, Status
-from armui.control.operating_state import LinkState, OperatingState
+from armui.control.link.link_state import LinkState
+from armui.control.operating_state import OperatingState
 
 T = TypeVar("T")
 

@@ -13,7 +13,8 @@ from pytestqt.qtbot import QtBot
 from armui.arm.device import Device
 from armui.arm.model_check import ModelFit
 from armui.arm.state import Reading
-from armui.control.operating_state import LinkState, OperatingState
+from armui.control.link.link_state import LinkState
+from armui.control.operating_state import OperatingState
 from armui.doctor.facts import LinkFacts
 from armui.protocol.addressing import Addressing
 from armui.protocol.generation import Generation, PiperModel

@@ -8,7 +8,7 @@ import pytest
 
 from armui.arm.backup import Backup
 from armui.control.events import Level
-from armui.control.operating_state import LINK_LOST
+from armui.control.link.link_state import LINK_LOST
 from armui.protocol.generation import Generation, PiperModel
 from armui.ui.dialogs.backup import difference_text, origin_text, restored_text, saved_text
 

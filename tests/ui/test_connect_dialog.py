@@ -11,7 +11,8 @@ from pytestqt.qtbot import QtBot
 
 from armui.arm.device import Device
 from armui.bus.adapters import BUS_BUSY
-from armui.control.operating_state import OFFLINE, LinkState, OperatingState
+from armui.control.link.link_state import OFFLINE, LinkState
+from armui.control.operating_state import OperatingState
 from armui.doctor.facts import CanFacts, Diagnosis, LinkFacts, SerialPortFacts
 from armui.doctor.judge import judge_can
 from armui.ui.background import Background

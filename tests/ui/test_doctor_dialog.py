@@ -12,7 +12,7 @@ from pytestqt.qtbot import QtBot
 
 from armui.arm.device import Device
 from armui.bus.adapters import BUS_BUSY
-from armui.control.operating_state import LinkState
+from armui.control.link.link_state import LinkState
 from armui.doctor.judge import LINK_DOWN, PACKAGES
 from armui.doctor.judge_heard import NOTHING_HEARD
 from armui.ui.dialogs.connect import ConnectDialog

@@ -32,8 +32,8 @@ from armui.control.event_log.observer import (
     TEACHING,
 )
 from armui.control.events import Notice
+from armui.control.link.link_state import LINK_LOST
 from armui.control.motion.motion_command import End
-from armui.control.operating_state import LINK_LOST
 from armui.control.operations.started import ANSWERED
 from armui.protocol.codec import InvalidFrameKind
 from armui.setting_checks import Language

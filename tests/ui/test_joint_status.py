@@ -13,7 +13,7 @@ from pytestqt.qtbot import QtBot
 from armui.arm.joint_status import Item, StatusVerdict, Word
 from armui.arm.state import ArmState, DriverFast, DriverSlow, Reading
 from armui.control.devices.joint_monitor import JointMonitor
-from armui.control.operating_state import LINK_LOST, LinkState
+from armui.control.link.link_state import LINK_LOST, LinkState
 from armui.protocol.generation import Generation
 from armui.ui import words
 from armui.ui.shell.side_menu import JointStatusButton

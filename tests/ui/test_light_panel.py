@@ -5,7 +5,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QAbstractButton, QColorDialog, QLineEdit, QSlider, QSpinBox, QWidget
 
 from armui.arm.refusal import Refusal
-from armui.control.operating_state import LINK_LOST, LinkState
+from armui.control.link.link_state import LINK_LOST, LinkState
 from armui.protocol.codes import ALL_LAMPS
 from armui.ui.panels.light_panel import ColorStrip, LightPanel
 from armui.ui.translation import Translator

@@ -18,7 +18,8 @@ from PySide6.QtWidgets import (
 
 from armui.arm.models import robot_description
 from armui.arm.state import ArmState
-from armui.control.operating_state import LinkState, OperatingState
+from armui.control.link.link_state import LinkState
+from armui.control.operating_state import OperatingState
 from armui.protocol.generation import PiperModel
 from armui.settings import SettingsStore
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QComboBox, QLineEdit, QPushButton
 from armui.arm.device import Device
 from armui.arm.limits import JOINT_OUT_OF_LIMITS, JointLimits
 from armui.arm.state import ArmState
-from armui.control.operating_state import LinkState
+from armui.control.link.link_state import LinkState
 from armui.control.safety.interlocks import NOT_ENABLED, STOPPED
 from armui.settings import SettingsStore
 from armui.ui.panels.jogging.motion_panel import MotionPanel

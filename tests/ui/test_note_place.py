@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QWidget
 
 from armui.control.events import Level
 from armui.ui.picture.note_place import freest, note_places
-from armui.ui.picture.picture_work import PictureNote
+from armui.ui.picture.picture_note import PictureNote
 from armui.viewport.fitting import Box, Room
 from tests.ui.fake_view import FakeView
 

@@ -6,8 +6,8 @@ import pytest
 from PySide6.QtWidgets import QLabel
 
 from armui.control.events import Event
+from armui.control.link.link_state import LinkState
 from armui.control.motion.joint_motion import JOGGED
-from armui.control.operating_state import LinkState
 from armui.control.safety.stopping import STOP_UNCONFIRMED
 from armui.ui.shell.status_bar import StatusBar
 from armui.ui.theme import DARK, LIGHT, Theme, apply_theme

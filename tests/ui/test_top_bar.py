@@ -6,13 +6,8 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QSpinBox
 
-from armui.control.operating_state import (
-    RUN_UNDER_WAY,
-    Busy,
-    LinkState,
-    OperatingState,
-    StopState,
-)
+from armui.control.link.link_state import LinkState
+from armui.control.operating_state import RUN_UNDER_WAY, Busy, OperatingState, StopState
 from armui.control.safety.interlocks import STOPPED
 from armui.protocol.codes import ALL_JOINTS
 from armui.protocol.generation import Generation

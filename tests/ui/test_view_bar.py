@@ -10,7 +10,8 @@ from PySide6.QtWidgets import QToolButton, QWidget
 from armui.control.events import Level
 from armui.settings import SettingsStore
 from armui.ui.background import Background
-from armui.ui.picture.picture_work import PictureExport, PictureNote
+from armui.ui.picture.picture_note import PictureNote
+from armui.ui.picture.picture_work import PictureExport
 from armui.ui.picture.view_bar import ViewBar
 from armui.viewport.camera import ViewDirection
 from armui.viewport.viewpoint import ViewMode

@@ -29,8 +29,8 @@ from armui.control.cell.cell_reasons import (
 )
 from armui.control.context import ControllerPart
 from armui.control.events import Notice
+from armui.control.link.link_state import why_unreachable
 from armui.control.motion.motion_command import End
-from armui.control.operating_state import why_unreachable
 from armui.control.operations.operation import operation
 from armui.control.operations.started import Ending, Started
 from armui.telemetry.events import Asker, EventKind, Level

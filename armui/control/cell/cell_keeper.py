@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from armui.cell.cell import Cell
-    from armui.control.cell.cell_control import CellControl
     from armui.settings import SettingsStore
 
 
@@ -40,21 +39,32 @@ class CellKeeper:
     """Reads and writes cells by the file thread; nobody waits for a disk.
 
     Args:
-        control: Gets the cells that are there, and is told what could not be written.
+        loaded: Called with the cells that are there, by name.
+        not_renamed: Called with the names of a cell now and before, if its file kept its name.
+        problem: Called with what could not be read or written.
         settings: Keep which arm a cell belongs to.
         folder: The folder of the files.
         files: Runs work that waits for a disk.
     """
 
     def __init__(
-        self, control: CellControl, settings: SettingsStore, folder: Path, files: Executor
+        self,
+        settings: SettingsStore,
+        folder: Path,
+        files: Executor,
+        *,
+        loaded: Callable[[Mapping[str, Cell | Refusal]], object],
+        not_renamed: Callable[[str, str], object],
+        problem: Callable[[Refusal], object],
     ) -> None:
-        self._control = control
+        self._loaded, self._not_renamed, self._problem = loaded, not_renamed, problem
         self._settings = settings
         self._folder = CellFolder(folder)
         self._files = files
         self._relay = _Relay()
-        control.store = self
+
+    def load(self) -> None:
+        """Begin to read the cells of the folder."""
         self._do(self._on_read, self._folder.read)
 
     def save(self, cell: Cell) -> None:
@@ -92,14 +102,14 @@ class CellKeeper:
 
     def _on_read(self, cells: Mapping[str, Cell | Refusal] | Refusal) -> None:
         if isinstance(cells, Refusal):
-            self._control.tell_problem(cells)
+            self._problem(cells)
             return
-        self._control.take_loaded(cells)
+        self._loaded(cells)
 
     def _on_renamed(self, name: str, cell: Cell, problem: Refusal | None) -> None:
         if problem is not None:
-            self._control.give_name(cell.name, name)
-            self._control.tell_problem(problem)
+            self._not_renamed(cell.name, name)
+            self._problem(problem)
             return
 
         def follow(entries: dict[str, Any]) -> None:
@@ -109,7 +119,7 @@ class CellKeeper:
 
     def _on_written(self, problem: Refusal | None) -> None:
         if problem is not None:
-            self._control.tell_problem(problem)
+            self._problem(problem)
 
     def _do(self, then: Callable[..., object], work: Callable[..., object], *given: object) -> None:
         try:

@@ -12,10 +12,12 @@ from armui.arm.parameters import Parameter
 from armui.arm.quirks import why_not_by_firmware
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState, GripperState
-from armui.control.context import GENERATION_UNKNOWN, Context, ControllerPart
+from armui.control.context import GENERATION_UNKNOWN, ControllerPart
 from armui.control.devices.gripper_ranges import Figures, calibrated, check, gripper_figures
 from armui.control.events import Notice
-from armui.control.operating_state import LINK_LOST, RUN_UNDER_WAY, OperatingState
+from armui.control.link.link_state import LINK_LOST
+from armui.control.motion.motion_context import MotionContext
+from armui.control.operating_state import RUN_UNDER_WAY, OperatingState
 from armui.control.operations.operation import Consent, operation
 from armui.control.operations.started import Ending, Started
 from armui.control.parameters.arm_settings import SETTING_NOT_KEPT, ArmSettings
@@ -189,7 +191,7 @@ class GripperControl(ControllerPart):
 
     def __init__(
         self,
-        context: Context,
+        context: MotionContext,
         settings: ArmSettings,
         end_run: Callable[[Refusal], None],
         table: Callable[[], GripperTable | None] = lambda: None,

@@ -10,7 +10,8 @@ from PySide6.QtCore import QObject, Signal
 
 from armui.arm import joint_status
 from armui.arm.joint_status import Item, JointHistory, StatusCell, StatusVerdict, Word, Worst
-from armui.control.operating_state import LinkState, OperatingState
+from armui.control.link.link_state import LinkState
+from armui.control.operating_state import OperatingState
 
 if TYPE_CHECKING:
     from armui.arm.state import ArmState

@@ -8,7 +8,8 @@ from armui.arm.figures import Also, JointNumber, Range
 from armui.arm.refusal import Reason, Refusal
 from armui.control.context import Context
 from armui.control.events import Notice
-from armui.control.operating_state import LINK_LOST, OperatingState
+from armui.control.link.link_state import LINK_LOST
+from armui.control.operating_state import OperatingState
 from armui.control.operations.operation import operation
 from armui.control.operations.started import Ending, Started
 from armui.protocol import commands

@@ -9,12 +9,8 @@ from armui.arm.figures import OneOf
 from armui.arm.refusal import Reason, Refusal
 from armui.control.context import Context, ControllerPart
 from armui.control.events import Notice
-from armui.control.operating_state import (
-    LinkState,
-    OperatingState,
-    why_only_heard,
-    why_unreachable,
-)
+from armui.control.link.link_state import LinkState, why_only_heard, why_unreachable
+from armui.control.operating_state import OperatingState
 from armui.control.operations.operation import Consent, operation
 from armui.control.operations.started import Ending, Started, ending_of
 from armui.control.requests.transactions import Transaction, TransactionQueue

@@ -11,8 +11,9 @@ from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.control.context import Context, ControllerPart
 from armui.control.events import Notice
+from armui.control.link.link_state import why_only_heard
 from armui.control.motion.motion_command import End
-from armui.control.operating_state import Busy, OperatingState, StopState, why_only_heard
+from armui.control.operating_state import Busy, OperatingState, StopState
 from armui.control.operations.operation import Consent, operation, operation_of
 from armui.control.operations.started import Ending, Started
 from armui.control.requests import reports

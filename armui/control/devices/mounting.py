@@ -8,7 +8,7 @@ from armui.arm.quirks import why_not_by_firmware
 from armui.arm.refusal import Reason, Refusal
 from armui.control.context import GENERATION_UNKNOWN
 from armui.control.events import Notice
-from armui.control.operating_state import LINK_LOST
+from armui.control.link.link_state import LINK_LOST
 from armui.control.operations.operation import operation
 from armui.control.operations.started import Ending, Started
 from armui.control.parameters.arm_settings import SETTING_NOT_KEPT
@@ -22,7 +22,7 @@ from armui.telemetry.events import EventKind, Level
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from armui.control.context import Context
+    from armui.control.motion.motion_context import MotionContext
     from armui.control.operating_state import OperatingState
 
 MODE_UNKNOWN = Reason(
@@ -61,7 +61,7 @@ class MountingControl:
         speed_percent: Returns the speed shown in the window; the mode word carries it.
     """
 
-    def __init__(self, context: Context, speed_percent: Callable[[], int]) -> None:
+    def __init__(self, context: MotionContext, speed_percent: Callable[[], int]) -> None:
         self._context = context
         self._speed_percent = speed_percent
 

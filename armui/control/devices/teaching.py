@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
-from armui.control.context import Context, ControllerPart
+from armui.control.context import ControllerPart
 from armui.control.devices.teaching_phase import (
     DRIVES,
     TeachingPhase,
@@ -15,6 +15,7 @@ from armui.control.devices.teaching_phase import (
     why_not_teach,
 )
 from armui.control.events import Notice
+from armui.control.motion.motion_context import MotionContext
 from armui.control.operations.operation import operation
 from armui.control.operations.started import Ending, Started
 from armui.control.requests.request import NOTHING_LEFT_REPORT, Request, RequestOutcome
@@ -64,7 +65,7 @@ class TeachingControl(ControllerPart):
         context: The context that the controller's parts share.
     """
 
-    def __init__(self, context: Context) -> None:
+    def __init__(self, context: MotionContext) -> None:
         self._context = context
         self._pending: TeachingState | None = None
         self._request: Request | None = None

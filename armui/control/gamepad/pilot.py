@@ -26,7 +26,8 @@ from armui.gamepad.layout import Assignment, JogMode, assignment
 from armui.kinematics.axes import JogFrame
 
 if TYPE_CHECKING:
-    from armui.control.controller_parts import ControllerParts
+    from armui.control.motion.cartesian import Cartesian
+    from armui.control.motion.jogging import Jogging
     from armui.setting_fields import Settings
 
 GAMEPAD_UNATTENDED = Reason(
@@ -87,7 +88,10 @@ class GamepadPilot(QObject):
     """Reads devices while it is switched on, and jogs the arm by them.
 
     Args:
-        controller: Carries out jogs and stops.
+        jogging: Carries out the jogs.
+        cartesian: Knows the user frame in force.
+        stop: Sends the emergency stop.
+        halt: Has the arm end its motion and hold.
         clock: Monotonic time in seconds.
 
     Attributes:
@@ -102,11 +106,20 @@ class GamepadPilot(QObject):
     changed = Signal(object)
     _buttons = Signal(object, object, object)
 
-    def __init__(self, controller: ControllerParts, clock: Callable[[], float]) -> None:
+    def __init__(
+        self,
+        jogging: Jogging,
+        cartesian: Cartesian,
+        *,
+        stop: Callable[[], object],
+        halt: Callable[[], object],
+        clock: Callable[[], float],
+    ) -> None:
         super().__init__()
         self.attended: Callable[[], Refusal | None] = _nobody
         self.make_reader: MakeReader = read_devices
-        self._controller = controller
+        self._jogging, self._cartesian = jogging, cartesian
+        self._stop, self._halt = stop, halt
         self._clock = clock
         self._reader: Reader | None = None
         self._leaving: Reader | None = None
@@ -254,9 +267,9 @@ class GamepadPilot(QObject):
             return
         frame: MotionFrame | None = _FRAMES.get(self._mode)
         if self._mode is JogMode.USER:  # without one in force the jog is refused
-            frame = self._controller.cartesian.frame or UserFrame("")
+            frame = self._cartesian.frame or UserFrame("")
         jog = SteeredJog(hand.hold.rates, frame, self._infos[key].name)
-        jogging = self._controller.jogging
+        jogging = self._jogging
         if self._driving:
             if not jogging.steer(jog):  # it has ended, and whoever ended it has said why
                 self._take_away(None)
@@ -286,8 +299,8 @@ class GamepadPilot(QObject):
         self._reason = reason
         if self._driving:
             self._driving = False
-            if reason is not None and self._controller.jogging.steered is not None:
-                self._controller.jogging.end_jog(reason)
+            if reason is not None and self._jogging.steered is not None:
+                self._jogging.end_jog(reason)
             else:
                 self._stop_ours()
 
@@ -299,8 +312,8 @@ class GamepadPilot(QObject):
 
     def _stop_ours(self) -> None:
         """End the jog that a device steers; what a button on the screen holds goes on."""
-        if self._controller.jogging.steered is not None:
-            self._controller.jogging.stop()
+        if self._jogging.steered is not None:
+            self._jogging.stop()
 
     # Buttons ----------------------------------------------------------------------------------
 
@@ -310,10 +323,10 @@ class GamepadPilot(QObject):
             return
         buttons = self.buttons_of(info)
         if buttons.stop in down:
-            self._controller.emergency_stop()
+            self._stop()
             self._take_away(None)
         elif buttons.halt and buttons.halt in down:
-            self._controller.halt_and_hold()
+            self._halt()
             self._take_away(None)
         hand = self._hands.get(info.key)
         if buttons.dead_man in up and hand is not None:
@@ -321,7 +334,7 @@ class GamepadPilot(QObject):
             if self._holder == info.key:
                 self._let_go()
         if buttons.mode and buttons.mode in down and not self._driving:
-            none = self._controller.cartesian.frame is None
+            none = self._cartesian.frame is None
             modes = [mode for mode in JogMode if mode is not JogMode.USER or not none]
             place = modes.index(self._mode) if self._mode in modes else -1
             self.set_mode(modes[(place + 1) % len(modes)])
@@ -332,7 +345,7 @@ class GamepadPilot(QObject):
     def _show(self, snapshot: DeviceSnapshot | None = None) -> None:
         snapshot = snapshot or self.snapshot or DeviceSnapshot(0.0)
         hand = self._hands.get(self._holder) if self._holder is not None else None
-        steered = self._controller.jogging.steered if self._driving else None
+        steered = self._jogging.steered if self._driving else None
         view = PilotView(
             on=self._reader is not None,
             devices=tuple(each.info for each in snapshot.devices),

@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import Final
 
 from armui.arm.refusal import Reason, Refusal
-from armui.control.operating_state import LinkState, OperatingState, StopState
+from armui.control.link.link_state import LinkState
+from armui.control.operating_state import OperatingState, StopState
 
 CARRIES_A_MOVING_ARM = Reason(
     "carries_a_moving_arm",

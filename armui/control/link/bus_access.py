@@ -6,14 +6,8 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Reason, Refusal
 from armui.control.events import Notice
-from armui.control.operating_state import (
-    BUSY,
-    LINK_LOST,
-    LISTEN_ONLY,
-    NOT_CONNECTED,
-    LinkState,
-    StopState,
-)
+from armui.control.link.link_state import LINK_LOST, LISTEN_ONLY, NOT_CONNECTED, LinkState
+from armui.control.operating_state import BUSY, StopState
 from armui.control.safety.hand_frame import (
     MOVING,
     NEVER_REFUSED,
@@ -28,7 +22,7 @@ from armui.protocol.addressing import OFFSETS
 from armui.telemetry.events import EventKind, Level
 
 if TYPE_CHECKING:
-    from armui.control.context import Context
+    from armui.control.motion.motion_context import MotionContext
     from armui.protocol.frame import Frame
     from armui.telemetry.listener import Listener
 
@@ -59,7 +53,7 @@ class BusAccess:
         context: The context that the controller's parts share.
     """
 
-    def __init__(self, context: Context) -> None:
+    def __init__(self, context: MotionContext) -> None:
         self._context = context
 
     @property

@@ -16,8 +16,8 @@ from armui.arm.state import ArmState, common_to_generations, is_fresh
 from armui.bus.link import BusReport, BusState
 from armui.control.events import Notice
 from armui.control.link.arm_mark import ArmMark
+from armui.control.link.link_state import LinkState
 from armui.control.link.offsets import OffsetFollower
-from armui.control.operating_state import LinkState
 from armui.protocol.addressing import Addressing
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation, PiperModel

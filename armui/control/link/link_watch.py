@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 from armui.arm.state import PAUSE_S
 from armui.control.context import Context, ControllerPart
 from armui.control.events import Notice
-from armui.control.operating_state import LinkState
+from armui.control.link.link_state import LinkState
 from armui.control.requests import reports
 from armui.control.requests.reports import OFFLINE_NOTICE, ONLINE
 from armui.telemetry.events import EventKind, Level
@@ -16,7 +16,7 @@ from armui.telemetry.events import EventKind, Level
 if TYPE_CHECKING:
     from armui.arm.state import ArmState
     from armui.control.link.connection import Connection
-    from armui.control.operations.started import Tell
+    from armui.control.operations.telling import Tell
 
 FRAMES_DROPPED = Notice(
     "frames_dropped",

@@ -17,16 +17,17 @@ from armui.arm.models import all_models
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.cell.user_frames import UserFrame
-from armui.control.context import Context, ControllerPart
+from armui.control.context import ControllerPart
 from armui.control.events import Notice
 from armui.control.motion.jog_path import MotionFrame, axes_of, axis_in
 from armui.control.motion.joint_motion import why_not_move
 from armui.control.motion.motion_command import CommandKind
+from armui.control.motion.motion_context import MotionContext, drop_waiting
 from armui.control.motion.point_frames import leading_mode, point_way
 from armui.control.operations.operation import operation
 from armui.control.operations.started import Started
-from armui.control.parameters.arm_model import planning_model
-from armui.control.safety.gate import MotionRequest, drop_waiting
+from armui.control.parameters.planning_model import planning_model
+from armui.control.safety.gate import MotionRequest
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.kinematics import poses
 from armui.kinematics.arm_kinematics import Kinematics
@@ -112,7 +113,7 @@ class Cartesian(ControllerPart):
         frame: The user frame in force; ``None`` for the base. What is sent is always of the base.
     """
 
-    def __init__(self, context: Context, motion: Motion) -> None:
+    def __init__(self, context: MotionContext, motion: Motion) -> None:
         self._context = context
         self._motion = motion
         self._model: Kinematics | None = None

@@ -26,8 +26,9 @@ from armui.arm.limits import (
 from armui.arm.models import model_data
 from armui.arm.refusal import Reason, Refusal
 from armui.cell.user_frames import UserFrame
-from armui.control.context import Context, ControllerPart
+from armui.control.context import ControllerPart
 from armui.control.events import Notice
+from armui.control.motion.abort import abort_motion
 from armui.control.motion.jog_pace import accelerations, pace
 from armui.control.motion.jog_path import (
     JogPath,
@@ -41,8 +42,8 @@ from armui.control.motion.jog_path import (
 from armui.control.motion.jog_stream import JOG_NOT_FOLLOWING, JogStream
 from armui.control.motion.joint_motion import why_not_move
 from armui.control.motion.motion_command import CommandKind, MotionCommand
+from armui.control.motion.motion_context import MotionContext
 from armui.control.motion.steered_path import SteeredJog, SteeredToolPath
-from armui.control.motion_end import abort_motion
 from armui.control.operations.operation import Consent, operation
 from armui.control.operations.started import Ending, Started
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
@@ -150,7 +151,7 @@ class Jogging(ControllerPart):
         cartesian: Knows the tool and the kinematics.
     """
 
-    def __init__(self, context: Context, motion: Motion, cartesian: Cartesian) -> None:
+    def __init__(self, context: MotionContext, motion: Motion, cartesian: Cartesian) -> None:
         self._context = context
         self._motion = motion
         self._cartesian = cartesian

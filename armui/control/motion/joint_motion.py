@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Annotated, Final
 from armui.arm.figures import JointNumber, Percent, RangeOfArm
 from armui.arm.limits import ANGLE_STEP_DEG, JointLimits, check_joint, clipped, settled
 from armui.arm.refusal import Reason, Refusal
-from armui.control.context import Context, ControllerPart
+from armui.control.context import ControllerPart
 from armui.control.events import Notice
 from armui.control.motion.jog_path import JOG_AT_LIMIT
+from armui.control.motion.motion_context import MotionContext, drop_waiting
 from armui.control.motion.requests import joint_request
 from armui.control.motion.retransmission import Retransmission
 from armui.control.operating_state import RUN_UNDER_WAY, OperatingState
@@ -19,7 +20,6 @@ from armui.control.operations.operation import Consent, operation, record_start
 from armui.control.operations.started import Ending, Started
 from armui.control.requests import reports
 from armui.control.safety import interlocks
-from armui.control.safety.gate import drop_waiting
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.telemetry.events import EventKind, Level
 
@@ -111,7 +111,7 @@ class Motion(ControllerPart):
         speed_percent: The speed of motions, in percent of the arm's maximum.
     """
 
-    def __init__(self, context: Context) -> None:
+    def __init__(self, context: MotionContext) -> None:
         self._context = context
         self.speed_percent = _FIRST_SPEED_PERCENT
         self._lower_speed = Retransmission(context)

@@ -5,11 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Reason, Refusal
-from armui.control.context import Context, ControllerPart
+from armui.control.context import ControllerPart
 from armui.control.events import Notice
+from armui.control.link.link_state import LINK_LOST
 from armui.control.motion.motion_command import Hold
+from armui.control.motion.motion_context import MotionContext
 from armui.control.motion.retransmission import Retransmission
-from armui.control.operating_state import LINK_LOST
 from armui.control.operations.operation import operation
 from armui.control.operations.started import Ending, Started
 from armui.control.safety import interlocks
@@ -71,7 +72,7 @@ class PauseCommand:
         context: The context that the controller's parts share.
     """
 
-    def __init__(self, context: Context) -> None:
+    def __init__(self, context: MotionContext) -> None:
         self._context = context
         self._second = Retransmission(context)
 
@@ -106,7 +107,7 @@ class PlannedMotion(ControllerPart):
     """
 
     def __init__(
-        self, context: Context, end_all: Callable[[], None], tell_speed: Callable[[], bool]
+        self, context: MotionContext, end_all: Callable[[], None], tell_speed: Callable[[], bool]
     ) -> None:
         self._context = context
         self._end_all = end_all

@@ -5,18 +5,17 @@ from __future__ import annotations
 import enum
 from dataclasses import dataclass, field
 from itertools import count
-from typing import TYPE_CHECKING, Final, Protocol
+from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Reason
 from armui.control.event_log.observed import Observed
-from armui.control.operating_state import LINK_LOST
+from armui.control.link.link_state import LINK_LOST
 from armui.telemetry.events import EventOutcome, Level
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from armui.arm.refusal import Refusal
-    from armui.control.events import Notice
 
 ENDED_BY_STOP = Reason(
     "ended_by_stop",
@@ -119,44 +118,6 @@ class Started:
         """
         if self.ending is None:
             self.ending, self.result = ending, result or self.result
-
-
-class Tell(Protocol):
-    """A function that tells the operator an event."""
-
-    def __call__(self, notice: Notice, started: Started | None = None, /, **params: object) -> None:
-        """Tell an event; the command is given only with the notice of its beginning."""
-
-
-def report_and_tell(
-    tell: Tell, at_s: float, started: Started | None, notice: Notice, **params: object
-) -> None:
-    """Tell the operator an interim result of a command, and note it in the record.
-
-    Args:
-        tell: Takes the event.
-        at_s: Monotonic time.
-        started: The command, or ``None`` if the event belongs to none.
-        notice: The sentence.
-        **params: Its figures.
-    """
-    if started is not None:
-        started.report(EventOutcome(notice.id, at_s, notice.level, params))
-    tell(notice, **params)
-
-
-def close_and_tell(
-    tell: Tell,
-    at_s: float,
-    started: Started | None,
-    ending: Ending,
-    notice: Notice,
-    **params: object,
-) -> None:
-    """Note how a command ended, and tell the operator; see :func:`report_and_tell`."""
-    if started is not None:
-        started.close(ending, EventOutcome(notice.id, at_s, notice.level, params))
-    tell(notice, **params)
 
 
 def refusal_of(answer: Started | Refusal | None) -> Refusal | None:

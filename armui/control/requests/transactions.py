@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Final
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.control.context import Context, ControllerPart
-from armui.control.operating_state import LINK_LOST, why_unreachable
+from armui.control.link.link_state import LINK_LOST, why_unreachable
 from armui.control.operations.started import (
     ARM_CHANGED,
     ENDED_BY_STOP,

@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 
 from armui.arm.refusal import Refusal
-from armui.control.context import Context, ControllerPart
+from armui.control.context import ControllerPart
 from armui.control.events import Notice
+from armui.control.link.link_state import LINK_LOST
+from armui.control.motion.abort import RUN_STOPPED, abort_motion, abort_motion_for
+from armui.control.motion.motion_context import MotionContext
 from armui.control.motion.planned_motion import PauseCommand
-from armui.control.motion_end import RUN_STOPPED, abort_motion, abort_motion_for
-from armui.control.operating_state import LINK_LOST
 from armui.control.operations.started import Ending
 from armui.control.run.progress import OVER, Progress, RunPhase
 from armui.control.safety.standstill import SETTLED_S, RestWatch
@@ -50,7 +51,7 @@ class Execution(QObject, ControllerPart):
     progressed = Signal(object)
     gripper_sent = Signal(float, float)
 
-    def __init__(self, context: Context, parent: QObject | None = None) -> None:
+    def __init__(self, context: MotionContext, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._context = context
         self._phase = RunPhase.IDLE

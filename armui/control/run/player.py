@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QObject
 
 from armui.arm.refusal import Reason, Refusal
-from armui.control.context import Context
 from armui.control.events import Notice
 from armui.control.motion.joint_motion import COME_INSIDE_PERCENT
 from armui.control.motion.motion_command import CommandKind
+from armui.control.motion.motion_context import MotionContext
 from armui.control.motion.point_frames import (
     action_frames,
     point_frames,
@@ -24,7 +24,7 @@ from armui.control.motion.point_frames import (
 from armui.control.operating_state import OperatingState
 from armui.control.operations.operation import Consent, declare, operation, record_start
 from armui.control.operations.started import Ending, Started
-from armui.control.parameters.arm_model import planning_model
+from armui.control.parameters.planning_model import planning_model
 from armui.control.run.arrival import Arrival, ArrivalWatch
 from armui.control.run.execution import RUN_DONE, RUN_STARTED, Execution
 from armui.control.run.progress import (
@@ -121,7 +121,7 @@ class Player(Execution):
         note_held: Takes the name of what the hand holds from a point on; "" for nothing.
     """
 
-    def __init__(self, context: Context, parent: QObject | None = None) -> None:
+    def __init__(self, context: MotionContext, parent: QObject | None = None) -> None:
         super().__init__(context, parent)
         self.as_asked: Callable[[GripperAction | None], GripperAction | None] = lambda same: same
         self.note_held: Callable[[str], object] = lambda _name: None

@@ -9,7 +9,8 @@ from PySide6.QtCore import QObject, Signal
 from armui.arm.refusal import Refusal
 from armui.control.context import Context, ControllerPart
 from armui.control.events import Notice
-from armui.control.operating_state import BUSY, OperatingState, why_unreachable
+from armui.control.link.link_state import why_unreachable
+from armui.control.operating_state import BUSY, OperatingState
 from armui.control.operations.operation import operation
 from armui.control.operations.started import Ending, Started
 from armui.control.run.sample_store import SampleStore

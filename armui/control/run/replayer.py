@@ -8,10 +8,10 @@ from typing import Final
 from PySide6.QtCore import QObject, Qt, QTimer
 
 from armui.arm.refusal import Reason, Refusal
-from armui.control.context import Context
 from armui.control.events import Notice
 from armui.control.motion.joint_motion import COME_INSIDE_PERCENT
 from armui.control.motion.motion_command import CommandKind, MotionCommand
+from armui.control.motion.motion_context import MotionContext
 from armui.control.motion.requests import joint_request
 from armui.control.operations.operation import Consent, operation, record_start
 from armui.control.operations.started import Ending, Started
@@ -83,7 +83,7 @@ class Replayer(Execution):
         context: The context that the controller's parts share.
     """
 
-    def __init__(self, context: Context, parent: QObject | None = None) -> None:
+    def __init__(self, context: MotionContext, parent: QObject | None = None) -> None:
         super().__init__(context, parent)
         self._command: MotionCommand | None = None
         self._replay: Replay | None = None

@@ -18,10 +18,11 @@ from armui.arm.models import model_data
 from armui.arm.refusal import Reason, Refusal
 from armui.control.context import REFUSED, Context, ControllerPart
 from armui.control.events import Notice
+from armui.control.motion.abort import abort_motion
 from armui.control.motion.jog_pace import accelerations
 from armui.control.motion.motion_command import CommandKind, End, MotionCommand, Mover
-from armui.control.motion_end import abort_motion
-from armui.control.operations.started import Ending, Started, close_and_tell
+from armui.control.operations.started import Ending, Started
+from armui.control.operations.telling import close_and_tell
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.control.safety.momentum import FLUENT_DEG, Momentum, momentum
 from armui.control.safety.standstill import QUIET_DEG, QUIET_S, RestWatch
@@ -31,7 +32,6 @@ from armui.ways.passes import Pass
 # The rules bring numpy along. They are loaded with the first arm: the window starts without them.
 if TYPE_CHECKING:
     from armui.control.operating_state import OperatingState
-    from armui.control.operations.operation import Part
     from armui.kinematics.poses import Matrix
     from armui.protocol.codes import MoveMode
     from armui.protocol.frame import Frame
@@ -504,11 +504,6 @@ class Gate(ControllerPart):
         if self._threads is not None:
             self._threads.shutdown(wait=False, cancel_futures=True)
             self._threads = None
-
-
-def drop_waiting(part: Part) -> None:
-    """Drop the motion that waits: a press of another one voids it, even one that is refused."""
-    part._context.gate().halt()  # noqa: SLF001 - as an operation does
 
 
 def _is_short(way: Way, rules: Rules) -> bool:

@@ -9,8 +9,8 @@ from armui.arm.quirks import exits_by_mode_word, leaves_by_mode_word
 from armui.arm.refusal import Reason, Refusal
 from armui.control.context import ControllerPart
 from armui.control.events import Notice
+from armui.control.link.link_state import LINK_LOST
 from armui.control.motion.motion_command import CommandKind
-from armui.control.operating_state import LINK_LOST
 from armui.control.operations.started import ARM_CHANGED, Started
 from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN, JOINTS_UNKNOWN, SPEED_ZERO
 from armui.control.safety.other_command import OTHER_HOST_STREAMS
@@ -21,8 +21,8 @@ from armui.telemetry.events import EventKind, Level
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from armui.control.context import Context
     from armui.control.link.arm_mark import ArmMark
+    from armui.control.motion.motion_context import MotionContext
 
 VERSION_UNANSWERED = Reason(
     "version_unanswered",
@@ -83,7 +83,7 @@ class ModeExitCommand(ControllerPart):
         speed_percent: Returns the speed shown in the window; the mode word carries it.
     """
 
-    def __init__(self, context: Context, speed_percent: Callable[[], int]) -> None:
+    def __init__(self, context: MotionContext, speed_percent: Callable[[], int]) -> None:
         self._context = context
         self._speed_percent = speed_percent
         self._question: _Question | None = None

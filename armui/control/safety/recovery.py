@@ -9,12 +9,13 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Reason, Refusal
 from armui.control.cell.cell_control import CellControl
-from armui.control.context import Context, ControllerPart
+from armui.control.context import ControllerPart
 from armui.control.devices.joint_errors import JointErrors
 from armui.control.devices.motors import Motors
 from armui.control.devices.teaching import TeachingControl
 from armui.control.events import Notice
 from armui.control.motion.joint_motion import Motion
+from armui.control.motion.motion_context import MotionContext
 from armui.control.motion.planned_motion import PlannedMotion
 from armui.control.operating_state import BUSY
 from armui.control.operations.operation import Operation, operation_of
@@ -145,7 +146,7 @@ class Recovery(ControllerPart):
 
     def __init__(
         self,
-        context: Context,
+        context: MotionContext,
         *,
         motors: Motors,
         joint_errors: JointErrors,

@@ -17,8 +17,9 @@ from armui.control.devices.teaching_phase import (
     is_near_rest,
     phase_of,
 )
+from armui.control.link.link_state import LinkState
 from armui.control.motion.motion_command import Hold
-from armui.control.operating_state import LinkState, OperatingState, StopState
+from armui.control.operating_state import OperatingState, StopState
 from armui.control.run.progress import RunPhase
 from armui.control.safety import interlocks
 from armui.control.safety.feedback_freshness import FEEDBACK_SILENT

@@ -20,8 +20,9 @@ from armui.control.cell.cell_reasons import (
 )
 from armui.control.devices.teaching_phase import TeachingPhase
 from armui.control.events import Level
+from armui.control.link.link_state import LinkState
 from armui.control.motion.motion_command import Hold
-from armui.control.operating_state import LinkState, OperatingState, StopState
+from armui.control.operating_state import OperatingState, StopState
 from armui.control.run.progress import RunPhase
 from armui.control.safety.other_command import LEADER_ARM, OTHER_HOST
 from armui.control.safety.recovery_conditions import (

@@ -12,12 +12,14 @@ from armui.arm.figures import JointNumber
 from armui.arm.limits import JOINTS
 from armui.arm.reference_record import ReferenceRecord
 from armui.arm.refusal import Reason, Refusal
-from armui.control.context import Context, ControllerPart
+from armui.control.context import ControllerPart
 from armui.control.devices.teaching_phase import TeachingPhase, phase_of
 from armui.control.events import Notice
 from armui.control.link.arm_key import arm_key
+from armui.control.link.link_state import LinkState
+from armui.control.motion.motion_context import MotionContext
 from armui.control.motion.requests import joint_request
-from armui.control.operating_state import LinkState, OperatingState, StopState
+from armui.control.operating_state import OperatingState, StopState
 from armui.control.operations.operation import Consent, operation
 from armui.control.operations.started import Ending, Started
 from armui.control.safety.feedback_freshness import any_motor_off, in_drag_teaching
@@ -169,7 +171,7 @@ class ReferenceControl(ControllerPart):
 
     def __init__(
         self,
-        context: Context,
+        context: MotionContext,
         memory: ReferenceMemory | None,
         wall: Callable[[], datetime],
     ) -> None:

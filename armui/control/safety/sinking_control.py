@@ -10,7 +10,8 @@ from armui.arm.limits import JOINTS
 from armui.control.context import ControllerPart
 from armui.control.devices.teaching_phase import TeachingPhase, phase_of
 from armui.control.events import Notice
-from armui.control.operating_state import Busy, LinkState, StopState
+from armui.control.link.link_state import LinkState
+from armui.control.operating_state import Busy, StopState
 from armui.control.safety.emergency_stop import is_stopped
 from armui.control.safety.feedback_freshness import in_drag_teaching
 from armui.control.safety.sinking import ALL_JOINTS, SinkingWatch, WatchedMotion

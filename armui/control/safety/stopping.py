@@ -10,20 +10,11 @@ from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState, is_fresh
 from armui.control.context import REFUSED
 from armui.control.events import Notice
-from armui.control.motion_end import ending_frames
-from armui.control.operating_state import (
-    LinkState,
-    StopState,
-    why_only_heard,
-    why_unreachable,
-)
-from armui.control.operations.started import (
-    Ending,
-    Started,
-    Tell,
-    close_and_tell,
-    report_and_tell,
-)
+from armui.control.link.link_state import LinkState, why_only_heard, why_unreachable
+from armui.control.motion.abort import ending_frames
+from armui.control.operating_state import StopState
+from armui.control.operations.started import Ending, Started
+from armui.control.operations.telling import Tell, close_and_tell, report_and_tell
 from armui.control.safety.emergency_stop import EmergencyStop, StopWatch
 from armui.protocol import commands
 from armui.protocol.addressing import OFFSETS

@@ -15,7 +15,11 @@ from armui.protocol.frame import Frame
 from armui.sim.parameters.settings import LinkageSettings
 
 if TYPE_CHECKING:
-    from armui.sim.firmware import Firmware
+    from armui.sim.condition import Condition
+    from armui.sim.faults.lost_reference import LostReference
+    from armui.sim.mechanics.mechanics import Mechanics
+    from armui.sim.parameters.settings import ArmSettingsRecord
+    from armui.sim.parameters.settings_applier import SettingsApplier
 
 PURPOSES: Final = {
     FirmwareBug.CORRUPTED_LIMITS: (
@@ -68,13 +72,32 @@ class FirmwareBugs:
     def __init__(
         self,
         present: frozenset[FirmwareBug],
-        arm: Firmware,
+        mechanics: Mechanics,
+        condition: Condition,
+        settings: ArmSettingsRecord,
+        applier: SettingsApplier,
+        *,
+        lost: LostReference,
         lead: Callable[[LinkageSettings], None],
+        corrupt_limits: Callable[[int], None],
     ) -> None:
-        """Gives an arm its bugs; `lead` gives it another role."""
+        """Gives an arm its bugs.
+
+        Args:
+            present: The bugs.
+            mechanics: The arm's joints and motors.
+            condition: Its modes, flags and faults.
+            settings: The values it keeps.
+            applier: Moves its zeros, and finds the joints' places.
+            lost: The fault by which a joint loses its reference.
+            lead: Gives it another role.
+            corrupt_limits: Makes the limits of a joint (1–6) read back as from a worn flash.
+        """
         self.present = present
         self.silent = False
-        self._arm = arm
+        self._mechanics, self._condition = mechanics, condition
+        self._settings, self._applier, self._lost = settings, applier, lost
+        self._corrupt_limits = corrupt_limits
         self._lead = lead
         self._powered_s = 0.0
         self._on_s = 0.0
@@ -86,12 +109,12 @@ class FirmwareBugs:
         """Starts again after a power cycle."""
         self.silent = self._handle_set = False
         self._on_s = self._powered_s = 0.0
-        self._arm.settings_applier.find_place(but=self._arm.lost_reference.joints)
+        self._applier.find_place(but=self._lost.joints)
 
     def reset(self) -> None:
         """Clears what 0x150 resume repairs: a joint that had lost its position reports it again."""
         self._powered_s = 0.0
-        self._arm.settings_applier.find_place()
+        self._applier.find_place()
 
     def setting_taken(self, name: str) -> None:
         """Handles a setting: 0x47D repairs what the teaching handle's level had broken."""
@@ -101,26 +124,25 @@ class FirmwareBugs:
         """Advances by `dt_s` seconds."""
         if not self.present:
             return
-        arm = self._arm
         self._on_s += dt_s
-        self._powered_s = self._powered_s + dt_s if all(arm.mechanics.powered) else 0.0
+        self._powered_s = self._powered_s + dt_s if all(self._mechanics.powered) else 0.0
         if FirmwareBug.FEEDBACK_PARTS in self.present and self._powered_s > _SLIPS_AFTER_S:
-            arm.settings_applier.slip(_SLIPPING, -_SLIP_DEG_S * dt_s, most_deg=_MOST_SLIP_DEG)
-        role = arm.settings.linkage.role
+            self._applier.slip(_SLIPPING, -_SLIP_DEG_S * dt_s, most_deg=_MOST_SLIP_DEG)
+        role = self._settings.linkage.role
         if (
             FirmwareBug.FALLS_BACK_TO_LEADER in self.present
             and self._on_s > _LEADS_AFTER_S
             and role is not LinkageRole.TEACHING_INPUT
         ):
             self._on_s = 0.0
-            self._lead(arm.settings.linkage._replace(role=LinkageRole.TEACHING_INPUT))
+            self._lead(self._settings.linkage._replace(role=LinkageRole.TEACHING_INPUT))
 
     def mode_word(self, *, was_direct: bool) -> None:
         """Handles a mode word that the arm has accepted."""
-        condition = self._arm.condition
+        condition = self._condition
         if FirmwareBug.MIT_MOVES_ZERO in self.present and was_direct and not condition.direct:
             condition.needs_reset = True
-            self._arm.settings_applier.move_zero(0, _ZERO_MOVES_DEG)
+            self._applier.move_zero(0, _ZERO_MOVES_DEG)
 
     def role_set(self, role: LinkageRole) -> None:
         """Handles a 0x470."""
@@ -138,6 +160,6 @@ class FirmwareBugs:
 
     def _corrupt(self) -> None:
         for joint in JOINTS:
-            self._arm.corrupt_limits(joint)
-        limits = self._arm.settings.limits
+            self._corrupt_limits(joint)
+        limits = self._settings.limits
         limits[:] = [each._replace(min_deg=_BAD_DEG, max_deg=_BAD_DEG) for each in limits]

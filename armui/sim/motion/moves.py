@@ -31,7 +31,7 @@ from armui.sim.motion.tool_moves import ToolMotions
 from armui.sim.parameters.settings import ArmSettingsRecord
 
 if TYPE_CHECKING:
-    from armui.sim.firmware import Firmware
+    from armui.sim.motion.teaching import SimulatedTeaching
 
 
 _ALL_INDICES: Final = range(JOINT_COUNT)
@@ -40,19 +40,32 @@ _ALL_INDICES: Final = range(JOINT_COUNT)
 class MotionCommandHandler:
     """Obeys the commands of 0x150."""
 
-    def __init__(self, arm: Firmware, moves: Moves, enter: Callable[[ControlMode], None]) -> None:
+    def __init__(
+        self,
+        generation: Generation,
+        mechanics: Mechanics,
+        condition: Condition,
+        teaching: SimulatedTeaching,
+        *,
+        moves: Moves,
+        unsupported: Counter[str],
+        enter: Callable[[ControlMode], None],
+    ) -> None:
         """Handles the commands to one arm.
 
         Args:
-            arm: The arm.
+            generation: The protocol it speaks.
+            mechanics: Its joints and motors.
+            condition: Its modes, flags and faults.
+            teaching: Its drag teaching.
             moves: Its motions.
+            unsupported: Counts what it was asked and cannot do.
             enter: Enters a control mode.
         """
-        self._generation = arm.generation
-        self._mechanics = arm.mechanics
-        self._condition = arm.condition
-        self._teaching = arm.teaching
-        self._unsupported = arm.unsupported
+        self._generation = generation
+        self._mechanics, self._condition = mechanics, condition
+        self._teaching = teaching
+        self._unsupported = unsupported
         self._moves = moves
         self._enter = enter
 

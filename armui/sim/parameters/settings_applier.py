@@ -9,7 +9,7 @@ from armui.protocol.addressing import Addressing
 from armui.protocol.codes import Mounting
 from armui.sim.arm_type import ArmType
 from armui.sim.condition import Condition
-from armui.sim.feedback import FeedbackSchedule
+from armui.sim.feedback_schedule import FeedbackSchedule
 from armui.sim.mechanics.gravity import DOWN_BY_MOUNTING, PAYLOADS_KG
 from armui.sim.mechanics.mechanics import Mechanics
 from armui.sim.parameters.flash import Flash

@@ -10,8 +10,9 @@ from PySide6.QtCore import QCoreApplication, QObject
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QWidget
 
+from armui.control.link.link_state import why_unreachable
 from armui.control.motion.cartesian import POSE_UNKNOWN
-from armui.control.operating_state import OperatingState, why_unreachable
+from armui.control.operating_state import OperatingState
 from armui.control.operations.operation import Consent, Operation
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.ui import words

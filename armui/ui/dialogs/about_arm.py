@@ -22,7 +22,8 @@ from armui.arm.reference_record import ReferenceRecord
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
-from armui.control.operating_state import LinkState, OperatingState
+from armui.control.link.link_state import LinkState
+from armui.control.operating_state import OperatingState
 from armui.doctor.facts import LinkFacts
 from armui.doctor.probes.can_devices import look_at_links
 from armui.protocol.addressing import Addressing

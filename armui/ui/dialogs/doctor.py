@@ -16,7 +16,7 @@ from armui.arm.device import Device
 from armui.arm.models import model_data
 from armui.control.arm_controller import ArmController
 from armui.control.events import Level
-from armui.control.operating_state import LinkState
+from armui.control.link.link_state import LinkState
 from armui.doctor.facts import Diagnosis, DiagnosisLevel, HeardFacts, Section
 from armui.doctor.hearing import arm_facts
 from armui.doctor.judge_heard import ARM, OTHER_HOST, judge_heard

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QComboBox, QLabel, QWidget
 
 from armui.arm.device import Device
 from armui.arm.models import all_models, model_data
-from armui.control.operating_state import LinkState
+from armui.control.link.link_state import LinkState
 from armui.protocol.generation import PiperModel
 from armui.ui import words
 from armui.ui.format import NOTHING

@@ -10,7 +10,8 @@ from PySide6.QtWidgets import QButtonGroup, QComboBox, QFrame, QLabel
 
 from armui.control.arm_controller import ArmController
 from armui.control.devices.linkage import LinkageControl
-from armui.control.operating_state import LinkState, OperatingState
+from armui.control.link.link_state import LinkState
+from armui.control.operating_state import OperatingState
 from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN
 from armui.protocol.addressing import OFFSETS
 from armui.protocol.codes import LinkageRole

@@ -12,7 +12,8 @@ from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
 from armui.control.events import Event, Level
-from armui.control.operating_state import LINK_LOST, NOT_CONNECTED, LinkState, OperatingState
+from armui.control.link.link_state import LINK_LOST, NOT_CONNECTED, LinkState
+from armui.control.operating_state import OperatingState
 from armui.control.operations.started import Started, refusal_of
 from armui.control.safety.interlocks import ARM_FAULT, STOP_REQUESTED, STOPPED
 from armui.control.safety.recovery_steps import UNHINDERED, Step, StepKind

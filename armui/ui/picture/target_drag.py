@@ -13,7 +13,8 @@ from armui.arm.limits import ANGLE_STEP_DEG, check_joints
 from armui.arm.refusal import Reason, Refusal
 from armui.control.devices.teaching_phase import TeachingPhase, phase_of
 from armui.control.events import Level
-from armui.control.operating_state import LinkState, StopState
+from armui.control.link.link_state import LinkState
+from armui.control.operating_state import StopState
 from armui.control.safety.recovery_steps import StepKind
 from armui.kinematics import poses
 from armui.kinematics.axes import JogFrame
@@ -30,7 +31,7 @@ if TYPE_CHECKING:
     from armui.kinematics.arm_kinematics import Kinematics
     from armui.ui.panels.jogging.cartesian_panel import CartesianPanel
     from armui.ui.panels.jogging.motion_panel import MotionPanel
-    from armui.ui.picture.picture_work import PictureNote
+    from armui.ui.picture.picture_note import PictureNote
     from armui.ui.trajectory.preview.path_preview import PathPreview
     from armui.viewport.handles import Dragged
     from armui.viewport.view import ArmView

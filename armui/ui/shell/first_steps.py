@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QPushButton, QWidget
 
+from armui.control.link.link_state import LinkState
 from armui.control.motion.motion_command import Mover
-from armui.control.operating_state import LinkState
 from armui.ui.widgets.buttons import show_primary
 
 if TYPE_CHECKING:

@@ -10,7 +10,8 @@ from PySide6.QtGui import QMouseEvent, QPaintEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
 
 from armui.control.events import Level
-from armui.control.operating_state import LinkState, OperatingState
+from armui.control.link.link_state import LinkState
+from armui.control.operating_state import OperatingState
 from armui.control.safety.recovery_steps import NO_DEVICE, Action, Step, StepKind
 from armui.ui import words
 from armui.ui.dialogs.confirm_dialog import confirm

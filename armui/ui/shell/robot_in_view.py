@@ -13,7 +13,7 @@ from PySide6.QtCore import QObject
 
 from armui.arm.model_check import ModelFit
 from armui.arm.models import robot_description
-from armui.control.operating_state import LinkState
+from armui.control.link.link_state import LinkState
 from armui.ui.freshness import is_stale
 
 if TYPE_CHECKING:

@@ -14,7 +14,8 @@ from armui.arm.models import model_data
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, Status
 from armui.control.events import Event, Level
-from armui.control.operating_state import LinkState, OperatingState
+from armui.control.link.link_state import LinkState
+from armui.control.operating_state import OperatingState
 from armui.control.safety.uncommanded_motion import UncommandedMotion
 from armui.protocol.codes import ArmStatusCode, TeachingState
 from armui.system.failures import Failure

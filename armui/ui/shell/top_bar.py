@@ -13,14 +13,9 @@ from armui.arm.device import Device
 from armui.arm.limits import JOINTS
 from armui.arm.state import ArmState
 from armui.control.devices.motors import why_not_disable, why_not_enable
+from armui.control.link.link_state import LinkState
 from armui.control.motion.joint_motion import Motion
-from armui.control.operating_state import (
-    RUN_UNDER_WAY,
-    Busy,
-    LinkState,
-    OperatingState,
-    StopState,
-)
+from armui.control.operating_state import RUN_UNDER_WAY, Busy, OperatingState, StopState
 from armui.control.operations.operation import operation_of
 from armui.control.safety.recovery_steps import Action
 from armui.control.safety.uncommanded_motion import MotionKind, UncommandedMotion

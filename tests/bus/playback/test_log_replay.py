@@ -13,8 +13,8 @@ import armui.bus.playback
 from armui.arm.device import RecordedArm
 from armui.arm.refusal import Refusal
 from armui.control.devices.linkage import why_not_link
+from armui.control.link.link_state import REPLAYED_LOG, LinkState
 from armui.control.log_replay import LogReplay
-from armui.control.operating_state import REPLAYED_LOG, LinkState
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.session.foreign.indexed import IndexedLog

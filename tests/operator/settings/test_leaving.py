@@ -5,7 +5,7 @@ import errno
 import can
 import pytest
 
-from armui.control.operating_state import LinkState
+from armui.control.link.link_state import LinkState
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
 from armui.ui.shell.leaving import UnsavedQuestion

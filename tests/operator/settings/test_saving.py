@@ -7,7 +7,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from armui.control.operating_state import LinkState
+from armui.control.link.link_state import LinkState
 from armui.protocol.generation import Generation
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.widgets.hold_button import HoldButton

@@ -15,8 +15,9 @@ from armui.arm.refusal import Refusal
 from armui.cell.cell import Cell, with_part
 from armui.cell.user_frames import UserFrame
 from armui.cell.work_area import Area, AreaBox
+from armui.control.link.link_state import LinkState
 from armui.control.motion.jog_path import JointJog, ToolJog
-from armui.control.operating_state import LinkState, StopState
+from armui.control.operating_state import StopState
 from armui.control.operations.started import Started
 from armui.control.run.progress import Run
 from armui.control.run.replay import Replay

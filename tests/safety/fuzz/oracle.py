@@ -14,7 +14,8 @@ from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from typing import Any, Final
 
-from armui.control.operating_state import LinkState, StopState
+from armui.control.link.link_state import LinkState
+from armui.control.operating_state import StopState
 from armui.sim.firmware import Firmware
 from armui.sim.mechanics.powered_joints import SixValues
 from armui.system.failures import Failure

@@ -14,8 +14,8 @@ from armui.arm.refusal import Reason, Refusal
 from armui.control.context import GENERATION_UNKNOWN
 from armui.control.events import Event, Level, Notice
 from armui.control.link.arm_key import arm_key
+from armui.control.link.link_state import NOT_CONNECTED
 from armui.control.motion.joint_motion import Motion
-from armui.control.operating_state import NOT_CONNECTED
 from armui.control.operations.started import refusal_of
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.ui import format as fmt

@@ -21,7 +21,8 @@ from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
 from armui.control.devices.end_reports import EndReports, is_reporting, why_no_load, why_not_switch
 from armui.control.devices.mounting import MountingControl
-from armui.control.operating_state import LinkState, OperatingState
+from armui.control.link.link_state import LinkState
+from armui.control.operating_state import OperatingState
 from armui.control.operations.operation import operation_of
 from armui.control.operations.started import refusal_of
 from armui.protocol.codes import EndLoad, Mounting

@@ -39,8 +39,8 @@ from armui.ui.trajectory.editor.point_edits import (
 )
 from armui.ui.trajectory.editor.points_model import PointsModel
 from armui.ui.trajectory.editor.points_table import PointsTable
+from armui.ui.trajectory.running.preflight import Checks, Preflight
 from armui.ui.trajectory.running.run_bar import RunBar, RunChoices, run_commands
-from armui.ui.trajectory.running.run_request import Checks, Preflight
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.layouts import fill, in_column
 from armui.ui.widgets.message_line import MessageLine, Words

@@ -12,7 +12,7 @@ from armui.arm.refusal import Refusal
 from armui.control.cell.cell_reasons import CELL_NOT_READ
 from armui.trajectory.planning.findings import Finding, Severity
 from armui.ui.theme import colors_of
-from armui.ui.trajectory.running.run_request import Preflight
+from armui.ui.trajectory.running.preflight import Preflight
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.text_label import text_label

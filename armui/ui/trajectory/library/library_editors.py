@@ -19,8 +19,8 @@ if TYPE_CHECKING:
     from armui.trajectory.files import Content
     from armui.trajectory.samples.recording import Recording
     from armui.ui.background import Background
+    from armui.ui.trajectory.running.preflight import Checks
     from armui.ui.trajectory.running.run_bar import RunChoices
-    from armui.ui.trajectory.running.run_request import Checks
 
 
 class LibraryEditors(QObject):

@@ -51,8 +51,8 @@ from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.library.name_bar import NameBar, NameQuestion
 from armui.ui.trajectory.recording.recording_page import RecordingPage
 from armui.ui.trajectory.recording.unsaved_line import UnsavedRecordingLine
+from armui.ui.trajectory.running.preflight import Checks, Preflight
 from armui.ui.trajectory.running.run_bar import RunBar, RunChoices, run_commands
-from armui.ui.trajectory.running.run_request import Checks, Preflight
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.flow import in_flow
 from armui.ui.widgets.layouts import fill

@@ -42,7 +42,7 @@ if TYPE_CHECKING:
     from armui.ui.trajectory.library.library_page import LibraryPage
     from armui.ui.trajectory.preview.path_preview import PathPreview
     from armui.ui.trajectory.recording.recording_page import RecordingCut
-    from armui.ui.trajectory.running.run_request import Preflight
+    from armui.ui.trajectory.running.preflight import Preflight
     from armui.ui.widgets.page import Page
 
     Array = NDArray[np.float64]

@@ -28,7 +28,7 @@ from armui.ui.background import Job
 from armui.ui.dialogs.confirm_dialog import LeaveQuestion, SaveQuestion
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.recording.recorded_curves import RecordedCurves
-from armui.ui.trajectory.running.run_request import Checks, Preflight
+from armui.ui.trajectory.running.preflight import Checks, Preflight
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row

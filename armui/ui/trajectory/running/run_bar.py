@@ -32,8 +32,9 @@ from armui.ui import words
 from armui.ui.actions.command import Command, Target, of_place
 from armui.ui.actions.keys import key_text, keys_of, listen_for
 from armui.ui.dialogs.confirm_dialog import ASKED_OTHERWISE
+from armui.ui.trajectory.running.preflight import Checks
 from armui.ui.trajectory.running.run_estimate import RunEstimate, estimate_tip
-from armui.ui.trajectory.running.run_request import Checks, RequestState, RunRequest
+from armui.ui.trajectory.running.run_request import RequestState, RunRequest
 from armui.ui.trajectory.running.runner import Runner, ended_early
 from armui.ui.widgets.buttons import drop_down, enable_or_explain, named, push_button, show_primary
 from armui.ui.widgets.flow import in_flow, pair

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from armui.trajectory.files import Content
     from armui.trajectory.library.run_options import RunOptions
     from armui.ui.background import Job
-    from armui.ui.trajectory.running.run_request import Checks, Preflight
+    from armui.ui.trajectory.running.preflight import Checks, Preflight
 
 _PAUSE_MS: Final = 300
 """The pause after a change before the time is worked out, as figures are typed digit by digit."""

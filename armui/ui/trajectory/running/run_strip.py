@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from armui.control.motion_end import RUN_STOPPED
+from armui.control.motion.abort import RUN_STOPPED
 from armui.control.operations.operation import operation_of
 from armui.control.run.player import Player
 from armui.control.run.progress import ENDLESS, OVER, Progress, RunPhase

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.control.run.player import Player
     from armui.control.run.replayer import Replayer
-    from armui.ui.trajectory.running.run_request import Preflight
+    from armui.ui.trajectory.running.preflight import Preflight
 
 
 class Runner(QObject):

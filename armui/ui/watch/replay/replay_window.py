@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QLabel, QProgressBar, QVBoxLayout, QWidget
 from armui.arm.device import RecordedArm
 from armui.arm.refusal import Refusal
 from armui.control.events import Level
-from armui.control.operating_state import LinkState
+from armui.control.link.link_state import LinkState
 from armui.session.log_model import told_cell
 from armui.session.reader import SUFFIXES
 from armui.session.session import KeepsCounts

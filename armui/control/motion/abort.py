@@ -1,0 +1,90 @@
+"""Has the arm end its motion where it is, with its motors on (0x150)."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from armui.arm.refusal import Reason, Refusal
+from armui.control.devices.teaching_phase import may_replay
+from armui.control.link.link_state import LINK_LOST, NOT_CONNECTED
+from armui.control.motion.motion_command import End
+from armui.control.safety.interlocks import (
+    CONTROL_OFFSET_UNKNOWN,
+    OTHER_CONTROL,
+    STOP_REQUESTED,
+    STOPPED,
+)
+from armui.control.safety.other_command import LEADER_ARM, OTHER_HOST, OTHER_MODE
+from armui.protocol import commands
+from armui.protocol.codes import TeachingState, TrajectoryCommand
+from armui.protocol.frame import Frame
+
+if TYPE_CHECKING:
+    from armui.control.context import Context
+    from armui.control.link.connection import Connection
+
+RUN_STOPPED = Reason(
+    "run_stopped",
+    "It was the emergency stop: hold the arm, press Resume, enable the motors; then the run can "
+    "go on from this row.",
+)
+
+
+_LEFT_ALONE: Final = frozenset(
+    {
+        # the stop has gone out, and says more
+        STOPPED,
+        STOP_REQUESTED,
+        RUN_STOPPED,
+        # nothing reaches the arm, or nobody knows which arm it would reach
+        NOT_CONNECTED,
+        LINK_LOST,
+        CONTROL_OFFSET_UNKNOWN,
+        # the arm serves another master: its motion is not this program's to end
+        OTHER_CONTROL,
+        OTHER_HOST,
+        LEADER_ARM,
+        OTHER_MODE,
+    }
+)
+"""The reasons for a run to end after which nothing more is sent to the arm."""
+
+
+def ending_frames(connection: Connection) -> list[Frame]:
+    """Return what has the arm end its motion with power on: 0x150 byte 1 = 6.
+
+    Where it may follow a recording of its own, that has an end of its own: byte 2 = 6.
+    """
+    codec, status = connection.codec, connection.newest.status
+    frames = commands.trajectory_command(codec, TrajectoryCommand.ABORT)
+    if may_replay(None if status is None else status.value):
+        frames += commands.teaching_command(codec, TeachingState.ABORT)
+    return frames
+
+
+def abort_motion(context: Context, end: End = End.CANCELLED) -> bool:
+    """Have the arm end its motion where it is, powered, and drop its target (0x150).
+
+    It goes ahead of everything that waits: half a target must not follow it. Return whether
+    it is on the bus.
+
+    Args:
+        context: The context that the controller's parts share.
+        end: What ends our command by it.
+    """
+    connection = context.connection
+    if connection.device is None or connection.device.listen_only:
+        return False
+    frames = ending_frames(connection)
+    context.authority.cancelled(context.clock(), end)
+    return connection.send_urgent(frames)
+
+
+def abort_motion_for(context: Context, reason: Refusal) -> None:
+    """Abort the motion of a run that cannot go on, unless its reason makes sending pointless.
+
+    A blocked arm, or one whose run took too long, would otherwise set out for its point as soon as
+    it can, long after the run's end.
+    """
+    if reason.reason not in _LEFT_ALONE:
+        abort_motion(context)

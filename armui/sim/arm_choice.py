@@ -1,0 +1,31 @@
+"""What a simulated arm in another process is to be, and how the hand that leads it is told."""
+
+from __future__ import annotations
+
+import struct
+from dataclasses import dataclass
+from typing import Final
+
+from armui.protocol.generation import Generation, PiperModel
+
+HAND: Final = struct.Struct("<7d")
+"""Six angles in degrees and a speed in degrees a second; a speed of 0 lets go."""
+LETS_GO: Final = (0.0,) * 7
+"""What the hand's line says of a hand that is not there."""
+
+
+@dataclass(frozen=True, slots=True)
+class ArmChoice:
+    """What a simulated arm is to be.
+
+    Attributes:
+        generation: The protocol it speaks.
+        model: The model of the family.
+        version: Its firmware's version (generation 2), ``None`` for today's.
+        joints_deg: The angles at which it lies, joint 1 first; ``None`` for the rest pose.
+    """
+
+    generation: Generation
+    model: PiperModel = PiperModel.PIPER
+    version: str | None = None
+    joints_deg: tuple[float, ...] | None = None
