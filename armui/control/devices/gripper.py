@@ -12,7 +12,7 @@ from armui.arm.parameters import Parameter
 from armui.arm.quirks import why_not_by_firmware
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState, GripperState
-from armui.control.context import GENERATION_UNKNOWN, ControllerPart
+from armui.control.context import GENERATION_UNKNOWN
 from armui.control.devices.gripper_ranges import Figures, calibrated, check, gripper_figures
 from armui.control.events import Notice
 from armui.control.link.link_state import LINK_LOST
@@ -22,7 +22,8 @@ from armui.control.operations.operation import Consent, operation
 from armui.control.operations.started import Ending, Started
 from armui.control.parameters.arm_settings import SETTING_NOT_KEPT, ArmSettings
 from armui.control.parameters.setting_cell import CellState
-from armui.control.requests.request import NOTHING_LEFT_REPORT, Request, RequestOutcome
+from armui.control.requests.pending import EndNotices, RequestingPart
+from armui.control.requests.request import Request
 from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN, OTHER_CONTROL
 from armui.protocol import commands
 from armui.protocol.codes import ControlMode
@@ -33,7 +34,6 @@ from armui.trajectory.points.program import GripperOpening
 
 if TYPE_CHECKING:
     from armui.cell.gripper_table import GripperTable
-    from armui.control.requests.reports import Report
     from armui.trajectory.points.program import GripperAction
 
 GRIPPER_SILENT = Reason(
@@ -171,7 +171,7 @@ def why_not_let_go(now: OperatingState) -> Refusal | None:
     return why_not_gripper(now, letting_go=True)
 
 
-class GripperControl(ControllerPart):
+class GripperControl(RequestingPart[str]):
     """Commands the gripper; one command at a time, a new one replaces the last.
 
     The frame carries target, effort and power at once. So a frame that switches the power carries
@@ -196,13 +196,10 @@ class GripperControl(ControllerPart):
         end_run: Callable[[Refusal], None],
         table: Callable[[], GripperTable | None] = lambda: None,
     ) -> None:
-        self._context = context
+        super().__init__(context)
         self._end_run = end_run
         self._settings = settings
         self._table = table
-        self._action: str | None = None
-        self._request: Request | None = None
-        self._started: Started | None = None
         self._travel: _Travel | None = None
         self.by_angle = False
 
@@ -416,13 +413,14 @@ class GripperControl(ControllerPart):
             return gripper is not None and gripper.at_s > since_s and seen(gripper.value)
 
         self._drop_request()
-        self._action = action
-        self._started = started
         passed = context.gate().ask_no_way()
-        request = self._request = Request(context, frames, shows, passed=passed)
-        context.tell(GRIPPER_ACT_SENT, started, act=action)
-        if self._request is request:  # a failure in who is told ends what is under way
-            request.advance()
+        figures = {"act": action}
+        notices = EndNotices(
+            (GRIPPER_ACT_DONE, figures), lambda _reason: (GRIPPER_ACT_FAILED, figures)
+        )
+        request = Request(context, frames, shows, passed=passed)
+        sent = (GRIPPER_ACT_SENT, figures)
+        self._pending.begin(action, started, request, notices, sent=sent)
 
     def note_travel(self, target: float, effort: float) -> None:
         """Note the target that a run sent it to, so that the run's end knows whether it moves."""
@@ -437,18 +435,7 @@ class GripperControl(ControllerPart):
         """Follow the motion and the requests under way in the gripper's feedback."""
         if self._travel is not None:
             self._follow(self._travel)
-        if self._request is None:
-            return
-        outcome = self._request.advance()
-        if outcome is RequestOutcome.WAITING:
-            return
-        done = outcome is RequestOutcome.DONE
-        report: Report = GRIPPER_ACT_DONE if done else GRIPPER_ACT_FAILED, {"act": self._action}
-        notice, figures = NOTHING_LEFT_REPORT if outcome is RequestOutcome.NOTHING_LEFT else report
-        started = self._started
-        self._started = None
-        self._drop_request()
-        self._context.close(started, Ending.DONE if done else Ending.FAILED, notice, **figures)
+        super().follow_arm()
 
     def _follow(self, travel: _Travel) -> None:
         feedback, now_s = self._context.state().gripper, self._context.clock()
@@ -503,16 +490,8 @@ class GripperControl(ControllerPart):
             here = self._hold(heard.value.travel, travel.effort, by_angle=by_angle)
             context.connection.send(here, passed=context.gate().ask_no_way())
 
-    def halt(self) -> None:
-        """Drop the pending request, because the arm is to stop."""
-        self._drop_request()
-
-    def forget_arm(self) -> None:
-        """Drop the pending request, because the arm is gone."""
-        self._drop_request()
-
     def _drop_request(self) -> None:
-        for started in (self._started, None if self._travel is None else self._travel.started):
-            if started is not None:
-                started.close(Ending.CUT_OFF)
-        self._action = self._request = self._travel = self._started = None
+        super()._drop_request()
+        travel, self._travel = self._travel, None
+        if travel is not None and travel.started is not None:
+            travel.started.close(Ending.CUT_OFF)

@@ -9,15 +9,15 @@ from armui.arm.figures import JointOrAll
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
-from armui.control.context import Context, ControllerPart
 from armui.control.events import Notice
 from armui.control.link.link_state import why_only_heard
 from armui.control.motion.motion_command import End
 from armui.control.operating_state import Busy, OperatingState, StopState
-from armui.control.operations.operation import Consent, operation, operation_of
-from armui.control.operations.started import Ending, Started
+from armui.control.operations.operation import Consent, operation
+from armui.control.operations.started import Started
 from armui.control.requests import reports
-from armui.control.requests.request import NOTHING_LEFT_REPORT, Request, RequestOutcome
+from armui.control.requests.pending import EndNotices, RequestingPart
+from armui.control.requests.request import Request
 from armui.control.safety.emergency_stop import is_stopped
 from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN
 from armui.protocol import commands
@@ -26,7 +26,7 @@ from armui.protocol.frame import Frame
 from armui.telemetry.events import EventKind, Level
 
 if TYPE_CHECKING:
-    from armui.protocol.codec import Message
+    from armui.control.context import Context
 
 NOT_STOPPED = Reason(
     "not_stopped", "The arm is not in emergency stop: there is nothing to resume from."
@@ -76,7 +76,7 @@ def why_not_resume(now: OperatingState) -> Refusal | None:
     return None if now.control_certain else CONTROL_OFFSET_UNKNOWN()
 
 
-class Motors(ControllerPart):
+class Motors(RequestingPart[Busy]):
     """Switches the motors, and follows each switching until the drivers' feedback shows it.
 
     Args:
@@ -85,18 +85,13 @@ class Motors(ControllerPart):
     """
 
     def __init__(self, context: Context, end_run: Callable[[Refusal], None]) -> None:
-        self._context = context
+        super().__init__(context)
         self._end_run = end_run
-        self._busy: Busy | None = None
-        self._joints: Sequence[int] = ()
-        self._request: Request | None = None
-        self._started: Started | None = None
-        context.connection.answered.connect(self._on_answer)
 
     @property
     def busy(self) -> Busy | None:
         """The switching that was sent and that the feedback has not shown yet."""
-        return self._busy
+        return self._pending.kind
 
     @operation("motors.enable", "Enable motors", why_not_enable)
     def enable(self, started: Started, joint: JointOrAll = ALL_JOINTS) -> None:
@@ -126,45 +121,6 @@ class Motors(ControllerPart):
             lambda state: state.status is not None and not is_stopped(state),
         )
 
-    def follow_arm(self) -> None:
-        """Follow the switching in the feedback until it is done or too late."""
-        if self._request is None or self._busy is None:
-            return
-        outcome = self._request.advance()
-        if outcome is RequestOutcome.WAITING:
-            return
-        busy, self._busy, self._request = self._busy, None, None
-        done = outcome is RequestOutcome.DONE
-        notice, figures = reports.on_motors(busy, self._context.state(), self._joints, done=done)
-        if outcome is RequestOutcome.NOTHING_LEFT:
-            notice, figures = NOTHING_LEFT_REPORT
-        ending = Ending.DONE if done else Ending.FAILED
-        self._context.close(self._started, ending, notice, **figures)
-
-    def halt(self) -> None:
-        """Drop a pending request to enable, because the arm is to stop."""
-        self._drop_request()
-
-    def forget_arm(self) -> None:
-        """Drop the pending request, because the arm is gone."""
-        self._drop_request()
-
-    def _drop_request(self) -> None:
-        self._busy = None
-        self._request = None
-        if self._started is not None:
-            self._started.close(Ending.CUT_OFF)
-
-    def _on_answer(self, answer: Message) -> None:
-        """Note that the arm has heard: which motor is meant it does not say."""
-        started = self._started
-        switches = started is not None and started.operation != operation_of(self.resume).id
-        index = SettingIndex.MOTOR_ENABLE
-        if answer.name != "SettingResponse" or answer.signals["Index"] != index:
-            return
-        if started is not None and switches and started.answer is None:
-            started.answered(index, self._context.clock())
-
     def _switch(self, started: Started, joint: int, *, on: bool) -> None:
         context = self._context
         if not on:
@@ -183,6 +139,7 @@ class Motors(ControllerPart):
             joints,
             command(context.connection.codec, joint),
             lambda state: all(state.enabled()[number - 1] is on for number in joints),
+            answer=SettingIndex.MOTOR_ENABLE,  # which motor is meant it does not say
         )
 
     def _start(
@@ -192,10 +149,13 @@ class Motors(ControllerPart):
         joints: Sequence[int],
         frames: Sequence[Frame],
         seen: Callable[[ArmState], bool],
+        *,
+        answer: SettingIndex | None = None,
     ) -> None:
         context = self._context
-        self._drop_request()
-        self._started, self._busy, self._joints = started, busy, joints
-        self._request = Request(context, frames, seen)
-        self._request.advance()
+        notices = EndNotices(
+            reports.on_motors_done(busy, joints),
+            lambda _reason: reports.on_motors_failed(busy, context.state(), joints),
+        )
+        self._pending.begin(busy, started, Request(context, frames, seen), notices, answer=answer)
         context.refresh()

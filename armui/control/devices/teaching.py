@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
-from armui.control.context import ControllerPart
 from armui.control.devices.teaching_phase import (
     DRIVES,
     TeachingPhase,
@@ -15,16 +14,13 @@ from armui.control.devices.teaching_phase import (
     why_not_teach,
 )
 from armui.control.events import Notice
-from armui.control.motion.motion_context import MotionContext
 from armui.control.operations.operation import operation
-from armui.control.operations.started import Ending, Started
-from armui.control.requests.request import NOTHING_LEFT_REPORT, Request, RequestOutcome
+from armui.control.operations.started import Started
+from armui.control.requests.pending import EndNotices, RequestingPart
+from armui.control.requests.request import Request
 from armui.protocol import commands
 from armui.protocol.codes import TeachingState
 from armui.telemetry.events import EventKind, Level
-
-if TYPE_CHECKING:
-    from armui.control.requests.reports import Report
 
 TEACHING_SENT = Notice("teaching_sent", "Sent: {command}", Level.INFO, EventKind.COMMAND)
 TEACHING_DONE = Notice(
@@ -58,23 +54,17 @@ sent once: it must not start late, when nobody expects it any more.
 """
 
 
-class TeachingControl(ControllerPart):
+class TeachingControl(RequestingPart[TeachingState]):
     """Commands drag teaching, one command at a time.
 
     Args:
         context: The context that the controller's parts share.
     """
 
-    def __init__(self, context: MotionContext) -> None:
-        self._context = context
-        self._pending: TeachingState | None = None
-        self._request: Request | None = None
-        self._started: Started | None = None
-
     @property
     def pending(self) -> TeachingState | None:
         """The command that the feedback has not shown yet, or ``None``."""
-        return self._pending
+        return self._pending.kind
 
     @operation("teaching.command", "Command drag teaching", why_not_teach, moves=True)
     def command(self, started: Started, command: TeachingState) -> Refusal | None:
@@ -84,52 +74,27 @@ class TeachingControl(ControllerPart):
         if isinstance(passed, Refusal):
             return passed
         self._drop_request()
-        context.tell(TEACHING_SENT, started, command=int(command))
-        self._pending, self._started = command, started
+        figures = {"command": int(command)}
+        context.tell(TEACHING_SENT, started, **figures)
         frames = commands.teaching_command(context.connection.codec, command)
-        self._request = (
+        request = (
             Request(context, frames, _shows(command), ends=True)
             if command in _ENDS_SOMETHING
             else Request(context, frames, _shows(command), _ANSWER_S, 1, passed)
         )
         if command in DRIVES:
             context.authority.replay_told(context.clock())
-        self._request.advance()
+        notices = EndNotices(
+            (TEACHING_DONE, figures), lambda _reason: (TEACHING_UNANSWERED, figures)
+        )
+        self._pending.begin(command, started, request, notices)
         context.refresh()
         return None
 
-    def follow_arm(self) -> None:
-        """Follow the command in the feedback until it is done or too late."""
-        if self._request is None or self._pending is None:
-            return
-        outcome = self._request.advance()
-        if outcome is RequestOutcome.WAITING:
-            return
-        command, self._pending, self._request = self._pending, None, None
-        done = outcome is RequestOutcome.DONE
-        report: Report = TEACHING_DONE if done else TEACHING_UNANSWERED, {"command": int(command)}
-        notice, figures = NOTHING_LEFT_REPORT if outcome is RequestOutcome.NOTHING_LEFT else report
-        ending = Ending.DONE if done else Ending.FAILED
-        self._context.close(self._started, ending, notice, **figures)
-
     def drop_replay(self) -> None:
         """Await no replay and repeat no pause, because the arm was told to end its replay."""
-        if self._pending is TeachingState.PAUSE or self._pending in DRIVES:
+        if self.pending is TeachingState.PAUSE or self.pending in DRIVES:
             self._drop_request()
-
-    def halt(self) -> None:
-        """Drop the pending command, because the arm is to stop."""
-        self._drop_request()
-
-    def forget_arm(self) -> None:
-        """Drop the pending command, because the arm is gone."""
-        self._drop_request()
-
-    def _drop_request(self) -> None:
-        self._pending = None
-        self._request = None
-        if self._started is not None:
-            self._started.close(Ending.CUT_OFF)
 
 
 def _shows(command: TeachingState) -> Callable[[ArmState], bool]:

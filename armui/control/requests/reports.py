@@ -98,16 +98,21 @@ def on_handshake(state: ArmState, generation: Generation | None) -> Iterator[Rep
             yield LIMITS_CORRUPT, {"joint": joint}
 
 
-def on_motors(busy: Busy, state: ArmState, joints: Sequence[int], *, done: bool) -> Report:
-    """Return the report of the end of switching motors or of recovering from a stop."""
+def on_motors_done(busy: Busy, joints: Sequence[int]) -> Report:
+    """Return the report of motors that were switched, or of a stop that was recovered from."""
     if busy is Busy.RESUMING:
-        return (RESUMED if done else RESUME_FAILED), {}
+        return RESUMED, {}
     wanted = busy is Busy.ENABLING
-    if done and len(joints) > 1:
+    if len(joints) > 1:
         return (ENABLED if wanted else DISABLED), {}
-    if done:
-        notice = ENABLED_JOINT if wanted else DISABLED_JOINT
-        return notice, {"joint": joints[0]}
+    return (ENABLED_JOINT if wanted else DISABLED_JOINT), {"joint": joints[0]}
+
+
+def on_motors_failed(busy: Busy, state: ArmState, joints: Sequence[int]) -> Report:
+    """Return the report of motors that did not switch, or of an arm that stays stopped."""
+    if busy is Busy.RESUMING:
+        return RESUME_FAILED, {}
+    wanted = busy is Busy.ENABLING
     enabled = state.enabled()
     left = [joint for joint in joints if enabled[joint - 1] is not wanted]
     return (ENABLE_FAILED if wanted else DISABLE_FAILED), {"joints": joint_list(left)}
