@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import partial
 from typing import Final
 
 from armui.arm.refusal import Reason, Refusal
@@ -11,7 +10,8 @@ from armui.control.context import GENERATION_UNKNOWN, Context
 from armui.control.events import Notice
 from armui.control.operating_state import OperatingState
 from armui.control.operations.operation import operation
-from armui.control.operations.started import Ending, Started, ending_of
+from armui.control.operations.started import Ending, Started
+from armui.control.requests.pending import EndNotices, PendingTransaction
 from armui.control.requests.transactions import ReadBack, Transaction, TransactionQueue
 from armui.protocol import commands
 from armui.protocol.codes import EndLoad, SettingIndex
@@ -83,15 +83,16 @@ class EndReports:
     Args:
         context: The context that the controller's parts share.
         transactions: Carries out commands that are answered.
-
-    Attributes:
-        busy: A command has been sent and its end is not known.
     """
 
     def __init__(self, context: Context, transactions: TransactionQueue) -> None:
         self._context = context
-        self._transactions = transactions
-        self.busy = False
+        self._pending = PendingTransaction(context, transactions)
+
+    @property
+    def busy(self) -> bool:
+        """True while a command was sent and its end is not known."""
+        return self._pending.busy
 
     @operation("end_load.set", "Set the end load", why_no_load)
     def set_load(self, started: Started, load: EndLoad) -> None:
@@ -99,55 +100,42 @@ class EndReports:
 
         The arm answers, but the load cannot be read back: the answer is the only confirmation.
         """
-        context = self._context
-        self.busy = True
-        context.tell(LOAD_SENT, started, load=int(load))
-        self._transactions.submit(
+        context, figures = self._context, {"load": int(load)}
+        self._pending.begin(
+            started,
             Transaction(
                 commands.set_load(context.connection.codec, load),
-                partial(self._after_load, started, load),
-                SettingIndex.PARAMETER_COMMAND,
-                started=started,
+                index=SettingIndex.PARAMETER_COMMAND,
                 recheck=lambda: _why_in_use(context.operating_state()),
                 ends_with_stop=True,
                 alters="end_reports",
-            )
+            ),
+            (LOAD_SENT, figures),
+            EndNotices(
+                (LOAD_ANSWERED, figures),
+                lambda refusal: (LOAD_FAILED, {"reason": refusal}),
+                Ending.ANSWERED,
+            ),
         )
 
     @operation("end_load.report", "Switch the end's motion feedback", why_not_switch)
     def switch(self, started: Started, *, on: bool) -> None:
         """Switch the feedback of the end's speed and acceleration; its frames confirm it."""
-        context = self._context
-        self.busy = True
-        context.tell(END_FEEDBACK_SENT, started)
-        self._transactions.submit(
+        self._pending.begin(
+            started,
             Transaction(
-                commands.set_end_feedback(context.connection.codec, on=on),
-                partial(self._after_switch, started, on),
-                SettingIndex.PARAMETER_COMMAND,
-                started=started,
+                commands.set_end_feedback(self._context.connection.codec, on=on),
+                index=SettingIndex.PARAMETER_COMMAND,
                 read_back=ReadBack(
                     (), _all_came if on else _time_passed, lambda s: _against(s, on=on)
                 ),
-            )
+            ),
+            (END_FEEDBACK_SENT, {}),
+            EndNotices(
+                (END_FEEDBACK_ON if on else END_FEEDBACK_OFF, {}),
+                lambda refusal: (END_FEEDBACK_FAILED, {"reason": refusal}),
+            ),
         )
-
-    def _after_load(self, started: Started, load: EndLoad, refusal: Refusal | None) -> None:
-        self.busy = False
-        close = self._context.close
-        if refusal is None:
-            close(started, Ending.ANSWERED, LOAD_ANSWERED, load=int(load))
-        else:
-            close(started, ending_of(refusal), LOAD_FAILED, reason=refusal)
-
-    def _after_switch(self, started: Started, on: bool, refusal: Refusal | None) -> None:
-        self.busy = False
-        close = self._context.close
-        if refusal is not None:
-            close(started, ending_of(refusal), END_FEEDBACK_FAILED, reason=refusal)
-        else:
-            notice = END_FEEDBACK_ON if on else END_FEEDBACK_OFF
-            close(started, Ending.DONE, notice)
 
 
 def is_reporting(state: ArmState) -> bool:

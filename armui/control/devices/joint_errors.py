@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import partial
+from typing import TYPE_CHECKING
 
 from armui.arm.figures import JointOrAll
 from armui.arm.refusal import Refusal
@@ -10,11 +10,15 @@ from armui.control.context import Context
 from armui.control.events import Notice
 from armui.control.operating_state import BUSY, OperatingState
 from armui.control.operations.operation import operation
-from armui.control.operations.started import SETTING_UNANSWERED, Ending, Started, ending_of
+from armui.control.operations.started import SETTING_UNANSWERED, Ending, Started
+from armui.control.requests.pending import EndNotices, PendingTransaction
 from armui.control.requests.transactions import Transaction, TransactionQueue
 from armui.protocol import commands
 from armui.protocol.codes import SettingIndex
 from armui.telemetry.events import EventKind, Level
+
+if TYPE_CHECKING:
+    from armui.control.requests.reports import Report
 
 CLEAR_ERROR_SENT = Notice(
     "clear_error_sent", "Clear error sent to joint {joint}", Level.INFO, EventKind.COMMAND
@@ -54,40 +58,33 @@ class JointErrors:
 
     def __init__(self, context: Context, transactions: TransactionQueue) -> None:
         self._context = context
-        self._transactions = transactions
-        self._joint: int | None = None
+        self._pending = PendingTransaction(context, transactions)
 
     @property
     def busy(self) -> bool:
         """True if an answer is awaited."""
-        return self._joint is not None
+        return self._pending.busy
 
     @operation("joints.clear_error", "Clear errors of the drivers", why_not_clear)
     def clear(self, started: Started, joint: JointOrAll) -> Refusal | None:
         """Ask a joint, or all, to clear its error."""
-        if self._joint is not None:
+        if self.busy:
             return BUSY(what="clearing_error")
-        context = self._context
-        self._joint = joint
-        context.tell(CLEAR_ERROR_SENT, started, joint=joint)
-        self._transactions.submit(
+        context, figures = self._context, {"joint": joint}
+
+        def failed(refusal: Refusal | None) -> Report | None:
+            unanswered = refusal is not None and refusal.reason == SETTING_UNANSWERED
+            return (CLEAR_ERROR_UNANSWERED, figures) if unanswered else None
+
+        self._pending.begin(
+            started,
             Transaction(
                 commands.clear_joint_error(context.connection.codec, joint),
-                partial(self._on_finished, started, joint),
-                SettingIndex.JOINT_SETTING,
-                started=started,
+                index=SettingIndex.JOINT_SETTING,
                 recheck=lambda: why_not_clear(context.operating_state()),
                 alters="clearing_error",
-            )
+            ),
+            (CLEAR_ERROR_SENT, figures),
+            EndNotices((CLEAR_ERROR_ANSWERED, figures), failed, Ending.ANSWERED),
         )
         return None
-
-    def _on_finished(self, started: Started, joint: int, refusal: Refusal | None) -> None:
-        self._joint = None
-        close = self._context.close
-        if refusal is None:
-            close(started, Ending.ANSWERED, CLEAR_ERROR_ANSWERED, joint=joint)
-        elif refusal.reason == SETTING_UNANSWERED:
-            close(started, Ending.FAILED, CLEAR_ERROR_UNANSWERED, joint=joint)
-        else:
-            started.close(ending_of(refusal))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import partial
 from typing import Annotated, Final
 
 from armui.arm.figures import OneOf
@@ -12,7 +11,8 @@ from armui.control.events import Notice
 from armui.control.link.link_state import LinkState, why_only_heard, why_unreachable
 from armui.control.operating_state import OperatingState
 from armui.control.operations.operation import Consent, operation
-from armui.control.operations.started import Ending, Started, ending_of
+from armui.control.operations.started import Ending, Started
+from armui.control.requests.pending import EndNotices, PendingTransaction
 from armui.control.requests.transactions import Transaction, TransactionQueue
 from armui.protocol import commands
 from armui.protocol.addressing import OFFSETS, Addressing
@@ -90,18 +90,18 @@ class LinkageControl(ControllerPart):
     Args:
         context: The context that the controller's parts share.
         transactions: Carries out commands that are answered.
-
-    Attributes:
-        busy: True while a setting was sent and its end is not known.
     """
 
     def __init__(self, context: Context, transactions: TransactionQueue) -> None:
         self._context = context
-        self._transactions = transactions
-        self.busy = False
+        self._pending = PendingTransaction(context, transactions)
         self._used = _NO_OFFSET
         self._was_known = True
-        self._started: Started | None = None
+
+    @property
+    def busy(self) -> bool:
+        """True while a setting was sent and its end is not known."""
+        return self._pending.busy
 
     @operation(
         "linkage.set", "Set linkage role and ID offsets", why_not_link, consent=Consent.PRESS
@@ -127,7 +127,6 @@ class LinkageControl(ControllerPart):
             target_offset: The offset of the commands that a teaching input sends.
         """
         context = self._context
-        self.busy = True
         frames = commands.set_linkage(
             context.connection.codec,
             role,
@@ -141,18 +140,22 @@ class LinkageControl(ControllerPart):
             context.clock(),
             ends_input=context.operating_state().teaching_input,
         )
-        self._cut_off()
-        self._started = started
-        context.tell(LINKAGE_SENT, started)
-        self._transactions.submit(
+        by_input = role is LinkageRole.TEACHING_INPUT
+        self._pending.begin(
+            started,
             Transaction(
                 frames,
-                partial(self._on_finished, started, role),
-                SettingIndex.LINKAGE_SETTING,
-                started=started,
+                index=SettingIndex.LINKAGE_SETTING,
                 recheck=lambda: _why_in_use(context.operating_state()),
                 alters="linkage",
-            )
+            ),
+            (LINKAGE_SENT, {}),
+            EndNotices(
+                (LINKAGE_ANSWERED_INPUT if by_input else LINKAGE_ANSWERED, {}),
+                lambda refusal: (LINKAGE_FAILED, {"reason": refusal}),
+                Ending.ANSWERED,
+                self._is_in_use,
+            ),
         )
         context.refresh()
 
@@ -160,23 +163,11 @@ class LinkageControl(ControllerPart):
         """Make the arm a motion output arm without offsets again (0xFC)."""
         return self.set(LinkageRole.MOTION_OUTPUT)
 
-    def _on_finished(self, started: Started, role: LinkageRole, refusal: Refusal | None) -> None:
-        self.busy = False
-        context = self._context
-        if refusal is not None:
-            context.close(started, ending_of(refusal), LINKAGE_FAILED, reason=refusal)
-            return
-        context.connection.offsets.answered(context.clock())
-        by_input = role is LinkageRole.TEACHING_INPUT
-        notice = LINKAGE_ANSWERED_INPUT if by_input else LINKAGE_ANSWERED
-        if context.connection.offsets.requested is None:  # they are in use already
-            context.close(started, Ending.ANSWERED, notice)
-        else:
-            context.report(started, notice)
-
-    def _cut_off(self) -> None:
-        if self._started is not None:
-            self._started.close(Ending.CUT_OFF)
+    def _is_in_use(self) -> bool:
+        """Note the answer; return whether the offsets asked for are in use already."""
+        offsets = self._context.connection.offsets
+        offsets.answered(self._context.clock())
+        return offsets.requested is None
 
     # A part of the controller -----------------------------------------------------------------
 
@@ -192,10 +183,10 @@ class LinkageControl(ControllerPart):
             return
         command = f"0x{0x150 + self._used.control_offset:03X}"
         self._context.close(
-            self._started, Ending.DONE, LINKAGE_IN_USE, feedback=feedback, control=command
+            self._pending.started, Ending.DONE, LINKAGE_IN_USE, feedback=feedback, control=command
         )
 
     def forget_arm(self) -> None:
         """Forget the offsets: the next device begins without any."""
-        self._cut_off()
+        self._pending.cut_off()
         self._used, self._was_known = _NO_OFFSET, True

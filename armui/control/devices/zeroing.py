@@ -18,7 +18,8 @@ from armui.control.devices import teaching_phase
 from armui.control.events import Notice
 from armui.control.operating_state import BUSY
 from armui.control.operations.operation import Consent, operation
-from armui.control.operations.started import Ending, Started, ending_of
+from armui.control.operations.started import Started
+from armui.control.requests.pending import EndNotices, PendingTransaction
 from armui.control.requests.transactions import ReadBack, Transaction, TransactionQueue
 from armui.control.safety.interlocks import JOINTS_UNKNOWN, joint_list, why_no_command
 from armui.control.safety.standstill import why_not_still
@@ -104,14 +105,13 @@ class Zeroing:
         self, context: Context, transactions: TransactionQueue, before_zeroing: Callable[[], None]
     ) -> None:
         self._context = context
-        self._transactions = transactions
         self._before_zeroing = before_zeroing
-        self._busy = False
+        self._pending = PendingTransaction(context, transactions)
 
     @property
     def busy(self) -> bool:
         """True if a zero has been sent and its end is not known."""
-        return self._busy
+        return self._pending.busy
 
     def stands_as(self, before: ArmState, joint: int = ALL_JOINTS) -> bool:
         """Return whether a joint (1–6, 7 all) still stands where it stood at the question."""
@@ -128,15 +128,12 @@ class Zeroing:
         if refusal is not None:
             return refusal
         self._before_zeroing()
-        self._busy = True
-        notice = ZERO_SENT if joint == ALL_JOINTS else ZERO_SENT_JOINT
-        context.tell(notice, started, joint=joint)
-        self._transactions.submit(
+        every = joint == ALL_JOINTS
+        self._pending.begin(
+            started,
             Transaction(
                 commands.set_joint_zero(context.connection.codec, joint),
-                partial(self._on_finished, started, joint),
-                SettingIndex.JOINT_SETTING,
-                started=started,
+                index=SettingIndex.JOINT_SETTING,
                 against=partial(_against_answer, joint_list(list(joints))),
                 read_back=ReadBack(
                     (),
@@ -149,7 +146,12 @@ class Zeroing:
                 attempts=1,
                 ends_with_stop=True,
                 alters="zeroing",
-            )
+            ),
+            (ZERO_SENT if every else ZERO_SENT_JOINT, {"joint": joint}),
+            EndNotices(
+                (ZERO_SET, {}) if every else (ZERO_SET_JOINT, {"joint": joint}),
+                lambda refusal: (ZERO_FAILED, {"reason": refusal}),
+            ),
         )
         context.refresh()
         return None
@@ -167,16 +169,6 @@ class Zeroing:
         refusal = why_no_command(operating_state.unreachable, operating_state.stop, None)
         refusal = refusal or operating_state.occupied or why_not_still(state)
         return refusal or self._why_unheard(joints) or _why_elsewhere(joints, pressed, state)
-
-    def _on_finished(self, started: Started, joint: int, refusal: Refusal | None) -> None:
-        self._busy = False
-        close = self._context.close
-        if refusal is not None:
-            close(started, ending_of(refusal), ZERO_FAILED, reason=refusal)
-        elif joint == ALL_JOINTS:
-            close(started, Ending.DONE, ZERO_SET)
-        else:
-            close(started, Ending.DONE, ZERO_SET_JOINT, joint=joint)
 
 
 def _against_answer(joints: str, answer: Message) -> Refusal | None:

@@ -82,7 +82,7 @@ class Transaction:
     """
 
     frames: Sequence[Frame]
-    finished: Callable[[Refusal | None], None]
+    finished: Callable[[Refusal | None], None] = lambda _refusal: None
     index: SettingIndex | None = None
     against: Callable[[Message], Refusal | None] = lambda _answer: None
     read_back: ReadBack | None = None
