@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
+from itertools import chain
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
 
 from PySide6.QtGui import QKeySequence
@@ -43,17 +44,19 @@ class Act:
         def _on_confirm(self) -> None: ...
 
     It can be pressed while its operation has no reason against it, and `needs` misses nothing; a
-    method marked by :meth:`why_not` takes the place of both.
+    method marked by :meth:`why_not` takes the place of both. One without :meth:`pressed` is given a menu by its
+    owner.
 
     Args:
         text: The English text on it; a ``Text`` if that belongs to another context.
         named: Its object name.
         does: The method of the controller's part that it leads to, declared as an operation.
         arguments: The arguments that the reason of the operation depends on.
-        tip: The purpose in English, for the tooltip while it can be pressed.
+        tip: The purpose in English, for the tooltip while it can be pressed; a ``Text`` as above.
         whose: True if a screen reader says what the button belongs to before its text; see
             :meth:`HasActs.heading`.
         key: The name of its command in the palette, which its shortcut has as well; "" for none.
+        shortcut: The name of its shortcut, where that has another one.
         title: The title in the palette; without it that of the shortcut or of the operation, or
             its text.
         needs: As in :class:`Command`.
@@ -74,9 +77,10 @@ class Act:
         named: str,
         does: Callable[..., object] | None = None,
         arguments: Mapping[str, object] | None = None,
-        tip: str = "",
+        tip: str | Text = "",
         whose: bool = False,
         key: str = "",
+        shortcut: str = "",
         title: Text | None = None,
         needs: Needs = no_reason,
         leads: bool = False,
@@ -93,6 +97,7 @@ class Act:
         self.operation: Operation | None = None if does is None else operation_of(does)
         self.arguments = dict(arguments or {})
         self._label, self._use = text, tip
+        self._shortcut = shortcut or key
         self._whose = whose
         self._title, self._needs = title, needs
         self._leads, self._risky, self._synonyms = leads, risky, synonyms
@@ -132,6 +137,10 @@ class Act:
         """Mark the method that returns its purpose, where that changes."""
         return self._marked("tip", method)
 
+    def whose(self, method: _Method) -> _Method:
+        """Mark the method that returns what it belongs to, where that is not the heading."""
+        return self._marked("whose", method)
+
     def lit(self, method: _Method) -> _Method:
         """Mark the method that returns true while it is highlighted as the main button."""
         return self._marked("lit", method)
@@ -146,7 +155,7 @@ class Act:
         if not self.key:
             return None
         named_elsewhere = self.operation is not None or self.key in SHORTCUTS
-        title = self._title or (None if named_elsewhere else self._own_text)
+        title = self._title or (None if named_elsewhere else self._text(self._label))
         return Command(
             *(self.key, title, self.operation, self.arguments),
             needs=self._needs,
@@ -181,7 +190,8 @@ class Act:
                 button = named(self.named, QToolButton())
             else:
                 button = push_button(self.named, primary=self._primary, on_enter=self._on_enter)
-            button.clicked.connect(self._handler(owner))
+            if "pressed" in self._methods:
+                button.clicked.connect(self._handler(owner))
         if self._least_height_px:
             button.setMinimumHeight(self._least_height_px)
         return button
@@ -192,8 +202,12 @@ class Act:
 
     def press(self, owner: HasActs) -> None:
         """Do what a press of the button does, if nothing stands against it."""
-        if not self.reason(owner):
+        if self.reason(owner):
+            return
+        if "pressed" in self._methods:
             self._handler(owner)()
+        else:
+            self.button(owner).click()  # it opens its menu
 
     def reason(self, owner: HasActs) -> str:
         """Return in words why it cannot be pressed now; "" if it can."""
@@ -211,28 +225,27 @@ class Act:
     def show(self, owner: HasActs) -> None:
         """Show its text in the present language, and whether it can be pressed, with the reason."""
         button = self.button(owner)
-        text = self._ask(owner, "text") if "text" in self._methods else self._own_text.text()
-        keys = keys_of(self.key) if self.key in SHORTCUTS else ""
+        text = self._ask(owner, "text", self._text(self._label).text)
+        keys = keys_of(self._shortcut) if self._shortcut in SHORTCUTS else ""
         if button.text() != text:
             button.setText(text)
             if keys:
                 button.setShortcut(QKeySequence(keys))  # a new text has removed it
-        heading = owner.heading() if self._whose else ""
-        button.setAccessibleName(f"{heading}: {text}" if heading else text)
-        use = self._ask(owner, "tip") if "tip" in self._methods else self._text(self._use).text()
+        whose = self._ask(owner, "whose", owner.heading if self._whose else str)
+        button.setAccessibleName(f"{whose}: {text}" if whose else text)
+        use = self._ask(owner, "tip", self._text(self._use).text)
         enable_or_explain(button, self.reason(owner), use, key=keys)
         if "lit" in self._methods:
             show_primary(button, wanted=self._ask(owner, "lit"))
 
-    def _ask(self, owner: HasActs, what: str) -> Any:
+    def _ask(self, owner: HasActs, what: str, default: Callable[[], Any] = str) -> Any:
+        """Return what the marked method says; without one the default."""
+        if what not in self._methods:
+            return default()
         return getattr(owner, self._methods[what])(*self._member)
 
-    @property
-    def _own_text(self) -> Text:
-        return self._label if isinstance(self._label, Text) else self._text(self._label)
-
-    def _text(self, source: str) -> Text:
-        return Text(self._context, source)
+    def _text(self, source: str | Text) -> Text:
+        return source if isinstance(source, Text) else Text(self._context, source)
 
 
 class ActFamily(Generic[_Key]):
@@ -272,6 +285,10 @@ class ActFamily(Generic[_Key]):
         """Mark the method that returns the purpose from the key."""
         return self._any.tip(method)
 
+    def whose(self, method: _Method) -> _Method:
+        """Mark the method that returns from the key what one belongs to."""
+        return self._any.whose(method)
+
     def lit(self, method: _Method) -> _Method:
         """Mark the method that returns from the key if one is highlighted."""
         return self._any.lit(method)
@@ -299,6 +316,7 @@ class HasActs(_Base):
 
     acts: Sequence[Act] = ()
     commands: Sequence[Command] = ()
+    _controller: ArmController
 
     def __init_subclass__(cls, **options: object) -> None:
         super().__init_subclass__(**options)
@@ -311,11 +329,15 @@ class HasActs(_Base):
     @property
     def controller(self) -> ArmController:
         """The controller of the arm; only acts that ask or move the arm need it."""
-        raise NotImplementedError
+        return self._controller
 
     def heading(self) -> str:
         """Return the name of what the acts belong to, for a screen reader."""
         return ""
+
+    def act_parts(self) -> Iterable[HasActs]:
+        """Return the widgets in it that have acts of their own, which it offers as well."""
+        return ()
 
     def button_of(self, act: Act) -> QAbstractButton:
         """Return the button of an act of this widget; it is made at the first use."""
@@ -331,11 +353,16 @@ class HasActs(_Base):
 
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
-        return {act.key: act.button(self) for act in self.acts if act.key}
+        targets: dict[str, Target] = {act.key: act.button(self) for act in self.acts if act.key}
+        for part in self.act_parts():
+            targets.update(part.command_targets())
+        return targets
 
     def act_of(self, command: str) -> BoundAct | None:
         """Return the act of a command, or ``None`` if that leads to another widget."""
-        return next((BoundAct(act, self) for act in self.acts if act.key == command), None)
+        own = (BoundAct(act, self) for act in self.acts if act.key == command)
+        theirs = (act for part in self.act_parts() if (act := part.act_of(command)) is not None)
+        return next(chain(own, theirs), None)
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Final
 
@@ -16,30 +16,19 @@ from armui.control.arm_controller import ArmController
 from armui.control.devices.gripper import (
     GRIPPER_SILENT,
     GripperControl,
-    why_not_gripper,
-    why_not_let_go,
     why_not_move_gripper,
 )
 from armui.control.devices.gripper_ranges import GripperFigure, check, gripper_figures
 from armui.control.operating_state import BUSY, OperatingState
-from armui.control.operations.operation import operation_of
 from armui.protocol.generation import Generation
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.actions.act import Act, ActFamily
 from armui.ui.actions.command import Command, Target
-from armui.ui.actions.keys import keys_of
 from armui.ui.freshness import is_stale
 from armui.ui.panels.motor_row import PowerMark
 from armui.ui.panels.panel import Panel
-from armui.ui.widgets.buttons import (
-    caption,
-    choice_button,
-    describe,
-    enable_or_explain,
-    named,
-    push_button,
-    show_primary,
-)
+from armui.ui.widgets.buttons import caption, choice_button, describe, enable_or_explain, named
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.jog_button import JogButton
@@ -47,9 +36,8 @@ from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row, scr
 from armui.ui.widgets.state_mark import Mark
 from armui.ui.widgets.text_label import ValueLabel, text_label
 from armui.ui.widgets.track_slider import TrackSlider
-from armui.ui.words.text import Text
-
-"""As wide as those of the figures below."""
+from armui.ui.words.arm import GRIPPER_ACTS
+from armui.ui.words.text import Text, Texts
 
 
 class MeasureChoice(QWidget):
@@ -98,17 +86,12 @@ class MeasureChoice(QWidget):
 
 
 _TALLEST_CARD_PX: Final = 330
-_SEND_KEY: Final = keys_of("gripper.send")
-_ENDS: Final = {
-    "close_fully": Text("GripperPanel", "Close the gripper"),
-    "open_fully": Text("GripperPanel", "Open the gripper"),
-}
-_ACTS: Final = ("enable", "disable", "clear", "zero")
 
 _Kind = tuple[Generation, bool]
 """The generation, and whether angles are commanded in the second one."""
 _WIDEST: Final = "-000.000 rad/s"
 _LABEL_PX: Final = 58
+"""The width of the labels of all rows."""
 
 
 class GripperRow(QWidget):
@@ -239,32 +222,77 @@ class GripperRow(QWidget):
         self.plus.setAccessibleName(self.tr("{figure} plus").format(figure=name))
 
 
-_COMMANDS: Final = (
-    ("enable", Text("GripperAct", "Enable"), operation_of(GripperControl.enable)),
-    ("disable", Text("GripperAct", "Disable"), operation_of(GripperControl.disable)),
-    ("clear", Text("GripperAct", "Clear error"), operation_of(GripperControl.clear_error)),
-    ("zero", Text("GripperAct", "Set zero"), operation_of(GripperControl.set_zero)),
-)
+_POWER: Final[Mapping[str, Callable[..., object]]] = {
+    "enable": GripperControl.enable,
+    "disable": GripperControl.disable,
+    "clear": GripperControl.clear_error,
+    "zero": GripperControl.set_zero,
+}
+_ENDS: Final = Texts("GripperPanel") | {"close_fully": "Close fully", "open_fully": "Open fully"}
+_TITLES: Final = Texts("GripperPanel") | {
+    "close_fully": "Close the gripper",
+    "open_fully": "Open the gripper",
+}
+_USES: Final = Texts("GripperPanel") | {
+    "close_fully": "Closes the gripper to 0.",
+    "open_fully": "Opens the gripper to its stroke limit.",
+    "enable": "Gives the gripper power where it is.",
+    "disable": "Takes its power: it drops what it holds. Asks first.",
+    "clear": "Clears its error; it has no power until enabled again.",
+    "zero": "Makes the present opening its zero. Asks first.",
+}
 
 
 class GripperPanel(Panel):
     """Target and measured values of the gripper, its power, and its errors in words."""
 
     commands = (
-        Command("gripper.send", operation=operation_of(GripperControl.move)),
-        *(Command(f"gripper.{act}", title, does) for act, title, does in _COMMANDS),
-        *(
-            Command(f"gripper.{end}", title, operation_of(GripperControl.move))
-            for end, title in _ENDS.items()
-        ),
         Command("gripper.opening", Text("MeasureChoice", "Opening (mm)")),
         Command("gripper.angle", Text("MeasureChoice", "Angle (°)")),
+    )
+
+    send = Act(
+        "Send",
+        named="gripper_send_button",
+        does=GripperControl.move,
+        tip="Moves the gripper to the target, and gives it power.",
+        whose=True,
+        key="gripper.send",
+        primary=True,
+        least_height_px=38,
+    )
+    ends = ActFamily(
+        {
+            end: Act(
+                _ENDS.entry(end),
+                named=f"gripper_{end}_button",
+                does=GripperControl.move,
+                tip=_USES.entry(end),
+                whose=True,
+                key=f"gripper.{end}",
+                title=_TITLES.entry(end),
+            )
+            for end in _ENDS
+        }
+    )
+    power = ActFamily(
+        {
+            act: Act(
+                GRIPPER_ACTS.entry(act),
+                named=f"gripper_{act}_button",
+                does=does,
+                tip=_USES.entry(act),
+                whose=True,
+                key=f"gripper.{act}",
+                title=GRIPPER_ACTS.entry(act),
+            )
+            for act, does in _POWER.items()
+        }
     )
 
     def __init__(self, controller: ArmController) -> None:
         super().__init__(controller, "gripper_message")
         self._generation = self._operating_state.generation or Generation.TWO
-        self._reasons: tuple[Refusal | None, ...] | None = None
         self._shown_kind: _Kind | None = None
         self._mark = PowerMark()
         self._power = text_label("gripper_power")
@@ -273,11 +301,7 @@ class GripperPanel(Panel):
         self._calibrated = text_label("gripper_calibrated", wraps=True)
         self._calibrated.setVisible(False)
         self._stroke_note = text_label("gripper_stroke_note", rank="muted", wraps=True)
-        self._send = push_button("gripper_send_button", primary=True)
-        self._send.setMinimumHeight(38)
         self._sent: tuple[object, ...] | None = None
-        self._acts = {act: push_button(f"gripper_{act}_button") for act in _ACTS}
-        self._ends = {end: push_button(f"gripper_{end}_button") for end in _ENDS}
         self._measure = MeasureChoice()
         first, second = (self._make_rows(each) for each in Generation)
         self._rows_of: dict[_Kind, tuple[GripperRow, GripperRow]] = {
@@ -286,19 +310,15 @@ class GripperPanel(Panel):
             (Generation.TWO, True): (first[0], second[1]),  # an angle, and a torque
         }
         self._lay_out()
-        self._connect()
+        self._measure.chosen.connect(self._on_measure)
+        self._listen("gripper_")
         self.retranslate_ui()
 
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
         opening, angle = self._measure.buttons
-        return {
-            "gripper.send": self._send,
-            **{f"gripper.{act}": button for act, button in self._acts.items()},
-            **{f"gripper.{end}": button for end, button in self._ends.items()},
-            "gripper.opening": opening,
-            "gripper.angle": angle,
-        }
+        mine = {"gripper.opening": opening, "gripper.angle": angle}
+        return {**super().command_targets(), **mine}
 
     # -- layout -------------------------------------------------------------------------------
 
@@ -334,37 +354,26 @@ class GripperPanel(Panel):
         parts = (state, self._measure, self._rows, *notes)
         in_column(*parts, on=card, spacing=10, margins=(16, 12, 16, 12))
         acts = empty_grid(gaps=(8, 8))
-        for place, button in enumerate(self._acts.values()):
+        for place, button in enumerate(self.power.values()):
             acts.addWidget(button, 0, place)
-        ends = in_row(*((button, 1) for button in self._ends.values()), spacing=8)
-        self._stack(scrolled(card, _TALLEST_CARD_PX), ends, self._send, acts)
-
-    def _connect(self) -> None:
-        self._send.clicked.connect(self._on_send)
-        for end, button in self._ends.items():
-            button.clicked.connect(partial(self._on_end, opened=end == "open_fully"))
-        self._acts["enable"].clicked.connect(self._on_enable)
-        self._acts["disable"].clicked.connect(self._ask_to_disable)
-        self._acts["clear"].clicked.connect(
-            lambda: self._accepted(self._controller.gripper.clear_error())
-        )
-        self._acts["zero"].clicked.connect(self._ask_for_zero)
-        self._measure.chosen.connect(self._on_measure)
-        self._listen("gripper_")
+        ends = in_row(*((button, 1) for button in self.ends.values()), spacing=8)
+        self._stack(scrolled(card, _TALLEST_CARD_PX), ends, self.send, acts)
 
     # -- actions ------------------------------------------------------------------------------
 
     def _on_measure(self, by_angle: bool) -> None:
         """Nothing is sent: the next target is of the other kind."""
         self._controller.gripper.by_angle = by_angle
-        self._refusal = self._event = self._reasons = None
+        self._refusal = self._event = None
         self._describe()
         self._show_all()
 
     def _on_edited(self) -> None:
         self._refusal = self._event = None
+        self.show_acts()
         self._show_message()
 
+    @send.pressed
     def _on_send(self) -> None:
         travel, effort = self._travel.field.value, self._effort.field.value
         if travel is None or effort is None:
@@ -375,7 +384,13 @@ class GripperPanel(Panel):
 
     def _note_sent(self) -> None:
         self._sent = self._entered()
+        self.show_acts()
         self._show_message()
+
+    @send.lit
+    def _is_new(self) -> bool:
+        """Return true while what is entered was not sent yet."""
+        return self._entered() != self._sent
 
     def _entered(self) -> tuple[object, ...]:
         return self._kind, self._travel.field.text(), self._effort.field.text()
@@ -396,7 +411,13 @@ class GripperPanel(Panel):
             self._travel.show_value(target)
             self._note_sent()
 
-    def _on_end(self, _checked: bool = False, *, opened: bool) -> None:
+    @ends.why_not
+    def _why_no_end(self, end: str) -> Refusal | None:
+        return self._controller.gripper.why_no_end(opened=end == "open_fully")
+
+    @ends.pressed
+    def _on_end(self, end: str) -> None:
+        opened = end == "open_fully"
         effort = self._effort.field.value
         if effort is None:
             self._accepted(self._effort.refusal())
@@ -404,7 +425,18 @@ class GripperPanel(Panel):
             self._travel.show_value(self._travel.figure.maximum if opened else 0.0)
             self._note_sent()
 
-    def _on_enable(self) -> None:
+    @power.pressed
+    def _on_power(self, act: str) -> None:
+        if act == "enable":
+            self._enable()
+        elif act == "disable":
+            self._ask_to_disable()
+        elif act == "clear":
+            self._accepted(self._controller.gripper.clear_error())
+        else:
+            self._ask_for_zero()
+
+    def _enable(self) -> None:
         effort = self._effort.field.value
         if effort is None:
             self._accepted(self._effort.refusal())
@@ -481,7 +513,6 @@ class GripperPanel(Panel):
         generation = self._operating_state.generation or self._generation
         if generation is not self._generation:
             self._generation = generation
-            self._reasons = None
             self._describe()
         kind = self._kind
         if kind != self._shown_kind:
@@ -493,42 +524,17 @@ class GripperPanel(Panel):
         self._measure.setVisible(self._generation is not Generation.ONE)
         if self.isVisible():
             self._controller.gripper.learn_stroke()
-        self._acts["zero"].setVisible(self._generation is not Generation.ONE)
+        self.power["zero"].setVisible(self._generation is not Generation.ONE)
         self._show_state(self._controller.state)
         self._show_message()
 
     def _show_possible(self) -> None:
-        gripper, now = self._controller.gripper, self._controller.operating_state
-        reasons = (
-            why_not_move_gripper(now),
-            why_not_gripper(now),
-            why_not_let_go(now),
-            gripper.why_no_angle(),
-            gripper.why_no_end(opened=False),
-            gripper.why_no_end(opened=True),
-        )
-        if reasons == self._reasons:
-            return
-        self._reasons = reasons
-        no_move, why_not, no_letting_go, why_no_angle, *no_ends = map(words.why_not, reasons)
-        uses = (
-            self.tr("Closes the gripper to 0."),
-            self.tr("Opens the gripper to its stroke limit."),
-        )
-        for button, no_end, use in zip(self._ends.values(), no_ends, uses, strict=True):
-            enable_or_explain(button, no_end, use)
+        gripper = self._controller.gripper
+        why_no_angle = words.why_not(gripper.why_no_angle())
         self._measure.show_choice(by_angle=gripper.tells_angle, why_not=why_no_angle)
-        self._travel.allow_steps(no_move)
-        use = self.tr("Moves the gripper to the target, and gives it power.")
-        enable_or_explain(self._send, no_move, use, key=_SEND_KEY)
-        use = self.tr("Gives the gripper power where it is.")
-        enable_or_explain(self._acts["enable"], no_move, use)
-        use = self.tr("Takes its power: it drops what it holds. Asks first.")
-        enable_or_explain(self._acts["disable"], no_letting_go, use)
-        use = self.tr("Clears its error; it has no power until enabled again.")
-        enable_or_explain(self._acts["clear"], why_not, use)
-        use = self.tr("Makes the present opening its zero. Asks first.")
-        enable_or_explain(self._acts["zero"], why_not, use)
+        no_move = why_not_move_gripper(self._controller.operating_state)
+        self._travel.allow_steps(words.why_not(no_move))
+        self.show_acts()
 
     def _show_message(self) -> None:
         refusal = self._refusal or self._unless_told(self._operating_state.cannot_enable)
@@ -536,7 +542,6 @@ class GripperPanel(Panel):
             refusal = self._travel.refusal() or self._effort.refusal()
         if refusal is not None and refusal.reason == BUSY and self._refusal is None:
             refusal = None  # what is under way will say itself how it ends
-        show_primary(self._send, wanted=self._entered() != self._sent)
         self._say(refusal, self._event)
 
     def _describe(self) -> None:
@@ -556,14 +561,5 @@ class GripperPanel(Panel):
         """Set all texts in the operator's language."""
         self._title.setText(self.tr("Gripper control"))
         self._measure.retranslate_ui()
-        whose = self._title.text()
-        caption(self._send, self.tr("Send"), whose=whose, key=_SEND_KEY)
-        for button, text in zip(
-            self._ends.values(), (self.tr("Close fully"), self.tr("Open fully")), strict=True
-        ):
-            caption(button, text, whose=whose)
-        for act, button in self._acts.items():
-            caption(button, words.gripper_act(act), whose=whose)
-        self._reasons = None
         self._describe()
         self._show_all()

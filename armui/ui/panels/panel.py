@@ -94,11 +94,6 @@ class Panel(HasActs, Translated, QWidget):
 
     # -- what it finds here -------------------------------------------------------------------
 
-    @property
-    def controller(self) -> ArmController:
-        """The controller of the arm."""
-        return self._controller
-
     def heading(self) -> str:
         """Return its title, to which its acts belong."""
         return self._title.text()

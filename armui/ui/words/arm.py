@@ -103,7 +103,7 @@ _FIGURES: Final = Texts("Figure") | {
     "axis": "Axis",
 }
 
-_ACTS: Final = Texts("GripperAct") | {
+GRIPPER_ACTS: Final = Texts("GripperAct") | {
     "enable": "Enable",
     "disable": "Disable",
     "clear": "Clear error",
@@ -341,7 +341,7 @@ def calibrated_mm() -> str:
 
 def gripper_act(name: str) -> str:
     """Return the name of an action on the gripper («清除错误»)."""
-    return _ACTS.word(name)
+    return GRIPPER_ACTS.word(name)
 
 
 def gripper_fault(fault: GripperFault) -> str:
