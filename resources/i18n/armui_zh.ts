@@ -247,49 +247,6 @@
     </message>
 </context>
 <context>
-    <name>ActButtons</name>
-    <message>
-        <source>Gives the motor power: it holds its position.</source>
-        <translation>给电机上电，电机保持当前位置。</translation>
-    </message>
-    <message>
-        <source>Cuts the motor&apos;s power: the arm drops. Asks first.</source>
-        <translation>切断电机动力，机械臂会下落。执行前会询问。</translation>
-    </message>
-    <message>
-        <source>Makes the present position the joint&apos;s zero. Asks first.</source>
-        <translation>将关节当前位置设为零点。执行前会询问。</translation>
-    </message>
-    <message>
-        <source>Clears the error of the joint&apos;s driver; nothing moves.</source>
-        <translation>清除关节驱动器的错误，机械臂不会运动。</translation>
-    </message>
-    <message>
-        <source>Enable</source>
-        <translation>使能</translation>
-    </message>
-    <message>
-        <source>Disable</source>
-        <translation>失能</translation>
-    </message>
-    <message>
-        <source>Set zero</source>
-        <translation>零点设置</translation>
-    </message>
-    <message>
-        <source>Clear error</source>
-        <translation>清除错误</translation>
-    </message>
-    <message>
-        <source>all joints</source>
-        <translation>全部关节</translation>
-    </message>
-    <message>
-        <source>joint {joint}</source>
-        <translation>关节 {joint}</translation>
-    </message>
-</context>
-<context>
     <name>Action</name>
     <message>
         <source>Enable or disable all motors</source>
@@ -7236,6 +7193,14 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
         <translation>零点设置</translation>
     </message>
     <message>
+        <source>joint {joint}</source>
+        <translation>关节 {joint}</translation>
+    </message>
+    <message>
+        <source>all joints</source>
+        <translation>全部关节</translation>
+    </message>
+    <message>
         <source>Motor settings</source>
         <translation>电机设置</translation>
     </message>
@@ -7258,6 +7223,30 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     <message>
         <source>Voltage</source>
         <translation>电压</translation>
+    </message>
+    <message>
+        <source>Enable</source>
+        <translation>使能</translation>
+    </message>
+    <message>
+        <source>Clear error</source>
+        <translation>清除错误</translation>
+    </message>
+    <message>
+        <source>Gives the motor power: it holds its position.</source>
+        <translation>给电机上电，电机保持当前位置。</translation>
+    </message>
+    <message>
+        <source>Cuts the motor&apos;s power: the arm drops. Asks first.</source>
+        <translation>切断电机动力，机械臂会下落。执行前会询问。</translation>
+    </message>
+    <message>
+        <source>Makes the present position the joint&apos;s zero. Asks first.</source>
+        <translation>将关节当前位置设为零点。执行前会询问。</translation>
+    </message>
+    <message>
+        <source>Clears the error of the joint&apos;s driver; nothing moves.</source>
+        <translation>清除关节驱动器的错误，机械臂不会运动。</translation>
     </message>
 </context>
 <context>

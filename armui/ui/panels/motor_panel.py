@@ -2,48 +2,63 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import enum
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
 from typing import Final
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFrame, QLabel
+from PySide6.QtWidgets import QFrame, QLabel, QLayout
 
 from armui.arm.limits import JOINTS
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
-from armui.control.devices.joint_errors import JointErrors, why_not_clear
-from armui.control.devices.motors import Motors, why_not_disable, why_not_enable
-from armui.control.devices.zeroing import Zeroing, why_not_zero
+from armui.control.devices.joint_errors import JointErrors
+from armui.control.devices.motors import Motors, why_not_enable
+from armui.control.devices.zeroing import Zeroing
 from armui.control.operating_state import BUSY, OperatingState
-from armui.control.operations.operation import operation_of
 from armui.control.operations.started import Started
 from armui.protocol.codes import ALL_JOINTS
 from armui.ui import words
-from armui.ui.actions.command import Command, Target
+from armui.ui.actions.act import Act, ActFamily
 from armui.ui.freshness import is_stale
-from armui.ui.panels.motor_row import (
-    COLUMN_GAP_PX,
-    FIGURE_PX,
-    ActButtons,
-    MotorAct,
-    MotorRow,
-)
+from armui.ui.panels.motor_row import COLUMN_GAP_PX, FIGURE_PX, MotorRow
 from armui.ui.panels.panel import Panel
 from armui.ui.widgets.layouts import STRETCH, fill, in_column, in_row, scrolled
-from armui.ui.words.text import Text
+from armui.ui.words.text import Texts
 
 _TALLEST_CARD_PX: Final = 520
 
 
-_ACTS: Final = (
-    (MotorAct.ENABLE, Text("ActButtons", "Enable"), operation_of(Motors.enable)),
-    (MotorAct.DISABLE, Text("ActButtons", "Disable"), operation_of(Motors.disable)),
-    (MotorAct.ZERO, Text("ActButtons", "Set zero"), operation_of(Zeroing.set_zero)),
-    (MotorAct.CLEAR, Text("ActButtons", "Clear error"), operation_of(JointErrors.clear)),
-)
+class MotorAct(enum.Enum):
+    """The commands to a motor (manual section 1.0.7.7)."""
+
+    ENABLE = "enable"
+    DISABLE = "disable"
+    ZERO = "zero"
+    CLEAR = "clear"
+
+
+_DOES: Final[Mapping[MotorAct, Callable[..., object]]] = {
+    MotorAct.ENABLE: Motors.enable,
+    MotorAct.DISABLE: Motors.disable,
+    MotorAct.ZERO: Zeroing.set_zero,
+    MotorAct.CLEAR: JointErrors.clear,
+}
+_LABELS: Final = Texts("MotorPanel") | {
+    MotorAct.ENABLE: "Enable",
+    MotorAct.DISABLE: "Disable",
+    MotorAct.ZERO: "Set zero",
+    MotorAct.CLEAR: "Clear error",
+}
+_USES: Final = Texts("MotorPanel") | {
+    MotorAct.ENABLE: "Gives the motor power: it holds its position.",
+    MotorAct.DISABLE: "Cuts the motor's power: the arm drops. Asks first.",
+    MotorAct.ZERO: "Makes the present position the joint's zero. Asks first.",
+    MotorAct.CLEAR: "Clears the error of the joint's driver; nothing moves.",
+}
 
 
 class MotorPanel(Panel):
@@ -53,21 +68,28 @@ class MotorPanel(Panel):
     and must be confirmed by holding a button.
     """
 
-    commands = tuple(
-        Command(f"motor.{act.value}_{joint}", replace(title, suffix=whose), operation)
-        for joint, whose in ((ALL_JOINTS, "J1–J6"), *((joint, f"J{joint}") for joint in JOINTS))
-        for act, title, operation in _ACTS
+    motors = ActFamily(
+        {
+            (joint, act): Act(
+                _LABELS.entry(act),
+                named=f"{act.value}_motor_{joint}",
+                does=_DOES[act],
+                tip=_USES.entry(act),
+                key=f"motor.{act.value}_{joint}",
+                title=replace(_LABELS.entry(act), suffix=whose),
+                on_enter=False,
+            )
+            for joint, whose in ((ALL_JOINTS, "J1–J6"), *((joint, f"J{joint}") for joint in JOINTS))
+            for act in MotorAct
+        }
     )
 
     def __init__(self, controller: ArmController) -> None:
         super().__init__(controller, "motor_message")
         self._heads = [QLabel() for _ in range(4)]
-        self._rows = [MotorRow(joint) for joint in JOINTS]
+        self._rows = [MotorRow(joint, self._buttons_of(joint)) for joint in JOINTS]
         self._all_label = QLabel()
-        self._all = ActButtons(ALL_JOINTS)
         self._lay_out()
-        for acts in self._all_acts():
-            acts.wanted.connect(self._on_wanted)
         self._listen("enable", "disable", "zero_", "clear_error_")
         self.retranslate_ui()
 
@@ -82,29 +104,27 @@ class MotorPanel(Panel):
             heads.addWidget(head)
         fill(rows, heads, *self._rows, STRETCH)
 
-        every = in_column(self._all_label, self._all, spacing=4)
+        every = in_column(self._all_label, self._buttons_of(ALL_JOINTS), spacing=4)
         self._stack(scrolled(card, _TALLEST_CARD_PX), every, gap_px=10)
 
-    def _all_acts(self) -> list[ActButtons]:
-        return [*(row.acts for row in self._rows), self._all]
-
-    def command_targets(self) -> Mapping[str, Target]:
-        """Return the target of each command, by the command's name."""
-        numbers = (*JOINTS, ALL_JOINTS)
-        return {
-            f"motor.{act.value}_{number}": button
-            for number, acts in zip(numbers, self._all_acts(), strict=True)
-            for act, button in acts.buttons.items()
-        }
+    def _buttons_of(self, joint: int) -> QLayout:
+        row = in_row(spacing=6)
+        for act in MotorAct:
+            button = self.motors[joint, act]
+            button.setProperty("compact", True)
+            row.addWidget(button, 1)
+        return row
 
     def focus_joint(self, joint: int) -> None:
         """Focus the buttons of a joint."""
-        button = self._rows[joint - 1].acts.buttons[MotorAct.ENABLE]
+        button = self.motors[joint, MotorAct.ENABLE]
         button.setFocus(Qt.FocusReason.OtherFocusReason)
 
     # -- actions ------------------------------------------------------------------------------
 
-    def _on_wanted(self, joint: int, act: MotorAct) -> None:
+    @motors.pressed
+    def _on_pressed(self, key: tuple[int, MotorAct]) -> None:
+        joint, act = key
         controller = self._controller
         if act is MotorAct.ENABLE:
             self._accepted(controller.motors.enable(joint))
@@ -166,16 +186,14 @@ class MotorPanel(Panel):
 
     def _show_all(self) -> None:
         self._show_state(self._controller.state)
-        operating_state = self._operating_state
-        for act, blocked in (
-            (MotorAct.ENABLE, why_not_enable(operating_state)),
-            (MotorAct.DISABLE, why_not_disable(operating_state)),
-            (MotorAct.ZERO, why_not_zero(operating_state)),
-            (MotorAct.CLEAR, why_not_clear(operating_state)),
-        ):
-            for acts in self._all_acts():
-                acts.allow(act, words.why_not(blocked))
+        self.show_acts()
         self._show_message()
+
+    @motors.whose
+    def _name_of(self, key: tuple[int, MotorAct]) -> str:
+        joint, _act = key
+        one = self.tr("joint {joint}").format(joint=joint)
+        return self.tr("all joints") if joint == ALL_JOINTS else one
 
     def _show_message(self) -> None:
         blocked = self._unless_told(why_not_enable(self._operating_state))

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import enum
 from typing import Final
 
-from PySide6.QtCore import QPointF, QSize, Qt, Signal
+from PySide6.QtCore import QPointF, QSize, Qt
 from PySide6.QtGui import QPaintEvent
-from PySide6.QtWidgets import QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QLabel, QLayout, QWidget
 
 from armui.arm.state import DriverFast, DriverSlow, Reading
-from armui.protocol.codes import ALL_JOINTS
 from armui.ui import format as fmt
 from armui.ui.theme import colors_of, scaled_font
 from armui.ui.widgets import painting, state_mark
@@ -29,15 +27,6 @@ _WIDEST_VOLTAGE: Final = "00.0 V"
 FIGURE_PX: Final = 62
 """The width of a column of figures."""
 COLUMN_GAP_PX: Final = 5
-
-
-class MotorAct(enum.Enum):
-    """The commands to a motor (manual section 1.0.7.7)."""
-
-    ENABLE = "enable"
-    DISABLE = "disable"
-    ZERO = "zero"
-    CLEAR = "clear"
 
 
 class PowerMark(QWidget):
@@ -62,64 +51,15 @@ class PowerMark(QWidget):
         painter.end()
 
 
-class ActButtons(Translated, QWidget):
-    """使能, 失能, 零点设置, 清除错误 of one joint, or of all.
-
-    Signals:
-        wanted: The joint (1–6, 7 all) and the :class:`MotorAct` that was pressed.
-    """
-
-    wanted = Signal(int, object)
-
-    def __init__(self, joint: int) -> None:
-        super().__init__()
-        self.joint = joint
-        self.buttons = {act: QPushButton() for act in MotorAct}
-        row = in_row(on=self, spacing=6, margins=0)
-        for act, button in self.buttons.items():
-            button.setObjectName(f"{act.value}_motor_{joint}")
-            button.setProperty("compact", True)
-            button.setAutoDefault(False)
-            button.clicked.connect(lambda _checked=False, act=act: self.wanted.emit(joint, act))
-            row.addWidget(button, 1)
-        self.retranslate_ui()
-
-    def allow(self, act: MotorAct, why_not: str) -> None:
-        """Enable a button, or disable it with the reason."""
-        self.buttons[act].setEnabled(not why_not)
-        self.buttons[act].setToolTip(why_not or self._tips()[act])
-
-    def _tips(self) -> dict[MotorAct, str]:
-        return {
-            MotorAct.ENABLE: self.tr("Gives the motor power: it holds its position."),
-            MotorAct.DISABLE: self.tr("Cuts the motor's power: the arm drops. Asks first."),
-            MotorAct.ZERO: self.tr("Makes the present position the joint's zero. Asks first."),
-            MotorAct.CLEAR: self.tr("Clears the error of the joint's driver; nothing moves."),
-        }
-
-    def retranslate_ui(self) -> None:
-        """Set the texts in the operator's language."""
-        words = {
-            MotorAct.ENABLE: self.tr("Enable"),
-            MotorAct.DISABLE: self.tr("Disable"),
-            MotorAct.ZERO: self.tr("Set zero"),
-            MotorAct.CLEAR: self.tr("Clear error"),
-        }
-        one = self.tr("joint {joint}").format(joint=self.joint)
-        whose = self.tr("all joints") if self.joint == ALL_JOINTS else one
-        for act, button in self.buttons.items():
-            button.setText(words[act])
-            button.setAccessibleName(f"{words[act]}: {whose}")
-
-
 class MotorRow(Translated, QWidget):
     """The driver's figures above the four buttons.
 
     Args:
         joint: Its number, 1–6.
+        acts: The row of its buttons.
     """
 
-    def __init__(self, joint: int) -> None:
+    def __init__(self, joint: int, acts: QLayout) -> None:
         super().__init__()
         self.joint = joint
         self._mark = PowerMark()
@@ -138,12 +78,10 @@ class MotorRow(Translated, QWidget):
             kind = "motor_current" if key == "current" else key
             tell_quantities(label, f"arm.{kind}.{joint}")
             label.setFixedWidth(FIGURE_PX)
-        self.acts = ActButtons(joint)
-
         figures = in_row(
             self._mark, name, self.power, STRETCH, *self.figures.values(), spacing=COLUMN_GAP_PX
         )
-        in_column(figures, self.acts, on=self, spacing=4, margins=0)
+        in_column(figures, acts, on=self, spacing=4, margins=0)
         self.retranslate_ui()
 
     def show_slow(self, heard: Reading[DriverSlow] | None, *, stale: bool) -> None:
