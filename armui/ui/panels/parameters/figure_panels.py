@@ -12,12 +12,11 @@ from armui.arm.limits import JOINTS
 from armui.arm.parameters import KINDS, Batch, Group, Parameter
 from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
-from armui.control.operations.operation import operation_of
 from armui.control.operations.started import refusal_of
 from armui.control.parameters.arm_settings import ArmSettings
 from armui.protocol.generation import Generation
 from armui.ui import format as fmt
-from armui.ui.panels.parameters.parameter_panel import ParameterPanel, parameter_commands
+from armui.ui.panels.parameters.parameter_panel import ParameterPanel
 from armui.ui.panels.parameters.setting_cell import FigureCell, SettingCell
 from armui.ui.widgets.layouts import empty_grid
 from armui.ui.words.parameters import parameter_name
@@ -36,11 +35,11 @@ _JOINTS_CARD_PX: Final = 420
 class JointSettingsPanel(ParameterPanel):
     """Four limits of six joints; the Tab key goes down the columns."""
 
-    commands = parameter_commands("joint_settings", operation_of(ArmSettings.reset_joint_limits))
+    buttons = ParameterPanel.buttons_of("joint_settings", ArmSettings.reset_joint_limits)
 
     def __init__(self, controller: ArmController, open_backup: Callable[[], object]) -> None:
         cells = [FigureCell(Parameter(name, joint)) for name in _COLUMNS for joint in JOINTS]
-        super().__init__(controller, "joint_settings", cells, open_backup, can_reset=True)
+        super().__init__(controller, "joint_settings", cells, open_backup)
         self._heads = {name: QLabel() for name in _COLUMNS}
         card = QFrame()
         grid = empty_grid(card, gaps=(6, 4), margins=(12, 10, 12, 10))
@@ -124,16 +123,14 @@ class ListedParameters(ParameterPanel):
     Attributes:
         name: The first part of the buttons' names.
         group: The parameters listed.
-        can_reset: True if there is a 【初始化】.
     """
 
     name: ClassVar[str]
     group: ClassVar[Group]
-    can_reset: ClassVar[bool]
 
     def __init__(self, controller: ArmController, open_backup: Callable[[], object]) -> None:
         cells = [FigureCell(each, each.kind.unit) for each in Batch(self.group).parameters()]
-        super().__init__(controller, self.name, cells, open_backup, can_reset=self.can_reset)
+        super().__init__(controller, self.name, cells, open_backup)
         self._labels = {cell.parameter.name: QLabel() for cell in cells}
         card = QFrame()
         grid = empty_grid(card, gaps=(12, 6), margins=(16, 14, 16, 10))
@@ -160,9 +157,8 @@ class EndLimitsPanel(ListedParameters):
     """Four limits of the end, and 【初始化】."""
 
     name = "end_limits"
-    commands = parameter_commands(name, operation_of(ArmSettings.reset_end_limits))
+    buttons = ParameterPanel.buttons_of(name, ArmSettings.reset_end_limits)
     group = Group.END_LIMITS
-    can_reset = True
 
     def title(self) -> str:
         """Return 配速设置 in the operator's language."""
@@ -187,9 +183,8 @@ class GripperSettingsPanel(ListedParameters):
     """Three values; the arm has no factory reset for them."""
 
     name = "gripper_settings"
-    commands = parameter_commands(name)
+    buttons = ParameterPanel.buttons_of(name)
     group = Group.TEACHING
-    can_reset = False
 
     def title(self) -> str:
         """Return 夹爪设置 in the operator's language."""

@@ -12,7 +12,7 @@ from armui.arm.parameters import Batch, Group, Parameter, heard
 from armui.control.arm_controller import ArmController
 from armui.ui import format as fmt
 from armui.ui.dialogs.base import ArmDialog
-from armui.ui.panels.parameters.parameter_panel import ParameterPanel, parameter_commands
+from armui.ui.panels.parameters.parameter_panel import ParameterPanel
 from armui.ui.panels.parameters.setting_cell import SettingCell, cell_name
 from armui.ui.widgets.buttons import choice_button, named
 from armui.ui.widgets.layouts import empty_grid, in_column, in_row
@@ -151,7 +151,7 @@ class LevelsPanel(ParameterPanel):
         tallest_px: int,
     ) -> None:
         self._levels = [LevelCell(each) for each in Batch(group).parameters()]
-        super().__init__(controller, group.value, self._levels, open_backup, can_reset=False)
+        super().__init__(controller, group.value, self._levels, open_backup)
         self._all_label = QLabel()
         self._all = LevelRow(self._levels[0].levels, f"{group.value}_all")
         self._all.chosen.connect(self._on_all_chosen)
@@ -195,7 +195,7 @@ class LevelsPanel(ParameterPanel):
 class CollisionPanel(LevelsPanel):
     """The collision levels; warns of joints without detection."""
 
-    commands = parameter_commands("collision")
+    buttons = ParameterPanel.buttons_of("collision")
 
     def __init__(self, controller: ArmController, open_backup: Callable[[], object]) -> None:
         super().__init__(controller, Group.COLLISION, open_backup, tallest_px=_COLLISION_CARD_PX)
@@ -244,6 +244,8 @@ class CollisionPanel(LevelsPanel):
 
 class DragAssistancePanel(LevelsPanel):
     """The levels of assistance, from none to the most."""
+
+    buttons = ParameterPanel.buttons_of("drag_assistance")
 
     def __init__(self, controller: ArmController, open_backup: Callable[[], object]) -> None:
         group = Group.DRAG_ASSISTANCE

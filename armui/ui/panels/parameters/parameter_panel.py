@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Final
+from typing import ClassVar, Final
 
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QHideEvent, QKeyEvent, QShowEvent
-from PySide6.QtWidgets import QFrame, QToolButton, QWidget
+from PySide6.QtWidgets import QFrame
 
 from armui.arm.device import Device
 from armui.arm.models import model_data
@@ -19,7 +19,6 @@ from armui.arm.state import Reading
 from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.control.operating_state import BUSY, OperatingState
-from armui.control.operations.operation import Operation, operation_of
 from armui.control.operations.started import SETTING_NOT_READ_BACK, SETTING_UNANSWERED
 from armui.control.parameters.arm_settings import ArmSettings
 from armui.control.parameters.setting_cell import CellState
@@ -28,12 +27,12 @@ from armui.control.parameters.setting_draft import CellStatus, SettingDraft, sho
 from armui.control.parameters.setting_saving import SettingSaving
 from armui.ui import format as fmt
 from armui.ui import words
-from armui.ui.actions.command import Command, Target, of_place, while_editing
-from armui.ui.actions.keys import keys_of
+from armui.ui.actions.act import Act, ActFamily
+from armui.ui.actions.command import no_reason, while_editing
+from armui.ui.actions.keys import key_text
 from armui.ui.dialogs.confirm_dialog import confirm
 from armui.ui.panels.panel import Panel, level_of
 from armui.ui.panels.parameters.setting_cell import SettingCell
-from armui.ui.widgets.buttons import caption, enable_or_explain, named, push_button
 from armui.ui.widgets.layouts import in_row, scrolled
 from armui.ui.words.parameters import (
     beyond_danger,
@@ -45,11 +44,15 @@ from armui.ui.words.parameters import (
     status_word,
     value_text,
 )
-from armui.ui.words.text import Text, listed
+from armui.ui.words.text import Text, Texts, listed
 
-SAVE_KEY: Final = keys_of("parameters.save")
-"""The shortcut of 【保存】, for its tooltip."""
-CANCEL_KEY: Final = keys_of("parameters.cancel")
+_LABELS: Final = Texts("ParameterButtons") | {
+    "read": "Read",
+    "reset": "Initialise",
+    "edit": "Edit",
+    "cancel": "Cancel",
+    "save": "Save",
+}
 _HEIGHT_PX: Final = 38
 _GAP_PX: Final = 10
 _LEVELS: Final = {
@@ -67,70 +70,6 @@ class _Said:
     level: Level = Level.INFO
 
 
-class ParameterButtons(QWidget):
-    """The buttons; 【编辑】 and 【取消】 share a place, because only one makes sense at a time.
-
-    Args:
-        name: The first part of the buttons' names: ``<name>_save_button``.
-        can_reset: True if there is a 【初始化】.
-    """
-
-    def __init__(self, name: str, *, can_reset: bool) -> None:
-        super().__init__()
-        self.read = push_button(f"{name}_read_button")
-        self.reset = push_button(f"{name}_reset_button")
-        self.edit = push_button(f"{name}_edit_button")
-        self.cancel = push_button(f"{name}_cancel_button")
-        self.save = push_button(f"{name}_save_button", primary=True)
-        self.by_act = {
-            "read": self.read,
-            "reset": self.reset,
-            "edit": self.edit,
-            "cancel": self.cancel,
-            "save": self.save,
-        }
-        layout = in_row(on=self, spacing=_GAP_PX, margins=0)
-        for button in self.by_act.values():
-            button.setMinimumHeight(_HEIGHT_PX)
-            layout.addWidget(button, 1)
-        self.reset.setVisible(can_reset)
-        self.show_editing(editing=False)
-
-    def show_editing(self, *, editing: bool) -> None:
-        """Show the button that ends editing, or the one that begins it."""
-        # the one that goes first: the row must never be wider than the panel
-        leaving, coming = (self.edit, self.cancel) if editing else (self.cancel, self.edit)
-        leaving.hide()
-        coming.show()
-
-    def retranslate_ui(self) -> None:
-        """Set all texts in the operator's language."""
-        caption(self.read, self.tr("Read"))
-        caption(self.reset, self.tr("Initialise"))
-        caption(self.edit, self.tr("Edit"))
-        caption(self.cancel, self.tr("Cancel"))
-        caption(self.save, self.tr("Save"), key=SAVE_KEY)
-
-
-def parameter_commands(place: str, reset: Operation | None = None) -> tuple[Command, ...]:
-    """Return the commands of a panel of parameters.
-
-    Args:
-        place: The key of the panel.
-        reset: The operation that restores the factory values; ``None`` without 【初始化】.
-    """
-    read, save = operation_of(ArmSettings.read), operation_of(ArmSettings.save)
-    initialise = Text("ParameterButtons", "Initialise")
-    commands = (
-        Command("read", Text("ParameterButtons", "Read"), read),
-        *(() if reset is None else (Command("reset", initialise, reset),)),
-        Command("edit", Text("ParameterButtons", "Edit"), read),
-        Command("cancel", Text("ParameterButtons", "Cancel"), needs=while_editing),
-        Command("save", Text("ParameterButtons", "Save"), save, needs=while_editing),
-    )
-    return of_place(place, commands)
-
-
 class ParameterPanel(Panel):
     """Shows the arm's parameters, and lets the operator enter others and save them.
 
@@ -142,8 +81,47 @@ class ParameterPanel(Panel):
         name: The first part of the buttons' names: ``<name>_save_button``.
         cells: A cell for each parameter, in the order of the Tab key.
         open_backup: Opens 参数备份.
-        can_reset: True if there is a 【初始化】.
+
+    Attributes:
+        buttons: By their acts; 【编辑】 and 【取消】 share a place, as only one makes sense.
     """
+
+    buttons: ClassVar[ActFamily[str]]
+
+    @classmethod
+    def buttons_of(cls, place: str, reset: Callable[..., object] | None = None) -> ActFamily[str]:
+        """Return the buttons of a panel of parameters.
+
+        Args:
+            place: The key of the panel, and the first part of the buttons' names.
+            reset: The operation that restores the factory values; ``None`` without 【初始化】.
+        """
+        read, save = ArmSettings.read, ArmSettings.save
+        does: dict[str, Callable[..., object]] = {"read": read, "edit": read, "save": save}
+        if reset is not None:
+            does["reset"] = reset
+        acts = {
+            act: Act(
+                _LABELS.entry(act),
+                named=f"{place}_{act}_button",
+                does=does.get(act),
+                key=f"{place}.{act}",
+                shortcut="parameters.save" if act == "save" else "",
+                title=_LABELS.entry(act),
+                needs=while_editing if act in ("cancel", "save") else no_reason,
+                primary=act == "save",
+                least_height_px=_HEIGHT_PX,
+            )
+            for act in _LABELS
+            if act != "reset" or reset is not None
+        }
+        backup = Text("ParameterPanel", "Backup…")
+        acts["backup"] = Act(backup, named=f"{place}_backup_button", flat=True)
+        buttons = ActFamily(acts)
+        buttons.pressed(cls._on_pressed)
+        buttons.why_not(cls._why_not_press)
+        buttons.tip(cls._use_of)
+        return buttons
 
     def __init__(
         self,
@@ -151,8 +129,6 @@ class ParameterPanel(Panel):
         name: str,
         cells: Sequence[SettingCell],
         open_backup: Callable[[], object],
-        *,
-        can_reset: bool,
     ) -> None:
         super().__init__(controller, f"{name}_message")
         self._settings = controller.settings
@@ -163,9 +139,7 @@ class ParameterPanel(Panel):
         self._batches = batches_of(self._cells)
         self._ready = False
         self._device: Device | None = None
-        self._backup = named(f"{name}_backup_button", QToolButton())
-        self._backup.clicked.connect(open_backup)
-        self._buttons = ParameterButtons(name, can_reset=can_reset)
+        self._open_backup = open_backup
 
     def finish(self, card: QFrame, *, tallest_px: int) -> None:
         """Lay the panel out around its card; the last step of the constructor.
@@ -174,8 +148,9 @@ class ParameterPanel(Panel):
             card: Holds the cells.
             tallest_px: The largest height of the card.
         """
-        head = in_row((self._title, 1), self._backup)
-        self._stack(scrolled(card, tallest_px), self._buttons, head=head)
+        head = in_row((self._title, 1), self.buttons["backup"])
+        row = ((button, 1) for act, button in self.buttons.items() if act != "backup")
+        self._stack(scrolled(card, tallest_px), in_row(*row, spacing=_GAP_PX), head=head)
         for before, after in pairwise(cell.focus_widget for cell in self._cells.values()):
             self.setTabOrder(before, after)
         self._connect()
@@ -185,21 +160,9 @@ class ParameterPanel(Panel):
     def _connect(self) -> None:
         for cell in self._cells.values():
             cell.edited.connect(lambda cell=cell: self._on_edited(cell))
-        self._buttons.read.clicked.connect(self._on_read)
-        self._buttons.reset.clicked.connect(self._on_reset)
-        self._buttons.edit.clicked.connect(self._on_edit)
-        self._buttons.cancel.clicked.connect(self._on_cancel)
-        self._buttons.save.clicked.connect(self._on_save)
         self._settings.changed.connect(self._on_settings_changed)
         self._controller.operating_state_changed.connect(self._on_operating_state_changed)
         self._controller.step_changed.connect(self._on_step_changed)
-
-    def command_targets(self) -> Mapping[str, Target]:
-        """Return the target of each command, by the command's name."""
-        return {
-            command.name: self._buttons.by_act[command.name.partition(".")[2]]
-            for command in self.commands
-        }
 
     # -- what a panel of its own adds ---------------------------------------------------------
 
@@ -277,6 +240,17 @@ class ParameterPanel(Panel):
 
     # -- actions ------------------------------------------------------------------------------
 
+    def _on_pressed(self, act: str) -> None:
+        does: dict[str, Callable[[], object]] = {
+            "read": self._on_read,
+            "reset": self._on_reset,
+            "edit": self._on_edit,
+            "cancel": self._on_cancel,
+            "save": self._save,
+            "backup": self._open_backup,
+        }
+        does[act]()
+
     def _on_read(self) -> None:
         self._saving.forget_outcome()
         self._settings.settle(self._cells)
@@ -293,16 +267,13 @@ class ParameterPanel(Panel):
 
     def _on_cancel(self) -> None:
         self.discard_changes()
-        self._buttons.edit.setFocus()
+        self.buttons["edit"].setFocus()
 
     def _on_edited(self, cell: SettingCell) -> None:
         self._refusal = None
         self._draft.enter(self._controller.state, cell.parameter, cell.text, cell.value)
         self._settings.settle([cell.parameter])
         self._show_all()
-
-    def _on_save(self) -> None:
-        self._save()
 
     def _save(self, then: Callable[[], object] | None = None) -> None:
         """Save, after a question where it makes something dangerous; then go on."""
@@ -313,7 +284,7 @@ class ParameterPanel(Panel):
                 self._controller,
                 title=self.title(),
                 text=danger,
-                action_label=self._buttons.save.text(),
+                action_label=self.buttons["save"].text(),
                 on_confirmed=lambda: self._save_now(then),
                 hold=True,
                 still=lambda: self._draft.changes() == changes,
@@ -352,7 +323,7 @@ class ParameterPanel(Panel):
             self._controller,
             title=title,
             text=text,
-            action_label=self._buttons.reset.text(),
+            action_label=self.buttons["reset"].text(),
             on_confirmed=self._reset_now,
         )
 
@@ -364,7 +335,7 @@ class ParameterPanel(Panel):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Discard the entries at Escape."""
         if event.key() == Qt.Key.Key_Escape and self._draft.editing:
-            self._buttons.cancel.click()
+            self.buttons["cancel"].click()
         else:
             super().keyPressEvent(event)
 
@@ -446,32 +417,40 @@ class ParameterPanel(Panel):
         return ""
 
     def _show_possible(self) -> None:
-        """Enable what can be used now; say in the tooltips of the rest why not."""
-        editing, buttons = self._draft.editing, self._buttons
-        buttons.show_editing(editing=editing)
+        """Show the button that ends editing, or the one that begins it; and what can be used."""
+        # the one that goes first: the row must never be wider than the panel
+        going, coming = ("edit", "cancel") if self._draft.editing else ("cancel", "edit")
+        self.buttons[going].hide()
+        self.buttons[coming].show()
+        self.show_acts()
+
+    def _why_not_press(self, act: str) -> str:
+        if act == "backup":
+            return ""
+        if act == "cancel":
+            answer = self.tr("The arm is being asked; wait for its answer.")
+            return answer if self._saving.running else ""
         no_way = self._no_way()
-        unwanted = "" if self._draft.changed else self.tr("Nothing has been changed.")
-        first = self.tr("Save or cancel your changes first.") if editing else ""
-        answer = self.tr("The arm is being asked; wait for its answer.")
-        reset_title, _text = self.reset_question()
-        enable_or_explain(buttons.read, no_way, self.tr("Reads the values from the arm."))
-        not_now = words.why_not(self._controller.operating_state.occupied)
-        enable_or_explain(
-            buttons.reset, no_way or not_now or self.why_no_reset() or first, reset_title
-        )
-        change = self.tr("Lets you change the values; nothing is sent.")
-        enable_or_explain(buttons.edit, no_way, change)
+        if act == "save":
+            unwanted = "" if self._draft.changed else self.tr("Nothing has been changed.")
+            return no_way or unwanted or self.why_no_saving()
+        if act == "reset":
+            not_now = words.why_not(self._controller.operating_state.occupied)
+            first = self.tr("Save or cancel your changes first.") if self._draft.editing else ""
+            return no_way or not_now or self.why_no_reset() or first
+        return no_way
+
+    def _use_of(self, act: str) -> str:
         give_up = self.tr("Shows what the arm holds again.")
-        enable_or_explain(
-            buttons.cancel,
-            answer if self._saving.running else "",
-            give_up,
-            key=CANCEL_KEY,
-        )
-        send = self.tr("Sends what was changed, reads it back and compares.")
-        enable_or_explain(
-            buttons.save, no_way or unwanted or self.why_no_saving(), send, key=SAVE_KEY
-        )
+        uses = {
+            "read": self.tr("Reads the values from the arm."),
+            "reset": self.reset_question()[0],
+            "edit": self.tr("Lets you change the values; nothing is sent."),
+            "cancel": f"{give_up} ({key_text('parameters.cancel')})",
+            "save": self.tr("Sends what was changed, reads it back and compares."),
+            "backup": self.tr("All parameters of the arm: save them to a file, compare, restore."),
+        }
+        return uses[act]
 
     def _show_message(self) -> None:
         occupied = self._controller.operating_state.occupied if self._draft.editing else None
@@ -522,9 +501,6 @@ class ParameterPanel(Panel):
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
         self._title.setText(self.title())
-        tip = self.tr("All parameters of the arm: save them to a file, compare, restore.")
-        caption(self._backup, self.tr("Backup…"), tip=tip)
-        self._buttons.retranslate_ui()
         self._show_all()
 
     def showEvent(self, event: QShowEvent) -> None:
