@@ -26,7 +26,7 @@ from armui.protocol.frame import Frame
 from armui.telemetry.events import EventKind, Level
 
 if TYPE_CHECKING:
-    from armui.control.context import Context
+    from armui.control.motion.motion_context import MotionContext
 
 NOT_STOPPED = Reason(
     "not_stopped", "The arm is not in emergency stop: there is nothing to resume from."
@@ -84,7 +84,7 @@ class Motors(RequestingPart[Busy]):
         end_run: Called with the reason when motors are about to be disabled under a run.
     """
 
-    def __init__(self, context: Context, end_run: Callable[[Refusal], None]) -> None:
+    def __init__(self, context: MotionContext, end_run: Callable[[Refusal], None]) -> None:
         super().__init__(context)
         self._end_run = end_run
 

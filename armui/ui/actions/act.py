@@ -44,8 +44,8 @@ class Act:
         def _on_confirm(self) -> None: ...
 
     It can be pressed while its operation has no reason against it, and `needs` misses nothing; a
-    method marked by :meth:`why_not` takes the place of both. One without :meth:`pressed` is given a menu by its
-    owner.
+    method marked by :meth:`why_not` takes the place of both. One without :meth:`pressed` is given a
+    menu by its owner.
 
     Args:
         text: The English text on it; a ``Text`` if that belongs to another context.
