@@ -91,7 +91,7 @@ class Whole:
 
 
 @dataclass(frozen=True, slots=True)
-class OneOf:
+class AnyOf:
     """Accepts the values of a choice.
 
     Attributes:

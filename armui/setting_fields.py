@@ -19,12 +19,12 @@ from armui.setting_checks import (
     JOG_STEP_OUT_OF_RANGE,
     LONGEST_NAME,
     SETTING_BAD,
+    AnyOf,
     GamepadButtons,
     GamepadMode,
     Language,
     MountingName,
     OfEach,
-    OneOf,
     OrNone,
     PictureDirection,
     Possible,
@@ -105,7 +105,7 @@ class Settings:
 
     mountings: Annotated[
         Mapping[str, MountingName],
-        Setting("Mounting of each arm", OfEach(OneOf(get_args(MountingName)))),
+        Setting("Mounting of each arm", OfEach(AnyOf(get_args(MountingName)))),
     ] = field(default_factory=dict)
     """The mounting last set for each arm, by the adapter's serial number with the arm's node
     number.
@@ -184,7 +184,7 @@ class Settings:
     """The operator's own assignments of its buttons, by device."""
 
     models: Annotated[
-        Mapping[str, str], Setting("Models of the arms", OfEach(OneOf(tuple(PiperModel))))
+        Mapping[str, str], Setting("Models of the arms", OfEach(AnyOf(tuple(PiperModel))))
     ] = field(default_factory=dict)
     """The chosen model by the adapter's serial number, with the node number if known; the last
     choice last.
@@ -213,7 +213,7 @@ def _declared(kind: Any) -> Setting:
     if base is bool:
         possible = is_bool
     elif get_origin(base) is Literal:
-        possible = OneOf(get_args(base))
+        possible = AnyOf(get_args(base))
     elif NoneType in get_args(base):
         possible = OrNone(possible)
     return replace(said, possible=possible)

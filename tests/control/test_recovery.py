@@ -24,6 +24,11 @@ UNSEEN = {"corrupt-limits", "garbage", "lost-frames", "latency"}
 """They break the bus or a setting, and leave the arm as ready as it was."""
 
 
+def test_every_action_is_carried_out_here_or_opens_a_window(rig):
+    windows = {Action.CONNECT, Action.CHECK_REFERENCE}
+    assert rig.controller.recovery._acts.keys() == set(Action) - windows
+
+
 def step_of(rig: ArmRig):
     return rig.controller.recovery.step
 

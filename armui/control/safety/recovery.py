@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Reason, Refusal
@@ -14,12 +15,12 @@ from armui.control.devices.joint_errors import JointErrors
 from armui.control.devices.motors import Motors
 from armui.control.devices.teaching import TeachingControl
 from armui.control.events import Notice
-from armui.control.motion.joint_motion import Motion
 from armui.control.motion.motion_context import MotionContext
 from armui.control.motion.planned_motion import PlannedMotion
-from armui.control.operating_state import BUSY
-from armui.control.operations.operation import Operation, operation_of
+from armui.control.operating_state import BUSY, OperatingState
+from armui.control.operations.operation import operation_of
 from armui.control.operations.started import ARM_CHANGED, Ending, Started, refusal_of
+from armui.control.requests.pending import PendingRequest
 from armui.control.requests.reports import ONLINE
 from armui.control.requests.request import Request, RequestOutcome
 from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN
@@ -43,7 +44,6 @@ from armui.telemetry.events import EventKind, EventOutcome, Level
 if TYPE_CHECKING:
     from armui.control.link.arm_mark import ArmMark
     from armui.control.safety.mode_exit import ModeExitCommand
-    from armui.protocol.codec import Message
 
 STEP_GONE = Reason(
     "step_gone",
@@ -72,41 +72,38 @@ _MAY_BE_BRIEF: Final = frozenset(
 a step is shown only if it lasts for ``_SETTLE_S``, because a flickering line leads to wrong clicks.
 """
 
-_TEACH: Final = operation_of(TeachingControl.command)
-_PLAN: Final = operation_of(PlannedMotion.command)
-_OPERATIONS: Final[Mapping[Action | None, tuple[Operation, Mapping[str, object]]]] = {
-    Action.RESUME: (operation_of(Motors.resume), {}),
-    Action.ENABLE: (operation_of(Motors.enable), {}),
-    Action.CLEAR_ERRORS: (operation_of(JointErrors.clear), {}),
-    Action.STOP_RECORDING: (_TEACH, {"command": TeachingState.STOP_RECORDING}),
-    Action.ABORT_REPLAY: (_TEACH, {"command": TeachingState.ABORT}),
-    Action.LEAD_BY_HAND: (_TEACH, {"command": TeachingState.START_RECORDING}),
-    Action.GO_ON: (_PLAN, {"command": TrajectoryCommand.CONTINUE}),
-    Action.GIVE_UP: (_PLAN, {"command": TrajectoryCommand.ABORT}),
-    Action.COME_INSIDE: (operation_of(Motion.come_inside), {}),
-    Action.CONFIRM_CELL: (operation_of(CellControl.confirm), {}),
-    Action.LEAVE_CELL: (operation_of(CellControl.choose), {}),
-}
-"""The operations of actions: an operation's own reason also stands against its action."""
 
-_AT_ONCE: Final = frozenset(
-    {
-        Action.RESET,
-        Action.WITHDRAW_STOP,
-        Action.STOP,
-        Action.GO_ON,
-        Action.GIVE_UP,
-        Action.TAKE_OVER,
-        Action.LEAVE_MODE,
-        Action.ALLOW,
-        Action.COME_INSIDE,
-        Action.CONFIRM_CELL,
-        Action.LEAVE_CELL,
-    }
-)
-"""The actions without anything to wait for: they lead to another step."""
+@dataclass(frozen=True, slots=True)
+class _Act:
+    """What an action does.
 
-_Handler = Callable[[Step], Started | Refusal | None]
+    Attributes:
+        carry_out: Does it against a step; returns why not, if it comes to nothing at once.
+        why_not: Returns the reason against it, besides the step's own.
+        awaited: True if the arm is to show its effect; otherwise it leads to another step at once.
+    """
+
+    carry_out: Callable[[Step], Started | Refusal | None]
+    why_not: Callable[[OperatingState], Refusal | None] = lambda _now: None
+    awaited: bool = True
+
+
+def _operation(
+    method: Callable[..., Started | Refusal], *given: object, awaited: bool = True, **asked: object
+) -> _Act:
+    """Return the act of an operation: the reason against the operation stands against it too.
+
+    Args:
+        method: The operation.
+        *given: Arguments of it on which its reason does not depend.
+        awaited: As in :class:`_Act`.
+        **asked: Those on which it does.
+    """
+    return _Act(
+        lambda _step: method(*given, **asked),
+        partial(operation_of(method).why_not, **asked),
+        awaited,
+    )
 
 
 @dataclass(slots=True)
@@ -165,41 +162,47 @@ class Recovery(ControllerPart):
         self._motors = motors
         self._joint_errors = joint_errors
         self._teaching = teaching
-        self._stop = stop
-        self._withdraw_stop = withdraw_stop
+        self._mode_exit = mode_exit
         self._announce = announce
         self._attempt: _PendingAction | None = None
         self._in_vain: dict[StepKind, int] = {}
         self._to_clear: list[int] = []
-        self._request: Request | None = None
-        self._started: Started | None = None
+        self._pending: PendingRequest[Notice] = PendingRequest(context)
         self._shown: Notice | None = None
-        context.connection.answered.connect(self._on_answer)
         self._brief_since_s: float | None = None
         self.acts = False
         self.step = NO_DEVICE
-        self._handlers: Mapping[Action, _Handler] = {
-            Action.LEAVE_TEACHING_INPUT: self._leave_teaching_input,
-            Action.RESUME: lambda _step: self._motors.resume(),
-            Action.ENABLE: lambda _step: self._motors.enable(),
-            Action.CLEAR_ERRORS: self._clear_errors,
-            Action.RESET: self._reset,
-            Action.STOP_RECORDING: self._teach(TeachingState.STOP_RECORDING),
-            Action.ABORT_REPLAY: self._teach(TeachingState.ABORT),
-            Action.LEAD_BY_HAND: self._teach(TeachingState.START_RECORDING),
-            Action.STANDBY: self._take_command,
-            Action.WITHDRAW_STOP: self._give_up_stop,
-            Action.STOP: self._reset,
-            Action.GO_ON: lambda _step: planned_motion.command(TrajectoryCommand.CONTINUE),
-            Action.GIVE_UP: lambda _step: planned_motion.command(TrajectoryCommand.ABORT),
-            Action.TAKE_OVER: lambda _step: take_over(),
-            Action.LEAVE_MODE: lambda _step: mode_exit.send(),
-            Action.ALLOW: lambda _step: allow(),
-            Action.COME_INSIDE: lambda _step: come_inside(),
-            Action.CONFIRM_CELL: lambda _step: cell.confirm(),
-            Action.LEAVE_CELL: lambda _step: cell.choose(""),
+        self._acts: Mapping[Action, _Act] = {
+            Action.LEAVE_TEACHING_INPUT: _Act(self._leave_teaching_input),
+            Action.RESUME: _operation(motors.resume),
+            Action.ENABLE: _operation(motors.enable),
+            Action.CLEAR_ERRORS: _Act(self._clear_errors, operation_of(joint_errors.clear).why_not),
+            Action.RESET: _Act(lambda _step: stop(), awaited=False),
+            Action.STOP_RECORDING: _operation(
+                teaching.command, command=TeachingState.STOP_RECORDING
+            ),
+            Action.ABORT_REPLAY: _operation(teaching.command, command=TeachingState.ABORT),
+            Action.LEAD_BY_HAND: _operation(
+                teaching.command, command=TeachingState.START_RECORDING
+            ),
+            Action.STANDBY: _Act(self._take_command, _why_not_standby),
+            Action.WITHDRAW_STOP: _Act(lambda _step: withdraw_stop(), awaited=False),
+            Action.STOP: _Act(lambda _step: stop(), awaited=False),
+            Action.GO_ON: _operation(
+                planned_motion.command, command=TrajectoryCommand.CONTINUE, awaited=False
+            ),
+            Action.GIVE_UP: _operation(
+                planned_motion.command, command=TrajectoryCommand.ABORT, awaited=False
+            ),
+            Action.TAKE_OVER: _Act(lambda _step: take_over(), _why_not_take_over, awaited=False),
+            Action.LEAVE_MODE: _Act(
+                lambda _step: mode_exit.send(), lambda _now: mode_exit.why_not(), awaited=False
+            ),
+            Action.ALLOW: _Act(lambda _step: allow(), awaited=False),
+            Action.COME_INSIDE: _operation(come_inside, awaited=False),
+            Action.CONFIRM_CELL: _operation(cell.confirm, awaited=False),
+            Action.LEAVE_CELL: _operation(cell.choose, "", awaited=False),
         }
-        self._mode_exit = mode_exit
 
     def act(
         self, step: Step, action: Action | None = None, mark: ArmMark | None = None
@@ -229,8 +232,8 @@ class Recovery(ControllerPart):
             return self._context.refuse(refusal)
         self._give_up()
         with self._acting():
-            refusal = refusal_of(self._handlers[wanted](now))
-        if refusal is None and wanted not in _AT_ONCE:
+            refusal = refusal_of(self._acts[wanted].carry_out(now))
+        if refusal is None and self._acts[wanted].awaited:
             self._attempt = _PendingAction(now)
         self._context.refresh()
         self.follow_arm()
@@ -243,33 +246,16 @@ class Recovery(ControllerPart):
             step: The step shown.
             action: Its alternative, if that is meant.
         """
-        action, now = action or step.action, self._context.operating_state()
-        if action is Action.TAKE_OVER:
-            return self._why_not_take_over()
-        if action is Action.LEAVE_MODE:
-            return self._mode_exit.why_not()
-        if action in _OPERATIONS:
-            operation, arguments = _OPERATIONS[action]
-            return operation.why_not(now, **arguments)
-        if not now.control_certain and action is Action.STANDBY:
-            return CONTROL_OFFSET_UNKNOWN()
-        return None
-
-    def _why_not_take_over(self) -> Refusal | None:
-        other = self._context.operating_state().other_host
-        if other is None or other.may_be_taken_over:
-            return None
-        return OTHER_HOST_STREAMS(frames=other.frames)
+        action = action or step.action
+        act = None if action is None else self._acts.get(action)
+        return None if act is None else act.why_not(self._context.operating_state())
 
     def follow_arm(self) -> None:
         """Determine the step anew; called regularly while a device is open."""
         now_s = self._context.clock()
-        if self._request is not None:
-            outcome = self._request.advance()
-            if outcome is not RequestOutcome.WAITING:
-                self._request = None
-            if outcome is RequestOutcome.DONE and self._started is not None:
-                self._started.close(Ending.DONE, self._outcome(self._shown))
+        outcome, started = self._pending.advance(), self._pending.started
+        if outcome is RequestOutcome.DONE and started is not None:
+            started.close(Ending.DONE, self._outcome(self._shown))
         if self._to_clear and not self._joint_errors.busy:
             with self._acting():
                 self._joint_errors.clear(self._to_clear.pop(0))
@@ -295,10 +281,8 @@ class Recovery(ControllerPart):
 
     def _give_up(self) -> None:
         self._attempt = None
-        self._request = None
+        self._pending.drop()
         self._to_clear.clear()
-        if self._started is not None:
-            self._started.close(Ending.CUT_OFF)
 
     # How an action fares --------------------------------------------------------------------------
 
@@ -317,7 +301,7 @@ class Recovery(ControllerPart):
         elif attempt.idle_since_s is None:
             attempt.idle_since_s = now_s
         elif now_s - attempt.idle_since_s >= _SHOWS_LATER_S:
-            started, self._started = self._started, None
+            started = self._pending.release()
             self._give_up()
             self._in_vain[step.kind] = self._in_vain.get(step.kind, 0) + 1
             self._context.close(started, Ending.FAILED, STEP_IN_VAIN_NOTICE)
@@ -328,7 +312,7 @@ class Recovery(ControllerPart):
     def _under_way(self) -> bool:
         """True if something of the action may still have an effect."""
         return (
-            self._request is not None
+            self._pending.kind is not None
             or bool(self._to_clear)
             or self._joint_errors.busy
             or self._teaching.pending is not None
@@ -359,17 +343,6 @@ class Recovery(ControllerPart):
         finally:
             self.acts = False
 
-    def _teach(self, command: TeachingState) -> _Handler:
-        return lambda _step: self._teaching.command(command)
-
-    def _reset(self, _step: Step) -> Refusal | None:
-        self._stop()
-        return None
-
-    def _give_up_stop(self, _step: Step) -> Refusal | None:
-        self._withdraw_stop()
-        return None
-
     def _clear_errors(self, step: Step) -> Refusal | None:
         self._to_clear = list(step.joints) or [ALL_JOINTS]
         return None
@@ -385,23 +358,27 @@ class Recovery(ControllerPart):
             move_mode=MoveMode.MOVE_J,
             speed_percent=0,
         )
-        return self._send(Started("recovery.standby"), STANDBY_SENT, frames)
+        self._send(Started("recovery.standby"), STANDBY_SENT, frames)
+        return None
 
-    def _leave_teaching_input(self, _step: Step) -> Refusal | None:
+    def _leave_teaching_input(self, _step: Step) -> None:
         frames = commands.set_linkage(self._context.connection.codec, LinkageRole.MOTION_OUTPUT)
         self._context.connection.offsets.request(
             Addressing(), self._context.clock(), ends_input=True
         )
         started = Started("recovery.leave_teaching_input")
-        return self._send(started, MOTION_OUTPUT_SENT, frames, ONLINE)
+        answer = SettingIndex.LINKAGE_SETTING
+        self._send(started, MOTION_OUTPUT_SENT, frames, shown=ONLINE, answer=answer)
 
     def _send(
         self,
         started: Started,
         notice: Notice,
         frames: Sequence[Frame],
+        *,
         shown: Notice | None = None,
-    ) -> Refusal | None:
+        answer: SettingIndex | None = None,
+    ) -> None:
         """Send until the arm is in another state, or time is up; ``shown`` tells of that state."""
         context = self._context
         kind = self._look().kind
@@ -411,21 +388,21 @@ class Recovery(ControllerPart):
             lambda _state: self._look().kind is not kind,
             passed=context.gate().ask_no_way(),
         )
-        self._request, self._started, self._shown = request, started, shown
-        context.tell(notice, started)
-        if self._request is request:  # a failure in who is told ends what is under way
-            request.advance()
-        return None
+        self._shown = shown
+        self._pending.begin(notice, started, request, None, sent=(notice, {}), answer=answer)
 
     def _outcome(self, notice: Notice | None) -> EventOutcome | None:
         if notice is None:
             return None
         return EventOutcome(notice.id, self._context.clock(), notice.level)
 
-    def _on_answer(self, answer: Message) -> None:
-        """Note that the arm has taken its role."""
-        index, started = SettingIndex.LINKAGE_SETTING, self._started
-        if answer.name != "SettingResponse" or answer.signals["Index"] != index:
-            return
-        if started is not None and self._shown is ONLINE and started.answer is None:
-            started.answered(index, self._context.clock())
+
+def _why_not_standby(now: OperatingState) -> Refusal | None:
+    return None if now.control_certain else CONTROL_OFFSET_UNKNOWN()
+
+
+def _why_not_take_over(now: OperatingState) -> Refusal | None:
+    other = now.other_host
+    if other is None or other.may_be_taken_over:
+        return None
+    return OTHER_HOST_STREAMS(frames=other.frames)

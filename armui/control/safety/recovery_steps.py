@@ -20,11 +20,13 @@ class ActionText(Sentence):
     Attributes:
         question: The title of the question before an action that may surprise.
         danger: The physical effect to expect; without one the operator is not asked.
+        held: True if its button is held for a second: the arm moves, or another host loses it.
     """
 
     context: ClassVar[str] = "RecoveryAction"
     question: str = field(default="", compare=False)
     danger: str = field(default="", compare=False)
+    held: bool = field(default=False, compare=False, kw_only=True)
 
 
 class Action(enum.Enum):
@@ -62,11 +64,11 @@ class Action(enum.Enum):
     """Drag teaching is entered again, so that the arm gives way to the hand."""
     STOP = ActionText("stop", "Emergency stop")
     """The arm gets an emergency stop at once."""
-    GO_ON = ActionText("go_on", "Continue")
+    GO_ON = ActionText("go_on", "Continue", held=True)
     """The motion held back goes on."""
     GIVE_UP = ActionText("give_up", "Give up")
     """The motion held back is dropped."""
-    TAKE_OVER = ActionText("take_over", "Take over")
+    TAKE_OVER = ActionText("take_over", "Take over", held=True)
     """The arm is taken from another host."""
     LEAVE_MODE = ActionText(
         "leave_mode",
@@ -96,7 +98,7 @@ class Action(enum.Enum):
         "nobody relies on it.",
     )
     """This host takes the command from another controller; in standby nothing moves."""
-    COME_INSIDE = ActionText("come_inside", "Move inside")
+    COME_INSIDE = ActionText("come_inside", "Move inside", held=True)
     """An arm that lies outside its limits is brought inside."""
     CONFIRM_CELL = ActionText("confirm_cell", "Confirm cell")
     """The cell kept for the adapter is that of this arm."""
@@ -116,10 +118,6 @@ class Action(enum.Enum):
         "the arm before.",
     )
     """The stop is withdrawn; the stop button beside it is the other choice."""
-
-
-HELD: Final = frozenset({Action.GO_ON, Action.TAKE_OVER, Action.COME_INSIDE})
-"""The actions whose button is held for a second: the arm moves, or another host loses it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -424,7 +422,7 @@ class Step:
     @property
     def held(self) -> bool:
         """True if its button must be held for a second."""
-        return self.action in HELD
+        return self.action is not None and self.action.value.held
 
     @property
     def dangerous(self) -> bool:
