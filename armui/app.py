@@ -431,9 +431,9 @@ def _run_window(
         # the bus waits for nothing: the picture is loaded in a process of its own
         program.controller.connect_device(device)
     if options.replay is not None:
-        program.window.open_replay(options.replay)
+        program.window.pages.open_replay(options.replay)
     if options.file is not None:
-        program.window.open_trajectory_file(options.file)
+        program.window.pages.trajectories.open_file(options.file)
     keep_from_collector()
     QTimer.singleShot(_CONNECTED_MS, app, system_end.watch_sleep)
     return app.exec()

@@ -154,7 +154,7 @@ def test_who_reads_on_elsewhere_is_left_there_until_another_panel_is_seen(app_dr
 
 
 def test_f1_opens_it_at_the_dialog(app_driver):
-    app_driver.window.open_settings_dialog()
+    app_driver.window.pages.show("settings")
     guide = open_guide(app_driver, app_driver.dialog(SettingsDialog))
     assert guide.shown == "settings"
 

@@ -15,6 +15,7 @@ import sys
 import tempfile
 import time
 from collections import Counter
+from functools import partial
 from pathlib import Path
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
@@ -171,7 +172,7 @@ class Walk:
         self._click(f"{self._random.choice(names)}_button")
 
     def _editor(self) -> None:
-        self.driver.window._trajectory_pages.open_editor(self._random.choice(("one", "empty")))
+        self.driver.window.pages.trajectories.open_editor(self._random.choice(("one", "empty")))
 
     def _back(self) -> None:
         self._click(self._random.choice(("page_back", "drawer_fold", "page_crumb")))
@@ -197,11 +198,10 @@ class Walk:
         window = self.driver.window
         actions = window.findChild(WindowActions)
         openers = {
-            "connect": window.open_connect_dialog,
-            "settings": window.open_settings_dialog,
-            "backup": window.open_backup_dialog,
-            "replay": window.open_replay,
-            "export": window._watch.open_export,
+            **{
+                key: partial(window.pages.show, key)
+                for key in ("connect", "settings", "backup", "replay", "export")
+            },
             "shortcuts": actions.open_shortcuts,
             "guide": actions.open_guide,
         }

@@ -15,23 +15,15 @@ from armui.arm.state import ArmState
 from armui.control.devices.joint_monitor import JointMonitor
 from armui.control.operating_state import OperatingState, StopState
 from armui.ui.actions.command import CommandSource, Offering, source_of
-from armui.ui.actions.places import PLACES
 from armui.ui.actions.window_actions import WindowActions
 from armui.ui.background import Background
-from armui.ui.dialogs.backup import BackupDialog
-from armui.ui.dialogs.base import ArmDialog
-from armui.ui.dialogs.connect import ConnectDialog
-from armui.ui.dialogs.kept_models import KeptModels
-from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.gamepad.gamepad_strip import GamepadStrip
 from armui.ui.panels.jogging.motion_panel import MotionPanel
 from armui.ui.picture.picture_work import PictureWork
-from armui.ui.shell.diagnosis_dialogs import DiagnosisDialogs
 from armui.ui.shell.drawer import Drawer
 from armui.ui.shell.first_steps import FirstSteps
 from armui.ui.shell.layout_keeper import LayoutKeeper
 from armui.ui.shell.leaving import (
-    KeepsWork,
     close_unless_moving,
     end_motion_then,
     is_taught,
@@ -41,6 +33,8 @@ from armui.ui.shell.leaving import (
 from armui.ui.shell.operation_area import OperationArea, menu_entries
 from armui.ui.shell.page_actions import PageActions
 from armui.ui.shell.page_area import PageArea
+from armui.ui.shell.page_opener import PageOpener
+from armui.ui.shell.pages import PAGES, PLACES, Home
 from armui.ui.shell.recovery_line import RecoveryLine
 from armui.ui.shell.robot_in_view import RobotInView, show_in_view
 from armui.ui.shell.side_menu import JointStatusButton, LibraryButton, SideMenu, WatchMenu
@@ -49,7 +43,6 @@ from armui.ui.shell.step_row import StepRow
 from armui.ui.shell.top_bar import TopBar
 from armui.ui.shell.trajectory_pages import TrajectoryPages
 from armui.ui.shell.view_region import ViewRegion
-from armui.ui.shell.watch_windows import WatchWindows
 from armui.ui.shell.work_area import WindowLayout, WorkArea, WorkColumn
 from armui.ui.shell.workspace import Workspace
 from armui.ui.theme import DARK, colors_of
@@ -91,7 +84,8 @@ class MainWindow(Translated, KeepsFocus, QWidget):
 
     Attributes:
         window_actions: Opens the command palette, and collects its commands.
-        page_actions: Opens pages by their keys.
+        pages: Opens pages and windows by their keys.
+        page_actions: The actions on pages.
     """
 
     def __init__(
@@ -110,27 +104,13 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._view = view
         self._preferences = preferences
         self._settings = preferences.settings
-        self._dialogs: dict[str, ArmDialog] = {}
         self._may_close = False
-        self._entries = menu_entries(controller, preferences, self.open_backup_dialog)
+        self._entries = menu_entries(controller, preferences, self._opening("backup"))
         self._robot = RobotInView(view, controller, self._settings.urdf_path, self)
         self._joint_monitor = JointMonitor(controller, parent=self)
-        self._diagnosis = DiagnosisDialogs(controller, files or workers, self, preferences.path)
         background = self._background = Background(workers, files, self)
         self._keeper = LayoutKeeper(preferences.path, background, self)
         self._workspace = Workspace(controller, self._keeper, self)
-        self._watch = WatchWindows(
-            controller,
-            self._joint_monitor,
-            preferences.path,
-            background,
-            self,
-            open_window=self._open,
-            open_page=lambda key, make: self._workspace.open_kept(key, make, self._drawer),
-            uncover=self._workspace.uncover,
-            store=preferences,
-            robot=lambda: self._settings.urdf_path,
-        )
         self._joint_status_button = JointStatusButton(self._joint_monitor)
         self._preview_bar = PreviewBar()
         self._preview = PathPreview(view, self._preview_bar, self)
@@ -144,14 +124,14 @@ class MainWindow(Translated, KeepsFocus, QWidget):
             hand=hand,
         )
         self._view_region = ViewRegion(view, self._preview_bar, self._picture)
-        self._pages = PageArea()
-        self._drawer = Drawer(self._watch.pages())
-        for home in (self._pages, self._drawer):
+        self._page_area = PageArea()
+        self._drawer = Drawer({k: page for k, page in PAGES.items() if page.home is Home.DRAWER})
+        for home in (self._page_area, self._drawer):
             home.take_out_wanted.connect(self._workspace.take_out)
         self._trajectory_pages = TrajectoryPages(
             controller,
             self._workspace,
-            self._pages,
+            self._page_area,
             preferences=preferences,
             workers=workers,
             files=files,
@@ -161,13 +141,22 @@ class MainWindow(Translated, KeepsFocus, QWidget):
             parent=self,
         )
         self._status_bar = StatusBar(controller)
-        self._watch.show_marks_in(self._status_bar)
-        self.window_actions = WindowActions(self, controller, preferences, background)
-        self._status_bar.add_mark(ModelMark(controller, self.open_connect_dialog))
-        self.page_actions = PageActions(
-            *(self, self._workspace, self._trajectory_pages, self._watch, self._drawer),
-            diagnosis=self._diagnosis,
+        self.pages = PageOpener(
+            *(self, controller),
+            view=view,
+            joint_monitor=self._joint_monitor,
+            preferences=preferences,
+            background=background,
+            workspace=self._workspace,
+            drawer=self._drawer,
+            trajectories=self._trajectory_pages,
+            files=files or workers,
+            leave_arm_then=self._leave_arm_then,
         )
+        self.pages.show_marks_in(self._status_bar)
+        self.window_actions = WindowActions(self, controller, preferences, background)
+        self._status_bar.add_mark(ModelMark(controller, self._opening("connect")))
+        self.page_actions = PageActions(self, self._workspace, self.pages, self._drawer)
         self._status_bar.add_mark(self.window_actions.language_button)
         self._status_bar.add_mark(self.window_actions.button)
         self._lay_out()
@@ -180,24 +169,26 @@ class MainWindow(Translated, KeepsFocus, QWidget):
 
     def _lay_out(self) -> None:
         self._library_button = LibraryButton()
-        watch_menu = WatchMenu(self._watch.entries())
+        watch_menu = WatchMenu({key: page for key, page in PAGES.items() if page.beside_menu})
+        for tabs in (watch_menu, self._drawer):
+            tabs.page_wanted.connect(self.pages.show)
         below = (self._library_button, watch_menu, self._joint_status_button)
         self._menu = SideMenu(self._entries, below)
         self._panels = OperationArea(self._entries)
         self._failure_line = FailureLine()
         picture = QWidget()
         in_column((self._view_region, 1), self._failure_line, on=picture, spacing=0, margins=0)
-        self._work_area = WorkArea(StackArea(self._panels), self._pages, picture)
+        self._work_area = WorkArea(StackArea(self._panels), self._page_area, picture)
         self._work_column = WorkColumn(self._work_area, self._drawer)
 
-        top = TopBar(self._controller, self.open_connect_dialog)
+        top = TopBar(self._controller, self._opening("connect"))
         recovery = RecoveryLine(
-            self._controller, self.open_connect_dialog, self._diagnosis.open_reference_check
+            self._controller, self._opening("connect"), self._opening("reference")
         )
         run = self._run = StepRow(self._controller, recovery)
         self._trajectory_pages.run_asks.connect(recovery.show_asking)
         self.window_actions.link(
-            *(top.ask_to_resume, recovery, run, self._diagnosis, self._watch),
+            *(top.ask_to_resume, recovery, run, self.pages),
             buttons={
                 "library.open": self._library_button,
                 "window.joint_status": self._joint_status_button,
@@ -230,30 +221,26 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self.window_actions.offer(
             sources,
             {**PLACES, **panels},
-            lambda: ((self._pages.current, self._drawer.current), self._panels.current_key),
+            lambda: ((self._page_area.current, self._drawer.current), self._panels.current_key),
         )
 
     def _first_jog(self) -> QPushButton | None:
         panel = self._panels.panel("motion")
         return panel.first_jog if isinstance(panel, MotionPanel) else None
 
-    def dialog(self, key: str) -> ArmDialog | None:
-        """Return a dialog by its key, or ``None`` if it has not been opened yet."""
-        return self._dialogs.get(key)
-
     def _connect(self) -> None:
         self._menu.chosen.connect(self._on_entry_chosen)
-        self._joint_status_button.clicked.connect(self._watch.open_joint_status)
+        self._joint_status_button.clicked.connect(self._opening("joint_status"))
         self._library_button.clicked.connect(self.open_library_window)
         self._library_button.clicked.connect(self._show_where)
         self._work_area.turned.connect(self._show_where)
-        self._view_region.help_wanted.connect(self._watch.open_help)
+        self._view_region.help_wanted.connect(self._opening("help"))
         self._view_region.reset_wanted.connect(self._view.reset_view)
-        self._view_region.settings_wanted.connect(self.open_settings_dialog)
+        self._view_region.settings_wanted.connect(self._opening("settings"))
         self._picture.follow_panels(self._panels.currentWidget)
         self._view.joint_picked.connect(self._panels.focus_joint)
         self._view.load_failed.connect(self._status_bar.show_problem)
-        self._status_bar.event_wanted.connect(self._watch.show_events)
+        self._status_bar.event_wanted.connect(self.pages.show_events)
         self._controller.state_changed.connect(self._show_in_view)
         self._controller.cell_changed.connect(self._on_cell_changed)
         self._controller.operating_state_changed.connect(self._on_operating_state_changed)
@@ -309,7 +296,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         dark = colors_of(self) is DARK
         self._view.set_theme(scene_palette.DARK if dark else scene_palette.LIGHT)
 
-    # -- settings and dialogs -----------------------------------------------------------------
+    # -- settings and pages -------------------------------------------------------------------
 
     def _on_settings_changed(self, settings: Settings) -> None:
         old, self._settings = self._settings, settings
@@ -320,54 +307,20 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         if old.urdf_path != settings.urdf_path:
             self._robot.choose(settings.urdf_path)
 
-    def open_connect_dialog(self) -> None:
-        """Show the window 连接机械臂 (manual 1.0.1)."""
-
-        def make() -> ArmDialog:
-            kept = KeptModels(self._preferences)
-            dialog = ConnectDialog(
-                self._controller, self, self._leave_arm_then, kept, self._background
-            )
-            dialog.diagnosis_wanted.connect(self._diagnosis.open_doctor)
-            return dialog
-
-        self._open("connect", make)
-
-    def open_backup_dialog(self) -> None:
-        """Show the window 参数备份."""
-        self._open("backup", lambda: BackupDialog(self._controller, self._background, self))
+    def _opening(self, key: str) -> Callable[[], None]:
+        """Return a function that shows a page or window."""
+        return lambda: self.pages.show(key)
 
     def open_library_window(self) -> None:
         """Show 轨迹库 (manual 1.0.9): the last page, or the library if that page is visible."""
-        if self._work_area.shows_pages or self._pages.current is None:
+        if self._work_area.shows_pages or self._page_area.current is None:
             self._trajectory_pages.open_library()
         else:
             self._work_area.show_pages()
 
     def show_as_curves(self, keys: Sequence[str]) -> None:
         """Show quantities in the page 曲线, by their keys (`armui.telemetry.quantities`)."""
-        self._watch.show_as_curves(keys)
-
-    def open_trajectory_file(self, path: Path) -> None:
-        """Open the trajectory of a file in an editor; nothing moves."""
-        self._trajectory_pages.open_file(path)
-
-    def open_replay(self, path: Path | None = None) -> None:
-        """Show a log in the window 回放."""
-        self._watch.open_replay(path)
-
-    def open_settings_dialog(self) -> None:
-        """Show the program's settings."""
-
-        def make() -> ArmDialog:
-            dialog = SettingsDialog(self._preferences, self._controller, self)
-            self._view.load_failed.connect(dialog.show_robot_problem)
-            dialog.diagnosis_wanted.connect(self._diagnosis.open_doctor)
-            dialog.about_arm_wanted.connect(self._diagnosis.open_about_arm)
-            dialog.about_wanted.connect(self._diagnosis.open_about)
-            return dialog
-
-        self._open("settings", make)
+        self.pages.show_as_curves(keys)
 
     def show_failure(self, failure: Failure, *, motion_ended: bool) -> None:
         """Show that an unexpected error has happened in the program."""
@@ -376,13 +329,6 @@ class MainWindow(Translated, KeepsFocus, QWidget):
     def show_problem(self, reason: Refusal) -> None:
         """Show a problem of the program in the status bar."""
         self._status_bar.show_problem(reason)
-
-    def _open(self, name: str, make: Callable[[], ArmDialog]) -> ArmDialog:
-        """Show a dialog, made at the first time."""
-        if name not in self._dialogs:
-            self._dialogs[name] = make()
-        self._dialogs[name].open()
-        return self._dialogs[name]
 
     def room_for_questions(self) -> QRect:
         """Return the area for small windows: over the panel or page, beside picture and stops."""
@@ -410,9 +356,6 @@ class MainWindow(Translated, KeepsFocus, QWidget):
 
     def keep_work(self) -> None:
         """Save all unsaved work without asking, to be offered at the next start."""
-        for dialog in self._dialogs.values():
-            if isinstance(dialog, KeepsWork):
-                dialog.keep_work()
         self._trajectory_pages.keep_work()
         self._keeper.keep()
 
@@ -430,7 +373,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._unsubscribe()
         self.keep_work()
         self._workspace.close_windows()
-        self._diagnosis.close()
+        self.pages.close()
         super().closeEvent(event)
 
     def _close_now(self) -> None:

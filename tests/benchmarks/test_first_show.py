@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QApplication, QDialog
 
 from armui.app import SIMULATED, load_pages, open_device
 from armui.ui.shell.operation_area import menu_entries
+from armui.ui.shell.pages import PAGES
 from tests.benchmarks import rig
 
 MOST_MS = 50.0
@@ -27,19 +28,12 @@ def held(show):
 def shown(program):
     """What is shown, by name, with what shows it; and hides it again."""
     window = program.window
-    entries = menu_entries(program.controller, window._preferences, window.open_backup_dialog)
+    entries = menu_entries(program.controller, window._preferences, lambda: None)
     for place, entry in enumerate(entries):
         if place:  # the first one stands at the start
             yield f"panel {entry.key}", lambda place=place: window._show_panel(place)
-    openers = {entry.key: entry.open_page for entry in window._watch.pages()} | {
-        "export": window._watch.open_export,
-        "connect": window.open_connect_dialog,
-        "backup": window.open_backup_dialog,
-        "library": window.open_library_window,
-        "settings": window.open_settings_dialog,
-    }
-    for name, opener in openers.items():
-        yield f"window {name}", opener
+    for key in PAGES:
+        yield f"page {key}", lambda key=key: window.pages.show(key)
         for dialog in window.findChildren(QDialog):
             if dialog.isVisible():
                 dialog.close()

@@ -141,7 +141,7 @@ class Loads:
 
     def __init__(self, program, folder):
         self.controller = program.controller
-        self.window = program.window._trajectory_pages._library
+        self.window = program.window.pages.trajectories._library
         self.folder = folder
         self.texts = {
             count: files.to_bytes(points(count), ".log") for count in (10_000, 30_000, 100_000)

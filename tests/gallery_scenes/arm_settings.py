@@ -79,7 +79,7 @@ def backup(app_driver: AppDriver) -> QDialog:
     """A file that differs from the arm in a few places, beside it."""
     settings = app_driver.firmware.settings
     settings.end_limits, settings.collision_levels = (1.0,) * 4, (1,) * 6
-    app_driver.window.open_backup_dialog()
+    app_driver.window.pages.show("backup")
     dialog = app_driver.dialog(BackupDialog)
     settled(app_driver)
     with tempfile.TemporaryDirectory() as folder:

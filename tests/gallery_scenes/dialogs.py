@@ -40,7 +40,7 @@ ADAPTERS = (
 
 
 def connect(app_driver: AppDriver) -> QDialog:
-    app_driver.window.open_connect_dialog()
+    app_driver.window.pages.show("connect")
     dialog = app_driver.dialog(ConnectDialog)
     # the search finds the simulated arm alone; its answer must not come after this
     app_driver.wait(dialog.refresh_button.isEnabled)
@@ -63,7 +63,7 @@ def connect_failed(app_driver: AppDriver) -> QDialog:
 
 
 def settings(app_driver: AppDriver) -> SettingsDialog:
-    app_driver.window.open_settings_dialog()
+    app_driver.window.pages.show("settings")
     return app_driver.dialog(SettingsDialog)
 
 

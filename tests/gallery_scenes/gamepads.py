@@ -52,7 +52,7 @@ def _settings(app_driver: AppDriver, pads: Pads, *found: DeviceInfo) -> QDialog:
     for info in found:
         pads.plug_in(info)
     app_driver.controller.gamepad.tick()
-    app_driver.window.open_settings_dialog()
+    app_driver.window.pages.show("settings")
     settings = app_driver.dialog(SettingsDialog)
     settings.gamepad_button.click()
     settings.close()

@@ -49,7 +49,7 @@ def _patiently(condition: Callable[[], bool]) -> None:
 
 
 def _window(app_driver: AppDriver, tab: int, since_s: float) -> ReplayWindow:
-    app_driver.window.open_replay()
+    app_driver.window.pages.show("replay")
     window = app_driver.dialog(ReplayWindow)
     window.resize(*SIZE_PX)
     if window.view is None:
@@ -161,7 +161,7 @@ def _own_recording(app_driver: AppDriver) -> Path:
 
 def own_events(app_driver: AppDriver) -> QDialog:
     """A recording of this program: who asked for what, what was answered and read back."""
-    app_driver.window.open_replay()
+    app_driver.window.pages.show("replay")
     window = app_driver.dialog(ReplayWindow)
     window.resize(*SIZE_PX)
     if window.view is None:
@@ -179,7 +179,7 @@ def own_events(app_driver: AppDriver) -> QDialog:
 
 
 def beginning(app_driver: AppDriver) -> QDialog:
-    app_driver.window.open_replay()
+    app_driver.window.pages.show("replay")
     window = app_driver.dialog(ReplayWindow)
     window.resize(*SIZE_PX)
     window._on_cancel()

@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 
-from armui.ui.shell import watch_windows
+from armui.ui.shell import pages
 from armui.ui.watch.recordings.sessions_page import SessionsPage
 from armui.ui.watch.replay import replay_window
 from armui.ui.watch.replay.replay_window import ReplayWindow
@@ -35,7 +35,7 @@ class Replay:
     def __init__(self, driver: Any, monkeypatch: Any, helper: Any = AtOnce) -> None:
         self.driver = driver
         monkeypatch.setattr(replay_window, "HelperProcess", helper)
-        monkeypatch.setattr(watch_windows, "ArmView", StillView)
+        monkeypatch.setattr(pages, "ArmView", StillView)
         driver.click("sessions_button")
         driver.click(driver.page(SessionsPage).other_button)
         self.window = driver.dialog(ReplayWindow)

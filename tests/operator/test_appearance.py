@@ -57,7 +57,7 @@ PANELS = ("menu_motion", "menu_gripper", "events_button", "joint_status_button")
 """Each of another make; every theme takes a second."""
 
 DIALOGS = {
-    "connect": lambda driver: driver.window.open_connect_dialog(),
+    "connect": lambda driver: driver.window.pages.show("connect"),
 }
 
 

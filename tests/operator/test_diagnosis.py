@@ -16,7 +16,7 @@ LEFT = Qt.MouseButton.LeftButton
 
 
 def settings(app_driver) -> SettingsDialog:
-    app_driver.window.open_settings_dialog()
+    app_driver.window.pages.show("settings")
     return app_driver.dialog(SettingsDialog)
 
 

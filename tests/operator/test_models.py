@@ -24,7 +24,7 @@ PLACE = Device("socketcan", "can0", None)
 
 
 def dialog_of(app_driver) -> ConnectDialog:
-    app_driver.window.open_connect_dialog()
+    app_driver.window.pages.show("connect")
     (dialog,) = app_driver.window.findChildren(ConnectDialog)
     app_driver.controller.devices_found.emit([app_driver.device])
     return dialog
@@ -191,7 +191,7 @@ def connect_again(app_driver, model, *, by_hand=None):
     """The arm of another connection at the same adapter, a real one for all that is known."""
     app_driver.controller.disconnect_device()
     app_driver.lie(LEANING_DEG, model)
-    app_driver.window.open_connect_dialog()
+    app_driver.window.pages.show("connect")
     (dialog,) = app_driver.window.findChildren(ConnectDialog)
     device = replace(app_driver.device, simulated=False, serial="0031002F")
     app_driver.controller.devices_found.emit([device])

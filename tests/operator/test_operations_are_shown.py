@@ -10,8 +10,8 @@ from PySide6.QtWidgets import QApplication
 from armui.control.operations.operation import Consent
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory
-from armui.ui.actions.places import PLACES
 from armui.ui.guide.text import read_guide
+from armui.ui.shell.pages import PLACES
 from tests.accepted import accepted
 from tests.app_driver import PANELS
 from tests.control.test_started import checking, in_doubt, outside_limits
@@ -177,7 +177,7 @@ def open_reference(driver, state="reference"):
         in_doubt(driver)
     elif state != "reference":
         checking(driver, answered=state == "answered")
-    driver.program.window.page_actions._openers["reference"]()
+    driver.program.window.pages.show("reference")
 
 
 def is_seen(name):

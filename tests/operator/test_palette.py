@@ -9,12 +9,12 @@ from armui.control.safety.recovery_steps import StepKind
 from armui.ui.actions.command import while_editing
 from armui.ui.actions.keys import SHORTCUTS
 from armui.ui.actions.palette import CommandPalette
-from armui.ui.actions.places import PLACES
 from armui.ui.actions.shortcut_list import ShortcutList
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.sections import KeyCap
 from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.panels.cell.cell_panel import TABS as CELL_TABS
+from armui.ui.shell.pages import PLACES
 from armui.ui.trajectory.library.library_page import LibraryPage
 from tests.app_driver import PANELS
 from tests.operator.test_running import BACK, OUT, Operator, to
@@ -183,7 +183,7 @@ def test_another_window_and_its_own_buttons(app_driver):
 
 
 def test_it_opens_from_a_dialog(app_driver):
-    app_driver.window.open_settings_dialog()
+    app_driver.window.pages.show("settings")
     palette = open_palette(app_driver, app_driver.dialog(SettingsDialog))
     assert palette.search.hasFocus()
 

@@ -18,9 +18,9 @@ from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory
 from armui.ui.actions.names import read_names
 from armui.ui.actions.palette import CommandPalette
-from armui.ui.actions.places import MOVABLE, PLACES
 from armui.ui.actions.search import rank
 from armui.ui.dialogs.connect import ConnectDialog
+from armui.ui.shell.pages import PAGES, PLACES
 from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.library.library_page import LibraryPage
 from armui.ui.trajectory.recording.recording_page import RecordingPage
@@ -231,7 +231,7 @@ def test_the_drawer(driver):
     assert "folded" in palette.findChild(object, "palette_message").text()
 
 
-@pytest.mark.parametrize("key", MOVABLE)
+@pytest.mark.parametrize("key", [key for key, page in PAGES.items() if page.movable])
 def test_a_page_is_taken_out_and_put_back(driver, key):
     if key == "editor":
         open_editor(driver)

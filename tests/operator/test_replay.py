@@ -394,7 +394,7 @@ def test_the_end_of_the_program_lets_go_of_the_log(replay, log):
 def test_a_log_named_on_the_command_line_is_opened(app_driver, monkeypatch, log):
     Replay(app_driver, monkeypatch).window.close()
 
-    app_driver.window.open_replay(log)
+    app_driver.window.pages.open_replay(log)
 
     window = app_driver.dialog(ReplayWindow)
     app_driver.wait(lambda: window.view is not None)

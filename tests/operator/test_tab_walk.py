@@ -140,9 +140,9 @@ def test_in_the_library_beside_the_picture(ready):
 
 
 DIALOGS = {
-    "connect": lambda driver: driver.window.open_connect_dialog(),
-    "settings": lambda driver: driver.window.open_settings_dialog(),
-    "backup": lambda driver: driver.window.open_backup_dialog(),
+    "connect": lambda driver: driver.window.pages.show("connect"),
+    "settings": lambda driver: driver.window.pages.show("settings"),
+    "backup": lambda driver: driver.window.pages.show("backup"),
     "palette": lambda driver: actions(driver).open_palette(),
     "shortcuts": lambda driver: actions(driver).open_shortcuts(),
 }

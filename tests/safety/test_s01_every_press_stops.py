@@ -74,7 +74,7 @@ def away_from(button) -> QPoint:
 
 
 def combo_box(app_driver, _button):
-    app_driver.window.open_settings_dialog()
+    app_driver.window.pages.show("settings")
     dialog = app_driver.dialog(SettingsDialog)
     dialog.move(app_driver.window.mapToGlobal(QPoint(100, 200)))
     box = dialog.findChild(QComboBox)
@@ -324,7 +324,7 @@ def test_the_palette_stops_and_halts_too(app_driver, presses, words, expected):
 
 
 def test_every_window_with_a_stop_has_its_halt_or_the_key(app_driver):
-    app_driver.window.open_settings_dialog()
+    app_driver.window.pages.show("settings")
     dialog = app_driver.dialog(SettingsDialog)
     assert dialog.findChild(HaltButton).isVisible()
     assert dialog.findChild(StopButton).isVisible()

@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from armui.ui.actions.places import MOVABLE
+from armui.ui.shell.pages import PAGES
 from armui.ui.shell.workspace import PageWindow
 from armui.ui.widgets.halt_button import HaltButton
 from armui.ui.widgets.page import Page
@@ -93,8 +93,8 @@ def test_the_only_large_stop_is_the_main_window_s(app_driver):
     for key in DRAWER:
         open_page(app_driver, key)
         app_driver.click("drawer_take_out")
-    app_driver.window.open_settings_dialog()
-    app_driver.window.open_connect_dialog()
+    app_driver.window.pages.show("settings")
+    app_driver.window.pages.show("connect")
     app_driver.window.window_actions.open_shortcuts()
     windows = [each for each in QApplication.topLevelWidgets() if each.isVisible()]
     assert len(windows) == 1 + len(DRAWER) + 3
@@ -107,7 +107,9 @@ def test_the_only_large_stop_is_the_main_window_s(app_driver):
 
 
 def test_every_page_that_can_be_taken_out_is_tried_here():
-    assert {*DRAWER, "library", "editor", "recording"} == set(MOVABLE)
+    assert {*DRAWER, "library", "editor", "recording"} == {
+        key for key, page in PAGES.items() if page.movable
+    }
 
 
 # A held jog ---------------------------------------------------------------------------------------
@@ -173,11 +175,11 @@ def by_f1(app_driver):
 
 
 def joint_status(app_driver):
-    app_driver.window._watch.open_joint_status()
+    app_driver.window.pages.show("joint_status")
 
 
 def sessions(app_driver):
-    app_driver.window._watch.open_sessions()
+    app_driver.window.pages.show("sessions")
 
 
 def in_a_window(app_driver):

@@ -297,7 +297,7 @@ def test_the_dialogs(live_driver, monkeypatch, name):
     app_driver = live_driver
     app_driver.ready()
     with watched(monkeypatch) as seen:
-        getattr(app_driver.window, f"open_{name}_dialog")()
+        app_driver.window.pages.show(name)
         app_driver.run(0.2)
         dialog = app_driver.dialog(QDialog)
         dialog.close()
@@ -351,7 +351,7 @@ def test_what_tells_of_the_program(live_driver, monkeypatch, tmp_path, name):
     app_driver.ready()
     path = tmp_path / "report.zip"
     with watched(monkeypatch) as seen:
-        getattr(app_driver.window._diagnosis, f"open_{name}")()
+        app_driver.window.pages.show(name)
         dialog = app_driver.dialog(ProblemReportDialog if name == "report" else AboutDialog)
         if isinstance(dialog, ProblemReportDialog):
             dialog._under_way.end()  # what it says is no matter, and takes a busy computer long

@@ -212,7 +212,7 @@ def motor_off_in_the_reference_check(driver):
 
 
 def teach_the_reference(driver):
-    driver.window._diagnosis.open_reference_check()
+    driver.window.pages.show("reference")
     driver.click(driver.dialog(ReferenceDialog).teach_button)
 
 

@@ -41,10 +41,10 @@ def test_an_open_menu_takes_it_away(ready, pads):
     menu.deleteLater()
 
 
-@pytest.mark.parametrize("open_it", ["open_settings_dialog", "open_backup_dialog"])
-def test_with_another_window_in_front_nothing_begins(ready, pads, open_it):
+@pytest.mark.parametrize("key", ["settings", "backup"])
+def test_with_another_window_in_front_nothing_begins(ready, pads, key):
     pads.release("left_shoulder")
-    getattr(ready.window, open_it)()
+    ready.window.pages.show(key)
     pass_time(ready, 0.02)
     assert not ready.window.isActiveWindow()
     pads.press("left_shoulder")
@@ -157,7 +157,7 @@ def test_the_stop_needs_no_dead_man(ready, pads):
 
 def test_the_stop_works_from_any_window_and_however_short_the_press(ready, pads):
     pads.release("left_shoulder")
-    ready.window.open_settings_dialog()
+    ready.window.pages.show("settings")
     pass_time(ready, 0.02)
     ready.heard()
     pads.press("b")

@@ -204,7 +204,7 @@ def test_a_command_still_reads_a_pipe_that_is_fed(tmp_path):
 
 def test_a_backup_in_the_window(app_driver, tmp_path):
     app_driver.ready()
-    app_driver.window.open_backup_dialog()
+    app_driver.window.pages.show("backup")
     app_driver.box = app_driver.dialog(BackupDialog)
     app_driver.run(1.0)
     make_pipe(tmp_path / "pipe.json")

@@ -267,9 +267,9 @@ def test_it_is_smaller_than_the_stop_and_beside_it(app_driver):
 
 
 def test_dialogs_have_it(app_driver):
-    app_driver.window.open_settings_dialog()
-    app_driver.window.open_connect_dialog()
-    dialogs = [dialog for dialog in app_driver.window._dialogs.values() if dialog.isVisible()]
+    app_driver.window.pages.show("settings")
+    app_driver.window.pages.show("connect")
+    dialogs = [dialog for dialog in app_driver.window.pages._windows.values() if dialog.isVisible()]
     assert len(dialogs) == 2
     for dialog in dialogs:
         assert dialog.findChild(HaltButton).isVisible()

@@ -59,7 +59,7 @@ def test_another_hosts_stop_may_be_undone_by_it(rig, other_host):
 
 def test_the_setting_is_off_until_the_operator_chooses_it(app_driver):
     assert now(app_driver.store.settings.stop_again) is False
-    app_driver.window.open_settings_dialog()
+    app_driver.window.pages.show("settings")
     app_driver.click(app_driver.dialog(SettingsDialog).findChild(QCheckBox, "stop_again_box"))
     assert now(app_driver.store.settings.stop_again) is True
     assert app_driver.controller._stop.stop_again is True

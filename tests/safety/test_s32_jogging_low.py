@@ -135,7 +135,7 @@ def test_a_run_below_the_chosen_height_is_refused():
 def test_the_operator_chooses_the_height(app_driver):
     assert now(app_driver.store.settings.jog_floor_mm) is None
     assert app_driver.controller.jog_floor.lowest_mm is None
-    app_driver.window.open_settings_dialog()
+    app_driver.window.pages.show("settings")
     dialog = app_driver.dialog(SettingsDialog)
     spin = dialog.findChild(QSpinBox, "jog_floor_spin")
     assert not spin.isEnabled()

@@ -118,7 +118,7 @@ class Operator:
         return True
 
     def _settings(self):
-        self.app_driver.window.open_settings_dialog()
+        self.app_driver.window.pages.show("settings")
         dialog = self.app_driver.dialog(SettingsDialog)
         dialog.move(self.app_driver.window.mapToGlobal(QPoint(60, 220)))
         return dialog

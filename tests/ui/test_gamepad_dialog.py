@@ -26,7 +26,7 @@ def pads():
 def dialog(app_driver, pads):
     """Opened by clicks; the gamepads are still off."""
     app_driver.controller.gamepad.make_reader = pads.make
-    app_driver.window.open_settings_dialog()
+    app_driver.window.pages.show("settings")
     settings = app_driver.dialog(SettingsDialog)
     assert settings._gamepad_state.text() == "Off"
     QTest.mouseClick(settings.gamepad_button, LEFT)

@@ -91,12 +91,12 @@ def test_in_the_program_a_stop_gives_the_stop_no_keyboard(app_driver):
 
 
 def test_a_dialog_that_opens_gives_halt_and_stop_no_keyboard(app_driver):
-    for open_it in ("open_connect_dialog", "open_settings_dialog", "open_backup_dialog"):
-        getattr(app_driver.window, open_it)()
+    for key in ("connect", "settings", "backup"):
+        app_driver.window.pages.show(key)
         dialog = app_driver.dialog(QDialog)
         dialog.activateWindow()
         app_driver.wait(dialog.isActiveWindow)
-        assert not isinstance(dialog.focusWidget(), PressButton), open_it
+        assert not isinstance(dialog.focusWidget(), PressButton), key
         dialog.close()
 
 

@@ -234,7 +234,7 @@ def test_a_robot_that_cannot_be_loaded_is_said(window, view):
 
 
 def test_a_robot_chosen_in_the_settings_that_cannot_be_loaded_is_said_there(window, view):
-    window.open_settings_dialog()
+    window.pages.show("settings")
     dialog = window.findChild(SettingsDialog)
     view.load_failed.emit(MESH_EMPTY(mesh="hand.stl"))
     assert "hand.stl" in message(dialog)

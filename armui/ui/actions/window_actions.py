@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, QSize, Qt
@@ -19,6 +20,7 @@ from armui.ui.actions.palette import CommandPalette
 from armui.ui.actions.palette_items import Callback, PaletteItems, lead_to, use
 from armui.ui.actions.shortcut_list import ShortcutList
 from armui.ui.guide.place import section_of
+from armui.ui.shell.pages import PAGES
 from armui.ui.theme import colors_of
 from armui.ui.translation import shown_language
 from armui.ui.widgets import icons
@@ -31,10 +33,9 @@ if TYPE_CHECKING:
     from armui.settings import SettingsStore
     from armui.ui.background import Background
     from armui.ui.main_window import MainWindow
-    from armui.ui.shell.diagnosis_dialogs import DiagnosisDialogs
+    from armui.ui.shell.page_opener import PageOpener
     from armui.ui.shell.recovery_line import RecoveryLine
     from armui.ui.shell.step_row import StepRow
-    from armui.ui.shell.watch_windows import WatchWindows
 
 
 _ICON_PX: Final = 14
@@ -59,26 +60,7 @@ _COMMANDS: Final = (
             synonyms=also("fix help recover 怎么办")),
     Command("window.come_inside", operation=operation_of(Motion.come_inside),
             synonyms=also("rest pose limits outside 静置 限位外")),
-    Command("window.joint_status", Text("Action", "Joint status"),
-            synonyms=also("temperature current voltage errors 温度 电流 电压 故障")),
-    Command("library.open", Text("LibraryButton", "Trajectory library"),
-            synonyms=also("program programs trajectories 程序 轨迹")),
-    Command("replay.open", Text("Action", "Replay a recording"),
-            synonyms=also("playback play log 播放")),
-    Command("window.export", Text("Action", "Export a recording"),
-            synonyms=also("csv mcap parquet rosbag 导出")),
-    Command("window.backup", Text("Action", "Back up, compare, restore parameters"), risky=True,
-            synonyms=also("restore factory 恢复 出厂")),
-    Command("window.diagnosis", Text("DoctorDialog", "Diagnosis"),
-            synonyms=also("doctor troubleshoot problem 排查 自检")),
-    Command("window.about_arm", Text("AboutArmDialog", "About this arm"),
-            synonyms=also("version firmware serial 版本 固件 序列号")),
-    Command("window.reference_check", Text("ReferenceDialog", "Reference check"),
-            synonyms=also("encoder lost zero calibration mark 编码器 零位 校准 丢零")),
-    Command("window.report", Text("ProblemReportDialog", "Report a problem"),
-            synonyms=also("bug support zip log 反馈 故障 日志")),
-    Command("window.about", Text("AboutDialog", "About armui"),
-            synonyms=also("version licence license 版本 许可证")),
+    *(page.command for page in PAGES.values() if page.command and not page.beside_menu),
     Command("window.language", Text("Action", "Language: Chinese or English")),
     Command("window.theme", Text("Action", "Theme: light or dark"),
             synonyms=also("dark light night 深色 浅色 夜间")),
@@ -186,8 +168,7 @@ class WindowActions(QObject):
         ask_to_resume: Callback,
         recovery: RecoveryLine,
         run: StepRow,
-        diagnosis: DiagnosisDialogs,
-        watch: WatchWindows,
+        pages: PageOpener,
         *,
         buttons: Mapping[str, QAbstractButton],
     ) -> None:
@@ -197,11 +178,15 @@ class WindowActions(QObject):
             ask_to_resume: Asks whether to end the emergency stop.
             recovery: Takes the next step.
             run: Goes on with a run that pauses or waits.
-            diagnosis: Opens the windows 诊断 and «About this arm».
-            watch: Opens the guide, and the windows for recordings.
+            pages: Opens pages and windows.
             buttons: The buttons below the menu, by the names of their commands.
         """
-        self._recovery, self._run, self._watch = recovery, run, watch
+        self._recovery, self._run, self._pages = recovery, run, pages
+        opening = {
+            page.command.name: partial(pages.show, key)
+            for key, page in PAGES.items()
+            if page.command is not None and not page.beside_menu
+        }
         does: dict[str, Callback] = {
             "everywhere.stop": self._stop,
             "everywhere.halt": self._halt,
@@ -210,14 +195,7 @@ class WindowActions(QObject):
             "window.resume": ask_to_resume,
             _NEXT_STEP: self._take_step,
             "window.come_inside": self._take_step,
-            "replay.open": watch.open_replay,
-            "window.export": watch.open_export,
-            "window.backup": self._window.open_backup_dialog,
-            "window.diagnosis": diagnosis.open_doctor,
-            "window.about_arm": diagnosis.open_about_arm,
-            "window.reference_check": diagnosis.open_reference_check,
-            "window.report": diagnosis.open_report,
-            "window.about": diagnosis.open_about,
+            **opening,
             "window.language": self._switch_language,
             "window.theme": self._switch_theme,
             "everywhere.guide": self.open_guide,
@@ -269,7 +247,7 @@ class WindowActions(QObject):
 
     def open_guide(self) -> None:
         """Show the section of the user guide on the place where the operator is."""
-        self._watch.open_guide(section_of(*self._where()))
+        self._pages.open_guide(section_of(*self._where()))
 
     def _open(self, name: str, make: Callable[[], QDialog]) -> QDialog:
         if name not in self._opened:

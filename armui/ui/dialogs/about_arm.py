@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from PySide6.QtCore import QCoreApplication, QObject, Qt
+from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtGui import QGuiApplication, QShowEvent
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QWidget
 
@@ -33,6 +33,7 @@ from armui.ui import words
 from armui.ui.actions.act import Act
 from armui.ui.background import Background, Job
 from armui.ui.dialogs.base import ArmDialog, CloseButton
+from armui.ui.dialogs.online_since import OnlineSince
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import empty_grid, fill
 from armui.ui.widgets.seen_timer import SeenTimer
@@ -68,38 +69,6 @@ _LABELS: Final = Texts("AboutArm") | {
     "program": "Program",
 }
 _NO_BITRATE: Final = frozenset({"virtual", "udp_multicast"})
-
-
-class OnlineSince(QObject):
-    """Remembers the time at which the arm came online.
-
-    The protocol does not report for how long an arm has been switched on; this is the nearest to
-    it.
-
-    Args:
-        controller: Gives the arm's state.
-        parent: The object with which it ends.
-    """
-
-    def __init__(self, controller: ArmController, parent: QObject | None = None) -> None:
-        super().__init__(parent)
-        self._since_s: float | None = None
-        self._controller = controller
-        controller.operating_state_changed.connect(self._on_state_changed)
-        self._on_state_changed(controller.operating_state)
-
-    def seconds(self) -> float | None:
-        """Return for how long the arm has been online, or ``None`` if it is offline."""
-        now_s = self._controller.state.last_feedback_s
-        if self._since_s is None or now_s is None:
-            return None
-        return max(0.0, now_s - self._since_s)
-
-    def _on_state_changed(self, now: OperatingState) -> None:
-        if now.link is not LinkState.ONLINE:
-            self._since_s = None
-        elif self._since_s is None:
-            self._since_s = self._controller.state.last_feedback_s
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from typing import Final
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QButtonGroup, QToolButton, QWidget
@@ -15,59 +14,46 @@ from armui.ui.widgets.buttons import caption, choice_button, describe, named
 from armui.ui.widgets.layouts import STRETCH, in_column, in_row
 from armui.ui.widgets.page import Page, PageStack
 from armui.ui.widgets.translated import Translated
-from armui.ui.words.text import Text
+
+if TYPE_CHECKING:
+    from armui.ui.shell.pages import PageEntry
 
 _ICON_PX: Final = 16
 DRAWER_PX: Final = 300
 _LEAST_PX: Final = 190
 
 
-@dataclass(frozen=True, slots=True)
-class DrawerEntry:
-    """A page of the drawer.
-
-    Attributes:
-        key: Of the page; its tab is called ``drawer_<key>``.
-        title: The text of the tab.
-        tip: The purpose of the page.
-        open_page: Shows it, in the drawer or in its window.
-    """
-
-    key: str
-    title: Text
-    tip: Text
-    open_page: Callable[[], object]
-
-
 class Drawer(Translated, QWidget):
     """Tabs of pages, each created when it is first wanted; closed at first.
 
     Args:
-        entries: The pages, from left to right.
+        pages: The pages by their keys, from left to right; the tab of one is named
+            ``drawer_<key>``.
 
     Signals:
+        page_wanted: A page shall be shown, by its key.
         take_out_wanted: The visible page shall move to a window of its own.
         turned: It was opened (``True``) or closed.
     """
 
+    page_wanted = Signal(str)
     take_out_wanted = Signal(object)
     turned = Signal(bool)
 
-    def __init__(self, entries: Sequence[DrawerEntry]) -> None:
+    def __init__(self, pages: Mapping[str, PageEntry]) -> None:
         super().__init__()
         self.setObjectName("drawer")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.setMinimumHeight(_LEAST_PX)
-        self._entries = tuple(entries)
+        self._pages = pages
         self._group = QButtonGroup(self)
-        self._tabs = {entry.key: choice_button(f"drawer_{entry.key}") for entry in entries}
+        self._tabs = {key: choice_button(f"drawer_{key}") for key in pages}
         self._stack = PageStack()
         self._take_out = named("drawer_take_out", QToolButton())
         self._fold = named("drawer_fold", QToolButton())
-        for entry in self._entries:
-            tab = self._tabs[entry.key]
+        for key, tab in self._tabs.items():
             self._group.addButton(tab)
-            tab.clicked.connect(lambda _on=False, entry=entry: self._on_tab(entry))
+            tab.clicked.connect(lambda _on=False, key=key: self._on_tab(key))
         for button in (self._take_out, self._fold):
             button.setIconSize(QSize(_ICON_PX, _ICON_PX))
         head = in_row(*self._tabs.values(), STRETCH, self._take_out, self._fold, spacing=6)
@@ -111,9 +97,9 @@ class Drawer(Translated, QWidget):
             self.hide()
             self.turned.emit(False)
 
-    def _on_tab(self, entry: DrawerEntry) -> None:
+    def _on_tab(self, key: str) -> None:
         """A page that was taken out stays where it is: the tab of the one seen here is down."""
-        entry.open_page()
+        self.page_wanted.emit(key)
         if self.current is not None:
             self._tabs[self.current.key].setChecked(True)
 
@@ -123,8 +109,8 @@ class Drawer(Translated, QWidget):
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
-        for entry in self._entries:
-            caption(self._tabs[entry.key], entry.title.text(), tip=entry.tip.text())
+        for key, page in self._pages.items():
+            caption(self._tabs[key], page.tab_title.text(), tip=page.tip_text)
         tip = self.tr("Moves this page into its own window, for a second screen.")
         describe(self._take_out, self.tr("Own window"), tip)
         describe(self._fold, self.tr("Fold away"), self.tr("Folds the drawer away (Esc)"))

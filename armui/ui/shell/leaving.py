@@ -38,14 +38,6 @@ class KeepsDraft(Protocol):
         """Save the entries; go on only when they are known to be saved."""
 
 
-@runtime_checkable
-class KeepsWork(Protocol):
-    """A window whose unsaved work is kept on the disk and offered the next time."""
-
-    def keep_work(self) -> None:
-        """Save all unsaved work, because the program ends."""
-
-
 def unsaved(panels: Iterable[object]) -> list[KeepsDraft]:
     """Return the panels with unsaved entries; other objects are ignored."""
     return [

@@ -26,6 +26,7 @@ from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
     from armui.control.devices.joint_monitor import JointMonitor
+    from armui.ui.shell.pages import PageEntry
 
 
 _WIDTH_PX: Final = 176
@@ -127,67 +128,54 @@ class JointStatusButton(Translated, QAbstractButton):
         painter.end()
 
 
-@dataclass(frozen=True, slots=True)
-class WatchEntry:
-    """A page that monitors the arm or the bus.
-
-    Attributes:
-        key: The name of its icon; the button is called ``<key>_button``.
-        title: The text of the button.
-        tip: The purpose of the page.
-        open_page: Shows it.
-        command: Opens it from the command palette.
-    """
-
-    key: str
-    title: Text
-    tip: Text
-    open_page: Callable[[], object]
-    command: Command
-
-
 class WatchMenu(Translated, QWidget):
     """A button for each page, two in a row; a single one is as wide as the menu.
 
     Args:
-        entries: The pages, row by row.
+        pages: The pages by their keys, row by row; the button of one is named ``<key>_button``, its
+            icon as the page.
+
+    Signals:
+        page_wanted: A page shall be shown, by its key.
     """
 
-    def __init__(self, entries: Sequence[WatchEntry]) -> None:
+    page_wanted = Signal(str)
+
+    def __init__(self, pages: Mapping[str, PageEntry]) -> None:
         super().__init__()
         self.setObjectName("watch_menu")
-        self._buttons: list[tuple[WatchEntry, QToolButton]] = []
+        self._pages = pages
+        self._buttons = {key: named(f"{key}_button", QToolButton()) for key in pages}
         layout = empty_grid(self, gaps=(4, 4), margins=0)
-        for place, entry in enumerate(entries):
-            button = named(f"{entry.key}_button", QToolButton())
+        for place, (key, button) in enumerate(self._buttons.items()):
             button.setProperty("half", True)
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
             button.setIconSize(QSize(18, 18))
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-            button.clicked.connect(lambda _on=False, entry=entry: entry.open_page())
+            button.clicked.connect(lambda _on=False, key=key: self.page_wanted.emit(key))
             row, column = divmod(place, _COLUMNS)
-            alone = column == 0 and place == len(entries) - 1
+            alone = column == 0 and place == len(pages) - 1
             layout.addWidget(button, row, column, 1, _COLUMNS if alone else 1)
-            self._buttons.append((entry, button))
-        self.commands = [entry.command for entry in entries]
+        self.commands = [page.command for page in pages.values() if page.command is not None]
         self._recolor()
         self.retranslate_ui()
 
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
-        return {entry.command.name: button for entry, button in self._buttons}
+        buttons = zip(self._pages.values(), self._buttons.values(), strict=True)
+        return {page.command.name: button for page, button in buttons if page.command is not None}
 
     def retranslate_ui(self) -> None:
         """Set the names in the operator's language."""
-        for entry, button in self._buttons:
-            title = entry.title.text()
+        for key, button in self._buttons.items():
+            title = self._pages[key].tab_title.text()
             button.setText(f" {title}")
             button.setAccessibleName(title)
-            button.setToolTip(entry.tip.text())
+            button.setToolTip(self._pages[key].tip_text)
 
     def _recolor(self) -> None:
-        for entry, button in self._buttons:
-            button.setIcon(icons.icon(entry.key, colors_of(self).accent))
+        for key, button in self._buttons.items():
+            button.setIcon(icons.icon(key, colors_of(self).accent))
 
 
 class LibraryButton(Translated, QToolButton):

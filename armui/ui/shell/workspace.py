@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Final, Protocol
@@ -184,19 +183,16 @@ class Workspace(QObject):
         page.closed.connect(partial(self._on_closed, page))
         page.destroyed.connect(partial(self._forget, page))
 
-    def open_kept(self, key: str, make: Callable[[], Page], home: PageHome) -> Page:
-        """Show the single page of a kind, creating it the first time.
+    def keep(self, key: str, page: Page, home: PageHome) -> None:
+        """Manage the single page of a kind from now on.
 
         Args:
             key: The kind.
-            make: Makes the page.
+            page: The new page.
             home: Its region in the main window.
         """
-        if key not in self._kept:
-            self._kept[key] = make()
-            self.add(self._kept[key], home)
-        self._kept[key].open()
-        return self._kept[key]
+        self._kept[key] = page
+        self.add(page, home)
 
     def kept(self, key: str) -> Page | None:
         """Return the single page of a kind, or ``None`` if it was not created."""

@@ -215,7 +215,7 @@ def test_a_file_of_the_command_line_is_opened_and_nothing_moves(driver, tmp_path
     heard_by_the_arm(driver)
     path = file_of(tmp_path, "x.armui", "carried here")
     for _ in range(2):  # opened again, it is not piled up
-        driver.app_driver.window.open_trajectory_file(path)
+        driver.app_driver.window.pages.trajectories.open_file(path)
         (editor,) = shown_editors(driver)
         assert editor.document.points == (POINT,) * 7
         editor.leave()
@@ -227,7 +227,7 @@ def test_a_file_of_the_command_line_is_opened_and_nothing_moves(driver, tmp_path
 
 
 def test_a_file_of_the_command_line_of_a_taken_name_is_opened_beside_it(driver, tmp_path):
-    driver.app_driver.window.open_trajectory_file(file_of(tmp_path, "x.csv", "two"))
+    driver.app_driver.window.pages.trajectories.open_file(file_of(tmp_path, "x.csv", "two"))
     (editor,) = shown_editors(driver)
     assert len(editor.document.points) == 7
     assert {"two", "two 2"} <= set(driver.names())
@@ -235,7 +235,7 @@ def test_a_file_of_the_command_line_of_a_taken_name_is_opened_beside_it(driver, 
 
 def test_the_librarys_own_file_is_opened_itself(driver):
     before = driver.names()
-    driver.app_driver.window.open_trajectory_file(driver.library.folder / "two.log")
+    driver.app_driver.window.pages.trajectories.open_file(driver.library.folder / "two.log")
     (editor,) = shown_editors(driver)
     assert len(editor.document.points) == 3
     assert driver.names() == before
@@ -244,7 +244,7 @@ def test_the_librarys_own_file_is_opened_itself(driver):
 def test_a_file_of_the_command_line_that_is_none_is_told_in_the_library(driver, tmp_path):
     path = tmp_path / "no.armui"
     path.write_text("armui trajectory 1\nname: b\n\nJ 1 2 3\n")
-    driver.app_driver.window.open_trajectory_file(path)
+    driver.app_driver.window.pages.trajectories.open_file(path)
     assert shown_editors(driver) == []
     assert "no.armui, line 4" in driver.message()
 

@@ -93,16 +93,12 @@ def walk(pages, looker):
         looker.look()
     driver.click("drawer_fold")
     window = driver.window
-    window._trajectory_pages.open_library()
+    window.pages.trajectories.open_library()
     looker.look()
-    window._trajectory_pages.open_editor("one")
+    window.pages.trajectories.open_editor("one")
     looker.look()
-    for open_it in (
-        window.open_connect_dialog,
-        window.open_settings_dialog,
-        window._watch.open_export,
-    ):
-        open_it()
+    for key in ("connect", "settings", "export"):
+        window.pages.show(key)
         looker.look()
         close_dialogs()
 

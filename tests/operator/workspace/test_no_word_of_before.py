@@ -127,17 +127,17 @@ def test_so_is_what_is_opened_again(pages, languages):
     drawer = ("plots", "events", "bus", "sessions")
     for key in drawer:
         driver.click(f"{key}_button")
-    dialogs = (driver.window.open_connect_dialog, driver.window.open_settings_dialog)
-    for open_it in dialogs:
-        open_it()
+    dialogs = ("connect", "settings")
+    for key in dialogs:
+        driver.window.pages.show(key)
         driver.run(0.1)
         close_dialogs()
     reader = Reader(driver)
     driver.store.change(language=after)
     reader.read(after)
-    driver.window._trajectory_pages.open_library()
-    for open_it in dialogs:
-        open_it()
+    driver.window.pages.trajectories.open_library()
+    for key in dialogs:
+        driver.window.pages.show(key)
         reader.read(after)
         close_dialogs()
     for key in drawer:

@@ -8,11 +8,11 @@ from armui.ui.actions.window_actions import WindowActions
 pytestmark = pytest.mark.styled
 
 WINDOWS = {
-    "replay": lambda driver: driver.window.open_replay(),
-    "export": lambda driver: driver.window._watch.open_export(),
-    "backup": lambda driver: driver.window.open_backup_dialog(),
-    "connect": lambda driver: driver.window.open_connect_dialog(),
-    "settings": lambda driver: driver.window.open_settings_dialog(),
+    "replay": lambda driver: driver.window.pages.show("replay"),
+    "export": lambda driver: driver.window.pages.open_export(),
+    "backup": lambda driver: driver.window.pages.show("backup"),
+    "connect": lambda driver: driver.window.pages.show("connect"),
+    "settings": lambda driver: driver.window.pages.show("settings"),
     "shortcuts": lambda driver: driver.window.findChild(WindowActions).open_shortcuts(),
 }
 

@@ -168,7 +168,7 @@ def ask_for_guide(pages, window):
 
 
 def test_a_dialog_over_the_drawer_gives_the_guide_a_window_this_time(pages):
-    pages.driver.window.open_settings_dialog()
+    pages.driver.window.pages.show("settings")
     dialog = pages.driver.dialog(SettingsDialog)
     pages.driver.click("events_button")
     dialog.move(pages.driver.find("drawer").mapToGlobal(QPoint(20, -200)))
@@ -186,7 +186,7 @@ def test_a_dialog_over_the_drawer_gives_the_guide_a_window_this_time(pages):
 
 
 def test_a_dialog_beside_the_drawer_leaves_the_guide_there(pages):
-    pages.driver.window.open_settings_dialog()
+    pages.driver.window.pages.show("settings")
     dialog = pages.driver.dialog(SettingsDialog)
     dialog.resize(dialog.minimumSizeHint())
     dialog.move(pages.driver.window.mapToGlobal(QPoint(2000, 0)))

@@ -27,7 +27,7 @@ def log(tmp_path) -> Path:
 def test_an_export_touches_no_file_in_the_gui_thread(app_driver, log, monkeypatch):
     app_driver.ready()
     with watched(monkeypatch) as seen:
-        app_driver.window._watch.open_export(log)
+        app_driver.window.pages.open_export(log)
         dialog = app_driver.dialog(ExportDialog)
         QTest.mouseClick(dialog.export_button, LEFT)
         wait_until(dialog.export_button.isEnabled)
@@ -38,7 +38,7 @@ def test_an_export_touches_no_file_in_the_gui_thread(app_driver, log, monkeypatc
 
 def test_a_stop_during_an_export_stops_the_arm(app_driver, log):
     app_driver.ready()
-    app_driver.window._watch.open_export(log)
+    app_driver.window.pages.open_export(log)
     dialog = app_driver.dialog(ExportDialog)
     QTest.mouseClick(dialog.export_button, LEFT)
     app_driver.click(dialog.stop_button)
@@ -47,11 +47,11 @@ def test_a_stop_during_an_export_stops_the_arm(app_driver, log):
 
 
 def test_the_dialog_is_kept_with_what_was_entered(app_driver, log):
-    app_driver.window._watch.open_export(log)
+    app_driver.window.pages.open_export(log)
     dialog = app_driver.dialog(ExportDialog)
     dialog.form.begin_field.show_value(1.0)
     dialog.close()
-    app_driver.window._watch.open_export()
+    app_driver.window.pages.open_export()
     assert app_driver.dialog(ExportDialog) is dialog
     assert dialog.form.request().begin_s == 1.0
     assert dialog.form.request().log == log
