@@ -53,8 +53,8 @@ class Act:
         does: The method of the controller's part that it leads to, declared as an operation.
         arguments: The arguments that the reason of the operation depends on.
         tip: The purpose in English, for the tooltip while it can be pressed; a ``Text`` as above.
-        whose: True if a screen reader says what the button belongs to before its text; see
-            :meth:`HasActs.heading`.
+        whose: What a screen reader says before its text, as that belongs to it; True for the
+            heading of its owner, see :meth:`HasActs.heading`.
         key: The name of its command in the palette, which its shortcut has as well; "" for none.
         shortcut: The name of its shortcut, where that has another one.
         title: The title in the palette; without it that of the shortcut or of the operation, or
@@ -78,7 +78,7 @@ class Act:
         does: Callable[..., object] | None = None,
         arguments: Mapping[str, object] | None = None,
         tip: str | Text = "",
-        whose: bool = False,
+        whose: bool | Text = False,
         key: str = "",
         shortcut: str = "",
         title: Text | None = None,
@@ -231,7 +231,8 @@ class Act:
             button.setText(text)
             if keys:
                 button.setShortcut(QKeySequence(keys))  # a new text has removed it
-        whose = self._ask(owner, "whose", owner.heading if self._whose else str)
+        belongs = self._whose.text if isinstance(self._whose, Text) else owner.heading
+        whose = self._ask(owner, "whose", belongs if self._whose else str)
         button.setAccessibleName(f"{whose}: {text}" if whose else text)
         use = self._ask(owner, "tip", self._text(self._use).text)
         enable_or_explain(button, self.reason(owner), use, key=keys)

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
-from armui.control.operating_state import LinkState, OperatingState
+from armui.control.link.link_state import LinkState
+from armui.control.operating_state import OperatingState
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController

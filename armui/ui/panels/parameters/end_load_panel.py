@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QAbstractButton,
     QButtonGroup,
@@ -19,26 +19,19 @@ from armui.arm.limits import JOINTS
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
-from armui.control.devices.end_reports import EndReports, is_reporting, why_no_load, why_not_switch
+from armui.control.devices.end_reports import EndReports, is_reporting
 from armui.control.devices.mounting import MountingControl
 from armui.control.link.link_state import LinkState
 from armui.control.operating_state import OperatingState
-from armui.control.operations.operation import operation_of
 from armui.control.operations.started import refusal_of
 from armui.protocol.codes import EndLoad, Mounting
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.actions.act import Act, HasActs
 from armui.ui.actions.command import Command, Target
 from armui.ui.freshness import is_stale
 from armui.ui.panels.panel import Panel
-from armui.ui.widgets.buttons import (
-    caption,
-    choice_button,
-    enable_or_explain,
-    named,
-    push_button,
-    show_primary,
-)
+from armui.ui.widgets.buttons import caption, choice_button, enable_or_explain, named
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.layouts import empty_grid, fill, in_column, scrolled
 from armui.ui.widgets.text_label import ValueLabel, text_label
@@ -67,16 +60,28 @@ _CHOICES: Final[dict[Mounting, MountingName]] = {
 }
 
 
-class MountingCard(QFrame):
+class MountingCard(HasActs, QFrame):
     """The choice of a mounting; its owner asks the operator before it is sent.
 
     Args:
         controller: Sends the mounting.
         preferences: The settings with the last mounting of each arm.
 
-    Attributes:
-        send: The button that sends it.
+    Signals:
+        wanted: The chosen mounting shall be sent.
     """
+
+    wanted = Signal()
+
+    send = Act(
+        "Confirm",
+        named="mounting_confirm_button",
+        does=MountingControl.tell,
+        tip="Tells the arm how it is mounted. Asks first.",
+        whose=Text("MountingCard", "Mounting of the arm"),
+        key="end_load.mounting",
+        leads=True,
+    )
 
     def __init__(self, controller: ArmController, preferences: SettingsStore) -> None:
         super().__init__()
@@ -86,7 +91,6 @@ class MountingCard(QFrame):
         self.setProperty("card", True)
         self._heading = QLabel()
         self._choices = QButtonGroup(self)
-        self.send = push_button("mounting_confirm_button")
         self._told = text_label("mounting_told", wraps=True)
         self._note = text_label(rank="muted", wraps=True)
         row = QHBoxLayout()
@@ -169,13 +173,22 @@ class MountingCard(QFrame):
             button = self._choices.button(int(mounting))
             why_not = control.why_not_by_firmware(mounting)
             enable_or_explain(button, words.why_not(why_not), words.mounting(mounting))
-        chosen = self.chosen
-        use = self.tr("Tells the arm how it is mounted. Asks first.")
-        if chosen is None:
-            enable_or_explain(self.send, self.tr("Choose how the arm is mounted first."), use)
-        else:
-            enable_or_explain(self.send, words.why_not(control.why_not(chosen)), use)
-        show_primary(self.send, wanted=chosen is not None and chosen is not self._kept)
+        self.show_acts()
+
+    @send.pressed
+    def _on_send(self) -> None:
+        self.wanted.emit()
+
+    @send.why_not
+    def _why_not_send(self) -> Refusal | str | None:
+        if self.chosen is None:
+            return self.tr("Choose how the arm is mounted first.")
+        return self._controller.mounting.why_not(self.chosen)
+
+    @send.lit
+    def _is_new(self) -> bool:
+        """Return true while another mounting is chosen than the last one sent."""
+        return self.chosen is not None and self.chosen is not self._kept
 
     def _show_kept(self) -> None:
         """Nothing that was chosen for another arm stays chosen."""
@@ -200,7 +213,6 @@ class MountingCard(QFrame):
         for mounting in _CHOICES:
             button = self._choices.button(int(mounting))
             caption(button, words.mounting(mounting), whose=self._heading.text())
-        caption(self.send, self.tr("Confirm"), whose=self._heading.text())
         self._note.setText(
             self.tr(
                 "The arm does not answer this and cannot be asked for it: another program, or "
@@ -211,6 +223,9 @@ class MountingCard(QFrame):
         self.show_possible()
 
 
+_MOTION: Final = Text("EndLoadPanel", "Speed and acceleration of the end, by joint")
+
+
 class EndLoadPanel(Panel):
     """Three loads and four mountings to choose from, and a table while 0x481–0x486 arrive."""
 
@@ -218,19 +233,30 @@ class EndLoadPanel(Panel):
         Command("end_load.empty", Text("EndLoad", "No load")),
         Command("end_load.half", Text("EndLoad", "Half load")),
         Command("end_load.full", Text("EndLoad", "Full load")),
-        Command(
-            "end_load.confirm", Text("EndLoadPanel", "Confirm"), operation_of(EndReports.set_load)
-        ),
-        Command(
-            "end_load.feedback",
-            Text("EndLoadPanel", "Speed and acceleration of the end, by joint"),
-            operation_of(EndReports.switch),
-        ),
         Command("end_load.level", Text("Mounting", "Level")),
         Command("end_load.on_the_left_side", Text("Mounting", "Left side")),
         Command("end_load.on_the_right_side", Text("Mounting", "Right side")),
         Command("end_load.upside_down", Text("Mounting", "Upside down")),
-        Command("end_load.mounting", operation=operation_of(MountingControl.tell), leads=True),
+        *MountingCard.commands,
+    )
+
+    send = Act(
+        "Confirm",
+        named="load_confirm_button",
+        does=EndReports.set_load,
+        tip="Tells the arm its load, so that it compensates for the weight.",
+        whose=True,
+        key="end_load.confirm",
+        title=Text("EndLoadPanel", "Confirm"),
+    )
+    switch = Act(
+        "Switch on",
+        named="end_feedback_button",
+        does=EndReports.switch,
+        tip="Switches the periodic frames 0x481–0x486.",
+        whose=_MOTION,
+        key="end_load.feedback",
+        title=_MOTION,
     )
 
     def __init__(self, controller: ArmController, preferences: SettingsStore) -> None:
@@ -240,10 +266,8 @@ class EndLoadPanel(Panel):
         self._loads = QButtonGroup(self)
         self._sent = -1
         self._note = text_label(rank="muted", wraps=True)
-        self._send = push_button("load_confirm_button")
         self._motion_title = QLabel()
         self._state = text_label("end_feedback_state")
-        self._switch = push_button("end_feedback_button")
         self._units = [QLabel(unit) for _field, unit in _FIGURES]
         self._cells = {
             (joint, field): named(f"{field}_{joint}", ValueLabel("-00.000"))
@@ -254,22 +278,22 @@ class EndLoadPanel(Panel):
             kind = field.partition("_m_")[0].partition("_rad_")[0]
             tell_quantities(cell, f"arm.end_{kind}.{joint}")
         self._lay_out()
-        self._loads.idToggled.connect(lambda _load, _on: self._show_news())
-        self._send.clicked.connect(self._on_send)
-        self._switch.clicked.connect(self._on_switch)
-        self._mounting.send.clicked.connect(self._on_mounting)
+        self._loads.idToggled.connect(lambda _load, _on: self.show_acts())
+        self._mounting.wanted.connect(self._on_mounting)
         self._listen("load_", "end_feedback_", "mounting_")
         self.retranslate_ui()
 
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
         return {
+            **super().command_targets(),
             **{f"end_load.{each.name.lower()}": self._loads.button(int(each)) for each in _LOADS},
             **{f"end_load.{name}": button for name, button in self._mounting.buttons.items()},
-            "end_load.confirm": self._send,
-            "end_load.feedback": self._switch,
-            "end_load.mounting": self._mounting.send,
         }
+
+    def act_parts(self) -> Iterable[HasActs]:
+        """Return the card of the mounting."""
+        return (self._mounting,)
 
     def _lay_out(self) -> None:
         load_card, motion_card = QFrame(), QFrame()
@@ -281,12 +305,12 @@ class EndLoadPanel(Panel):
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
             self._loads.addButton(button, int(load))
             row.addWidget(button)
-        fill(column, row, self._send, self._note)
+        fill(column, row, self.send, self._note)
 
         grid = empty_grid(motion_card, gaps=(None, 6), margins=(16, 12, 16, 12))
         grid.addWidget(self._motion_title, 0, 0, 1, 5)
         grid.addWidget(self._state, 1, 0, 1, 3)
-        grid.addWidget(self._switch, 1, 3, 1, 2)
+        grid.addWidget(self.switch, 1, 3, 1, 2)
         right = Qt.AlignmentFlag.AlignRight
         for place, label in enumerate(self._units, start=1):
             label.setProperty("rank", "muted")
@@ -300,6 +324,7 @@ class EndLoadPanel(Panel):
 
     # -- actions ------------------------------------------------------------------------------
 
+    @send.pressed
     def _on_send(self) -> None:
         chosen = self._loads.checkedId()
         if chosen < 0:
@@ -307,11 +332,12 @@ class EndLoadPanel(Panel):
         else:
             if self._accepted(self._controller.end_reports.set_load(EndLoad(chosen))):
                 self._sent = chosen
-            self._show_news()
+            self.show_acts()
 
-    def _show_news(self) -> None:
-        """Light the button while there is a load to tell."""
-        show_primary(self._send, wanted=self._loads.checkedId() not in {-1, self._sent})
+    @send.lit
+    def _is_new(self) -> bool:
+        """Return true while there is a load to tell."""
+        return self._loads.checkedId() not in {-1, self._sent}
 
     def _on_mounting(self) -> None:
         title, text = self._mounting.question()
@@ -325,6 +351,7 @@ class EndLoadPanel(Panel):
             still=lambda: self._mounting.chosen is chosen,
         )
 
+    @switch.pressed
     def _on_switch(self) -> None:
         on = not is_reporting(self._controller.state)
         self._accepted(self._controller.end_reports.switch(on=on))
@@ -347,15 +374,14 @@ class EndLoadPanel(Panel):
         if reporting is not self._reporting:
             self._reporting = reporting
             self._state.setText(self.tr("The arm reports") if reporting else self.tr("Not heard"))
-            text = self.tr("Switch off") if reporting else self.tr("Switch on")
-            caption(self._switch, text, whose=self._motion_title.text())
+            self.show_acts()
+
+    @switch.text
+    def _switch_text(self) -> str:
+        return self.tr("Switch off") if self._reporting else self.tr("Switch on")
 
     def _show_all(self) -> None:
-        now = self._operating_state
-        use = self.tr("Tells the arm its load, so that it compensates for the weight.")
-        enable_or_explain(self._send, words.why_not(why_no_load(now)), use)
-        use = self.tr("Switches the periodic frames 0x481–0x486.")
-        enable_or_explain(self._switch, words.why_not(why_not_switch(now)), use)
+        self.show_acts()
         self._mounting.show_possible()
         self._show_state(self._controller.state)
         self._show_message()
@@ -370,11 +396,10 @@ class EndLoadPanel(Panel):
         for load in _LOADS:
             button = self._loads.button(int(load))
             caption(button, words.end_load(load), whose=self._title.text())
-        caption(self._send, self.tr("Confirm"), whose=self._title.text())
         self._note.setText(
             self.tr("The arm acknowledges this setting, but cannot be asked for it afterwards.")
         )
-        self._motion_title.setText(self.tr("Speed and acceleration of the end, by joint"))
+        self._motion_title.setText(_MOTION.text())
         names = (
             self.tr("Linear speed"),
             self.tr("Angular speed"),
