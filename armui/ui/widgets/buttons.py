@@ -64,13 +64,14 @@ def push_button(
     return button
 
 
-def give_menu(button: QPushButton | QToolButton, menu: QMenu) -> None:
+def give_menu(button: QAbstractButton, menu: QMenu) -> None:
     """Make a button open a menu, and clear its hover state when the pointer has left.
 
     A menu grabs the pointer without an event for the button below, and a choice in it may open a
     window before the pointer is back.
     """
-    button.setMenu(menu)
+    if isinstance(button, QPushButton | QToolButton):
+        button.setMenu(menu)
 
     def look() -> None:
         if not button.rect().contains(button.mapFromGlobal(QCursor.pos())):

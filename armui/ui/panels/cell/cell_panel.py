@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
@@ -21,6 +21,7 @@ from armui.control.events import Event, Level
 from armui.control.operations.operation import operation_of
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.actions.act import Act, ActFamily, HasActs
 from armui.ui.actions.command import Command, Target
 from armui.ui.dialogs.confirm_dialog import confirm
 from armui.ui.dialogs.files import choose_file
@@ -32,17 +33,9 @@ from armui.ui.panels.cell.gripper_tab import GripperTab
 from armui.ui.panels.cell.held_tab import HeldTab
 from armui.ui.panels.cell.tools_tab import ToolsTab
 from armui.ui.panels.panel import Panel
-from armui.ui.widgets.buttons import (
-    caption,
-    choice_button,
-    enable_or_explain,
-    give_menu,
-    named,
-    push_button,
-    show_primary,
-)
+from armui.ui.widgets.buttons import caption, choice_button, give_menu, named
 from armui.ui.widgets.layouts import in_column, in_row, scrolled
-from armui.ui.words.text import Text
+from armui.ui.words.text import Text, Texts
 
 if TYPE_CHECKING:
     from armui.control.operating_state import OperatingState
@@ -62,6 +55,35 @@ _NARROW_PX: Final = 60
 _MOST_SHOWN: Final = 14
 """The most differences that a question names."""
 
+_LABELS: Final = {
+    "confirm": Text("CellPanel", "Confirm"),
+    "new": Text("CellPanel", "New"),
+    "rename": Text("CellPanel", "Rename"),
+    "import": Text("CellPanel", "Import…"),
+    "export": Text("CellPanel", "Export…"),
+    "delete": Text("CellPanel", "Delete"),
+}
+_DOES: Final[Mapping[str, Callable[..., object]]] = {
+    "confirm": CellControl.confirm,
+    "new": CellControl.take,
+    "rename": CellControl.rename,
+    "import": CellControl.take,
+    "delete": CellControl.delete,
+}
+_TITLES: Final = {
+    "new": Text("CellPanel", "New cell"),
+    "import": Text("CellPanel", "Import a cell"),
+    "export": Text("CellPanel", "Export the cell"),
+}
+_USES: Final = Texts("CellPanel") | {
+    "confirm": "The cell shown is that of the arm in front of you; it takes effect.",
+    "new": "Makes an empty cell; a tool typed before becomes its first.",
+    "rename": "Gives the cell in force and its file the name that is typed.",
+    "import": "Reads a cell from a file; says what is different before it is taken over.",
+    "export": "Writes the cell to a file of its own.",
+    "delete": "Asks first, then deletes the cell and its file.",
+}
+
 
 class CellPanel(Panel):
     """The cell: chosen, made, confirmed, exchanged; below it a tab for each part of it.
@@ -73,17 +95,33 @@ class CellPanel(Panel):
 
     commands = (
         Command("cell.choose", operation=operation_of(CellControl.choose), presses=False),
-        Command("cell.confirm", operation=operation_of(CellControl.confirm), leads=True),
-        Command(
-            "cell.new", Text("CellPanel", "New cell"), operation_of(CellControl.take), leads=True
-        ),
-        Command("cell.rename", operation=operation_of(CellControl.rename), leads=True),
-        Command("cell.compare", Text("CellPanel", "Compare the cell with another")),
-        Command("cell.import", Text("CellPanel", "Import a cell"), operation_of(CellControl.take)),
-        Command("cell.export", Text("CellPanel", "Export the cell")),
-        Command("cell.delete", operation=operation_of(CellControl.delete), leads=True, risky=True),
         *(Command(f"cell.tab_{tab.key}", tab.title) for tab in TABS),
         *(command for tab in TABS for command in tab.commands),
+    )
+
+    buttons = ActFamily(
+        {
+            name: Act(
+                label,
+                named=f"cell_{name}_button",
+                does=_DOES.get(name),
+                tip=_USES.entry(name),
+                whose=True,
+                key=f"cell.{name}",
+                title=_TITLES.get(name),
+                leads=name in {"confirm", "new", "rename", "delete"},
+                risky=name == "delete",
+            )
+            for name, label in _LABELS.items()
+        }
+    )
+    compare = Act(
+        "Compare",
+        named="cell_compare_button",
+        tip="Says how another cell of the list differs from the one in force.",
+        whose=True,
+        key="cell.compare",
+        title=Text("CellPanel", "Compare the cell with another"),
     )
 
     def __init__(self, controller: ArmController, preferences: SettingsStore) -> None:
@@ -91,12 +129,10 @@ class CellPanel(Panel):
         self._preferences = preferences
         self._choice = named("cell_box", QComboBox())
         self._choice.setMinimumWidth(_NARROW_PX)
-        names = ("confirm", "new", "rename", "import", "export", "compare", "delete")
-        self._buttons = {name: push_button(f"cell_{name}_button") for name in names}
         self._name = named("cell_name", QLineEdit())
         self._name.setMaxLength(LONGEST_NAME)
-        self._others = named("cell_compare_menu", QMenu(self._buttons["compare"]))
-        give_menu(self._buttons["compare"], self._others)
+        self._others = named("cell_compare_menu", QMenu(self.compare))
+        give_menu(self.compare, self._others)
         self._name_label = QLabel()
         self._name_label.setBuddy(self._name)
         self._group = QButtonGroup(self)
@@ -105,29 +141,20 @@ class CellPanel(Panel):
         self._lay_out()
         self._choice.activated.connect(self._on_chosen)
         self._name.returnPressed.connect(self._on_new)
-        self._name.textEdited.connect(lambda _text: self._show_buttons())
+        self._name.textEdited.connect(lambda _text: self.show_acts())
         self._others.aboutToShow.connect(self._show_others)
         self._others.triggered.connect(lambda action: self._on_compare(action.data()))
-        for name, pressed in (
-            ("confirm", lambda: self._accepted(controller.cell.confirm())),
-            ("new", self._on_new),
-            ("rename", self._on_rename),
-            ("import", self._on_import),
-            ("export", self._on_export),
-            ("delete", self._on_delete),
-        ):
-            self._buttons[name].clicked.connect(pressed)
         controller.cell_changed.connect(self._on_cell_changed)
         self._listen("cell_", "held_", "load_")
         self.retranslate_ui()
 
     def _lay_out(self) -> None:
-        confirm, new, rename, *files = self._buttons.values()
+        confirm, new, rename, *files, delete = self.buttons.values()
         for button in (confirm, new, rename):
             button.setMinimumWidth(_NARROW_PX)
         head = in_row(self._title, (self._choice, 1), confirm, spacing=8)
         names = in_row(self._name_label, (self._name, 1), new, rename, spacing=6)
-        kept = in_row(*((each, 1) for each in files), spacing=6)
+        kept = in_row(*((each, 1) for each in (*files, self.compare, delete)), spacing=6)
         choice = in_row(spacing=6)
         for place, tab in enumerate(TABS):
             tab_button = choice_button(f"cell_tab_{tab.key}")
@@ -143,15 +170,13 @@ class CellPanel(Panel):
 
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
-        targets: dict[str, Target] = {
-            "cell.choose": self._choice,
-            **{f"cell.{name}": button for name, button in self._buttons.items()},
-        }
-        for place, kind in enumerate(TABS):
-            targets[f"cell.tab_{kind.key}"] = self._group.button(place)
-        for tab in self._tabs.values():
-            targets.update(tab.command_targets())
-        return targets
+        places = enumerate(TABS)
+        tabs = {f"cell.tab_{kind.key}": self._group.button(place) for place, kind in places}
+        return {**super().command_targets(), "cell.choose": self._choice, **tabs}
+
+    def act_parts(self) -> Iterable[HasActs]:
+        """Return the tabs that were made."""
+        return self._tabs.values()
 
     def _tab(self) -> CellTab:
         """Return the chosen tab; it is made when it is first wanted: all six would take 0.1 s."""
@@ -169,6 +194,18 @@ class CellPanel(Panel):
 
     # -- actions ------------------------------------------------------------------------------
 
+    @buttons.pressed
+    def _on_pressed(self, name: str) -> None:
+        does: dict[str, Callable[[], object]] = {
+            "confirm": lambda: self._accepted(self._controller.cell.confirm()),
+            "new": self._on_new,
+            "rename": self._on_rename,
+            "import": self._on_import,
+            "export": self._on_export,
+            "delete": self._on_delete,
+        }
+        does[name]()
+
     def _on_chosen(self, place: int) -> None:
         self._accepted(self._controller.cell.choose(self._choice.itemData(place) or ""))
         self._show_cells()
@@ -180,12 +217,12 @@ class CellPanel(Panel):
         cell = Cell(name, (tool,), tool.name) if any(pose) else Cell(name)
         if self._accepted(self._controller.cell.take(cell)):
             self._name.clear()
-            self._show_buttons()
+            self.show_acts()
 
     def _on_rename(self) -> None:
         if self._accepted(self._controller.cell.rename(self._name.text().strip())):
             self._name.clear()
-            self._show_buttons()
+            self.show_acts()
 
     def _show_others(self) -> None:
         cells = self._controller.cell
@@ -322,16 +359,15 @@ class CellPanel(Panel):
 
     def _show_all(self) -> None:
         self._show_cells()
-        self._show_buttons()
+        self.show_acts()
         why_not = words.why_not(self._why_not_change())
         self._stack_of_tabs.setCurrentWidget(self._tab())
         self._tab().show_cell(why_not)
         self._show_message()
 
     def _why_not_change(self) -> Refusal | None:
-        cells = self._controller.cell
-        none = CELL_NONE() if cells.cell is None else None
-        return why_not_change(self._operating_state) or cells.unconfirmed or none
+        unconfirmed = self._controller.cell.unconfirmed
+        return why_not_change(self._operating_state) or unconfirmed or self._why_no_cell()
 
     def _show_cells(self) -> None:
         cells = self._controller.cell
@@ -343,34 +379,47 @@ class CellPanel(Panel):
                 self._choice.addItem(name or self.tr("— (no cell)"), name)
         chosen = "" if cells.cell is None else cells.cell.name
         self._choice.setCurrentIndex(max(0, self._choice.findData(chosen)))
-
-    def _show_buttons(self) -> None:
-        now, cells, buttons = self._operating_state, self._controller.cell, self._buttons
-        why_not = words.why_not(why_not_change(now))
+        why_not = words.why_not(why_not_change(self._operating_state))
         self._choice.setEnabled(not why_not)
         use = self.tr("Puts another cell in force, or none; that confirms it, too.")
         self._choice.setToolTip(why_not or use)
-        waits = cells.unconfirmed is not None and cells.cell is not None
+
+    @buttons.why_not
+    def _why_not_press(self, name: str) -> Refusal | str | None:
+        cells, none = self._controller.cell, self._why_no_cell()
+        if name == "export":
+            return none
+        no_change = why_not_change(self._operating_state)
         done = self.tr("Nothing is to be confirmed: the cell is in force, or there is none.")
-        use = self.tr("The cell shown is that of the arm in front of you; it takes effect.")
-        enable_or_explain(buttons["confirm"], why_not or ("" if waits else done), use)
-        show_primary(buttons["confirm"], wanted=waits)
-        unnamed = "" if self._name.text().strip() else self.tr("Type a name first.")
-        use = self.tr("Makes an empty cell; a tool typed before becomes its first.")
-        enable_or_explain(buttons["new"], why_not or unnamed, use)
-        show_primary(buttons["new"], wanted=not unnamed)
-        none = words.why_not(CELL_NONE()) if cells.cell is None else ""
-        use = self.tr("Gives the cell in force and its file the name that is typed.")
-        enable_or_explain(buttons["rename"], why_not or none or unnamed, use)
-        alone = "" if len(cells.cells) > 1 else self.tr("There is no other cell.")
-        use = self.tr("Says how another cell of the list differs from the one in force.")
-        enable_or_explain(buttons["compare"], none or alone, use)
-        no_store = self._controller.cell.store is None
-        use = self.tr("Reads a cell from a file; says what is different before it is taken over.")
-        enable_or_explain(buttons["import"], why_not or (done if no_store else ""), use)
-        enable_or_explain(buttons["export"], none, self.tr("Writes the cell to a file of its own."))
-        use = self.tr("Asks first, then deletes the cell and its file.")
-        enable_or_explain(buttons["delete"], why_not or none, use)
+        unnamed = "" if self._is_named() else self.tr("Type a name first.")
+        reasons: dict[str, Refusal | str | None] = {
+            "confirm": "" if self._waits() else done,
+            "new": unnamed,
+            "rename": none or unnamed,
+            "import": done if cells.store is None else "",
+            "delete": none,
+        }
+        return no_change or reasons[name]
+
+    @buttons.lit
+    def _is_wanted(self, name: str) -> bool:
+        return self._waits() if name == "confirm" else name == "new" and self._is_named()
+
+    @compare.why_not
+    def _why_no_comparing(self) -> Refusal | str | None:
+        alone = self.tr("There is no other cell.")
+        return self._why_no_cell() or ("" if len(self._controller.cell.cells) > 1 else alone)
+
+    def _why_no_cell(self) -> Refusal | None:
+        return CELL_NONE() if self._controller.cell.cell is None else None
+
+    def _waits(self) -> bool:
+        """Return whether the cell shown waits to be confirmed."""
+        cells = self._controller.cell
+        return cells.unconfirmed is not None and cells.cell is not None
+
+    def _is_named(self) -> bool:
+        return bool(self._name.text().strip())
 
     def _on_noticed(self, event: Event) -> None:
         """Leave what went well to the status bar: the tab says what holds."""
@@ -391,17 +440,6 @@ class CellPanel(Panel):
         self._choice.setAccessibleName(self.tr("Chosen cell"))
         self._name_label.setText(self.tr("Cell's name"))
         self._name.setAccessibleName(self.tr("Cell's name"))
-        texts = {
-            "confirm": self.tr("Confirm"),
-            "new": self.tr("New"),
-            "rename": self.tr("Rename"),
-            "compare": self.tr("Compare"),
-            "import": self.tr("Import…"),
-            "export": self.tr("Export…"),
-            "delete": self.tr("Delete"),
-        }
-        for name, text in texts.items():
-            caption(self._buttons[name], text, whose=self._title.text())
         for place, tab in enumerate(TABS):
             caption(self._group.button(place), tab.title.text())
         self._choice.clear()

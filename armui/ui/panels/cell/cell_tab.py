@@ -18,6 +18,7 @@ from armui.control.operations.operation import operation_of
 from armui.control.operations.started import Started
 from armui.kinematics.axes import AXES, LINEAR_AXES
 from armui.ui import words
+from armui.ui.actions.act import HasActs
 from armui.ui.actions.command import Command, Target
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import empty_grid
@@ -97,7 +98,7 @@ def figures(fields: Sequence[FigureField]) -> tuple[float, ...]:
     )
 
 
-class CellTab(Translated, QWidget):
+class CellTab(HasActs, Translated, QWidget):
     """A part of the chosen cell.
 
     Args:
@@ -107,13 +108,11 @@ class CellTab(Translated, QWidget):
     Attributes:
         key: Its stable name.
         title: The title of its button.
-        commands: Its commands for the command palette, of the panel's key.
         preferences: The settings; ``None`` until the panel has given them.
     """
 
     key: ClassVar[str] = ""
     title: ClassVar[Text]
-    commands: ClassVar[Sequence[Command]] = ()
 
     def __init__(self, controller: ArmController, answered: Answered) -> None:
         super().__init__()
