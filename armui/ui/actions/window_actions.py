@@ -29,10 +29,11 @@ from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
+    from PySide6.QtWidgets import QWidget
+
     from armui.control.arm_controller import ArmController
     from armui.settings import SettingsStore
     from armui.ui.background import Background
-    from armui.ui.main_window import MainWindow
     from armui.ui.shell.page_opener import PageOpener
     from armui.ui.shell.recovery_line import RecoveryLine
     from armui.ui.shell.step_row import StepRow
@@ -138,7 +139,7 @@ class WindowActions(QObject):
 
     def __init__(
         self,
-        window: MainWindow,
+        window: QWidget,
         controller: ArmController,
         store: SettingsStore,
         background: Background,

@@ -21,8 +21,9 @@ from armui.ui.widgets.page import Page
 from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
+    from PySide6.QtWidgets import QWidget
+
     from armui.ui.actions.palette_items import Callback
-    from armui.ui.main_window import MainWindow
     from armui.ui.shell.drawer import Drawer
     from armui.ui.shell.page_opener import PageOpener
     from armui.ui.shell.workspace import Workspace
@@ -56,7 +57,7 @@ class PageActions(QObject):
     )
 
     def __init__(
-        self, window: MainWindow, workspace: Workspace, pages: PageOpener, drawer: Drawer
+        self, window: QWidget, workspace: Workspace, pages: PageOpener, drawer: Drawer
     ) -> None:
         super().__init__(window)
         self._window = window
