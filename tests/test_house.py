@@ -9,7 +9,10 @@ import sys
 import tomllib
 from collections import defaultdict
 from collections.abc import Iterator
+from graphlib import TopologicalSorter
 from pathlib import Path
+
+import grimp
 
 ROOT = Path(__file__).resolve().parents[1]
 LONGEST_FILE = 800
@@ -33,6 +36,14 @@ def test_no_two_public_classes_share_a_name():
                 places[node.name].append(name)
 
     assert {name: where for name, where in places.items() if len(where) > 1} == {}
+
+
+def test_no_files_know_each_other_in_a_circle():
+    """Imports for types alone count as well: who reads one file of a circle has to read all."""
+    graph = grimp.build_graph("armui")
+    knows = {each: graph.find_modules_directly_imported_by(each) for each in graph.modules}
+
+    TopologicalSorter(knows).prepare()  # raises CycleError with the circle
 
 
 def test_files_stay_short():

@@ -33,8 +33,9 @@ from armui.ui.shell.leaving import (
 from armui.ui.shell.operation_area import OperationArea, menu_entries
 from armui.ui.shell.page_actions import PageActions
 from armui.ui.shell.page_area import PageArea
+from armui.ui.shell.page_entry import Home
 from armui.ui.shell.page_opener import PageOpener
-from armui.ui.shell.pages import PAGES, PLACES, Home
+from armui.ui.shell.pages import PAGES, PLACES
 from armui.ui.shell.recovery_line import RecoveryLine
 from armui.ui.shell.robot_in_view import RobotInView, show_in_view
 from armui.ui.shell.side_menu import JointStatusButton, LibraryButton, SideMenu, WatchMenu
@@ -143,6 +144,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._status_bar = StatusBar(controller)
         self.pages = PageOpener(
             *(self, controller),
+            pages=PAGES,
             view=view,
             joint_monitor=self._joint_monitor,
             preferences=preferences,

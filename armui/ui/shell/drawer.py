@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QButtonGroup, QToolButton, QWidget
@@ -16,7 +16,7 @@ from armui.ui.widgets.page import Page, PageStack
 from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
-    from armui.ui.shell.pages import PageEntry
+    from armui.ui.shell.page_entry import PageEntry
 
 _ICON_PX: Final = 16
 DRAWER_PX: Final = 300
@@ -40,7 +40,7 @@ class Drawer(Translated, QWidget):
     take_out_wanted = Signal(object)
     turned = Signal(bool)
 
-    def __init__(self, pages: Mapping[str, PageEntry]) -> None:
+    def __init__(self, pages: Mapping[str, PageEntry[Any]]) -> None:
         super().__init__()
         self.setObjectName("drawer")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)

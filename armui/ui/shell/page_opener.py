@@ -9,8 +9,7 @@ from PySide6.QtCore import QObject
 from armui.control.sessions.session_recorder import SESSION_STARTED
 from armui.ui.background import Background
 from armui.ui.dialogs.online_since import OnlineSince
-from armui.ui.shell.pages import (
-    PAGES,
+from armui.ui.shell.page_kinds import (
     doctor_dialog,
     event_page,
     export_dialog,
@@ -21,7 +20,7 @@ from armui.ui.shell.pages import (
 from armui.ui.widgets.page import Page
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
     from concurrent.futures import Executor
     from pathlib import Path
 
@@ -35,6 +34,7 @@ if TYPE_CHECKING:
     from armui.ui.dialogs.base import ArmDialog
     from armui.ui.dialogs.connect import Leaving
     from armui.ui.shell.drawer import Drawer
+    from armui.ui.shell.page_entry import PageEntry
     from armui.ui.shell.status_bar import StatusBar
     from armui.ui.shell.trajectory_pages import TrajectoryPages
     from armui.ui.shell.workspace import Workspace
@@ -50,6 +50,7 @@ class PageOpener(QObject):
     Args:
         window: The main window.
         controller: Gives feedback and events.
+        pages: The declarations of the pages and windows, by their keys.
         view: The 3D picture.
         joint_monitor: Gives the state of the joints.
         preferences: The operator's settings.
@@ -70,6 +71,7 @@ class PageOpener(QObject):
         window: QWidget,
         controller: ArmController,
         *,
+        pages: Mapping[str, PageEntry[PageOpener]],
         view: ArmView,
         joint_monitor: JointMonitor,
         preferences: SettingsStore,
@@ -89,6 +91,7 @@ class PageOpener(QObject):
         self.background: Background = background
         self.trajectories: TrajectoryPages = trajectories
         self.leave_arm_then: Leaving = leave_arm_then
+        self._pages = pages
         self.online = OnlineSince(controller, window)
         self._workspace, self._drawer, self._files = workspace, drawer, files
         self._windows: dict[str, ArmDialog] = {}
@@ -102,7 +105,7 @@ class PageOpener(QObject):
 
     def show(self, key: str) -> None:
         """Show a page or window in front; it is created at the first time."""
-        show = PAGES[key].show
+        show = self._pages[key].show
         if show is None:
             self._shown(key)
         else:
@@ -120,7 +123,7 @@ class PageOpener(QObject):
         return page
 
     def _created(self, key: str) -> Page | ArmDialog:
-        make = PAGES[key].make
+        make = self._pages[key].make
         if make is None:
             raise KeyError(key)
         page = make(self)

@@ -6,236 +6,49 @@ are loaded when they are first asked for, so that the program starts without the
 
 from __future__ import annotations
 
-import enum
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from armui.ui.actions.command import Command, also
+from armui.ui.shell.page_entry import Home, PageEntry
+from armui.ui.shell.page_kinds import (
+    about_arm_dialog,
+    about_dialog,
+    backup_dialog,
+    bus_page,
+    connect_dialog,
+    doctor_dialog,
+    editor_page,
+    event_page,
+    export_dialog,
+    guide_page,
+    help_page,
+    joint_status_page,
+    library_page,
+    plot_page,
+    recording_page,
+    reference_dialog,
+    replay_window,
+    report_dialog,
+    sessions_page,
+    settings_dialog,
+)
 from armui.ui.words.text import Text
 from armui.viewport.view import ArmView
 
 if TYPE_CHECKING:
     from armui.ui.dialogs.about import AboutDialog
     from armui.ui.dialogs.about_arm import AboutArmDialog
-    from armui.ui.dialogs.backup import BackupDialog
-    from armui.ui.dialogs.base import ArmDialog
     from armui.ui.dialogs.connect import ConnectDialog
     from armui.ui.dialogs.doctor import DoctorDialog
     from armui.ui.dialogs.problem_report import ProblemReportDialog
     from armui.ui.dialogs.reference_check import ReferenceDialog
     from armui.ui.dialogs.settings import SettingsDialog
-    from armui.ui.guide.guide_page import GuidePage
-    from armui.ui.guide.help_page import HelpPage
     from armui.ui.shell.page_opener import PageOpener
-    from armui.ui.trajectory.editor.editor_page import EditorPage
-    from armui.ui.trajectory.library.library_page import LibraryPage
-    from armui.ui.trajectory.recording.recording_page import RecordingPage
-    from armui.ui.watch.bus.bus_page import BusPage
     from armui.ui.watch.events.event_page import EventPage
-    from armui.ui.watch.export_dialog import ExportDialog
-    from armui.ui.watch.joint_status_page import JointStatusPage
-    from armui.ui.watch.plots_area import PlotPage
     from armui.ui.watch.recordings.sessions_page import SessionsPage
     from armui.ui.watch.replay.replay_window import ReplayWindow
-    from armui.ui.widgets.page import Page
-
-
-class Home(enum.Enum):
-    """The part of the program that shows a page."""
-
-    BESIDE = enum.auto()
-    """Beside the 3D picture, in the place of the panels."""
-    DRAWER = enum.auto()
-    """A tab of the drawer."""
-    WINDOW = enum.auto()
-    """A window of its own."""
-
-
-@dataclass(frozen=True, slots=True)
-class PageEntry:
-    """A page or window.
-
-    Attributes:
-        title: Its title.
-        home: Where it is shown; a page can be moved from there into a window of its own.
-        kind: Loads and returns its class, which declares its commands.
-        make: Creates it when it is first opened; ``None`` if that is left to `show`.
-        tip: Its purpose, for its tab and its button.
-        short_title: The text of its tab and its button, if that is not the title.
-        command: Opens it from the command palette.
-        beside_menu: True if it has a button below the menu, of the name ``<key>_button``.
-        show: Shows it, if that is more than to create and open it.
-    """
-
-    title: Text
-    home: Home
-    kind: Callable[[], type[Page | ArmDialog]]
-    make: Callable[[PageOpener], Page | ArmDialog] | None = None
-    tip: Text | None = None
-    short_title: Text | None = None
-    command: Command | None = None
-    beside_menu: bool = False
-    show: Callable[[PageOpener], object] | None = None
-
-    @property
-    def movable(self) -> bool:
-        """True if it can be moved into a window of its own."""
-        return self.home is not Home.WINDOW
-
-    @property
-    def tab_title(self) -> Text:
-        """The text of its tab and its button."""
-        return self.short_title or self.title
-
-    @property
-    def tip_text(self) -> str:
-        """Its purpose in the present language; empty if none is declared."""
-        return "" if self.tip is None else self.tip.text()
-
-
-# The classes, and how they are created ------------------------------------------------------------
-
-
-def library_page() -> type[LibraryPage]:
-    """Return the class of the page 轨迹库."""
-    from armui.ui.trajectory.library.library_page import LibraryPage  # noqa: PLC0415 - scipy
-
-    return LibraryPage
-
-
-def editor_page() -> type[EditorPage]:
-    """Return the class of the editor of trajectories."""
-    from armui.ui.trajectory.editor.editor_page import EditorPage  # noqa: PLC0415 - scipy
-
-    return EditorPage
-
-
-def recording_page() -> type[RecordingPage]:
-    """Return the class of the page that records trajectories."""
-    from armui.ui.trajectory.recording.recording_page import RecordingPage  # noqa: PLC0415 - scipy
-
-    return RecordingPage
-
-
-def plot_page() -> type[PlotPage]:
-    """Return the class of the page 曲线."""
-    from armui.ui.watch.plots_area import PlotPage  # noqa: PLC0415 - pyqtgraph, numpy
-
-    return PlotPage
-
-
-def event_page() -> type[EventPage]:
-    """Return the class of the page 事件."""
-    from armui.ui.watch.events.event_page import EventPage  # noqa: PLC0415 - cantools
-
-    return EventPage
-
-
-def bus_page() -> type[BusPage]:
-    """Return the class of the page 总线."""
-    from armui.ui.watch.bus.bus_page import BusPage  # noqa: PLC0415 - numpy, cantools
-
-    return BusPage
-
-
-def sessions_page() -> type[SessionsPage]:
-    """Return the class of the page 会话记录."""
-    from armui.ui.watch.recordings.sessions_page import SessionsPage  # noqa: PLC0415 - for its page
-
-    return SessionsPage
-
-
-def joint_status_page() -> type[JointStatusPage]:
-    """Return the class of the page 关节状态 (manual 1.0.10)."""
-    from armui.ui.watch.joint_status_page import JointStatusPage  # noqa: PLC0415 - for its page
-
-    return JointStatusPage
-
-
-def guide_page() -> type[GuidePage]:
-    """Return the class of the page 使用指南."""
-    from armui.ui.guide.guide_page import GuidePage  # noqa: PLC0415 - for its page
-
-    return GuidePage
-
-
-def help_page() -> type[HelpPage]:
-    """Return the class of the page 使用帮助: how the 3D picture is used."""
-    from armui.ui.guide.help_page import HelpPage  # noqa: PLC0415 - for its page
-
-    return HelpPage
-
-
-def replay_window() -> type[ReplayWindow]:
-    """Return the class of the window 回放."""
-    from armui.ui.watch.replay.replay_window import ReplayWindow  # noqa: PLC0415 - numpy
-
-    return ReplayWindow
-
-
-def export_dialog() -> type[ExportDialog]:
-    """Return the class of the window 导出."""
-    from armui.ui.watch.export_dialog import ExportDialog  # noqa: PLC0415 - cantools
-
-    return ExportDialog
-
-
-def backup_dialog() -> type[BackupDialog]:
-    """Return the class of the window 参数备份."""
-    from armui.ui.dialogs.backup import BackupDialog  # noqa: PLC0415 - for its window
-
-    return BackupDialog
-
-
-def connect_dialog() -> type[ConnectDialog]:
-    """Return the class of the window 连接机械臂 (manual 1.0.1)."""
-    from armui.ui.dialogs.connect import ConnectDialog  # noqa: PLC0415 - for its window
-
-    return ConnectDialog
-
-
-def settings_dialog() -> type[SettingsDialog]:
-    """Return the class of the window 设置."""
-    from armui.ui.dialogs.settings import SettingsDialog  # noqa: PLC0415 - for its window
-
-    return SettingsDialog
-
-
-def doctor_dialog() -> type[DoctorDialog]:
-    """Return the class of the window 诊断: the faults of this computer, the bus and the arm."""
-    from armui.ui.dialogs.doctor import DoctorDialog  # noqa: PLC0415 - cantools
-
-    return DoctorDialog
-
-
-def about_arm_dialog() -> type[AboutArmDialog]:
-    """Return the class of the window with the facts on the arm and its connection."""
-    from armui.ui.dialogs.about_arm import AboutArmDialog  # noqa: PLC0415 - for its window
-
-    return AboutArmDialog
-
-
-def reference_dialog() -> type[ReferenceDialog]:
-    """Return the class of the check of whether the joints stand where they report."""
-    from armui.ui.dialogs.reference_check import ReferenceDialog  # noqa: PLC0415 - cantools
-
-    return ReferenceDialog
-
-
-def report_dialog() -> type[ProblemReportDialog]:
-    """Return the class of the window that shows and saves a problem report."""
-    from armui.ui.dialogs.problem_report import ProblemReportDialog  # noqa: PLC0415 - cantools
-
-    return ProblemReportDialog
-
-
-def about_dialog() -> type[AboutDialog]:
-    """Return the class of the window with the program's version and licences."""
-    from armui.ui.dialogs.about import AboutDialog  # noqa: PLC0415 - importlib.metadata
-
-    return AboutDialog
 
 
 def _new_events(pages: PageOpener) -> EventPage:
@@ -321,7 +134,7 @@ def _new_about(pages: PageOpener) -> AboutDialog:
 # The table ----------------------------------------------------------------------------------------
 
 # fmt: off
-PAGES: Final[Mapping[str, PageEntry]] = {
+PAGES: Final[Mapping[str, PageEntry[PageOpener]]] = {
     "library": PageEntry(
         Text("LibraryButton", "Trajectory library"), Home.BESIDE, library_page,
         command=Command("library.open", Text("LibraryButton", "Trajectory library"),

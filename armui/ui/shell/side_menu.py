@@ -26,7 +26,8 @@ from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
     from armui.control.devices.joint_monitor import JointMonitor
-    from armui.ui.shell.pages import PageEntry
+    from armui.ui.shell.page_entry import PageEntry
+    from armui.ui.shell.page_opener import PageOpener
 
 
 _WIDTH_PX: Final = 176
@@ -141,7 +142,7 @@ class WatchMenu(Translated, QWidget):
 
     page_wanted = Signal(str)
 
-    def __init__(self, pages: Mapping[str, PageEntry]) -> None:
+    def __init__(self, pages: Mapping[str, PageEntry[PageOpener]]) -> None:
         super().__init__()
         self.setObjectName("watch_menu")
         self._pages = pages
