@@ -13,10 +13,11 @@ from armui.cell.cell import Cell
 from armui.cell.work_area import Area, AreaBox, AreaPlane, Zone, with_zone, without_zone
 from armui.control.arm_controller import ArmController
 from armui.ui import format as fmt
+from armui.ui.actions.act import Act
 from armui.ui.actions.command import Command
 from armui.ui.panels.cell.cell_tab import NARROW_PX, Answered, change_command, figures
 from armui.ui.panels.cell.named_tab import EDGES, NamedTab, TabTexts, Thing
-from armui.ui.widgets.buttons import caption, enable_or_explain, give_menu, named, push_button
+from armui.ui.widgets.buttons import caption, enable_or_explain, give_menu, named
 from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.words.arm import part_name
@@ -33,14 +34,31 @@ class AreaTab(NamedTab):
     title = Text("CellPanel", "Area")
     commands = (
         Command("cell.area_zone", Text("AreaTab", "Planes and boxes of the work area")),
-        change_command("cell.area_plane", Text("AreaTab", "Add a plane to the work area")),
-        change_command("cell.area_box", Text("AreaTab", "Add a box to the work area")),
-        change_command("cell.area_apply", Text("AreaTab", "Apply the figures of the area")),
         change_command("cell.area_switch", Text("AreaTab", "Switch a plane or box")),
-        change_command("cell.area_delete", Text("AreaTab", "Delete a plane or box"), risky=True),
         change_command("cell.area_stops", Text("AreaTab", "Stop who else enters the work area")),
-        Command("cell.area_here", Text("AreaTab", "Take the present tool pose")),
-        Command("cell.area_frame", Text("AreaTab", "Take the pose of a user frame")),
+    )
+    changes = NamedTab.changes_of(
+        "area",
+        plane=Text("AreaTab", "Add a plane to the work area"),
+        box=Text("AreaTab", "Add a box to the work area"),
+        apply=Text("AreaTab", "Apply the figures of the area"),
+        delete=Text("AreaTab", "Delete a plane or box"),
+    )
+    here = Act(
+        "From tool",
+        named="cell_area_here",
+        tip="Fills in the present tool pose; a plane's Z axis is that of the tool.",
+        whose=True,
+        key="cell.area_here",
+        title=Text("AreaTab", "Take the present tool pose"),
+    )
+    of_frame = Act(
+        "From frame",
+        named="cell_area_frame",
+        tip="Fills in the pose of a user frame; its Z axis is that of the plane.",
+        whose=True,
+        key="cell.area_frame",
+        title=Text("AreaTab", "Take the pose of a user frame"),
     )
 
     def __init__(self, controller: ArmController, answered: Answered) -> None:
@@ -52,23 +70,20 @@ class AreaTab(NamedTab):
         self._margin = self._figure("margin", 1, "mm")
         self._margin_shown: float | None = None
         self._stops = named("cell_area_stops", QCheckBox())
-        self._here = push_button("cell_area_here")
-        self._frame = push_button("cell_area_frame")
-        self._frames = QMenu(self._frame)
-        give_menu(self._frame, self._frames)
-        for button in (self._here, self._frame):
+        self._frames = QMenu(self.of_frame)
+        give_menu(self.of_frame, self._frames)
+        for button in (self.here, self.of_frame):
             button.setMinimumWidth(NARROW_PX)
         self._lay_out(
             (self._margin_label, [self._margin]),
             beside=([self._on], ()),
-            below=[in_row((self._here, 1), (self._frame, 1), spacing=6)],
+            below=[in_row((self.here, 1), (self.of_frame, 1), spacing=6)],
             last=[self._stops, self._nearness],
         )
         self._on.clicked.connect(self._on_switched)
         self._stops.clicked.connect(
             lambda on: self._change(self._with(replace(self._area, stops_others=on)), self._chosen)
         )
-        self._here.clicked.connect(self._on_here)
         self._frames.triggered.connect(lambda action: self.take_pose(action.data()))
         self.retranslate_ui()
 
@@ -99,6 +114,7 @@ class AreaTab(NamedTab):
             switched = with_zone(self._area, replace(zone, on=on), instead_of=zone.name)
             self._change(self._with(switched), zone.name)
 
+    @here.pressed
     def _on_here(self) -> None:
         """Fill in the tool's pose; a plane's allowed side is behind the tool."""
         pose = self._controller.cartesian.tool_pose(self._controller.state)
@@ -125,10 +141,10 @@ class AreaTab(NamedTab):
         else:
             self._change(self._with(replace(self._area, margin_mm=figures([self._margin])[0])), "")
 
-    def _on_add(self, place: int) -> None:
+    def _on_add(self, act: str) -> None:
         name, pose = self._name.text().strip(), figures(self._fields)
         sizes_mm = figures(self._sizes)
-        zone = AreaBox(name, pose, sizes_mm) if place else AreaPlane(name, pose)
+        zone = AreaBox(name, pose, sizes_mm) if act == "box" else AreaPlane(name, pose)
         self._change(self._put(zone), name)
 
     # -- appearance ---------------------------------------------------------------------------
@@ -149,9 +165,6 @@ class AreaTab(NamedTab):
         self._frames.clear()
         for frame in self._cell.frames:
             self._frames.addAction(frame.name).setData(frame.pose)
-        none = "" if self._cell.frames else self.tr("The cell has no user frame yet.")
-        use = self.tr("Fills in the pose of a user frame; its Z axis is that of the plane.")
-        enable_or_explain(self._frame, none, use)
 
     def _entry(self, thing: Thing) -> str:
         kind = self.tr("Plane") if isinstance(thing, AreaPlane) else self.tr("Box")
@@ -178,10 +191,16 @@ class AreaTab(NamedTab):
                 value=fmt.number(seen[0].gap_mm, 0),
             )
         self._nearness.setText(text)
-        pose = self._controller.cartesian.tool_pose(state)
-        unknown = "" if pose is not None else self.tr("The arm has not reported its pose yet.")
-        use = self.tr("Fills in the present tool pose; a plane's Z axis is that of the tool.")
-        enable_or_explain(self._here, unknown, use)
+        AreaTab.here.show(self)
+
+    @here.why_not
+    def _why_not_here(self) -> str:
+        known = self._controller.cartesian.tool_pose(self._controller.state) is not None
+        return "" if known else self.tr("The arm has not reported its pose yet.")
+
+    @of_frame.why_not
+    def _why_no_frame(self) -> str:
+        return "" if self._cell.frames else self.tr("The cell has no user frame yet.")
 
     def _is_changed(self, typed: Thing) -> bool:
         return super()._is_changed(typed) or figures([self._margin])[0] != self._area.margin_mm
@@ -224,7 +243,3 @@ class AreaTab(NamedTab):
         self._size_label.setText(self.tr("Box, edges"))
         self._margin_label.setText(self.tr("Margin"))
         self._margin.setAccessibleName(self.tr("Margin of the work area"))
-        caption(self._here, self.tr("From tool"), whose=self.tr("Area"))
-        caption(self._frame, self.tr("From frame"), whose=self.tr("Area"))
-        caption(self._adds[0], self.tr("Add plane"))
-        caption(self._adds[1], self.tr("Add box"))

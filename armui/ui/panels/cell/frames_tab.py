@@ -8,11 +8,11 @@ from armui.arm.state import ArmState
 from armui.cell.placement import WORLD
 from armui.cell.user_frames import UserFrame
 from armui.control.arm_controller import ArmController
+from armui.ui.actions.act import Act
 from armui.ui.actions.command import Command
-from armui.ui.panels.cell.cell_tab import Answered, change_command, figures
+from armui.ui.panels.cell.cell_tab import Answered, figures
 from armui.ui.panels.cell.frame_by_points import FrameByPoints
-from armui.ui.panels.cell.named_tab import ForceTab, TabTexts, Thing
-from armui.ui.widgets.buttons import caption, enable_or_explain, push_button
+from armui.ui.panels.cell.named_tab import ForceTab, NamedTab, TabTexts, Thing
 from armui.ui.widgets.text_label import text_label
 from armui.ui.words.text import Text
 
@@ -27,18 +27,25 @@ class FramesTab(ForceTab):
     commands = (
         Command("cell.frame", Text("FramesTab", "Frame in force")),
         Command("cell.frame_by_points", Text("FramesTab", "Frame by three points")),
-        Command("cell.frame_here", Text("FramesTab", "Frame from the present tool pose")),
-        change_command("cell.frame_apply", Text("FramesTab", "Apply the figures of the frame")),
-        change_command("cell.frame_add", Text("FramesTab", "Add as a new frame")),
-        change_command("cell.frame_delete", Text("FramesTab", "Delete the frame"), risky=True),
+    )
+    changes = NamedTab.changes_of(
+        "frame",
+        apply=Text("FramesTab", "Apply the figures of the frame"),
+        add=Text("FramesTab", "Add as a new frame"),
+        delete=Text("FramesTab", "Delete the frame"),
+    )
+    here = Act(
+        "From the present tool pose",
+        named="cell_frame_here",
+        tip="Fills in the present tool pose, with the axes of the tool.",
+        key="cell.frame_here",
+        title=Text("FramesTab", "Frame from the present tool pose"),
     )
 
     def __init__(self, controller: ArmController, answered: Answered) -> None:
         super().__init__(controller, answered, FrameByPoints(controller, answered))
-        self._here = push_button("cell_frame_here")
-        self._here.clicked.connect(self._on_here)
         self._of_base = text_label("cell_frame_of_base", rank="muted", wraps=True)
-        self._lay_out(below=[self._of_base, self._here])
+        self._lay_out(below=[self._of_base, self.here])
         self.retranslate_ui()
 
     def typed(self) -> UserFrame:
@@ -54,6 +61,7 @@ class FramesTab(ForceTab):
             return ""
         return self.tr("It is the room's: it moves with the figures under Base.")
 
+    @here.pressed
     def _on_here(self) -> None:
         pose = self._controller.cartesian.tool_pose(self._controller.state)
         if pose is not None:
@@ -62,10 +70,12 @@ class FramesTab(ForceTab):
     def show_state(self, state: ArmState) -> None:
         """Show whether the present tool pose can be filled in."""
         super().show_state(state)
-        unknown = self._controller.cartesian.tool_pose(state) is None
-        why_not = self.tr("The arm has not reported its pose yet.") if unknown else ""
-        use = self.tr("Fills in the present tool pose, with the axes of the tool.")
-        enable_or_explain(self._here, why_not, use)
+        FramesTab.here.show(self)
+
+    @here.why_not
+    def _why_not_here(self) -> str:
+        known = self._controller.cartesian.tool_pose(self._controller.state) is not None
+        return "" if known else self.tr("The arm has not reported its pose yet.")
 
     def _next_step(self, *, new: bool, changed: bool) -> str:
         if self._fixed() and not new:
@@ -105,5 +115,4 @@ class FramesTab(ForceTab):
         """Set all texts in the operator's language."""
         self._name_ways(self.tr("Type it"), self.tr("By three points"))
         self._of_base.setText(self.tr("The frame's own pose, in the base (mm, °)"))
-        caption(self._here, self.tr("From the present tool pose"))
         super().retranslate_ui()

@@ -8,26 +8,19 @@ from typing import Any
 from PySide6.QtWidgets import QLabel, QMenu
 
 from armui.arm.models import model_data
+from armui.arm.refusal import Refusal
 from armui.cell.held_objects import PAYLOAD_KG, HeldObject
 from armui.control.arm_controller import ArmController
 from armui.control.cell.cell_control import CellControl, why_not_change
-from armui.control.devices.end_reports import EndReports, why_no_load
-from armui.control.operations.operation import operation_of
+from armui.control.devices.end_reports import EndReports
 from armui.protocol.codes import EndLoad
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.actions.act import Act
 from armui.ui.actions.command import Command
-from armui.ui.panels.cell.cell_tab import NARROW_PX, Answered, change_command, figures
+from armui.ui.panels.cell.cell_tab import NARROW_PX, Answered, figures
 from armui.ui.panels.cell.named_tab import EDGES, NamedTab, TabTexts, Thing
-from armui.ui.widgets.buttons import (
-    caption,
-    drop_down,
-    enable_or_explain,
-    give_menu,
-    named,
-    push_button,
-    show_primary,
-)
+from armui.ui.widgets.buttons import drop_down, give_menu, named
 from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.words.text import Text
@@ -41,45 +34,56 @@ class HeldTab(NamedTab):
     listed = "cell_held_object"
     kind = HeldObject
     title = Text("CellPanel", "Held")
-    commands = (
-        Command("cell.held_object", Text("HeldTab", "Held object")),
-        Command("cell.hold", operation=operation_of(CellControl.hold), leads=True),
-        change_command("cell.held_add", Text("HeldTab", "Add an object to hold")),
-        change_command("cell.held_apply", Text("HeldTab", "Apply the figures of the object")),
-        change_command("cell.held_delete", Text("HeldTab", "Delete the object"), risky=True),
-        Command("cell.held_touch", Text("HeldTab", "What the held object may touch")),
-        Command(
-            "cell.held_load",
-            Text("HeldTab", "Tell the arm the object's load"),
-            operation_of(EndReports.set_load),
-            leads=True,
-        ),
+    commands = (Command("cell.held_object", Text("HeldTab", "Held object")),)
+    changes = NamedTab.changes_of(
+        "held",
+        add=Text("HeldTab", "Add an object to hold"),
+        apply=Text("HeldTab", "Apply the figures of the object"),
+        delete=Text("HeldTab", "Delete the object"),
+    )
+    hold = Act(
+        "It is held",
+        named="cell_hold",
+        does=CellControl.hold,
+        whose=True,
+        key="cell.hold",
+        leads=True,
+    )
+    touch = Act(
+        "May touch…",
+        named="cell_held_touch",
+        key="cell.held_touch",
+        title=Text("HeldTab", "What the held object may touch"),
+    )
+    load = Act(
+        "Tell: {load}",
+        named="cell_held_load",
+        does=EndReports.set_load,
+        tip="Tells the arm its end load; the program never does so by itself.",
+        key="cell.held_load",
+        title=Text("HeldTab", "Tell the arm the object's load"),
+        leads=True,
     )
 
     def __init__(self, controller: ArmController, answered: Answered) -> None:
         super().__init__(controller, answered)
         self._touched: frozenset[str] = frozenset()
-        self._hold = push_button("cell_hold")
         self._form = drop_down("cell_held_kind")
         self._sizes = [self._figure(f"size_{edge}", 1, "mm") for edge in EDGES]
         self._mass_label = QLabel()
         self._mass = self._figure("mass", 2, "kg")
-        self._touch = push_button("cell_held_touch")
-        self._menu = named("cell_held_touch_menu", QMenu(self._touch))
-        give_menu(self._touch, self._menu)
+        self._menu = named("cell_held_touch_menu", QMenu(self.touch))
+        give_menu(self.touch, self._menu)
         self._payload = text_label("cell_held_payload", rank="muted", wraps=True)
-        self._load = push_button("cell_held_load")
-        for button in (self._hold, self._touch, self._load):
+        for button in (self.hold, self.touch, self.load):
             button.setMinimumWidth(NARROW_PX)
         self._lay_out(
-            (self._mass_label, [self._mass, self._touch]),
-            beside=([self._hold], [self._form]),
-            last=[in_row((self._payload, 1), self._load, spacing=6)],
+            (self._mass_label, [self._mass, self.touch]),
+            beside=([self.hold], [self._form]),
+            last=[in_row((self._payload, 1), self.load, spacing=6)],
         )
         self._form.activated.connect(lambda _place: self._show_news())
-        self._hold.clicked.connect(self._on_hold)
         self._menu.triggered.connect(self._on_touch)
-        self._load.clicked.connect(lambda: answered(controller.end_reports.set_load(self._load_of)))
         self.retranslate_ui()
 
     @property
@@ -92,6 +96,15 @@ class HeldTab(NamedTab):
         held = self._cell.held_object
         return EndLoad.EMPTY if held is None else held.load
 
+    @load.pressed
+    def _on_load(self) -> None:
+        self._answered(self._controller.end_reports.set_load(self._load_of))
+
+    @load.text
+    def _load_text(self) -> str:
+        return self.tr("Tell: {load}").format(load=words.end_load(self._load_of))
+
+    @hold.pressed
     def _on_hold(self) -> None:
         self._answered(self._controller.cell.hold("" if self._cell.held else self._chosen))
 
@@ -145,48 +158,57 @@ class HeldTab(NamedTab):
             action.setCheckable(True)
             action.setChecked(name in self._touched)
         self._touched &= frozenset(zones)
-        count = len(self._touched)
-        text = self.tr("May touch: {count}").format(count=count) if count else self.tr("May touch…")
-        caption(self._touch, text)
-        none = "" if zones else self.tr("The work area has no plane or box yet.")
-        use = ", ".join(sorted(self._touched))
-        enable_or_explain(
-            self._touch, none, use or self.tr("What it may touch: the table, a tray.")
-        )
 
-    def _show_hold(self) -> None:
-        """Name the button that marks as held, and say why it has no use now."""
-        cell, chosen = self._cell, self._thing
-        changed = chosen is not None and self.typed() != chosen
-        text = self.tr("Let go") if cell.held else self.tr("It is held")
-        caption(self._hold, text, whose=self._texts().kind)
-        use = self.tr("It counts in every check from now on. The gripper does not move.")
-        why_not = words.why_not(why_not_change(self._controller.operating_state))
-        if cell.held:
-            use = self.tr("“{name}” no longer counts in any check. The gripper does not move.")
-        elif chosen is None:
-            why_not = why_not or self._texts().missing
-        elif changed:
-            typing = self.tr("Press Apply first: the figures typed are not in force.")
-            why_not = why_not or typing
-        enable_or_explain(self._hold, why_not, use.format(name=cell.held))
-        show_primary(self._hold, wanted=not why_not and not cell.held)
+    @touch.text
+    def _touch_text(self) -> str:
+        count = len(self._touched)
+        return self.tr("May touch: {count}").format(count=count) if count else self.tr("May touch…")
+
+    @touch.tip
+    def _touch_use(self) -> str:
+        named = ", ".join(sorted(self._touched))
+        return named or self.tr("What it may touch: the table, a tray.")
+
+    @touch.why_not
+    def _why_no_touch(self) -> str:
+        none = self.tr("The work area has no plane or box yet.")
+        return "" if self._cell.area.zones else none
+
+    @hold.text
+    def _hold_text(self) -> str:
+        return self.tr("Let go") if self._cell.held else self.tr("It is held")
+
+    @hold.tip
+    def _hold_use(self) -> str:
+        if not self._cell.held:
+            return self.tr("It counts in every check from now on. The gripper does not move.")
+        text = self.tr("“{name}” no longer counts in any check. The gripper does not move.")
+        return text.format(name=self._cell.held)
+
+    @hold.why_not
+    def _why_not_hold(self) -> Refusal | str | None:
+        chosen, why_not = self._thing, why_not_change(self._controller.operating_state)
+        if self._cell.held:
+            return why_not
+        if chosen is None:
+            return why_not or self._texts().missing
+        typing = self.tr("Press Apply first: the figures typed are not in force.")
+        return why_not or (typing if self.typed() != chosen else "")
+
+    @hold.lit
+    def _is_to_hold(self) -> bool:
+        return self.hold.isEnabled() and not self._cell.held
 
     def _show_news(self) -> None:
         """Say what is to be done next, and light its button."""
         self._show_touched()
         super()._show_news()
-        self._show_hold()
         is_rod = bool(self._form.currentIndex())
         self._size_label.setText(self.tr("Ø X, Y; length Z") if is_rod else self.tr("Edges"))
         held = self._cell.held_object
         mass = fmt.number(0.0 if held is None else held.mass_kg, 2)
         text = self.tr("In the hand: {mass} kg. The arm carries {most} kg at most.")
         self._payload.setText(text.format(mass=mass, most=fmt.number(PAYLOAD_KG, 1)))
-        caption(self._load, self.tr("Tell: {load}").format(load=words.end_load(self._load_of)))
-        use = self.tr("Tells the arm its end load; the program never does so by itself.")
-        why_not = words.why_not(why_no_load(self._controller.operating_state))
-        enable_or_explain(self._load, why_not, use)
 
     def _next_step(self, *, new: bool, changed: bool) -> str:
         held = self._cell.held

@@ -9,6 +9,7 @@ from typing import Any, ClassVar, Final
 
 from PySide6.QtWidgets import QButtonGroup, QComboBox, QLabel, QLineEdit, QWidget
 
+from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.cell.cell import Cell, with_part, without_part
 from armui.cell.checks import CELL_NAME_TAKEN, LONGEST_NAME
@@ -18,9 +19,10 @@ from armui.cell.tools import Tool
 from armui.cell.user_frames import UserFrame
 from armui.cell.work_area import Zone
 from armui.control.arm_controller import ArmController
+from armui.control.cell.cell_control import CellControl
 from armui.kinematics.axes import AXES
 from armui.ui import format as fmt
-from armui.ui import words
+from armui.ui.actions.act import Act, ActFamily
 from armui.ui.panels.cell.cell_tab import (
     NARROW_PX,
     Answered,
@@ -30,16 +32,10 @@ from armui.ui.panels.cell.cell_tab import (
     pose_grid,
 )
 from armui.ui.panels.cell.point_search import PointSearch
-from armui.ui.widgets.buttons import (
-    caption,
-    choice_button,
-    enable_or_explain,
-    named,
-    push_button,
-    show_primary,
-)
+from armui.ui.widgets.buttons import caption, choice_button, named
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import STRETCH, Item, empty_grid, in_column, in_row
+from armui.ui.words.text import Text
 
 Thing = Tool | UserFrame | HeldObject | Zone
 EDGES: Final = "XYZ"
@@ -70,6 +66,15 @@ class TabTexts:
     delete: str
 
 
+_LABELS: Final = {
+    "apply": Text("NamedTab", "Apply"),
+    "add": Text("NamedTab", "Add"),
+    "plane": Text("AreaTab", "Add plane"),
+    "box": Text("AreaTab", "Add box"),
+    "delete": Text("NamedTab", "Delete"),
+}
+
+
 class NamedTab(CellTab):
     """A list, one chosen, its name and figures, and perhaps a guided search by points.
 
@@ -87,6 +92,36 @@ class NamedTab(CellTab):
     """The kind of the things."""
     adds: ClassVar[Sequence[str]] = ("add",)
     """The buttons that add one."""
+    changes: ClassVar[ActFamily[str]]
+    """Apply, the buttons that add one, and Delete."""
+
+    @classmethod
+    def changes_of(cls, part: str, **titles: Text) -> ActFamily[str]:
+        """Return the buttons that change the things of a tab.
+
+        Args:
+            part: As of the tab.
+            titles: Their titles in the palette.
+        """
+        acts = {
+            act: Act(
+                _LABELS[act],
+                named=f"cell_{part}_{act}",
+                does=CellControl.change,
+                whose=_LABELS[act].context == "NamedTab",
+                key=f"cell.{part}_{act}",
+                title=title,
+                leads=True,
+                risky=act == "delete",
+            )
+            for act, title in titles.items()
+        }
+        changes = ActFamily(acts)
+        changes.pressed(cls._on_change)
+        changes.why_not(cls._why_no_change)
+        changes.tip(cls._use_of)
+        changes.lit(cls._is_wanted)
+        return changes
 
     def __init__(
         self, controller: ArmController, answered: Answered, search: PointSearch | None = None
@@ -104,9 +139,6 @@ class NamedTab(CellTab):
         self._figures: list[FigureField] = []
         self._fields = [self._figure(axis, fmt.DECIMALS) for axis in AXES]
         self._sizes: list[FigureField] = []
-        self._apply = push_button(f"{name}_apply")
-        self._adds = [push_button(f"{name}_{each}") for each in self.adds]
-        self._delete = push_button(f"{name}_delete")
         self._search = search
         self._ways = CurrentStack()
         self._way = QButtonGroup(self)
@@ -114,10 +146,6 @@ class NamedTab(CellTab):
             lambda place: self._choose(self._choice.itemData(place) or "")
         )
         self._name.textEdited.connect(lambda _text: self._show_news())
-        self._apply.clicked.connect(self._on_apply)
-        self._delete.clicked.connect(self._on_delete)
-        for place, button in enumerate(self._adds):
-            button.clicked.connect(lambda _down, place=place: self._on_add(place))
 
     def _figure(self, name: str, decimals: int, unit: str = "") -> FigureField:
         """Return a field for a figure of the thing."""
@@ -152,11 +180,11 @@ class NamedTab(CellTab):
             grid.addWidget(label, row, 0)
             grid.addLayout(in_row((field, 1), *more, spacing=6), row, 1)
         grid.setColumnStretch(1, 1)
-        for widget in (self._apply, *self._adds, self._delete, *self._sizes):
+        for widget in (*self.changes.values(), *self._sizes):
             widget.setMinimumWidth(NARROW_PX)
-        changes = [self._apply, self._delete]
-        adds = list(self._adds)
-        rows_of_buttons = [adds, changes] if len(adds) > 1 else [[self._apply, *adds, self._delete]]
+        apply, delete = self.changes["apply"], self.changes["delete"]
+        adds = [self.changes[each] for each in self.adds]
+        rows_of_buttons = [adds, [apply, delete]] if len(adds) > 1 else [[apply, *adds, delete]]
         ends = [in_row(*((each, 1) for each in row), spacing=6) for row in rows_of_buttons]
         sizes: list[Item] = []
         if self._sizes:
@@ -242,16 +270,21 @@ class NamedTab(CellTab):
             self._local = before
             self.show_cell(self._why_not)
 
+    def _on_change(self, act: str) -> None:
+        if act == "apply":
+            self._on_apply()
+        elif act == "delete":
+            self._change(self._without(self._chosen), "")
+        else:
+            self._on_add(act)
+
     def _on_apply(self) -> None:
         typed = self.typed()
         self._change(self._put(typed, self._chosen), typed.name)
 
-    def _on_add(self, _place: int) -> None:
+    def _on_add(self, _act: str) -> None:
         typed = self.typed()
         self._change(self._put(typed), typed.name)
-
-    def _on_delete(self) -> None:
-        self._change(self._without(self._chosen), "")
 
     def _on_way_chosen(self, place: int) -> None:
         self._ways.setCurrentIndex(place)
@@ -320,22 +353,42 @@ class NamedTab(CellTab):
         """Say what is to be done next, light its button, and say why the others have no use."""
         for field in self._figures:
             field.show_attention(wanted=field.is_nonsense())
-        texts, typed = self._texts(), self.typed()
-        names = {thing.name.casefold() for thing in self._things}
-        new = bool(typed.name) and typed.name.casefold() not in names
-        changed = self._is_changed(typed)
-        unnamed = "" if typed.name else self.tr("Type a name first.")
-        taken = "" if new else words.refusal(CELL_NAME_TAKEN(value=typed.name))
-        for button, use in zip(self._adds, texts.add, strict=True):
-            enable_or_explain(button, self._why_not or unnamed or taken, use)
-            show_primary(button, wanted=button.isEnabled() and len(self._adds) == 1)
-        missing = "" if self._thing is not None else texts.missing
-        same = "" if changed else missing or self.tr("Nothing is changed.")
-        why_not = self._why_not or self._fixed()
-        enable_or_explain(self._apply, why_not or same, texts.apply)
-        enable_or_explain(self._delete, why_not or missing, texts.delete)
-        show_primary(self._apply, wanted=self._apply.isEnabled() and not new)
+        self.show_acts()
+        typed = self.typed()
+        new, changed = self._is_new(typed), self._is_changed(typed)
         self._next.setText(self._no_step() or self._next_step(new=new, changed=changed))
+
+    def _is_new(self, typed: Thing) -> bool:
+        """Return whether the name typed is that of none yet."""
+        names = {thing.name.casefold() for thing in self._things}
+        return bool(typed.name) and typed.name.casefold() not in names
+
+    def _why_no_change(self, act: str) -> Refusal | str | None:
+        typed = self.typed()
+        if act in self.adds:
+            unnamed = "" if typed.name else self.tr("Type a name first.")
+            taken = None if self._is_new(typed) else CELL_NAME_TAKEN(value=typed.name)
+            return self._why_not or unnamed or taken
+        missing = "" if self._thing is not None else self._texts().missing
+        if act == "apply":
+            same = missing or self.tr("Nothing is changed.")
+            missing = "" if self._is_changed(typed) else same
+        return self._why_not or self._fixed() or missing
+
+    def _use_of(self, act: str) -> str:
+        texts = self._texts()
+        adds = dict(zip(self.adds, texts.add, strict=True))
+        return adds.get(act) or (texts.apply if act == "apply" else texts.delete)
+
+    def _is_wanted(self, act: str) -> bool:
+        """Return whether a button is the next one: the only one that adds, or else Apply."""
+        if act == "delete" or not self.changes[act].isEnabled():
+            return False
+        return not self._is_new(self.typed()) if act == "apply" else len(self.adds) == 1
+
+    def heading(self) -> str:
+        """Return what one of the things is called."""
+        return self._texts().kind
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
@@ -351,12 +404,6 @@ class NamedTab(CellTab):
         for edge, figure in zip(EDGES, self._sizes, strict=False):
             text = self.tr("{kind}: edge along {axis}")
             figure.setAccessibleName(text.format(kind=texts.kind, axis=edge))
-        for button, text in (
-            (self._apply, self.tr("Apply")),
-            (self._adds[0], self.tr("Add")),
-            (self._delete, self.tr("Delete")),
-        ):
-            caption(button, text, whose=texts.kind)
         self.show_cell(self._why_not)
 
 

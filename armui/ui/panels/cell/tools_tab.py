@@ -10,8 +10,8 @@ from armui.cell.tools import Tool
 from armui.control.arm_controller import ArmController
 from armui.ui import format as fmt
 from armui.ui.actions.command import Command
-from armui.ui.panels.cell.cell_tab import Answered, change_command, figures
-from armui.ui.panels.cell.named_tab import ForceTab, TabTexts
+from armui.ui.panels.cell.cell_tab import Answered, figures
+from armui.ui.panels.cell.named_tab import ForceTab, NamedTab, TabTexts
 from armui.ui.panels.cell.tip_by_points import TipByPoints
 from armui.ui.widgets.text_label import text_label
 from armui.ui.words.text import Text
@@ -27,9 +27,12 @@ class ToolsTab(ForceTab):
     commands = (
         Command("cell.tool", Text("ToolsTab", "Tool on the flange")),
         Command("cell.tool_by_points", Text("ToolsTab", "Find the tip by points")),
-        change_command("cell.tool_apply", Text("ToolsTab", "Apply the figures of the tool")),
-        change_command("cell.tool_add", Text("ToolsTab", "Add as a new tool")),
-        change_command("cell.tool_delete", Text("ToolsTab", "Delete the tool"), risky=True),
+    )
+    changes = NamedTab.changes_of(
+        "tool",
+        apply=Text("ToolsTab", "Apply the figures of the tool"),
+        add=Text("ToolsTab", "Add as a new tool"),
+        delete=Text("ToolsTab", "Delete the tool"),
     )
 
     def __init__(self, controller: ArmController, answered: Answered) -> None:
