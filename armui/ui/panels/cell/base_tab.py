@@ -9,20 +9,21 @@ from PySide6.QtWidgets import QLabel
 from armui.cell.cell import placed
 from armui.cell.placement import WORLD, Placement
 from armui.control.arm_controller import ArmController
+from armui.control.cell.cell_control import CellControl
 from armui.kinematics.axes import AXES
 from armui.protocol.codes import Mounting
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.actions.act import Act
 from armui.ui.actions.command import Command
 from armui.ui.panels.cell.cell_tab import (
     Answered,
     CellTab,
-    change_command,
     figures,
     hint_label,
     pose_grid,
 )
-from armui.ui.widgets.buttons import caption, enable_or_explain, named, push_button, show_primary
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import STRETCH, in_column
 from armui.ui.widgets.text_label import text_label
@@ -38,7 +39,16 @@ class BaseTab(CellTab):
     title = Text("CellPanel", "Base")
     commands = (
         Command("cell.base_X", Text("BaseTab", "Place of the base in the room"), presses=False),
-        change_command("cell.base_apply", Text("BaseTab", "Apply the place of the base")),
+    )
+    apply = Act(
+        "Apply",
+        named="cell_base_apply",
+        does=CellControl.change,
+        tip="Stands the arm in the room: for the picture, the floor and the frame WORLD.",
+        whose=title,
+        key="cell.base_apply",
+        title=Text("BaseTab", "Apply the place of the base"),
+        leads=True,
     )
 
     def __init__(self, controller: ArmController, answered: Answered) -> None:
@@ -48,17 +58,25 @@ class BaseTab(CellTab):
         self._next = hint_label("cell_base_next")
         self._heading = QLabel()
         self._fields = [named(f"cell_base_{axis}", FigureField(fmt.DECIMALS)) for axis in AXES]
-        self._apply = push_button("cell_base_apply")
         self._mounting = text_label("cell_base_mounting", rank="warning", wraps=True)
         self._note = text_label(rank="muted", wraps=True)
         grid = pose_grid(self._fields)
-        parts = (self._next, self._heading, grid, self._apply, self._mounting, self._note, STRETCH)
+        parts = (self._next, self._heading, grid, self.apply, self._mounting, self._note, STRETCH)
         in_column(*parts, on=self, spacing=8, margins=0)
         for field in self._fields:
             field.textEdited.connect(lambda _text: self._show_news())
-        self._apply.clicked.connect(self._on_apply)
         self.retranslate_ui()
 
+    @apply.why_not
+    def _why_not_apply(self) -> str:
+        same = Placement(figures(self._fields)) == self._cell.placement
+        return self._why_not or (self.tr("Nothing is changed.") if same else "")
+
+    @apply.lit
+    def _is_wanted(self) -> bool:
+        return self.apply.isEnabled()
+
+    @apply.pressed
     def _on_apply(self) -> None:
         cell = placed(self._cell, Placement(figures(self._fields)))
         self._answered(self._controller.cell.change(cell))
@@ -89,10 +107,7 @@ class BaseTab(CellTab):
             field.show_attention(wanted=wrong)
         typed, placement = Placement(figures(self._fields)), self._cell.placement
         changed = typed != placement
-        same = "" if changed else self.tr("Nothing is changed.")
-        use = self.tr("Stands the arm in the room: for the picture, the floor and the frame WORLD.")
-        enable_or_explain(self._apply, self._why_not or same, use)
-        show_primary(self._apply, wanted=self._apply.isEnabled())
+        self.show_acts()
         told = words.mounting_check(typed.mounting, self._told()) if not any(nonsense) else ""
         self._mounting.setText(told if typed.is_set else "")
         if none := self._no_step():
@@ -112,7 +127,6 @@ class BaseTab(CellTab):
         self._heading.setText(self.tr("The base in the room (mm, °)"))
         for axis, field in zip(AXES, self._fields, strict=True):
             field.setAccessibleName(f"{self.title.text()} {axis}")
-        caption(self._apply, self.tr("Apply"), whose=self.title.text())
         self._note.setText(
             self.tr(
                 "The room's Z points up, its floor is at Z 0. Areas, frames and targets stay given "

@@ -7,16 +7,16 @@ from typing import Final
 
 from PySide6.QtWidgets import QCheckBox, QLabel
 
+from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.cell.gripper_table import MOST_PAIRS, Pairs
 from armui.control.arm_controller import ArmController
+from armui.control.cell.cell_control import CellControl
 from armui.control.devices.gripper import GripperControl, why_not_move_gripper
-from armui.control.operations.operation import operation_of
 from armui.ui import format as fmt
-from armui.ui import words
-from armui.ui.actions.command import Command
+from armui.ui.actions.act import Act
 from armui.ui.panels.cell.cell_tab import Answered, CellTab, change_command, hint_label
-from armui.ui.widgets.buttons import caption, enable_or_explain, named, push_button, show_primary
+from armui.ui.widgets.buttons import caption, named
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row
 from armui.ui.words.text import Text
@@ -35,14 +35,33 @@ class GripperTab(CellTab):
         change_command(
             "cell.gripper_on", Text("GripperTab", "Show and command calibrated openings")
         ),
-        Command("cell.gripper_widths", Text("GripperTab", "Propose widths for the gripper table")),
-        Command(
-            "cell.gripper_open",
-            Text("GripperTab", "Open the gripper to the next width of its table"),
-            operation_of(GripperControl.move),
-            leads=True,
-        ),
-        change_command("cell.gripper_apply", Text("GripperTab", "Apply the gripper table")),
+    )
+    widths = Act(
+        "Propose widths",
+        named="cell_gripper_widths",
+        tip="Fills in widths over the gripper's stroke.",
+        whose=title,
+        key="cell.gripper_widths",
+        title=Text("GripperTab", "Propose widths for the gripper table"),
+    )
+    open_next = Act(
+        "Open to {width} mm",
+        named="cell_gripper_open",
+        does=GripperControl.move,
+        tip="Moves the gripper, uncalibrated.",
+        key="cell.gripper_open",
+        title=Text("GripperTab", "Open the gripper to the next width of its table"),
+        leads=True,
+    )
+    apply = Act(
+        "Apply",
+        named="cell_gripper_apply",
+        does=CellControl.change,
+        tip="Puts the table in force; one of fewer than two pairs switches it off.",
+        whose=title,
+        key="cell.gripper_apply",
+        title=Text("GripperTab", "Apply the gripper table"),
+        leads=True,
     )
 
     def __init__(self, controller: ArmController, answered: Answered) -> None:
@@ -56,9 +75,6 @@ class GripperTab(CellTab):
         self._measured = [
             named(f"cell_gripper_measured_{n}", self._field()) for n in range(MOST_PAIRS)
         ]
-        self._widths = push_button("cell_gripper_widths")
-        self._open = push_button("cell_gripper_open")
-        self._apply = push_button("cell_gripper_apply")
         grid = empty_grid(gaps=(8, 4), margins=0)
         for column, (head, fields) in enumerate(
             zip(self._heads, (self._asked, self._measured), strict=True)
@@ -66,13 +82,10 @@ class GripperTab(CellTab):
             grid.addWidget(head, 0, column)
             for row, field in enumerate(fields, start=1):
                 grid.addWidget(field, row, column)
-        buttons = in_row((self._widths, 1), (self._open, 1), (self._apply, 1), spacing=6)
+        buttons = in_row((self.widths, 1), (self.open_next, 1), (self.apply, 1), spacing=6)
         parts = (self._next, buttons, in_row(self._on, STRETCH), grid, STRETCH)
         in_column(*parts, on=self, spacing=8, margins=0)
         self._on.clicked.connect(self._on_switched)
-        self._widths.clicked.connect(self._on_widths)
-        self._open.clicked.connect(self._on_open)
-        self._apply.clicked.connect(self._on_apply)
         self.retranslate_ui()
 
     def _field(self) -> FigureField:
@@ -97,6 +110,7 @@ class GripperTab(CellTab):
         self._answered(self._controller.cell.change(replace(self._cell, gripper_calibrated=on)))
         self._show_switch()
 
+    @widths.pressed
     def _on_widths(self) -> None:
         """Propose widths over the stroke; what was measured is kept only by applying it."""
         widest = self._controller.gripper.own_figures.travel.maximum
@@ -106,6 +120,7 @@ class GripperTab(CellTab):
             measured.show_value(None)
         self._show_news()
 
+    @open_next.pressed
     def _on_open(self) -> None:
         row = self._row
         width = None if row is None else self._asked[row].value
@@ -114,6 +129,7 @@ class GripperTab(CellTab):
             if self._answered(gripper.move(width, _GENTLE_NM, uncalibrated=True)):
                 self._measured[row].setFocus()
 
+    @apply.pressed
     def _on_apply(self) -> None:
         pairs = self.typed()
         on = len(pairs) > 1
@@ -142,7 +158,7 @@ class GripperTab(CellTab):
 
     def show_state(self, _state: ArmState) -> None:
         """Allow opening as soon as the gripper is heard."""
-        self._show_open()
+        GripperTab.open_next.show(self)
 
     def _show_switch(self) -> None:
         self._on.setChecked(self._cell.gripper_calibrated)
@@ -152,31 +168,46 @@ class GripperTab(CellTab):
         use = self.tr("Off, everything is as the arm tells it; the table is kept.")
         self._on.setToolTip(self._why_not or none or use)
 
-    def _show_open(self) -> None:
-        row, now = self._row, self._controller.operating_state
+    @open_next.text
+    def _open_text(self) -> str:
+        row = self._row
         width = fmt.NOTHING if row is None else fmt.number(self._asked[row].value or 0.0, 1)
-        caption(self._open, self.tr("Open to {width} mm").format(width=width))
+        return self.tr("Open to {width} mm").format(width=width)
+
+    @open_next.why_not
+    def _why_not_open(self) -> Refusal | str | None:
         done = self.tr("Every width is measured. Type another one, or apply the table.")
-        why_not = words.why_not(why_not_move_gripper(now)) or (done if row is None else "")
-        enable_or_explain(self._open, why_not, self.tr("Moves the gripper, uncalibrated."))
-        show_primary(self._open, wanted=row is not None and not why_not)
+        no_move = why_not_move_gripper(self._controller.operating_state)
+        return no_move or (done if self._row is None else "")
+
+    @open_next.lit
+    def _is_to_open(self) -> bool:
+        return self.open_next.isEnabled()
+
+    @widths.why_not
+    def _why_no_widths(self) -> str:
+        return self._why_not
+
+    @apply.why_not
+    def _why_not_apply(self) -> str:
+        off = len(self.typed()) > 1 and not self._cell.gripper_calibrated
+        same = "" if self._is_changed() or off else self.tr("Nothing is changed.")
+        return self._why_not or same
+
+    @apply.lit
+    def _is_to_apply(self) -> bool:
+        whole = len(self.typed()) > 1 and self._row is None
+        return self._is_changed() and whole and not self._why_not
+
+    def _is_changed(self) -> bool:
+        return self.typed() != self._cell.gripper_table
 
     def _show_news(self) -> None:
         """Say what is to be done next, and light its button."""
         for field in (*self._asked, *self._measured):
             field.show_attention(wanted=field.is_nonsense())
-        self._show_open()
-        use = self.tr("Fills in widths over the gripper's stroke.")
-        enable_or_explain(self._widths, self._why_not, use)
-        use = self.tr("Puts the table in force; one of fewer than two pairs switches it off.")
-        pairs = len(self.typed())
-        changed = self.typed() != self._cell.gripper_table
-        off = pairs > 1 and not self._cell.gripper_calibrated
-        same = "" if changed or off else self.tr("Nothing is changed.")
-        enable_or_explain(self._apply, self._why_not or same, use)
-        wanted = changed and pairs > 1 and self._row is None
-        show_primary(self._apply, wanted=wanted and not self._why_not)
-        self._next.setText(self._next_step(changed=changed))
+        self.show_acts()
+        self._next.setText(self._next_step(changed=self._is_changed()))
 
     def _next_step(self, *, changed: bool) -> str:
         if none := self._no_step():
@@ -210,6 +241,4 @@ class GripperTab(CellTab):
             head.setText(text)
             for number, field in enumerate(fields, start=1):
                 field.setAccessibleName(f"{text} {number}")
-        caption(self._widths, self.tr("Propose widths"), whose=self.title.text())
-        caption(self._apply, self.tr("Apply"), whose=self.title.text())
         self.show_cell(self._why_not)
