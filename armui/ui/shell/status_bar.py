@@ -21,10 +21,11 @@ from armui.protocol.codes import ArmStatusCode, TeachingState
 from armui.system.failures import Failure
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.actions.act import Act, HasActs
 from armui.ui.freshness import is_stale
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
-from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.layouts import STRETCH, in_column, in_row
 from armui.ui.widgets.message_line import MessageLine
@@ -66,11 +67,14 @@ _QUANTITIES: Final = {
 _MARK_ICON_PX: Final = 14
 
 
-class FailureLine(Translated, QWidget):
+class FailureLine(HasActs, Translated, QWidget):
     """Shows the newest unexpected failure and its count; hidden until there is one.
 
     It takes its room from the picture: buttons that move the arm keep their places.
     """
+
+    copy = Act("Copy details", named="failure_copy_button")
+    dismiss = Act("Close", named="failure_close_button")
 
     def __init__(self) -> None:
         super().__init__()
@@ -78,11 +82,7 @@ class FailureLine(Translated, QWidget):
         self._failure: Failure | None = None
         self._motion_ended = True
         self._message = MessageLine()
-        self._copy = push_button("failure_copy_button")
-        self._copy.clicked.connect(self._on_copy)
-        self._close = push_button("failure_close_button")
-        self._close.clicked.connect(self.hide)
-        buttons = in_row(STRETCH, self._copy, self._close)
+        buttons = in_row(STRETCH, self.copy, self.dismiss)
         in_column(self._message, buttons, on=self, spacing=4, margins=(8, 4, 8, 8))
         self.retranslate_ui()
         self.hide()
@@ -104,6 +104,11 @@ class FailureLine(Translated, QWidget):
         if not again:
             self.show()
 
+    @dismiss.pressed
+    def _on_dismiss(self) -> None:
+        self.hide()
+
+    @copy.pressed
     def _on_copy(self) -> None:
         if self._failure is not None:
             QGuiApplication.clipboard().setText(self._failure.text)
@@ -130,10 +135,7 @@ class FailureLine(Translated, QWidget):
 
     def retranslate_ui(self) -> None:
         """Update the texts in the operator's language."""
-        self._copy.setText(self.tr("Copy details"))
-        self._close.setText(self.tr("Close"))
-        for button in (self._copy, self._close):
-            button.setAccessibleName(button.text())
+        self.show_acts()
         self._say()
 
 
