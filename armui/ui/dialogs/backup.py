@@ -397,7 +397,11 @@ class BackupDialog(ArmDialog):
     def showEvent(self, event: QShowEvent) -> None:
         """Read the arm at each opening."""
         super().showEvent(event)
-        if not event.spontaneous() and not self._restoring:
+        if event.spontaneous():
+            return
+        if self._restoring:
+            self._show_all()
+        else:
             self._start_reading()
 
     def closeEvent(self, event: QCloseEvent) -> None:
@@ -599,6 +603,8 @@ class BackupDialog(ArmDialog):
             self._model.show_rows(rows)
 
     def _show_all(self) -> None:
+        if not self.isVisible():
+            return  # it is read and shown anew when it is opened
         self._compare()
         self._origin.setText(origin_text(self._backup, self._path))
         self._show_possible()
