@@ -62,13 +62,11 @@ class QuantityList(Translated, QWidget):
         self.search.setClearButtonEnabled(True)
         self._model = QStandardItemModel(self)
         self._shown = QSortFilterProxyModel(self)
-        self._shown.setSourceModel(self._model)
         self._shown.setRecursiveFilteringEnabled(True)
         self._shown.setAutoAcceptChildRows(True)
         self._shown.setFilterCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
         self.tree = _Tree()
         self.tree.setObjectName("quantity_tree")
-        self.tree.setModel(self._shown)
         self.tree.setHeaderHidden(True)
         self.tree.setUniformRowHeights(True)
         self.tree.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
@@ -83,6 +81,10 @@ class QuantityList(Translated, QWidget):
         self.tree.activated.connect(self._on_activated)
         self._timer = SeenTimer(self, _LOOK_MS, self.show_heard)
         self.retranslate_ui()
+        # filled and named before: each change costs filter and tree a search
+        self._shown.setSourceModel(self._model)
+        self.tree.setModel(self._shown)
+        self.tree.expandToDepth(0)
 
     def _fill(self) -> None:
         """Source, kind, joint."""
