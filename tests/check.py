@@ -25,16 +25,29 @@ RUFF: tuple[Command, ...] = (
     (SCRIPTS / "ruff", "check"),
     (SCRIPTS / "ruff", "format", "--check"),
 )
-TYPES_AND_LAYERS: tuple[Command, ...] = (
-    *(
-        (SCRIPTS / "mypy", "--platform", system, "--cache-dir", f".mypy_cache/{system}")
-        for system in ("linux", "win32", "darwin")
-    ),
-    (SCRIPTS / "lint-imports",),
-)
-"""Types for every system, wherever the check runs: what only one of them has is found on all.
+SYSTEMS = ("linux", "win32", "darwin")
 
-Each has its own cache: with one for all, each takes what the one before has found out for old.
+
+def _types(system: str, *folders: str) -> Command:
+    """Check the types that a system has; with a cache of its own, as each takes another's for old.
+
+    Args:
+        system: As mypy calls it.
+        folders: What is checked; by default all there is.
+    """
+    return (
+        *(SCRIPTS / "mypy", "--platform", system, "--cache-dir", f".mypy_cache/{system}"),
+        *folders,
+    )
+
+
+OWN_TYPES_AND_LAYERS: tuple[Command, ...] = (_types(sys.platform), (SCRIPTS / "lint-imports",))
+OTHER_TYPES: tuple[Command, ...] = tuple(
+    _types(system, "armui", "resources/packaging") for system in SYSTEMS if system != sys.platform
+)
+"""Of the program, for the systems this is not: what only one of them has is found on each.
+
+The tests' own types are checked for the system that they are about to run on.
 """
 COLLECTION: Command = (sys.executable, "-m", "pytest", "--collect-only", "-qq")
 """Leaves every test compiled, which each of pytest's workers would do for itself otherwise."""
@@ -47,8 +60,9 @@ def main() -> int:
         gallery = (sys.executable, "-m", "tests.gallery", pictures, "--quick", *SCENES)
         failed = _in_turn(RUFF)
         if not failed:
-            beside = lanes.submit(_in_turn, TYPES_AND_LAYERS)
-            failed = _in_turn((COLLECTION, gallery)) or beside.result()
+            first_other, *others = OTHER_TYPES
+            beside = lanes.submit(_in_turn, (*OWN_TYPES_AND_LAYERS, first_other))
+            failed = _in_turn((COLLECTION, gallery, *others)) or beside.result()
         return failed or _in_turn((TESTS,), live=True)
 
 
