@@ -301,6 +301,12 @@ class ArmRig:
             self.step()
         raise AssertionError(f"not within {seconds} s of simulated time: {self.codes()}")
 
+    def come_to_rest(self) -> None:
+        """Let a motion that has just been sent begin and end."""
+        self.run(0.4)
+        self.run_until(lambda: not self.controller.operating_state.moving, seconds=30.0)
+        self.run(0.5)  # the program has seen it stand still
+
     def ready(self) -> None:
         """Connect and enable: the arm may move."""
         self.connect()

@@ -30,9 +30,7 @@ def touch(driver, place):
     here = cartesian.tool_pose(driver.controller.state)
     target = to_base((*place, 0.0, 0.0, 0.0), WORK)
     accepted(cartesian.move((*target[:3], *here[3:]), MoveMode.MOVE_P))
-    driver.run(0.4)
-    driver.run_until(lambda: not driver.controller.operating_state.moving)
-    driver.run(0.5)
+    driver.come_to_rest()
 
 
 def take(driver, *numbers):

@@ -28,12 +28,6 @@ def fields(app_driver):
     return [app_driver.read(f"pose_field_{name}") for name in AXES]
 
 
-def settle(app_driver):
-    app_driver.run(0.1)
-    app_driver.run_until(lambda: not app_driver.controller.operating_state.moving, seconds=30)
-    app_driver.run(0.3)
-
-
 def apart_mm(app_driver, pose):
     return math.dist(flange(app_driver)[:3], pose[:3])
 
@@ -82,7 +76,7 @@ def test_a_pose_is_sent_and_reached(bent, button, mode):
     assert [frame.arbitration_id for frame in frames] == [0x152, 0x153, 0x154, 0x151]
     assert frames[-1].data[:3] == bytes.fromhex(f"01 {mode} 64")
     assert "Sent MOVE" in bent.read("notice_label")
-    settle(bent)
+    bent.come_to_rest()
     target = (300.0, 20.0, *flange(bent)[2:])
     assert apart_mm(bent, target) < 0.01
     assert flange(bent)[3:] == pytest.approx(BENT_POSE[3:], abs=0.01)
@@ -138,13 +132,13 @@ def test_what_is_no_figure_is_marked_and_not_sent(bent):
 def test_a_step_along_the_base_and_one_along_the_tool(bent):
     bent.find("tool_step").setCurrentIndex(3)
     bent.click("pose_plus_Z")
-    settle(bent)
+    bent.come_to_rest()
     assert flange(bent)[2] == pytest.approx(BENT_POSE[2] + 10.0, abs=0.01)
     assert apart_mm(bent, (*BENT_POSE[:2], BENT_POSE[2] + 10.0)) < 0.01
     start = pose_to_matrix(flange(bent))
     bent.click("frame_tool")
     bent.click("pose_minus_Z")
-    settle(bent)
+    bent.come_to_rest()
     assert apart_mm(bent, start[:3, 3] - 10.0 * start[:3, 2]) < 0.01
 
 
@@ -153,7 +147,7 @@ def test_two_steps_at_once_add_up(bent):
     bent.find("tool_step").setCurrentIndex(3)
     bent.click("pose_plus_Y")
     bent.click("pose_plus_Y")
-    settle(bent)
+    bent.come_to_rest()
     assert flange(bent)[1] == pytest.approx(BENT_POSE[1] + 20.0, abs=0.02)
 
 
@@ -195,7 +189,7 @@ def test_with_a_tool_the_panel_speaks_of_its_tip_and_the_arm_of_its_flange(bent)
     assert [float(text) for text in fields(bent)] == pytest.approx(list(tip), abs=0.002)
     bent.type_into("pose_field_Z", f"{tip[2] - 15:.3f}")
     bent.click("move_l_button")
-    settle(bent)
+    bent.come_to_rest()
     assert flange(bent)[2] == pytest.approx(BENT_POSE[2] - 15, abs=0.01)
     assert flange(bent)[:2] == pytest.approx(BENT_POSE[:2], abs=0.01)
 
@@ -210,7 +204,7 @@ def test_a_tool_that_cannot_be_is_refused(bent):
 
 def capture(app_driver, point, angles_deg):
     app_driver.controller.motion.send_joints(angles_deg)
-    settle(app_driver)
+    app_driver.come_to_rest()
     app_driver.click(f"capture_{point}")
 
 
@@ -226,7 +220,7 @@ def test_an_arc_through_three_captured_poses(bent):
     assert arm_hears(bent) == []
     assert "away from the start of the arc" in bent.read("pose_message")
     bent.click("arc_start_button")
-    settle(bent)
+    bent.come_to_rest()
     arm_hears(bent)
     bent.click("move_c_button")
     bent.step()
@@ -234,7 +228,7 @@ def test_an_arc_through_three_captured_poses(bent):
     points = [frame.data[0] for frame in frames if frame.arbitration_id == 0x158]
     assert points == [1, 2, 3]
     assert frames[-1].data[:3] == bytes.fromhex("01 03 64")
-    settle(bent)
+    bent.come_to_rest()
     assert bent.firmware.joints_deg == pytest.approx((40.0, *BENT_DEG[1:]), abs=0.02)
 
 
@@ -293,7 +287,7 @@ def test_a_link_lost_half_way_ends_a_jog_and_is_said(bent):
 def test_the_fields_go_along_with_a_step_until_something_is_typed(bent):
     bent.find("tool_step").setCurrentIndex(3)
     bent.click("pose_plus_Z")
-    settle(bent)
+    bent.come_to_rest()
     assert float(bent.read("pose_field_Z")) == pytest.approx(BENT_POSE[2] + 10.0, abs=0.01)
     bent.type_into("pose_field_Z", "250")
     bent.run(0.2)

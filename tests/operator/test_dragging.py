@@ -208,8 +208,7 @@ def test_what_was_not_dragged_goes_on_to_follow_the_arm(hand):
     """Sending takes no joint back that moved meanwhile, and Escape leaves no target behind."""
     app_driver = hand.app_driver
     accepted(app_driver.controller.motion.send_joints(OUT))
-    app_driver.run(0.5)
-    app_driver.run_until(lambda: not app_driver.controller.operating_state.moving, seconds=30.0)
+    app_driver.come_to_rest()
     panel = app_driver.window.findChild(object, "operation_area").currentWidget()
     assert panel.given() == (False,) * 6
     hand.choose(HandleKind.JOINTS)

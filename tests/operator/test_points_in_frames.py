@@ -42,9 +42,7 @@ def stands_at(driver):
 
 def drive(driver, joints_deg):
     accepted(driver.controller.motion.send_joints(joints_deg))
-    driver.run(0.2)
-    driver.run_until(lambda: not driver.controller.operating_state.moving, seconds=30.0)
-    driver.run(0.4)
+    driver.come_to_rest()
 
 
 def run(driver, editor):

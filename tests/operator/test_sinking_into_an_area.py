@@ -18,9 +18,7 @@ AHEAD_DEG = (0.0, 80.0, -60.0, 0.0, 20.0, 0.0)
 def over(app_driver):
     app_driver.ready()
     accepted(app_driver.controller.motion.send_joints(AHEAD_DEG))
-    app_driver.run(0.5)
-    app_driver.run_until(lambda: not app_driver.controller.operating_state.moving)
-    app_driver.run(0.5)
+    app_driver.come_to_rest()
     return app_driver
 
 

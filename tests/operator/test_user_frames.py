@@ -45,12 +45,6 @@ def choose(driver, name, place):
     box.activated.emit(place)
 
 
-def settle(driver):
-    driver.run(0.1)
-    driver.run_until(lambda: not driver.controller.operating_state.moving, seconds=30)
-    driver.run(0.4)
-
-
 # Three points -------------------------------------------------------------------------------------
 
 
@@ -220,7 +214,7 @@ def test_a_typed_target_lands_where_the_frame_has_it(moved, button):
         moved.type_into(f"pose_field_{axis}", figure)
     moved.click(button)
     assert "(base) to X" in moved.read("notice_label")
-    settle(moved)
+    moved.come_to_rest()
     expected = np.array(WORK[:3]) + work().apply((40.0, 10.0, 30.0))
     assert tip_mm(moved) == pytest.approx(expected, abs=0.1)
     assert shown(moved)[:3] == pytest.approx((40.0, 10.0, 30.0), abs=0.01)
@@ -231,14 +225,14 @@ def test_a_step_and_a_held_jog_go_along_the_frame(moved):
     moved.click("frame_user")
     choose(moved, "tool_step", moved.find("tool_step").findData(5.0))
     moved.click("pose_plus_Z")
-    settle(moved)
+    moved.come_to_rest()
     after = in_work_mm(tip_mm(moved))
     assert after - before == pytest.approx((0.0, 0.0, 5.0), abs=0.05)
     choose(moved, "tool_step", moved.find("tool_step").count() - 1)
     QTest.mousePress(moved.find("pose_minus_X"), Qt.MouseButton.LeftButton)
     hold(moved, 0.6)
     QTest.mouseRelease(moved.find("pose_minus_X"), Qt.MouseButton.LeftButton)
-    settle(moved)
+    moved.come_to_rest()
     gone = in_work_mm(tip_mm(moved)) - after
     assert gone[0] < -5.0
     assert gone[1:] == pytest.approx((0.0, 0.0), abs=0.1)
@@ -249,7 +243,7 @@ def test_the_base_and_the_tool_stay_where_they_were(moved):
     moved.click("frame_base")
     choose(moved, "tool_step", moved.find("tool_step").findData(5.0))
     moved.click("pose_plus_X")
-    settle(moved)
+    moved.come_to_rest()
     assert tip_mm(moved) - before == pytest.approx((5.0, 0.0, 0.0), abs=0.05)
 
 
@@ -275,7 +269,7 @@ def test_captured_poses_of_an_arc_stay_the_same_places(moved):
     x, y, z = tip_mm(moved)
     assert moved.read("captured_start") == f"{x:.0f} {y:.0f} {z:.0f} mm"
     moved.click("arc_start_button")
-    settle(moved)
+    moved.come_to_rest()
     assert tip_mm(moved) == pytest.approx((x, y, z), abs=0.05)
 
 
@@ -299,7 +293,7 @@ def test_the_jog_box_of_the_editor_names_the_frame_and_goes_along_it(moved):
     before = in_work_mm(tip_mm(moved))
     choose(moved, "box_step_mm", moved.find("box_step_mm").findData(5.0))
     moved.click("box_plus_2")
-    settle(moved)
+    moved.come_to_rest()
     gone = in_work_mm(tip_mm(moved)) - before
     assert gone == pytest.approx((0.0, 5.0, 0.0), abs=0.05)
     moved.controller.cell.forget_arm()

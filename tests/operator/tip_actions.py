@@ -31,9 +31,7 @@ def touch(driver, number, slip_mm=0.0):
 
 def go(driver, flange):
     accepted(driver.controller.cartesian.move(flange, MoveMode.MOVE_P))
-    driver.run(0.4)
-    driver.run_until(lambda: not driver.controller.operating_state.moving)
-    driver.run(0.5)
+    driver.come_to_rest()
 
 
 def take(driver, *numbers):
