@@ -24,6 +24,7 @@ from armui.ui.widgets.hold_button import HoldButton
 from tests.accepted import accepted
 
 ASKING = {
+    "ui/actions/act.py": {"HoldButton": 1},
     "ui/dialogs/backup.py": {"choose_file": 2, "confirm": 1},
     "ui/dialogs/confirm_dialog.py": {"ConfirmDialog": 1, "HoldButton": 1},
     "ui/dialogs/connect.py": {"confirm": 1},
@@ -81,6 +82,8 @@ def called(path):
         if isinstance(node, ast.Call):
             function = node.func
             name = getattr(function, "id", None) or getattr(function, "attr", None)
+            if name == "Act" and any(each.arg == "held" for each in node.keywords):
+                name = "HoldButton"
             if name in names and ast.unparse(function) not in {"app_driver.confirm"}:
                 found[name] += 1
     return dict(found)
