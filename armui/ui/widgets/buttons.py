@@ -35,7 +35,8 @@ def enable_or_explain(
     if key:
         shown = QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText)
         use = f"{use} ({shown})"
-    button.setToolTip(reason or use)
+    if button.toolTip() != (reason or use):  # Qt sends an event even for the same text
+        button.setToolTip(reason or use)
 
 
 def named(name: str, thing: Named) -> Named:

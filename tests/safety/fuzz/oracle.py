@@ -327,11 +327,22 @@ class Oracle:
             return None if off < _POSE_MM else "goes elsewhere than asked"
         return None
 
-    @staticmethod
-    def _why_no_step(asked: Asked, started: Started) -> str | None:
+    def _why_no_step(self, asked: Asked, started: Started) -> str | None:
+        limits = self._world.controller.operating_state.limits
         for index, goal in enumerate(started.goal_deg):
             delta = asked.delta if index + 1 == asked.joint else 0.0
-            if all(abs(goal - base[index] - delta) > _NEAR_DEG for base in asked.bases):
+            least_deg, most_deg = limits[index].min_deg, limits[index].max_deg
+
+            def follows(
+                base_deg: float, goal=goal, delta=delta, least_deg=least_deg, most_deg=most_deg
+            ) -> bool:
+                to_deg = base_deg + delta
+                if delta and not least_deg <= base_deg <= most_deg:
+                    # from outside a step leads to the limit at least, and says so
+                    to_deg = min(max(to_deg, least_deg), most_deg)
+                return abs(goal - to_deg) <= _NEAR_DEG
+
+            if not any(follows(base[index]) for base in asked.bases):
                 stepped = index + 1 == asked.joint
                 return "steps from elsewhere" if stepped else "turns a joint that was not asked for"
         return None
