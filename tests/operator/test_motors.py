@@ -165,7 +165,14 @@ def test_an_error_is_cleared(motors, generation):
     motors.run(0.3)
     left_alone = "00 00" if generation == 1 else "7F FF"
     assert sent(motors, 0x475) == [frame(0x475, f"03 00 00 {left_alone} AE 00 00")]
-    assert "the arm has confirmed the command to clear the error" in message(motors)
+    assert "Joint 3: the arm has confirmed the command to clear the error" in message(motors)
+
+
+@ONE_IS_ENOUGH
+def test_the_errors_of_all_joints_are_told_of_all(motors):
+    motors.click("clear_motor_7")
+    motors.run(0.3)
+    assert "Joint 1–6: the arm has confirmed" in message(motors)
 
 
 def test_an_arm_that_does_not_answer_says_so(motors):

@@ -10,6 +10,8 @@ from typing import Final, TypeVar
 
 from PySide6.QtCore import QCoreApplication
 
+from armui.arm.limits import JOINTS
+from armui.protocol.codes import ALL_JOINTS
 from armui.system import paths
 from armui.system.files import read_file
 from armui.system.sentence import Sentence
@@ -45,8 +47,10 @@ class _Figures(dict[str, str]):
         return NOT_KNOWN
 
 
-def _figure(value: object) -> str:
-    """A figure as the operator reads it: angles and lengths with three decimals."""
+def _figure(name: str, value: object) -> str:
+    """Return a figure as the operator reads it: angles and lengths with three decimals."""
+    if name == "joint" and value == ALL_JOINTS:
+        return f"{JOINTS[0]}–{JOINTS[-1]}"
     text = f"{value:.3f}" if isinstance(value, float) else str(value)
     return listed(text.split(", ")) if _LIST.fullmatch(text) else text
 
@@ -62,7 +66,7 @@ def sentence(context: str, source: object, params: Mapping[str, object]) -> str:
     Returns:
         The sentence; a figure that is not in ``params`` shows as «—».
     """
-    figures = _Figures({key: _figure(value) for key, value in params.items()})
+    figures = _Figures({key: _figure(key, value) for key, value in params.items()})
     return QCoreApplication.translate(context, str(source)).format_map(figures)
 
 
