@@ -7644,6 +7644,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>夹爪：已发送 {value} {unit}</translation>
     </message>
     <message>
+        <source>The arm stands in the work area&apos;s “{name}” as it is now: {part}, {value} mm too near.</source>
+        <translation>机械臂处于工作区当前的“{name}”之内：{part}，超出 {value} mm。</translation>
+    </message>
+    <message>
         <source>Cell renamed: {name}</source>
         <translation>单元已改名：{name}</translation>
     </message>
@@ -11582,16 +11586,16 @@ The other program must have ended.</source>
         <translation>无人知道机械臂会走哪条路径，而工作区域或最低高度正在生效。请先在“单元”中关闭其平面和盒体，或在“设置”中关闭最低高度。</translation>
     </message>
     <message>
-        <source>Joint {joint} moves at {value}°/s. {percent} % was told, that is {maximum}°/s at most; above {limit}°/s a motion is ended. Before the next one set the speed again: at the top of the window, of a run in its points and beside Send.</source>
-        <translation>关节 {joint} 实测 {value}°/s；下达的 {percent} % 对应最高 {maximum}°/s，超过 {limit}°/s 即结束运动。请在下次运动前重新设定速度：单次运动在窗口顶部，运行在各点和“发送”旁。</translation>
+        <source>Joint {joint} moves at {value}°/s. {percent} % was told, that is {maximum}°/s at most; above {limit}°/s a motion is ended. Look for the reason, and begin the next one slowly.</source>
+        <translation>关节 {joint} 实测 {value}°/s；下达的 {percent} % 对应最高 {maximum}°/s，超过 {limit}°/s 即结束运动。请查明原因，下次运动以低速开始。</translation>
     </message>
     <message>
-        <source>The tool moves at {value} mm/s. {percent} % was told, that is {maximum} mm/s at most on this path; above {limit} mm/s a motion is ended. Before the next one set the speed again: at the top of the window, of a run in its points and beside Send.</source>
-        <translation>工具移动实测 {value} mm/s；下达的 {percent} % 在此路径上对应最高 {maximum} mm/s，超过 {limit} mm/s 即结束运动。请在下次运动前重新设定速度：单次运动在窗口顶部，运行在各点和“发送”旁。</translation>
+        <source>The tool moves at {value} mm/s. {percent} % was told, that is {maximum} mm/s at most on this path; above {limit} mm/s a motion is ended. Look for the reason, and begin the next one slowly.</source>
+        <translation>工具移动实测 {value} mm/s；下达的 {percent} % 在此路径上对应最高 {maximum} mm/s，超过 {limit} mm/s 即结束运动。请查明原因，下次运动以低速开始。</translation>
     </message>
     <message>
-        <source>The tool turns at {value}°/s. {percent} % was told, that is {maximum}°/s at most on this path; above {limit}°/s a motion is ended. Before the next one set the speed again: at the top of the window, of a run in its points and beside Send.</source>
-        <translation>工具转动实测 {value}°/s；下达的 {percent} % 在此路径上对应最高 {maximum}°/s，超过 {limit}°/s 即结束运动。请在下次运动前重新设定速度：单次运动在窗口顶部，运行在各点和“发送”旁。</translation>
+        <source>The tool turns at {value}°/s. {percent} % was told, that is {maximum}°/s at most on this path; above {limit}°/s a motion is ended. Look for the reason, and begin the next one slowly.</source>
+        <translation>工具转动实测 {value}°/s；下达的 {percent} % 在此路径上对应最高 {maximum}°/s，超过 {limit}°/s 即结束运动。请查明原因，下次运动以低速开始。</translation>
     </message>
     <message>
         <source>The last minutes are being saved already. Wait a moment.</source>

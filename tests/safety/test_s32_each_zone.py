@@ -62,8 +62,9 @@ def guarded(rig, *zones, stops=True):
 
 
 def entered(rig):
-    """The zones that were told to be entered, in order."""
-    return [each.params["name"] for each in rig.events if each.code == "area_entered"]
+    """The zones that were told to be entered, or to stand around the arm, in order."""
+    told = {"area_entered", "area_around"}
+    return [each.params["name"] for each in rig.events if each.code in told]
 
 
 def reached(rig, target_deg):
@@ -174,3 +175,10 @@ def test_each_zone_is_shown_as_long_as_the_arm_is_in_it(rig, other_host):
     assert rig.controller.operating_state.intrusion.name == "person"
     other_host.move_to(BENT_DEG, 20)
     rig.run_until(lambda: rig.controller.operating_state.intrusion is None, seconds=8.0)
+
+
+def test_an_area_put_around_a_standing_arm_is_not_told_as_entered(rig, other_host):
+    guarded(rig, PARKINGS["a plane under it"](), stops=False)
+    codes = [each.code for each in rig.events if each.code.startswith("area_")]
+
+    assert codes == ["area_around"]

@@ -33,6 +33,13 @@ AREA_ENTERED = Notice(
     EventKind.STATUS,
     Asker.PROGRAM,
 )
+AREA_AROUND = Notice(
+    "area_around",
+    "The arm stands in the work area's “{name}” as it is now: {part}, {value} mm too near.",
+    Level.WARNING,
+    EventKind.STATUS,
+    Asker.PROGRAM,
+)
 AREA_BELOW = Notice(
     "area_below",
     "After an emergency stop the arm may sink, and the work area does not hold it: below it is "
@@ -77,6 +84,7 @@ class AreaGuard(ControllerPart):
         self._measured: tuple[object, ...] = ()
         self._seen: tuple[AreaEntry, ...] = ()
         self._inside: dict[str, float] = {}
+        self._looked_by: AreaCheck | None = None
         self._ran = True
 
     # What is known ----------------------------------------------------------------------------
@@ -157,9 +165,13 @@ class AreaGuard(ControllerPart):
         context = self._context
         state = context.connection.newest
         inside = {each.zone.name: each for each in self.entered(state)}
+        check = self.check()
+        # an area that was put around a standing arm is not said to have been entered
+        notice = AREA_ENTERED if check is self._looked_by else AREA_AROUND
+        self._looked_by = check
         for name, entry in inside.items():
             if name not in self._inside:
-                context.tell(AREA_ENTERED, name=name, part=entry.part, value=self._too_near(entry))
+                context.tell(notice, name=name, part=entry.part, value=self._too_near(entry))
         if self._inside and not inside:
             context.tell(AREA_LEFT)
         deeper = [
@@ -182,4 +194,5 @@ class AreaGuard(ControllerPart):
     def forget_arm(self) -> None:
         """Forget where the arm was: it may be another one that comes."""
         self._measured, self._seen = (), ()
+        self._looked_by = None
         self._inside = {}

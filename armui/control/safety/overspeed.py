@@ -20,20 +20,18 @@ if TYPE_CHECKING:
 TOO_FAST = Reason(
     "too_fast",
     "Joint {joint} moves at {value}°/s. {percent} % was told, that is {maximum}°/s at most; above "
-    "{limit}°/s a motion is ended. Before the next one set the speed again: at the top of the "
-    "window, of a run in its points and beside Send.",
+    "{limit}°/s a motion is ended. Look for the reason, and begin the next one slowly.",
 )
 TOOL_TOO_FAST = Reason(
     "tool_too_fast",
     "The tool moves at {value} mm/s. {percent} % was told, that is {maximum} mm/s at most on this "
-    "path; above {limit} mm/s a motion is ended. Before the next one set the speed again: at the "
-    "top of the window, of a run in its points and beside Send.",
+    "path; above {limit} mm/s a motion is ended. Look for the reason, and begin the next one "
+    "slowly.",
 )
 TOOL_TURNS_TOO_FAST = Reason(
     "tool_turns_too_fast",
     "The tool turns at {value}°/s. {percent} % was told, that is {maximum}°/s at most on this "
-    "path; above {limit}°/s a motion is ended. Before the next one set the speed again: at the "
-    "top of the window, of a run in its points and beside Send.",
+    "path; above {limit}°/s a motion is ended. Look for the reason, and begin the next one slowly.",
 )
 
 
