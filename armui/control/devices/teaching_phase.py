@@ -44,6 +44,20 @@ drag teaching. The maker says «near the rest pose» and gives no figure; the si
 this one.
 """
 
+DRIVES: Final = frozenset(
+    {TeachingState.RUN_RECORDING, TeachingState.CONTINUE, TeachingState.MOVE_TO_START}
+)
+
+_ASKS_MUCH: Final = frozenset(
+    {
+        TeachingState.START_RECORDING,
+        TeachingState.RUN_RECORDING,
+        TeachingState.CONTINUE,
+        TeachingState.MOVE_TO_START,
+    }
+)
+"""The commands that move the arm or hand it over: they need powered motors and no fault."""
+
 
 class TeachingPhase(enum.Enum):
     """The phases of drag teaching."""
@@ -59,9 +73,6 @@ class TeachingPhase(enum.Enum):
     PAUSED = enum.auto()
 
 
-DRIVES: Final = frozenset(
-    {TeachingState.RUN_RECORDING, TeachingState.CONTINUE, TeachingState.MOVE_TO_START}
-)
 _BY_STATUS: Final[Mapping[int, TeachingPhase]] = {
     ArmStatusCode.TEACHING_RECORDING: TeachingPhase.RECORDING,
     ArmStatusCode.TEACHING_RUNNING: TeachingPhase.REPLAYING,
@@ -79,15 +90,6 @@ _SUITS: Final[Mapping[TeachingState, frozenset[TeachingPhase]]] = {
 }
 """The phases in which each command of 0x150 byte 2 has an effect."""
 
-_ASKS_MUCH: Final = frozenset(
-    {
-        TeachingState.START_RECORDING,
-        TeachingState.RUN_RECORDING,
-        TeachingState.CONTINUE,
-        TeachingState.MOVE_TO_START,
-    }
-)
-"""The commands that move the arm or hand it over: they need powered motors and no fault."""
 
 _SOUND: Final = frozenset(
     {

@@ -63,6 +63,8 @@ _COMMAND: Final = EventKind.COMMAND, Asker.OTHER_HOST
 _LINK: Final = EventKind.LINK, Asker.PROGRAM
 _BY_PROGRAM: Final = EventKind.PROGRAM, Asker.PROGRAM
 
+_FIELDS: Final = tuple(each.name for each in fields(EventEntry) if each.name != "number")
+
 
 @dataclass(frozen=True, slots=True)
 class LoggedEvents:
@@ -230,9 +232,6 @@ def _heard(
     for change in EventObserver().observe(noted, ArmState(), OtherTraffic(), end_s):
         writer.write(change)
     return log.entries()
-
-
-_FIELDS: Final = tuple(each.name for each in fields(EventEntry) if each.name != "number")
 
 
 def _log_of(entries: Iterable[EventEntry]) -> EventLog:

@@ -54,6 +54,9 @@ _FRAMES: Final = {
 
 MakeReader = Callable[[OnButtons, Callable[[], float]], Reader]
 
+_WITHOUT: Final = frozenset({HoldPhase.UP, HoldPhase.SPENT})
+"""The phases in which there is no hold to end."""
+
 
 @dataclass(frozen=True, slots=True)
 class PilotView:
@@ -361,10 +364,6 @@ class GamepadPilot(QObject):
         if view != self._view:
             self._view = view
             self.changed.emit(view)
-
-
-_WITHOUT: Final = frozenset({HoldPhase.UP, HoldPhase.SPENT})
-"""The phases in which there is no hold to end."""
 
 
 def _nobody() -> Refusal:

@@ -23,6 +23,9 @@ WhyNot = Callable[..., Refusal | None]
 """Returns a reason or ``None`` from the operating state and the arguments of the method that it
 depends on, by their names; what it takes by keyword only is not asked of the method."""
 
+_Method = TypeVar("_Method", bound=Callable[..., object])
+_P = ParamSpec("_P")
+
 
 class Part(Protocol):
     """A part of the controller that has operations."""
@@ -32,8 +35,6 @@ class Part(Protocol):
 
 
 _AnyPart = TypeVar("_AnyPart", bound=Part)
-_Method = TypeVar("_Method", bound=Callable[..., object])
-_P = ParamSpec("_P")
 
 
 class Consent(enum.Enum):

@@ -52,6 +52,28 @@ FRAME_RESUMES = Reason(
     "once the arm is supported.",
 )
 
+_MODE_ID: Final = 0x151
+_CPV_IDS: Final = range(0x181, 0x188)
+_UPGRADE: Final = (range(0x0A0, 0x0C0), range(0x4A0, 0x4D0))
+_HIGHEST: Final = 0x7FF
+_BYTES: Final = 8
+_LIMP_MODES: Final = frozenset({0x04, 0x05, 0x06})
+"""MOVE M, MOVE CPV, and MOVE M from firmware S-V1.8-8 on."""
+_ENDING: Final = frozenset(
+    {
+        TrajectoryCommand.PAUSE,
+        TrajectoryCommand.CLEAR_CURRENT,
+        TrajectoryCommand.CLEAR_ALL,
+        TrajectoryCommand.ABORT,
+    }
+)
+_ENDING_TEACHING: Final = frozenset(
+    {TeachingState.STOP_RECORDING, TeachingState.PAUSE, TeachingState.ABORT}
+)
+
+_HEX: Final = re.compile(r"(?:0[xX])?([0-9a-fA-F]+)")
+_BETWEEN: Final = re.compile(r"[\s,.:_-]+")
+
 
 class FrameEffect(enum.StrEnum):
     """The effects of a frame on the arm."""
@@ -98,24 +120,6 @@ MOVING: Final = frozenset(
 )
 """The effects by which the arm moves or may move: by itself, by gravity or by a hand."""
 
-_MODE_ID: Final = 0x151
-_CPV_IDS: Final = range(0x181, 0x188)
-_UPGRADE: Final = (range(0x0A0, 0x0C0), range(0x4A0, 0x4D0))
-_HIGHEST: Final = 0x7FF
-_BYTES: Final = 8
-_LIMP_MODES: Final = frozenset({0x04, 0x05, 0x06})
-"""MOVE M, MOVE CPV, and MOVE M from firmware S-V1.8-8 on."""
-_ENDING: Final = frozenset(
-    {
-        TrajectoryCommand.PAUSE,
-        TrajectoryCommand.CLEAR_CURRENT,
-        TrajectoryCommand.CLEAR_ALL,
-        TrajectoryCommand.ABORT,
-    }
-)
-_ENDING_TEACHING: Final = frozenset(
-    {TeachingState.STOP_RECORDING, TeachingState.PAUSE, TeachingState.ABORT}
-)
 _EFFECTS: Final = {
     **dict.fromkeys((0x121, 0x472, VERSION_ID), FrameEffect.HARMLESS),
     **dict.fromkeys((0x474, 0x475, 0x479, 0x47A, 0x47D, 0x487), FrameEffect.SETTING),
@@ -124,8 +128,6 @@ _EFFECTS: Final = {
     0x470: FrameEffect.ROLE,
 }
 """The effects of identifiers that 0x470 does not shift, whatever their bytes are."""
-_HEX: Final = re.compile(r"(?:0[xX])?([0-9a-fA-F]+)")
-_BETWEEN: Final = re.compile(r"[\s,.:_-]+")
 
 
 def parse_frame(identifier: str, data: str) -> Frame | Refusal:

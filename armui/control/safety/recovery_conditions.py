@@ -30,6 +30,9 @@ from armui.protocol.codes import ArmStatusCode, ControlMode
 _NONE: Final[Params] = {}
 _KNOWN_CODES: Final = frozenset(map(int, ArmStatusCode))
 
+_AWAY: Final = frozenset({LinkState.NO_DEVICE, LinkState.OPENING, LinkState.LOST})
+"""The states of the link in which no device is open and nothing can be sent."""
+
 
 @dataclass(frozen=True, slots=True)
 class RecoveryView:
@@ -110,10 +113,6 @@ def status_flags(
 ) -> Callable[[RecoveryView], list[bool]]:
     """Return a function for the joint flags in the status (0x2A1 bytes 6–7)."""
     return lambda view: [False] * len(JOINTS) if view.status is None else list(flags(view.status))
-
-
-_AWAY: Final = frozenset({LinkState.NO_DEVICE, LinkState.OPENING, LinkState.LOST})
-"""The states of the link in which no device is open and nothing can be sent."""
 
 
 def stop_waits(view: RecoveryView) -> bool:

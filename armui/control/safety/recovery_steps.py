@@ -12,6 +12,9 @@ from armui.control.events import Level
 from armui.control.safety.uncommanded_motion import UncommandedMotion
 from armui.system.sentence import Sentence
 
+Params = Mapping[str, object]
+"""The figures of a sentence, by name."""
+
 
 @dataclass(frozen=True, slots=True)
 class ActionText(Sentence):
@@ -381,10 +384,6 @@ UNHINDERED: Final = frozenset(
     }
 )
 """The steps without an obstacle: the arm moves as it was told, or may be moved."""
-
-
-Params = Mapping[str, object]
-"""The figures of a sentence, by name."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -91,6 +91,9 @@ _MOST_RECENT: Final = 10_000
 _END_S: Final = 1.0
 _OPENED: Final = frozenset({CONNECTED, RECONNECTED})
 
+_WORDS: Final = {"operator": "saved"}
+"""The ending of a saved ring's name, by the origin of the request."""
+
 
 class SessionRecorder(QObject):
     """Carries out all that the operator can do about recordings of sessions.
@@ -404,10 +407,6 @@ class SessionRecorder(QObject):
             channel=channel,
             facts={"reason": reason, "device": None if device is None else device.name},
         )
-
-
-_WORDS: Final = {"operator": "saved"}
-"""The ending of a saved ring's name, by the origin of the request."""
 
 
 def _line(each: FedEvent, shift_s: float) -> Line:
