@@ -66,6 +66,9 @@ _OF_EACH_JOINT: Final = frozenset(
     {Group.JOINT_LIMITS, Group.JOINT_ACCELERATION, Group.COLLISION, Group.DRAG_ASSISTANCE}
 )
 
+_LONGEST_QUOTE: Final = 40
+_LARGEST: Final = sys.float_info.max
+
 
 @dataclass(frozen=True, slots=True)
 class Backup:
@@ -208,10 +211,6 @@ def _shortened(value: object) -> str:
         return "10^308…"
     text = str(value)
     return text if len(text) <= _LONGEST_QUOTE else f"{text[:_LONGEST_QUOTE]}…"
-
-
-_LONGEST_QUOTE: Final = 40
-_LARGEST: Final = sys.float_info.max
 
 
 class ComparisonVerdict(enum.Enum):

@@ -34,6 +34,17 @@ JOINTS: Final = range(1, 7)
 ANGLE_STEP_DEG: Final = 0.001
 """The resolution of an angle on the bus."""
 
+SAG_DEG: Final = 0.5
+"""A joint measured no further than this beyond a limit sags under load, or trembles."""
+
+_FASTEST_DEG_S: Final = 3600.0
+"""A speed far above any joint of this arm, far below 0xFFFF in either generation's unit."""
+
+LIFTED: Final = 4
+LIFTED_DEG: Final = 15.0
+"""The hand of an arm at rest lies on its base; with the joint at this place turned back to this
+angle it is clear."""
+
 
 class JointLimits(NamedTuple):
     """The limits of one joint.
@@ -46,14 +57,6 @@ class JointLimits(NamedTuple):
     min_deg: float
     max_deg: float
     max_speed_deg_s: float
-
-
-SAG_DEG: Final = 0.5
-"""A joint measured no further than this beyond a limit sags under load, or trembles."""
-
-
-_FASTEST_DEG_S: Final = 3600.0
-"""A speed far above any joint of this arm, far below 0xFFFF in either generation's unit."""
 
 
 def plausible(limits: JointLimits) -> bool:
@@ -102,12 +105,6 @@ def outside_limits(joints_deg: Sequence[float], limits: Sequence[JointLimits]) -
         for joint, angle, each in zip(JOINTS, joints_deg, limits, strict=True)
         if abs(clipped(angle, each) - angle) > SAG_DEG
     )
-
-
-LIFTED: Final = 4
-LIFTED_DEG: Final = 15.0
-"""The hand of an arm at rest lies on its base; with the joint at this place turned back to this
-angle it is clear."""
 
 
 def may_lie(joints_deg: Sequence[float], limits: Sequence[JointLimits]) -> bool:

@@ -36,6 +36,11 @@ LINK_NAMES: Final = ("base_link", *(f"link{joint}" for joint in range(1, 7)))
 _SIX: Final = (6,)
 _SPEEDS: Final = {"known": False, "assumed": True}
 
+Rising = tuple[float, float, float, float]
+"""How much the X, Y and Z axis of the base rise in the room, and the base's height there, mm."""
+STANDING: Final[Rising] = (0.0, 0.0, 1.0, 0.0)
+"""Of a base that stands upright on the floor."""
+
 
 class ModelFileError(Exception):
     """A model's data file is missing or wrong; the text names the file and the field."""
@@ -293,12 +298,6 @@ def _maybe_number(fields: Fields, name: str) -> float | None:
 
 def _maybe_six(fields: Fields, name: str) -> tuple[float, ...] | None:
     return fields.numbers(name, _SIX) if fields.given(name) else None
-
-
-Rising = tuple[float, float, float, float]
-"""How much the X, Y and Z axis of the base rise in the room, and the base's height there, mm."""
-STANDING: Final[Rising] = (0.0, 0.0, 1.0, 0.0)
-"""Of a base that stands upright on the floor."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -43,6 +43,8 @@ _LOCKSTEP: Final = 3
 """The counts of a leader's identifiers may differ by this much: one cycle under way, frames lost.
 """
 
+_NOTHING: Final[Mapping[int, FrameSeries]] = MappingProxyType({})
+
 
 def is_arms_answer(arbitration_id: int, data: bytes) -> bool:
     """Return whether a frame with a command's identifier is the arm's own answer (CPV)."""
@@ -142,9 +144,6 @@ class OtherTraffic:
     def _newest(self, identifiers: Iterable[int]) -> FrameSeries | None:
         known = [self.series[each] for each in identifiers if each in self.series]
         return max(known, key=lambda each: each.last_s, default=None)
-
-
-_NOTHING: Final[Mapping[int, FrameSeries]] = MappingProxyType({})
 
 
 class OtherHosts:

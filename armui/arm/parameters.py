@@ -32,6 +32,19 @@ SETTING_NOT_A_NUMBER = Reason(
     "{parameter}: “{value}” is not a number. Enter a value from {minimum} to {maximum}.",
 )
 
+_MOST_ANGLE_DEG: Final = 360.0
+_MOST_SPEED_DEG_S: Final = 360.0
+_MOST_ACCELERATION_DEG_S2: Final = 1800.0
+_MOST_END_LIMIT: Final = 32.766
+"""One step below 0x7FFF, which means «leave it» in generation 2."""
+_ANGLE_SLACK_DEG: Final = 0.05
+_RATE_SLACK: Final = 1.02
+"""The rounding of a factory value to the coarse steps of generation 1 (rpm)."""
+_CORRUPT_SPEED_DEG_S: Final = 3600.0
+"""A speed far above any joint of this arm, below 0xFFFF in either generation's unit."""
+_CORRUPT_ACCELERATION_DEG_S2: Final = 36_000.0
+_CORRUPT_END_LIMIT: Final = 65.535
+
 
 class Group(enum.Enum):
     """Parameters that one frame sets and one question reads."""
@@ -162,19 +175,6 @@ def _field(heard: Reading[Any] | None, field: str) -> Reading[float] | None:
 def _of_joint(heard: Reading[Six[int]] | None, joint: int) -> Reading[float] | None:
     return None if heard is None else Reading(float(heard.value[joint - 1]), heard.at_s)
 
-
-_MOST_ANGLE_DEG: Final = 360.0
-_MOST_SPEED_DEG_S: Final = 360.0
-_MOST_ACCELERATION_DEG_S2: Final = 1800.0
-_MOST_END_LIMIT: Final = 32.766
-"""One step below 0x7FFF, which means «leave it» in generation 2."""
-_ANGLE_SLACK_DEG: Final = 0.05
-_RATE_SLACK: Final = 1.02
-"""The rounding of a factory value to the coarse steps of generation 1 (rpm)."""
-_CORRUPT_SPEED_DEG_S: Final = 3600.0
-"""A speed far above any joint of this arm, below 0xFFFF in either generation's unit."""
-_CORRUPT_ACCELERATION_DEG_S2: Final = 36_000.0
-_CORRUPT_END_LIMIT: Final = 65.535
 
 KINDS: Final[Mapping[str, ParameterKind]] = {
     "max_angle_deg": ParameterKind(

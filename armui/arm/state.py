@@ -17,6 +17,40 @@ from armui.arm.arrivals import LATE_S
 from armui.arm.limits import JOINTS, JointLimits
 from armui.protocol.firmware_version import ArmIdentity, NamedVersion
 
+T = TypeVar("T")
+Six = tuple[T, T, T, T, T, T]
+
+PAUSE_S: Final = 0.1
+"""In either generation an arm sends about a hundred frames within this time."""
+FRESH_FOR_S: Final = 0.5
+"""A value older than this is stale; an arm silent for longer is offline."""
+
+_ALIKE: Final = frozenset(
+    {
+        "epoch",
+        "sequence",
+        "last_feedback_s",
+        "silences",
+        "pauses",
+        "status",
+        "joints_deg",
+        "in_time_since_s",
+        "gap",
+        "pose",
+        "firmware",
+        "identity",
+        "version_heard_s",
+        "versions_named",
+        "status_heard_s",
+        "foreign_targets_s",
+        "frames",
+        "oddities",
+    }
+)
+"""Fields with the same meaning in both generations; all others differ in units or bits, or come
+from frames that only one of them has.
+"""
+
 
 class GripperFault(enum.StrEnum):
     """A fault that the gripper's driver reports, named by its signal (generation 2)."""
@@ -75,15 +109,6 @@ def gripper_of(signals: Mapping[str, float]) -> GripperState:
         homed=None if homed is None else homed == 1,
         faults=frozenset(fault for fault in GripperFault if signals.get(fault) == 1),
     )
-
-
-T = TypeVar("T")
-Six = tuple[T, T, T, T, T, T]
-
-PAUSE_S: Final = 0.1
-"""In either generation an arm sends about a hundred frames within this time."""
-FRESH_FOR_S: Final = 0.5
-"""A value older than this is stale; an arm silent for longer is offline."""
 
 
 def is_fresh(at_s: float | None, now_s: float) -> bool:
@@ -356,31 +381,6 @@ def _six_values(heard: Six[Reading[float] | None]) -> Six[float] | None:
 # The frames of both share identifiers and lengths. Before it is known which one an arm speaks, what
 # the other would read differently is not known at all.
 
-_ALIKE: Final = frozenset(
-    {
-        "epoch",
-        "sequence",
-        "last_feedback_s",
-        "silences",
-        "pauses",
-        "status",
-        "joints_deg",
-        "in_time_since_s",
-        "gap",
-        "pose",
-        "firmware",
-        "identity",
-        "version_heard_s",
-        "versions_named",
-        "status_heard_s",
-        "foreign_targets_s",
-        "frames",
-        "oddities",
-    }
-)
-"""Fields with the same meaning in both generations; all others differ in units or bits, or come
-from frames that only one of them has.
-"""
 
 _NOTHING_HEARD: Final = ArmState()
 _UNKNOWN: Final = {

@@ -90,6 +90,36 @@ _PACKAGES: Final = {
 }
 """The package on PyPI that a back-end needs beside python-can."""
 
+_NO_LIBUSB: Final = "NoBackendError"
+"""The exception's name in pyusb, a `ValueError`; pyusb itself need not be installed."""
+_CODE_OF_ERRNO: Final = {
+    errno.ENODEV: BUS_GONE,
+    errno.ENXIO: BUS_GONE,
+    errno.ENOENT: BUS_GONE,
+    errno.EBUSY: BUS_BUSY,
+    errno.EADDRINUSE: BUS_BUSY,
+    errno.ENETDOWN: BUS_DOWN,
+    errno.EAFNOSUPPORT: BUS_DRIVER_MISSING,
+    errno.EACCES: BUS_PERMISSION,
+    errno.EPERM: BUS_PERMISSION,
+}
+
+_CODE_OF_WORDS: Final = (
+    (("library not found", "driver", "dll", "is not defined"), BUS_DRIVER_MISSING),
+    (
+        ("no such device", "could not find", "not found", "no device", "disconnected"),
+        BUS_GONE,
+    ),
+    (("busy", "in use", "already open"), BUS_BUSY),
+    (("permission", "access is denied", "access denied"), BUS_PERMISSION),
+    (("network is down",), BUS_DOWN),
+)
+"""For back-ends that give the reason in words only. The last entry of the first line is the error
+of python-can's back-ends when the maker's library is missing.
+"""
+
+_SERIAL_KEYS: Final = ("serial", "serial_number", "unique_hardware_id", "device_id", "hw_serial")
+
 
 def interfaces() -> list[str]:
     """Return the back-ends python-can knows on this computer, its plug-ins included."""
@@ -195,35 +225,6 @@ def explain(device: Device, error: BaseException) -> Refusal:
     return Refusal(code, {**params, "text": text})
 
 
-_NO_LIBUSB: Final = "NoBackendError"
-"""The exception's name in pyusb, a `ValueError`; pyusb itself need not be installed."""
-_CODE_OF_ERRNO: Final = {
-    errno.ENODEV: BUS_GONE,
-    errno.ENXIO: BUS_GONE,
-    errno.ENOENT: BUS_GONE,
-    errno.EBUSY: BUS_BUSY,
-    errno.EADDRINUSE: BUS_BUSY,
-    errno.ENETDOWN: BUS_DOWN,
-    errno.EAFNOSUPPORT: BUS_DRIVER_MISSING,
-    errno.EACCES: BUS_PERMISSION,
-    errno.EPERM: BUS_PERMISSION,
-}
-
-_CODE_OF_WORDS: Final = (
-    (("library not found", "driver", "dll", "is not defined"), BUS_DRIVER_MISSING),
-    (
-        ("no such device", "could not find", "not found", "no device", "disconnected"),
-        BUS_GONE,
-    ),
-    (("busy", "in use", "already open"), BUS_BUSY),
-    (("permission", "access is denied", "access denied"), BUS_PERMISSION),
-    (("network is down",), BUS_DOWN),
-)
-"""For back-ends that give the reason in words only. The last entry of the first line is the error
-of python-can's back-ends when the maker's library is missing.
-"""
-
-
 def _errno(error: BaseException) -> int | None:
     if isinstance(error, OSError) and error.errno is not None:
         return error.errno
@@ -242,9 +243,6 @@ def _device(interface: str, config: Mapping[str, Any]) -> Device:
         serial=serial,
         options=_constructor_options(interface, rest),
     )
-
-
-_SERIAL_KEYS: Final = ("serial", "serial_number", "unique_hardware_id", "device_id", "hw_serial")
 
 
 def _constructor_options(interface: str, rest: Mapping[str, Any]) -> tuple[tuple[str, Any], ...]:

@@ -41,12 +41,6 @@ python-can makes ``is_rx`` false of it. Our own frames do not come back at all: 
 socket without CAN_RAW_RECV_OWN_MSGS.
 """
 
-
-def is_own_echo(message: can.Message, interface: str) -> bool:
-    """Return whether a frame is one of ours that the adapter hands back."""
-    return not message.is_rx and interface not in _MARKS_NEIGHBOURS
-
-
 _LOG: Final = logging.getLogger(__name__)
 
 Opener = Callable[[Device], AbstractContextManager[can.BusABC]]
@@ -62,6 +56,11 @@ _PICTURE_S: Final = 0.005
 """The least time between two snapshots of the arm: the screen shows one every 16 ms."""
 
 _REOPEN_S: Final = 0.5
+
+
+def is_own_echo(message: can.Message, interface: str) -> bool:
+    """Return whether a frame is one of ours that the adapter hands back."""
+    return not message.is_rx and interface not in _MARKS_NEIGHBOURS
 
 
 class BusWorker(QThread):

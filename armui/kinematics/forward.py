@@ -26,6 +26,9 @@ Value = Any
 Vector = tuple[Value, Value, Value]
 """Components in the arm's plane: outwards from joint 1's axis, square to the plane, upwards."""
 
+SIDE: Vector = (0.0, 1.0, 0.0)
+"""The axis of joints 2 and 3, square to the plane."""
+
 
 class PlaneVectors(NamedTuple):
     """The arm in its own plane: places in mm, directions of length 1.
@@ -73,10 +76,6 @@ class PlaneVectors(NamedTuple):
         along = _mixed(c6, self.thumb, s6, self.bend_axis)
         palm = _mixed(c6, self.bend_axis, -s6, self.thumb)
         return self.turned(along), self.turned(palm), self.turned(self.hand)
-
-
-SIDE: Vector = (0.0, 1.0, 0.0)
-"""The axis of joints 2 and 3, square to the plane."""
 
 
 class Links(NamedTuple):

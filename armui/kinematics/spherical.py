@@ -26,6 +26,11 @@ STRETCHED_DEG: Final = 2e-3
 This is two of the protocol's steps: rounding to them must not turn a stretched wrist round.
 """
 
+WAYS: Final = 4
+"""The number of solutions for the wrist's centre: reaching ahead or back, the elbow up or down."""
+
+_ARM: Final = np.array(MIDDLES_DEG[:3])
+
 
 def bent_wrist(hands: Matrix) -> Matrix:
     """Return both solutions of the wrist.
@@ -79,12 +84,6 @@ def stretched_wrist(hands: Matrix, joint_4_deg: float) -> Matrix:
     roll = np.arctan2(across[..., 0], across[..., 1])
     j4 = np.broadcast_to(joint_4_deg, bend.shape)
     return np.stack((j4, np.degrees(bend), np.degrees(roll)), axis=-1)
-
-
-WAYS: Final = 4
-"""The number of solutions for the wrist's centre: reaching ahead or back, the elbow up or down."""
-
-_ARM: Final = np.array(MIDDLES_DEG[:3])
 
 
 def arm_joints(

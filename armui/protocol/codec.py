@@ -33,6 +33,9 @@ _UPGRADE_RANGES = (
 )
 """Identifiers reserved for firmware upgrades; their content is not documented."""
 
+_STEP_NOISE = 1e-6
+"""The part of a raw step by which rounding noise may carry a value past the end of a range."""
+
 
 class Message(NamedTuple):
     """A decoded frame.
@@ -70,10 +73,6 @@ class InvalidFrame(NamedTuple):
     arbitration_id: int
     detail: str
     message: Message | None = None
-
-
-_STEP_NOISE = 1e-6
-"""The part of a raw step by which rounding noise may carry a value past the end of a range."""
 
 
 def raw_value(layout: MessageLayout, signal: SignalLayout, value: float | None) -> int:

@@ -11,6 +11,28 @@ import math
 from collections.abc import Mapping
 from typing import Final
 
+VALID = 0xAE
+"""The value that makes a field of 0x159, 0x475 or 0x477 take effect."""
+
+MOVE_UNCHANGED = 0xFF
+"""The value of 0x151 byte 1 that keeps the kind of motion; generation 2."""
+
+ALL_JOINTS = 7
+"""The joint number that means every joint in 0x471 and 0x475."""
+
+ALL_LAMPS = 0xFF
+"""The lamp number that means every lamp in 0x121."""
+
+DEGREES_PER: Final[Mapping[str, float]] = {
+    "deg": 1.0,
+    "rad": math.degrees(1.0),
+    "rpm": 6.0,
+    "rad/s": math.degrees(1.0),
+    "rpm/s": 6.0,
+    "rad/s^2": math.degrees(1.0),
+}
+"""Degrees (per second, per second squared) in one unit of the DBC files."""
+
 
 class ControlMode(enum.IntEnum):
     """The source of commands: 0x2A1 byte 0; a host may request 0–4 and 7 with 0x151 byte 0."""
@@ -238,27 +260,3 @@ class LeaderZero(enum.IntEnum):
     LEADER_AND_FOLLOWER = 0x010000
     BOTH_TO_ZERO = 0x010001
     LEADER_TO_ZERO = 0x010101
-
-
-VALID = 0xAE
-"""The value that makes a field of 0x159, 0x475 or 0x477 take effect."""
-
-MOVE_UNCHANGED = 0xFF
-"""The value of 0x151 byte 1 that keeps the kind of motion; generation 2."""
-
-ALL_JOINTS = 7
-"""The joint number that means every joint in 0x471 and 0x475."""
-
-ALL_LAMPS = 0xFF
-"""The lamp number that means every lamp in 0x121."""
-
-
-DEGREES_PER: Final[Mapping[str, float]] = {
-    "deg": 1.0,
-    "rad": math.degrees(1.0),
-    "rpm": 6.0,
-    "rad/s": math.degrees(1.0),
-    "rpm/s": 6.0,
-    "rad/s^2": math.degrees(1.0),
-}
-"""Degrees (per second, per second squared) in one unit of the DBC files."""

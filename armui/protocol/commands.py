@@ -48,6 +48,26 @@ if TYPE_CHECKING:
 
 _T = TypeVar("_T")
 
+_JOINTS = tuple(f"J{joint}" for joint in range(1, 7))
+
+CPV_GRIPPER: Final = 7
+"""The number that means the gripper in zero learning (0x187)."""
+
+_CHECK: Final = "Crc4"
+_CPV_SIGNALS: Final = {
+    CpvKind.ACCELERATION: "Acceleration",
+    CpvKind.DECELERATION: "Deceleration",
+    CpvKind.SPEED_KI: "SpeedKi",
+    CpvKind.SPEED_KP: "SpeedKp",
+    CpvKind.POSITION_TARGET: "PositionTarget",
+    CpvKind.POSITION_KP: "PositionKp",
+    CpvKind.SPEED_TARGET: "SpeedTarget",
+    CpvKind.PROFILE_SPEED: "ProfileSpeed",
+}
+_LEARN: Final = 0x65
+_LEARNERS: Final = (4, 5, 6, CPV_GRIPPER)
+"""The joints that learn their zero in this way, by the maker's example."""
+
 
 def _exactly(
     message: str, values: Sequence[_T], count: int, what: str, unit: str
@@ -264,8 +284,6 @@ def _can_control(codec: Codec, move_mode: MoveMode, speed_percent: float) -> lis
 
 # What the arm remembers: 0x121, 0x422, 0x470, 0x474–0x47D -----------------------------------
 
-_JOINTS = tuple(f"J{joint}" for joint in range(1, 7))
-
 
 def set_parameters(
     codec: Codec, message: str, values: Mapping[str, float | None], joint: int = ALL_JOINTS
@@ -450,24 +468,6 @@ def query_firmware(codec: Codec) -> list[Frame]:
 # No operator is offered these: they are for hosts that close a loop of their own, such as those
 # that drive the simulated arm in the tests. The signs, the torque factor and the code of MOVE M
 # depend on the firmware: `armui.protocol.firmware_version.quirks_of`.
-
-CPV_GRIPPER: Final = 7
-"""The number that means the gripper in zero learning (0x187)."""
-
-_CHECK: Final = "Crc4"
-_CPV_SIGNALS: Final = {
-    CpvKind.ACCELERATION: "Acceleration",
-    CpvKind.DECELERATION: "Deceleration",
-    CpvKind.SPEED_KI: "SpeedKi",
-    CpvKind.SPEED_KP: "SpeedKp",
-    CpvKind.POSITION_TARGET: "PositionTarget",
-    CpvKind.POSITION_KP: "PositionKp",
-    CpvKind.SPEED_TARGET: "SpeedTarget",
-    CpvKind.PROFILE_SPEED: "ProfileSpeed",
-}
-_LEARN: Final = 0x65
-_LEARNERS: Final = (4, 5, 6, CPV_GRIPPER)
-"""The joints that learn their zero in this way, by the maker's example."""
 
 
 def set_mit_mode(codec: Codec, *, speed_percent: float = 0) -> list[Frame]:

@@ -15,6 +15,37 @@ from armui.protocol.generation import PiperModel
 
 _TEXT: Final = re.compile(r"S-V(\d{1,3})\.(\d{1,3})-(\d{1,3})")
 
+SixSigns = tuple[int, int, int, int, int, int]
+SixFactors = tuple[float, float, float, float, float, float]
+
+_AS_MOVE_J: Final[SixSigns] = (1, 1, 1, 1, 1, 1)
+
+_ALL: Final = frozenset(PiperModel)
+_X: Final = frozenset({PiperModel.PIPER_X})
+_HLX: Final = _ALL - {PiperModel.PIPER}
+_ONE: Final[SixFactors] = (1.0,) * 6
+
+VERSION_ID: Final = 0x4AF
+
+ANSWER_BYTES: Final = 88
+"""The length of a whole answer to 0x4AF: eleven frames of 8 bytes."""
+ANSWER_S: Final = 0.5
+"""A pause this long ends an answer; later frames belong to another one."""
+LONGEST: Final = 16
+"""More bytes than any version text has; text further back cannot be its beginning."""
+
+_HEARD_TEXT: Final = re.compile(rb"S-V\d{1,3}\.\d{1,3}-\d")
+"""The version in an answer. The patch is one digit: without padding the date follows at once
+(S-V1.9-0260716).
+"""
+_HARDWARE: Final = re.compile(rb"H-V\d{1,3}\.\d{1,3}-\d")
+_DATE: Final = re.compile(rb"[\0 ]*(\d{6})(?!\d)")
+_NODE_NUMBER: Final = re.compile(rb"[\0 ]*(\d{1,3})(?!\d)")
+_TOKEN: Final = re.compile(rb"[\x21-\x7e]+")
+_LETTER: Final = re.compile(rb"[A-Za-z]")
+
+_QUESTION: Final = b"\x01"
+
 
 class FirmwareVersion(NamedTuple):
     """A version as numbers: compared as text, 1.10 would come before 1.9.
@@ -69,12 +100,6 @@ class FirmwareBug(enum.Enum):
     FALLS_BACK_TO_LEADER = "falls_back_to_leader"  # a teaching input again, by itself
     CORRUPTED_LIMITS = "corrupted_limits"  # limits read -0.1° / -0.1°, accelerations 0xFFFF
     FEEDBACK_PARTS = "feedback_parts"  # feedback and true position of a joint part, without a fault
-
-
-SixSigns = tuple[int, int, int, int, int, int]
-SixFactors = tuple[float, float, float, float, float, float]
-
-_AS_MOVE_J: Final[SixSigns] = (1, 1, 1, 1, 1, 1)
 
 
 class FirmwareQuirks(NamedTuple):
@@ -134,12 +159,6 @@ class FirmwareQuirks(NamedTuple):
     has_gripper_angle: bool = False
     disable_frees_gripper: bool = False
     bugs: frozenset[FirmwareBug] = frozenset()
-
-
-_ALL: Final = frozenset(PiperModel)
-_X: Final = frozenset({PiperModel.PIPER_X})
-_HLX: Final = _ALL - {PiperModel.PIPER}
-_ONE: Final[SixFactors] = (1.0,) * 6
 
 
 class _Change(NamedTuple):
@@ -228,27 +247,6 @@ def quirks_of(version: FirmwareVersion, model: PiperModel = PiperModel.PIPER) ->
 #
 # The frames have no number: one that is lost, or another answer in between, shifts the text, so
 # nothing is looked for by its place alone.
-
-VERSION_ID: Final = 0x4AF
-
-ANSWER_BYTES: Final = 88
-"""The length of a whole answer to 0x4AF: eleven frames of 8 bytes."""
-ANSWER_S: Final = 0.5
-"""A pause this long ends an answer; later frames belong to another one."""
-LONGEST: Final = 16
-"""More bytes than any version text has; text further back cannot be its beginning."""
-
-_HEARD_TEXT: Final = re.compile(rb"S-V\d{1,3}\.\d{1,3}-\d")
-"""The version in an answer. The patch is one digit: without padding the date follows at once
-(S-V1.9-0260716).
-"""
-_HARDWARE: Final = re.compile(rb"H-V\d{1,3}\.\d{1,3}-\d")
-_DATE: Final = re.compile(rb"[\0 ]*(\d{6})(?!\d)")
-_NODE_NUMBER: Final = re.compile(rb"[\0 ]*(\d{1,3})(?!\d)")
-_TOKEN: Final = re.compile(rb"[\x21-\x7e]+")
-_LETTER: Final = re.compile(rb"[A-Za-z]")
-
-_QUESTION: Final = b"\x01"
 
 
 class ArmIdentity(NamedTuple):

@@ -36,6 +36,19 @@ frame apart, so each has a file that any CAN tool opens; a test ensures that the
 else.
 """
 
+LEAVE_UNCHANGED = "Leave unchanged"
+"""The value tables' name for the raw value that leaves a setting as it is (generation 2)."""
+
+_SHORT_FORMS = {
+    "ArcPoint": (1, 8),
+    "BusSilence": (1, 8),
+    "FirmwareVersion": (1, 8),
+    "LinkageSetting": (4, 8),
+}
+"""Messages whose shorter and longer forms are both accepted: generation 1 sends them shorter than
+generation 2, and hosts ask for the version with one byte or with eight.
+"""
+
 
 def database_path(generation: Generation, mit_layout: MitLayout = MitLayout.B) -> Path:
     """Return the DBC file of a generation; for generation 2 that with this layout of MIT frames."""
@@ -63,20 +76,6 @@ def load_database(generation: Generation, mit_layout: MitLayout = MitLayout.B) -
     if not isinstance(database, cantools.database.can.Database):
         raise TypeError(f"{path} does not describe a CAN bus")
     return database
-
-
-LEAVE_UNCHANGED = "Leave unchanged"
-"""The value tables' name for the raw value that leaves a setting as it is (generation 2)."""
-
-_SHORT_FORMS = {
-    "ArcPoint": (1, 8),
-    "BusSilence": (1, 8),
-    "FirmwareVersion": (1, 8),
-    "LinkageSetting": (4, 8),
-}
-"""Messages whose shorter and longer forms are both accepted: generation 1 sends them shorter than
-generation 2, and hosts ask for the version with one byte or with eight.
-"""
 
 
 class Selection(NamedTuple):

@@ -35,6 +35,16 @@ its own command.
 
 _COMMAND_IDS = np.array(sorted(COMMAND_IDS), np.uint32)
 
+_LOG: Final = logging.getLogger(__name__)
+
+FILL_ROWS: Final = 32_768
+"""The number of frames added at once: a millisecond for each message."""
+_TURN_S: Final = 0.004
+_LONGEST_REST_S: Final = 0.02
+"""The longest pause. The thread rests as long as it has worked, so other threads get Python's lock
+first.
+"""
+
 
 def is_own_command(arbitration_id: int, flags: int) -> bool:
     """Return whether a frame is a command that the recording program sent to the arm."""
@@ -92,17 +102,6 @@ class SeriesListener(Listener):
         """See `armui.bus.notifier.Listener`."""
         if not self.by_columns:
             self.telemetry.on_look(now_s)
-
-
-_LOG: Final = logging.getLogger(__name__)
-
-FILL_ROWS: Final = 32_768
-"""The number of frames added at once: a millisecond for each message."""
-_TURN_S: Final = 0.004
-_LONGEST_REST_S: Final = 0.02
-"""The longest pause. The thread rests as long as it has worked, so other threads get Python's lock
-first.
-"""
 
 
 def fill(

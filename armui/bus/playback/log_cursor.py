@@ -16,6 +16,11 @@ if TYPE_CHECKING:
     from armui.session.frames import Channel, FrameBatch
     from armui.session.session import Session
 
+_NONE: Final = FrameColumns(
+    np.empty(0), np.empty(0, np.uint32), np.empty(0, np.uint8), np.empty(0, np.uint8),
+    np.empty((0, 8), np.uint8),
+)  # fmt: skip
+
 
 class LogClock:
     """The clock of a controller that watches a log: it shows log time.
@@ -34,12 +39,6 @@ class LogClock:
     def set(self, at_s: float) -> None:
         """Set the clock to the place that the replay has reached."""
         self._at_s = at_s
-
-
-_NONE: Final = FrameColumns(
-    np.empty(0), np.empty(0, np.uint32), np.empty(0, np.uint8), np.empty(0, np.uint8),
-    np.empty((0, 8), np.uint8),
-)  # fmt: skip
 
 
 class ReplayedFrame(NamedTuple):

@@ -44,6 +44,19 @@ _TOLD: Final = frozenset(
 )
 """Messages with faults beside figures: each change of a fault or mode counts."""
 
+ONE_BY_ONE_UP_TO: Final = 4.0
+"""The highest speed at which every frame is processed; above it, only those that tell something
+new.
+"""
+_SLICE_S: Final = 0.2
+"""The longest slice in log time: shorter than what counts as silence."""
+_AT_ONCE: Final = 256
+"""The number of frames processed before other threads may take the lock."""
+FILLED_S: Final = 120.0
+"""The stretch of the log before a place that its curves show at once."""
+_SETTLE_S: Final = 0.08
+"""Curves are drawn a dozen times a second; frames played fast are added to them as often."""
+
 
 class Folding:
     """Picks the frames of a slice that tell something new; those left out are repeated later in it.
@@ -89,20 +102,6 @@ class Folding:
                 keep[same[np.diff(codes, prepend=before) != 0]] = True
                 self._last[wire_id] = int(codes[-1])
         return np.flatnonzero(keep)
-
-
-ONE_BY_ONE_UP_TO: Final = 4.0
-"""The highest speed at which every frame is processed; above it, only those that tell something
-new.
-"""
-_SLICE_S: Final = 0.2
-"""The longest slice in log time: shorter than what counts as silence."""
-_AT_ONCE: Final = 256
-"""The number of frames processed before other threads may take the lock."""
-FILLED_S: Final = 120.0
-"""The stretch of the log before a place that its curves show at once."""
-_SETTLE_S: Final = 0.08
-"""Curves are drawn a dozen times a second; frames played fast are added to them as often."""
 
 
 class LogPlayer:
