@@ -31,6 +31,15 @@ if TYPE_CHECKING:
 
 _MIT_IDS = range(0x15A, 0x160)
 
+EXIT_COMPLETE = 0
+"""Every frame of the log was read; unknown frames are no failure."""
+EXIT_INCOMPLETE = 1
+"""The log was read except for some lines, or up to where it breaks off."""
+EXIT_NO_LOG = 2
+"""The file cannot be opened or is no log."""
+EXIT_INTERRUPTED = 130
+"""Stopped with Ctrl-C."""
+
 
 class FirmwareFinder:
     """Searches batches for firmware versions.
@@ -64,16 +73,6 @@ class FirmwareFinder:
     def first(self) -> FirmwareVersion | None:
         """The version of the arm that named one first; ``None`` if none has."""
         return next(iter(self.versions.values()), None)
-
-
-EXIT_COMPLETE = 0
-"""Every frame of the log was read; unknown frames are no failure."""
-EXIT_INCOMPLETE = 1
-"""The log was read except for some lines, or up to where it breaks off."""
-EXIT_NO_LOG = 2
-"""The file cannot be opened or is no log."""
-EXIT_INTERRUPTED = 130
-"""Stopped with Ctrl-C."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -33,6 +33,15 @@ if TYPE_CHECKING:
 _WIDTH: Final = 30
 _EVERY_S: Final = 0.1
 
+EXIT_COMPLETE = 0
+"""Everything asked for was exported."""
+EXIT_INCOMPLETE = 1
+"""Exported except for the places of the log that cannot be read."""
+EXIT_NOTHING = 2
+"""Nothing was written."""
+EXIT_INTERRUPTED = 130
+"""Stopped with Ctrl-C; nothing was written."""
+
 
 class ProgressBar:
     """A progress bar that overwrites itself; it draws only on a terminal.
@@ -147,18 +156,6 @@ def report_lines(report: ExportReport) -> list[str]:
     if further := report.damage_count - len(report.damages):
         lines.append(f"{further} further places cannot be read")
     return lines
-
-
-EXIT_COMPLETE = 0
-"""Everything asked for was exported."""
-EXIT_INCOMPLETE = 1
-"""Exported except for the places of the log that cannot be read."""
-EXIT_NOTHING = 2
-"""Nothing was written."""
-EXIT_INTERRUPTED = 130
-"""Stopped with Ctrl-C; nothing was written."""
-
-_TELL_EVERY_S: Final = 0.1
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -302,6 +299,9 @@ class _Said:
     def _complain(self, text: str) -> None:
         self._bar.clear()
         sys.stderr.write(f"armui export: {self._request.log}: {text}\n")
+
+
+_TELL_EVERY_S: Final = 0.1
 
 
 class _SaidAsJson(_Said):

@@ -51,6 +51,11 @@ _PATIENT_BYTES: Final = 1 << 26
 _PADDING: Final = 7
 """The most bytes between two objects."""
 
+_ROWS: Final = 4_096
+_HEADER: Final = blf.FILE_HEADER_STRUCT
+_HEADER_SIZE_AT: Final = 4
+_LARGEST_HEADER: Final = 4_096
+
 
 class ObjectStream:
     """Yields whole unpacked objects in pieces of bounded size.
@@ -230,12 +235,6 @@ def container(objects: bytes) -> bytes:
     size = _BASE.size + _CONTAINER.size + len(objects)
     head = _BASE.pack(_SIGNATURE, _BASE.size, 1, size, blf.LOG_CONTAINER)
     return head + _CONTAINER.pack(blf.NO_COMPRESSION, len(objects)) + objects + bytes(size % 4)
-
-
-_ROWS: Final = 4_096
-_HEADER: Final = blf.FILE_HEADER_STRUCT
-_HEADER_SIZE_AT: Final = 4
-_LARGEST_HEADER: Final = 4_096
 
 
 class _Feed:

@@ -55,6 +55,8 @@ _DRIVERS: Final = tuple(f"DriverSlow{joint}" for joint in range(1, 7))
 _FAST: Final = tuple(f"DriverFast{joint}" for joint in range(1, 7))
 _TARGETS: Final = ("JointTarget12", "CartesianTarget1", "MitControl1", "GripperCommand")
 
+_IDS: Final = 0x800
+
 
 @dataclass(frozen=True, slots=True)
 class LogFrames:
@@ -257,7 +259,7 @@ def _bursts(times_s: NDArray[np.float64], places: NDArray[np.int64]) -> list[int
 
 # The frames of some identifiers of a session, gathered in one pass through it.
 
-_IDS: Final = 0x800
+
 _NOT_DATA: Final = FrameFlag.EXTENDED | FrameFlag.REMOTE | FrameFlag.ERROR | FrameFlag.IMPOSSIBLE
 _HARDLY_S: Final = 0.05
 """Where only silences are searched, frames are thinned to this time."""

@@ -33,6 +33,11 @@ END_POSE: Final = (
 """The messages and signals of the end pose."""
 _Said = TypeVar("_Said")
 
+_FRAMES_LOOKED_AT: Final = 6_000
+"""The frames, two seconds of an arm, that show the generation as well as all of them."""
+_MOST_FRAMES_LOOKED_AT: Final = 200_000
+"""The most frames searched for the arm's among foreign ones."""
+
 
 def joint_signals(message: str) -> tuple[tuple[str, str], ...]:
     """Return the messages and signals of six joint angles, measured or commanded."""
@@ -124,11 +129,6 @@ def _fitting(
 
 
 # Which generation the arm of a log speaks, found out from the log's beginning.
-
-_FRAMES_LOOKED_AT: Final = 6_000
-"""The frames, two seconds of an arm, that show the generation as well as all of them."""
-_MOST_FRAMES_LOOKED_AT: Final = 200_000
-"""The most frames searched for the arm's among foreign ones."""
 
 
 def detect_generation(

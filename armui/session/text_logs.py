@@ -37,6 +37,23 @@ _CANDUMP_SCREEN: Final = re.compile(
     re.IGNORECASE,
 )
 
+_LINE: Final = re.compile(
+    r"^\((\d+\.\d+)\) ([^\s#]+) ([0-7][0-9A-Fa-f]{2}|[01][0-9A-Fa-f]{7})"
+    r"#((?:[0-9A-Fa-f]{2}){0,8})( [RT])?$",
+    re.ASCII | re.MULTILINE,
+)
+_HEX_BYTES: Final = 2 * CLASSIC_BYTES
+
+_ROWS: Final = 4_096
+"""The most frames of a batch."""
+_LINES_AT_ONCE: Final = 512
+"""The lines that go through python-can's reader together when one of them is unusual."""
+_EXCERPT: Final = 60
+_PATIENT_LINES: Final = 1_000
+"""After this many unreadable lines before the first frame the file is no log."""
+_PATIENT_BYTES: Final = 1 << 26
+"""After this many bytes without a frame the file is no log, or none from here on."""
+
 
 def _unchanged(message: can.Message, _line: str) -> None:
     """Nothing to add to what the reader made of a line."""
@@ -141,13 +158,6 @@ TEXT_FORMATS: Final = {".log": CANDUMP, ".txt": CANDUMP, ".csv": CSV, ".asc": AS
 #
 # The tests hold it against that reader. A block with any other line goes through the reader.
 
-_LINE: Final = re.compile(
-    r"^\((\d+\.\d+)\) ([^\s#]+) ([0-7][0-9A-Fa-f]{2}|[01][0-9A-Fa-f]{7})"
-    r"#((?:[0-9A-Fa-f]{2}){0,8})( [RT])?$",
-    re.ASCII | re.MULTILINE,
-)
-_HEX_BYTES: Final = 2 * CLASSIC_BYTES
-
 
 def quick_batch(lines: list[str], builder: BatchBuilder) -> FrameBatch | None:
     """Return the frames of a block of lines.
@@ -193,17 +203,6 @@ def quick_batch(lines: list[str], builder: BatchBuilder) -> FrameBatch | None:
             channel_names=builder.channel_names,
         )
     )
-
-
-_ROWS: Final = 4_096
-"""The most frames of a batch."""
-_LINES_AT_ONCE: Final = 512
-"""The lines that go through python-can's reader together when one of them is unusual."""
-_EXCERPT: Final = 60
-_PATIENT_LINES: Final = 1_000
-"""After this many unreadable lines before the first frame the file is no log."""
-_PATIENT_BYTES: Final = 1 << 26
-"""After this many bytes without a frame the file is no log, or none from here on."""
 
 
 class NonsenseError(Exception):

@@ -137,11 +137,6 @@ def open_source(path: Path) -> ExportSource:
         return FileSource(path)
 
 
-_MOST_DAMAGES_TOLD: Final = 20
-_LATER_S: Final = 1.0
-"""Reading ends when a whole piece of the log is this much later than the wanted end."""
-
-
 def export_log(
     request: ExportRequest,
     tell: Callable[[ExportProgress], object] = lambda _progress: None,
@@ -177,6 +172,11 @@ def export_log(
     except OSError as error:
         detail = error.strerror or str(error)
         raise ExportError(ExportProblem.CANNOT_WRITE, detail) from error
+
+
+_MOST_DAMAGES_TOLD: Final = 20
+_LATER_S: Final = 1.0
+"""Reading ends when a whole piece of the log is this much later than the wanted end."""
 
 
 class _Export:

@@ -119,9 +119,6 @@ class ArmFrameReader:
         )
 
 
-_NEVER: Final = -1
-
-
 @dataclass(frozen=True, slots=True)
 class Samples:
     """Frames of one message, in the order of the log.
@@ -173,6 +170,9 @@ class Samples:
         last = self.last_at(rows)
         fresh = (last >= 0) & (np.abs(times_s - self.times_s[last]) <= FRESH_FOR_S)
         return last, fresh
+
+
+_NEVER: Final = -1
 
 
 class History:

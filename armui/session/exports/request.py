@@ -11,6 +11,9 @@ from typing import Final, NamedTuple
 from armui.protocol.generation import Generation, PiperModel
 from armui.session.frames import Damage
 
+_MESSAGES: Final = "-messages"
+"""The ending of such a folder's name."""
+
 
 class ArmOptions(NamedTuple):
     """The given facts on the arm; `None` for what is to be found out.
@@ -48,10 +51,6 @@ class ExportFormat(enum.StrEnum):
             return path.with_name(f"{path.stem}{_MESSAGES}")
         stem = path.name.removesuffix(_MESSAGES) if path.name.endswith(_MESSAGES) else path.stem
         return path.with_name(f"{stem}.{self}")
-
-
-_MESSAGES: Final = "-messages"
-"""The ending of such a folder's name."""
 
 
 class ExportProblem(enum.StrEnum):

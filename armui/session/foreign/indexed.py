@@ -52,6 +52,9 @@ PROGRESS: Final = "progress"
 _PROGRESS: Final = struct.Struct("<qqq")
 PROGRESS_BYTES: Final = _PROGRESS.size
 
+_ROWS: Final = 4_096
+_NOT_DATA: Final = FrameFlag.EXTENDED | FrameFlag.REMOTE | FrameFlag.ERROR
+
 
 def map_progress(folder: Path) -> mmap.mmap:
     """Return the memory with the progress, shared by the processes that map it.
@@ -136,10 +139,6 @@ def group_codes(
 def column_path(folder: Path, name: str) -> Path:
     """Return the path of a column's file."""
     return folder / f"{name}.column"
-
-
-_ROWS: Final = 4_096
-_NOT_DATA: Final = FrameFlag.EXTENDED | FrameFlag.REMOTE | FrameFlag.ERROR
 
 
 class IndexedLog:

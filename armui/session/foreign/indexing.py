@@ -87,6 +87,16 @@ _CLOCK_SET_S: Final = 1.0
 written out of order.
 """
 
+_MOST_GROUPS: Final = 4_096
+"""The most identifiers told apart; further ones share the last place."""
+_DISK_EVERY: Final = 256
+"""The batches between two checks of the free space."""
+_GENERATION_FRAMES: Final = 6_000
+_MOST_LOOKED_AT: Final = 200_000
+
+_ARCHIVES: Final = (b"PK\x03\x04", b"7z\xbc\xaf\x27\x1c", b"Rar!", b"\x1f\x8b", b"BZh", b"\xfd7zXZ")
+"""The first bytes of zip, 7z, rar, gzip, bzip2 and xz files."""
+
 
 def straightened(
     times_s: NDArray[np.float64], channels: NDArray[np.uint8]
@@ -138,17 +148,6 @@ def _continued(own: NDArray[np.float64]) -> NDArray[np.float64]:
     if moved.any():
         own[1:] = np.minimum(own[1:] + np.cumsum(moved), LATEST_S)
     return own
-
-
-_MOST_GROUPS: Final = 4_096
-"""The most identifiers told apart; further ones share the last place."""
-_DISK_EVERY: Final = 256
-"""The batches between two checks of the free space."""
-_GENERATION_FRAMES: Final = 6_000
-_MOST_LOOKED_AT: Final = 200_000
-
-_ARCHIVES: Final = (b"PK\x03\x04", b"7z\xbc\xaf\x27\x1c", b"Rar!", b"\x1f\x8b", b"BZh", b"\xfd7zXZ")
-"""The first bytes of zip, 7z, rar, gzip, bzip2 and xz files."""
 
 
 def index_log(path: Path, folder: Path, most_frames: int = MOST_FRAMES) -> LogIndex:

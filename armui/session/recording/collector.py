@@ -33,6 +33,16 @@ _MOST_LONG: Final = 2_048
 """The most such frames of a slab; those of a whole slab would be too many to drop at once."""
 _LONG_AT_ONCE: Final = 512
 
+_LOG: Final = logging.getLogger(__name__)
+
+LOOK_S: Final = 0.1
+"""The period at which the collector takes out waiting frames."""
+_YOUNG_S: Final = 0.05
+"""Sent and received frames come in two ways: a younger frame may still have to be sorted in."""
+
+Sink = Callable[[FrameRows], None]
+"""Receives frames in the order of time; it must not block."""
+
 
 @dataclass(slots=True)
 class _Slab:
@@ -139,17 +149,6 @@ class FrameRing:
             return 0, 0.0
         frames = sum(map(len, parts))
         return frames, float(parts[-1].times_s[-1] - parts[0].times_s[0]) if frames else 0.0
-
-
-_LOG: Final = logging.getLogger(__name__)
-
-LOOK_S: Final = 0.1
-"""The period at which the collector takes out waiting frames."""
-_YOUNG_S: Final = 0.05
-"""Sent and received frames come in two ways: a younger frame may still have to be sorted in."""
-
-Sink = Callable[[FrameRows], None]
-"""Receives frames in the order of time; it must not block."""
 
 
 class Sorter:

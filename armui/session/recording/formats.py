@@ -66,6 +66,8 @@ _PECULIAR: Final = FrameFlag.ERROR | FrameFlag.FD
 _CHANNEL: Final = 1
 """The channel's number; Vector's tools count from 1."""
 
+_NOT_A_NAME: Final = re.compile(r"[^\w.:-]+", re.ASCII)
+
 
 class BlfFormat:
     """The blocks of one BLF file.
@@ -205,7 +207,6 @@ class BlfFormat:
 
 
 _ERROR_BIT: Final = 0x20000000
-_NOT_A_NAME: Final = re.compile(r"[^\w.:-]+", re.ASCII)
 
 
 class CandumpFormat:

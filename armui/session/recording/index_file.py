@@ -37,6 +37,8 @@ _EVERY_S: Final = 1.0
 _NOT_KEPT: Final = FrameFlag.ERROR | FrameFlag.IMPOSSIBLE
 _KEY_FLAGS: Final = int(FrameFlag.EXTENDED | FrameFlag.TRANSMITTED)
 
+_REMEMBERED: Final = np.array(sorted(REMEMBERED_IDS), np.uint32)
+
 
 @dataclass(frozen=True, slots=True)
 class Block:
@@ -71,9 +73,6 @@ class Block:
         )  # fmt: skip
         body = _HEAD.pack(_SIGN, 0, *fields)[_SUMMED_FROM:] + rows.tobytes()
         return struct.pack("<4sL", _SIGN, zlib.crc32(body)) + body
-
-
-_REMEMBERED: Final = np.array(sorted(REMEMBERED_IDS), np.uint32)
 
 
 class StandingFrames:

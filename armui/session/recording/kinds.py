@@ -39,6 +39,24 @@ SESSION_FAILED = Reason(
     "read. Choose another folder, or try again.",
 )
 
+_PART: Final = re.compile(r"(?P<name>.+)\.(?P<number>\d{3,})$")
+_FORBIDDEN: Final = re.compile(r'[<>:"/\\|?*\x00-\x1f\x7f]')
+LONGEST_NAME: Final = 120
+
+_CODES: Final = {
+    errno.ENOSPC: SESSION_DISK_FULL,
+    errno.EDQUOT: SESSION_DISK_FULL,
+    errno.EFBIG: SESSION_DISK_FULL,
+    errno.EACCES: SESSION_READ_ONLY,
+    errno.EPERM: SESSION_READ_ONLY,
+    errno.EROFS: SESSION_READ_ONLY,
+    errno.ENOENT: SESSION_FOLDER_GONE,
+    errno.ENODEV: SESSION_FOLDER_GONE,
+    errno.ENXIO: SESSION_FOLDER_GONE,
+    errno.EIO: SESSION_FOLDER_GONE,
+    errno.ESTALE: SESSION_FOLDER_GONE,
+}
+
 
 class RecordingFormat(enum.Enum):
     """A format of recordings, by the suffix of its files."""
@@ -78,10 +96,6 @@ class BlockFormat(Protocol):
 # A recording NAME has ``NAME.blf``, ``NAME.002.blf`` and so on, its sidecar ``NAME.armui.jsonl``
 # and its index ``NAME.armui.idx``.
 
-_PART: Final = re.compile(r"(?P<name>.+)\.(?P<number>\d{3,})$")
-_FORBIDDEN: Final = re.compile(r'[<>:"/\\|?*\x00-\x1f\x7f]')
-LONGEST_NAME: Final = 120
-
 
 def file_name(name: str, number: int, suffix: str) -> str:
     """Return the name of a recording's file with a number, from 1."""
@@ -110,21 +124,6 @@ def is_name(text: str) -> bool:
         and _FORBIDDEN.search(text) is None
         and _PART.fullmatch(text) is None
     )
-
-
-_CODES: Final = {
-    errno.ENOSPC: SESSION_DISK_FULL,
-    errno.EDQUOT: SESSION_DISK_FULL,
-    errno.EFBIG: SESSION_DISK_FULL,
-    errno.EACCES: SESSION_READ_ONLY,
-    errno.EPERM: SESSION_READ_ONLY,
-    errno.EROFS: SESSION_READ_ONLY,
-    errno.ENOENT: SESSION_FOLDER_GONE,
-    errno.ENODEV: SESSION_FOLDER_GONE,
-    errno.ENXIO: SESSION_FOLDER_GONE,
-    errno.EIO: SESSION_FOLDER_GONE,
-    errno.ESTALE: SESSION_FOLDER_GONE,
-}
 
 
 def why_not_written(error: BaseException, folder: Path) -> Refusal:

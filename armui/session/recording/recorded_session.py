@@ -43,6 +43,14 @@ _HEAD: Final = blf.OBJ_HEADER_BASE_STRUCT.size
 _CONTAINER: Final = blf.LOG_CONTAINER_STRUCT
 _ASC_OPENING: Final = b"base hex  timestamps absolute\nno internal events logged\n"
 
+_LONGEST_TAIL: Final = 4_000_000
+"""More bytes than a killed program leaves without index: the index belongs to another recording."""
+_REMEMBERED: Final = np.array(sorted(REMEMBERED_IDS), np.uint32)
+_SLACK_S: Final = 2e-6
+"""Formats round their times; blocks are chosen a little more widely."""
+
+_LONGEST_OPENING: Final = 4_096
+
 
 def read_block(
     data: bytes, kind: RecordingFormat, start_s: float, damages: DamageList, channel: str
@@ -145,13 +153,6 @@ def _quick_batch(data: bytes, start_s: float, names: tuple[Channel, ...]) -> Fra
         channels=np.zeros(len(table), np.uint8),
         channel_names=names,
     )
-
-
-_LONGEST_TAIL: Final = 4_000_000
-"""More bytes than a killed program leaves without index: the index belongs to another recording."""
-_REMEMBERED: Final = np.array(sorted(REMEMBERED_IDS), np.uint32)
-_SLACK_S: Final = 2e-6
-"""Formats round their times; blocks are chosen a little more widely."""
 
 
 class RecordedSession:
@@ -346,9 +347,6 @@ class RecordedSession:
         block = Block(number, -number, 0, first, total, first_s, last_s, start_s)
         self._cut_off[block.byte] = batches
         self._blocks.append(block)
-
-
-_LONGEST_OPENING: Final = 4_096
 
 
 def _opening_size(beginning: bytes, kind: RecordingFormat) -> int:

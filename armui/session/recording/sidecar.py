@@ -28,6 +28,11 @@ MOST_BYTES: Final = 64_000_000
 """A larger file is something else, or holds more events than anybody can look through."""
 _LONGEST_TEXT: Final = 1_000
 
+_TIMES: Final = ("at_s", "ended_s", "last_s")
+"""The fields of an event with times by the program's clock."""
+_OUTCOMES: Final = ("answer", "result")
+"""The fields with the outcomes of an event, each of which has its own time."""
+
 
 def path_of(folder: Path, name: str) -> Path:
     """Return the path of a recording's sidecar."""
@@ -120,12 +125,6 @@ def marks_of(lines: Sequence[Mapping[str, Any]]) -> list[SessionMark]:
             entry = {key: value for key, value in line.items() if key != "time_s"}
             marks.append(SessionMark(at_s, MarkKind.NOTE, entry))
     return sorted(marks, key=lambda mark: mark.at_s)
-
-
-_TIMES: Final = ("at_s", "ended_s", "last_s")
-"""The fields of an event with times by the program's clock."""
-_OUTCOMES: Final = ("answer", "result")
-"""The fields with the outcomes of an event, each of which has its own time."""
 
 
 def _shift_s(first: Mapping[str, Any]) -> float:

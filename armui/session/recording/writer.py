@@ -147,10 +147,6 @@ class DiskFile:
             raise OSError(errno.ENOENT, os.strerror(errno.ENOENT), str(self.path))
 
 
-_MOST_NAMES: Final = 1_000
-_CLOCK_JUMP_S: Final = 1.0
-
-
 @dataclass(frozen=True, slots=True)
 class TimeBase:
     """One moment by two clocks.
@@ -192,6 +188,10 @@ class RecordingPlan:
     rotate_bytes: int
     channel: str = "can0"
     facts: Mapping[str, object] | None = None
+
+
+_MOST_NAMES: Final = 1_000
+_CLOCK_JUMP_S: Final = 1.0
 
 
 class RecordingWriter:

@@ -52,6 +52,9 @@ _FIELDS: Final = {
 }
 _LINE: Final = "=" * 80
 
+_LATEST_S: Final = float(2**31 - 1)
+"""The last second of a ROS time stamp, whose seconds have 32 bits; none is before 0."""
+
 
 def full_name(name: str) -> str:
     """Return the name of a message type as ROS 2 writes it: ``sensor_msgs/msg/JointState``."""
@@ -78,10 +81,6 @@ def _needed(name: str) -> dict[str, None]:
             found[kind] = None
             found.update(_needed(kind))
     return found
-
-
-_LATEST_S: Final = float(2**31 - 1)
-"""The last second of a ROS time stamp, whose seconds have 32 bits; none is before 0."""
 
 
 class McapFile:

@@ -36,6 +36,9 @@ FINGER_JOINTS: Final = ("gripper_left", "gripper_right")
 GRIPPER_BASE: Final = "gripper_base"
 _MM_PER_M: Final = 1000.0
 
+_US_PER_S: Final = 1_000_000
+_NS_PER_US: Final = 1_000
+
 
 def link_transforms(geometry: Geometry, joints_deg: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return (n, 6, 7): each link's x, y, z in m and quaternion x, y, z, w in the link before.
@@ -90,10 +93,6 @@ def pose_figures(poses: NDArray[np.float64]) -> NDArray[np.float64]:
     result[:, 5] = cx * cy * sz - sx * sy * cz
     result[:, 6] = cx * cy * cz + sx * sy * sz
     return result
-
-
-_US_PER_S: Final = 1_000_000
-_NS_PER_US: Final = 1_000
 
 
 class TimedMessages(NamedTuple):
