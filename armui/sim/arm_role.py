@@ -39,6 +39,9 @@ _FULL_SPEED_PERCENT: Final = 100
 _GRIPPER_TORQUE_NM: Final = 1.0
 _GRIPPER_SPEED_RAD_S: Final = math.pi
 
+_TO_ZERO_SHARE: Final = 0.2
+"""The share of the joints' highest speeds with which a leader moves to its zero."""
+
 
 class LinkedInput:
     """The commands of a teaching input arm (0x470): 0x151, 0x155–0x157 and 0x159.
@@ -74,10 +77,6 @@ class LinkedInput:
                 Enable=1,
             ),
         ]
-
-
-_TO_ZERO_SHARE: Final = 0.2
-"""The share of the joints' highest speeds with which a leader moves to its zero."""
 
 
 class ArmRole:

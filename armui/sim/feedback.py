@@ -31,6 +31,15 @@ _MM_PER_M: Final = 1000.0
 _MOST: Final = 64
 """The frames kept of one message; moving joints never repeat theirs."""
 
+_DEGREES_PER: Final = {**DEGREES_PER, "pulse": 360.0 / 65536.0}
+"""The units with the encoder's pulses. The protocol text gives no number of pulses for a turn; this
+one is assumed.
+"""
+_NO_ALARM: Final[Mapping[str, float]] = dict.fromkeys(Alarm, False)
+_NO_GRIPPER_FAULT: Final[Mapping[str, float]] = dict.fromkeys(GripperFault, False)
+_MOST_STEPS: Final = 32767
+"""The most that the 16 bits of a driver's speed hold (0x251–0x256); a faster joint reports this."""
+
 
 class FrameCache:
     """Keeps frames of each message; a frame is encoded only if its values differ from all of them.
@@ -62,16 +71,6 @@ class FrameCache:
                 kept.clear()
             kept[said] = frame
         return frame
-
-
-_DEGREES_PER: Final = {**DEGREES_PER, "pulse": 360.0 / 65536.0}
-"""The units with the encoder's pulses. The protocol text gives no number of pulses for a turn; this
-one is assumed.
-"""
-_NO_ALARM: Final[Mapping[str, float]] = dict.fromkeys(Alarm, False)
-_NO_GRIPPER_FAULT: Final[Mapping[str, float]] = dict.fromkeys(GripperFault, False)
-_MOST_STEPS: Final = 32767
-"""The most that the 16 bits of a driver's speed hold (0x251–0x256); a faster joint reports this."""
 
 
 class ReportedArm(Protocol):

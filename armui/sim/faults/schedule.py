@@ -22,6 +22,10 @@ _ANY_PUSH_NM: Final = 40.0
 
 _LOW_SUPPLY_V: Final = 18.0
 
+_SYNTAX: Final = re.compile(
+    r"(?P<name>[a-z-]+)(:(?P<value>[0-9.]+))?@(?P<start>[0-9.]+)(-(?P<end>[0-9.]+))?"
+)
+
 
 class FaultParameter(enum.Enum):
     """The meaning of a fault's number: its name, and its smallest and largest value."""
@@ -175,11 +179,6 @@ class Fault:
     value: float
     start_s: float = 0.0
     end_s: float | None = None
-
-
-_SYNTAX: Final = re.compile(
-    r"(?P<name>[a-z-]+)(:(?P<value>[0-9.]+))?@(?P<start>[0-9.]+)(-(?P<end>[0-9.]+))?"
-)
 
 
 def fault(

@@ -22,6 +22,8 @@ A planner that returns None says that there is no way left to go.
 
 _NOTHING: Final = object()
 
+_PARTS: Final = 3
+
 
 class MotionExecutor:
     """Carries out one order of the host at a time; the next replaces it.
@@ -206,9 +208,6 @@ class MotionExecutor:
             tuple(settings.accelerations_deg_s2),
             settings.end_limits,
         )
-
-
-_PARTS: Final = 3
 
 
 class JointMoves:

@@ -36,6 +36,14 @@ if TYPE_CHECKING:
 
 _ALL_INDICES: Final = range(JOINT_COUNT)
 
+NAMES: Final = tuple(f"MitControl{joint}" for joint in JOINTS)
+"""The names of the frames 0x15A–0x15F, joint 1 first."""
+
+_FOLLOW_GAINS: Final = ((50.0, 2.5),) * 3 + ((20.0, 1.0),) * 3
+"""kp and kd of high-follow, which are not published: with the simulated arm's friction the joints
+lag a triangle of 1.2 rad/s by 0.089 rad, as a user measured.
+"""
+
 
 class MotionCommandHandler:
     """Obeys the commands of 0x150."""
@@ -103,15 +111,6 @@ class MotionCommandHandler:
             self._unsupported[command.name] += 1
             return False
         return self._generation is not Generation.ONE
-
-
-NAMES: Final = tuple(f"MitControl{joint}" for joint in JOINTS)
-"""The names of the frames 0x15A–0x15F, joint 1 first."""
-
-_FOLLOW_GAINS: Final = ((50.0, 2.5),) * 3 + ((20.0, 1.0),) * 3
-"""kp and kd of high-follow, which are not published: with the simulated arm's friction the joints
-lag a triangle of 1.2 rad/s by 0.089 rad, as a user measured.
-"""
 
 
 class DirectControl:

@@ -22,6 +22,16 @@ from armui.sim.parameters.settings import ArmSettingsRecord
 
 _ROUNDING: Final = 1e-9
 
+Values = npt.NDArray[np.float64]
+
+_FEWEST_STEPS: Final = 16
+
+_LONGEST_MM: Final = 5000.0
+"""A longer line or arc does not stay within reach, and need not be examined in detail."""
+
+_REPLAY_START_1_S: Final = 4.0
+"""The rate at which a replay reaches its pace: it takes at least a quarter of a second."""
+
 
 class PathProfile:
     """A motion from 0 to an end, never backwards, with one acceleration up and down.
@@ -98,17 +108,6 @@ class PathProfile:
         self.speed = self.acceleration = 0.0
         if self._end - self.position <= 2.0 * self._grain:
             self.position = self._end
-
-
-Values = npt.NDArray[np.float64]
-
-_FEWEST_STEPS: Final = 16
-
-_LONGEST_MM: Final = 5000.0
-"""A longer line or arc does not stay within reach, and need not be examined in detail."""
-
-_REPLAY_START_1_S: Final = 4.0
-"""The rate at which a replay reaches its pace: it takes at least a quarter of a second."""
 
 
 class PlanningError(Exception):

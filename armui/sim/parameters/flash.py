@@ -29,6 +29,9 @@ _HIGHEST_LEVEL: Final = 8
 _MOST_ASSISTANCE: Final = 10
 _LOADS: Final = (EndLoad.EMPTY, EndLoad.HALF, EndLoad.FULL)
 
+_MOST_BYTES: Final = 1 << 20
+"""The settings have about a thousand bytes; a file this large is another one."""
+
 
 class SettingsTextError(ValueError):
     """A text that does not hold settings; the message names the part and the reason."""
@@ -120,10 +123,6 @@ def _teaching(fields: Fields) -> HandleSettings:
 def _allowed(kind: ParameterKind) -> Sequence[int]:
     choices = [int(choice) for choice in kind.choices]
     return choices or range(int(kind.minimum), int(kind.maximum) + 1)
-
-
-_MOST_BYTES: Final = 1 << 20
-"""The settings have about a thousand bytes; a file this large is another one."""
 
 
 class Flash(Protocol):

@@ -45,6 +45,20 @@ _JOINT_NAMES: Final = tuple(f"J{joint}" for joint in JOINTS)
 _ON_OFF: Final = ("On", "Off")
 _READS_ONLY: Final = frozenset({"LimitQuery", "LightControl"})
 
+_REQUEST: Final = 1
+_FRAME_LENGTH: Final = 8
+_LENGTH: Final = 11 * _FRAME_LENGTH
+
+_HARDWARE: Final = (0, "H-V1.2-1")
+_BATCH: Final = (16, "10")
+_NODE_TYPE_AT: Final = 32
+_SOFTWARE_AT: Final = 60
+_SOFTWARE_LENGTH: Final = 8
+"""The length of the version's text. The date follows at once: a longer version shifts it."""
+_DATE: Final = "250925"
+_NODE_NUMBER: Final = (76, "15")
+_NODE_TYPE: Final = "ARM_MC"
+
 
 class ParameterServer:
     """Answers questions about the settings, and changes them.
@@ -243,21 +257,6 @@ class ParameterServer:
         """Return a speed or acceleration in degrees; 0 when it is more than the motors can do."""
         value_deg = signals[signal] * self._degrees_per(message, signal)
         return min(value_deg, most) if value_deg <= most * _ROUNDING_GRACE else 0.0
-
-
-_REQUEST: Final = 1
-_FRAME_LENGTH: Final = 8
-_LENGTH: Final = 11 * _FRAME_LENGTH
-
-_HARDWARE: Final = (0, "H-V1.2-1")
-_BATCH: Final = (16, "10")
-_NODE_TYPE_AT: Final = 32
-_SOFTWARE_AT: Final = 60
-_SOFTWARE_LENGTH: Final = 8
-"""The length of the version's text. The date follows at once: a longer version shifts it."""
-_DATE: Final = "250925"
-_NODE_NUMBER: Final = (76, "15")
-_NODE_TYPE: Final = "ARM_MC"
 
 
 def identity_text(version: str, model: PiperModel) -> bytes:
