@@ -11,6 +11,8 @@ from typing import Final
 LINUX_ERROR_FRAMES: Final = frozenset({"socketcan", "gs_usb", "candle"})
 """Back-ends of python-can whose error frames have this format."""
 
+_CONTROLLER: Final = 0x004
+
 
 class BusError(enum.StrEnum):
     """An error on the bus, or its end."""
@@ -41,7 +43,6 @@ _CLASSES: Final = (
     (0x002, BusError.ARBITRATION_LOST),
     (0x100, BusError.RESTARTED),
 )
-_CONTROLLER: Final = 0x004
 _CONTROLLER_KINDS: Final = (
     (0x01, BusError.RECEIVE_OVERFLOW),
     (0x02, BusError.SEND_OVERFLOW),

@@ -12,6 +12,18 @@ if TYPE_CHECKING:
     from armui.protocol.addressing import Addressing
     from armui.protocol.frame import Frame
 
+VERSION_ID: Final = 0x4AF
+"""The identifier with which the host asks for the version, and the arm answers."""
+_QUESTION: Final = bytes((1, 0, 0, 0, 0, 0, 0, 0))
+
+_FEEDBACK_OFFSETS: Final = range(0x2A1, 0x2C9)
+FIXED_FEEDBACK: Final = frozenset(
+    {*range(0x251, 0x257), *range(0x261, 0x267), *range(0x2AA, 0x2AD), *range(0x481, 0x487)}
+    | {0x473, 0x476, 0x478, 0x47B, 0x47C, 0x47E, 0x488}
+)
+_HOSTS: Final = MOTION_IDS | OTHER_COMMAND_IDS
+_NO_DATA_FRAME: Final = FrameFlag.EXTENDED | FrameFlag.REMOTE | FrameFlag.FD
+
 
 class Sender(enum.StrEnum):
     """The sender of a frame."""
@@ -26,19 +38,6 @@ class Sender(enum.StrEnum):
     ADAPTER = "adapter"
     """No node of the bus: error frames are made by the adapter."""
     UNKNOWN = "unknown"
-
-
-VERSION_ID: Final = 0x4AF
-"""The identifier with which the host asks for the version, and the arm answers."""
-_QUESTION: Final = bytes((1, 0, 0, 0, 0, 0, 0, 0))
-
-_FEEDBACK_OFFSETS: Final = range(0x2A1, 0x2C9)
-FIXED_FEEDBACK: Final = frozenset(
-    {*range(0x251, 0x257), *range(0x261, 0x267), *range(0x2AA, 0x2AD), *range(0x481, 0x487)}
-    | {0x473, 0x476, 0x478, 0x47B, 0x47C, 0x47E, 0x488}
-)
-_HOSTS: Final = MOTION_IDS | OTHER_COMMAND_IDS
-_NO_DATA_FRAME: Final = FrameFlag.EXTENDED | FrameFlag.REMOTE | FrameFlag.FD
 
 
 def sender_of(frame: Frame, flags: int, addressing: Addressing) -> Sender:

@@ -36,6 +36,16 @@ SILENT_S: Final = 0.5
 """A periodic frame missing for this long, and for three cycles, counts as silent."""
 _SILENT_CYCLES: Final = 3.0
 
+MOST_ROWS: Final = 512
+"""The most rows; a bus full of noise has more identifiers than anybody can read."""
+MOST_WAITING: Final = 40_000
+"""The most frames that wait to be counted: some five seconds of a full bus."""
+MOST_AT_ONCE: Final = 4_000
+"""The frames counted in one call: some milliseconds."""
+_BYTES: Final = 8
+
+_ALL_BITS: Final = (1 << 8 * _BYTES) - 1
+
 
 @dataclass(frozen=True, slots=True)
 class Cycle:
@@ -149,17 +159,6 @@ def cycle_of(times_s: Sequence[float]) -> Cycle | None:
     return Cycle(1.0 / mean_s, deviation_s)
 
 
-MOST_ROWS: Final = 512
-"""The most rows; a bus full of noise has more identifiers than anybody can read."""
-MOST_WAITING: Final = 40_000
-"""The most frames that wait to be counted: some five seconds of a full bus."""
-MOST_AT_ONCE: Final = 4_000
-"""The frames counted in one call: some milliseconds."""
-_BYTES: Final = 8
-_SORT_SHIFT: Final = 32
-_KIND: Final = FrameFlag.EXTENDED | FrameFlag.REMOTE | FrameFlag.ERROR | FrameFlag.FD
-
-
 class _Series:
     """Frames of one identifier and one sender."""
 
@@ -236,7 +235,9 @@ class _Series:
         return self.row
 
 
-_ALL_BITS: Final = (1 << 8 * _BYTES) - 1
+_SORT_SHIFT: Final = 32
+_KIND: Final = FrameFlag.EXTENDED | FrameFlag.REMOTE | FrameFlag.ERROR | FrameFlag.FD
+
 _OPENED: Final[list[ReceivedFrame]] = []
 """Marks in the queue that a device was opened: no cycle continues across it."""
 

@@ -24,6 +24,10 @@ _YEARS: Final = 1970, 2300
 LATEST_S: Final = 1e10
 """Times further away overflow a calendar."""
 
+NAME: Final = "events.jsonl"
+_MOST_BYTES: Final = 2_000_000
+_OLD_FILES: Final = 4
+
 
 def to_json(entry: EventEntry) -> str:
     """Return the line of an event without its end; times are by the clock that does not go back."""
@@ -181,11 +185,6 @@ def _text(read: object) -> str:
     if not isinstance(read, str):
         raise ValueError(f"{str(read)[:60]!r} is no text")  # noqa: TRY004 - what from_json raises
     return read
-
-
-NAME: Final = "events.jsonl"
-_MOST_BYTES: Final = 2_000_000
-_OLD_FILES: Final = 4
 
 
 def append(

@@ -11,16 +11,6 @@ from datetime import datetime, timedelta
 from enum import StrEnum, unique
 from typing import Any, Final
 
-
-class Level(enum.Enum):
-    """The severity of an event."""
-
-    INFO = enum.auto()
-    DONE = enum.auto()
-    WARNING = enum.auto()
-    FAULT = enum.auto()
-
-
 __all__ = [
     "MOST_ENTRIES",
     "REPEATS_SPAN_S",
@@ -39,6 +29,15 @@ REPEAT_S: Final = 10.0
 """An event that happens again within this time is counted instead of listed again."""
 REPEATS_SPAN_S: Final = 60.0
 """Repeats are counted for this long, then listed again; otherwise one line could cover a day."""
+
+
+class Level(enum.Enum):
+    """The severity of an event."""
+
+    INFO = enum.auto()
+    DONE = enum.auto()
+    WARNING = enum.auto()
+    FAULT = enum.auto()
 
 
 @unique

@@ -21,6 +21,19 @@ _BUS_HZ: Final = 10.0
 
 BUS_SERIES: Final = "bus"
 
+DRIVER_FAULTS: Final = (
+    *("Undervoltage", "MotorOvertemperature", "Overcurrent", "DriverOvertemperature"),
+    *("SensorFault", "DriverFault", "CollisionProtection", "StallProtection"),
+)
+"""The bits of ``driver_faults``, the first one worth 1; the same in both generations."""
+GRIPPER_FAULTS: Final = DRIVER_FAULTS[:6]
+"""The bits of ``gripper_faults``."""
+
+_POSE_AXES: Final = ("x", "y", "z", "rx", "ry", "rz")
+
+_POSES: Final = (("X", "Y"), ("Z", "RX"), ("RY", "RZ"))
+_PAIRS: Final = ((1, 2), (3, 4), (5, 6))
+
 
 class Source(enum.StrEnum):
     """The source of a quantity."""
@@ -124,15 +137,6 @@ def _code(name: str, *signals: str) -> Field:
     return Field(name, "", signals, is_code=True)
 
 
-DRIVER_FAULTS: Final = (
-    *("Undervoltage", "MotorOvertemperature", "Overcurrent", "DriverOvertemperature"),
-    *("SensorFault", "DriverFault", "CollisionProtection", "StallProtection"),
-)
-"""The bits of ``driver_faults``, the first one worth 1; the same in both generations."""
-GRIPPER_FAULTS: Final = DRIVER_FAULTS[:6]
-"""The bits of ``gripper_faults``."""
-
-_POSE_AXES: Final = ("x", "y", "z", "rx", "ry", "rz")
 TOOL_POSE: Final = Record(
     "ToolPose",
     Source.ARM,
@@ -171,8 +175,6 @@ _GRIPPER: Final = Record(
         _code("gripper_enabled", "Enabled"),
     ),
 )
-_POSES: Final = (("X", "Y"), ("Z", "RX"), ("RY", "RZ"))
-_PAIRS: Final = ((1, 2), (3, 4), (5, 6))
 
 
 def _pose_fields(pair: tuple[str, str]) -> tuple[Field, ...]:

@@ -20,6 +20,26 @@ if TYPE_CHECKING:
 
 _WORTH_PAGES = 65_536
 
+BASE_EXPONENT: Final = -4
+"""The finest buckets are 2⁻⁴ s = 62.5 ms wide: 12 samples at 200 Hz."""
+LEVELS: Final = 4
+_LEVEL_STEP: Final = 2
+"""The exponent's step between levels: buckets are 62.5 ms, 0.25, 1 and 4 s wide."""
+_NONE: Final = np.iinfo(np.int64).min
+
+Extremes = tuple["NDArray[np.float64]", "NDArray[np.float64]"]
+"""Minima and maxima, one row for each signal, one column for each bucket; NaN for none."""
+
+KEPT_S: Final = 1800.0
+"""Every sample is kept for this long, if they come at the rate of the protocol."""
+
+_FOLD_EVERY: Final = 512
+"""The number of samples added to the pyramid at once: numpy pays off by the hundred."""
+_BASE_PER_S: Final = 2.0**-BASE_EXPONENT
+_LATEST_TRIES: Final = 3
+
+Row = tuple[float, ...]
+
 
 def zeros(shape: tuple[int, ...], kind: np.dtype[Any] | str) -> NDArray[Any]:
     """Return an array of zeros like `numpy.zeros` whose memory returns to the system when freed.
@@ -31,17 +51,6 @@ def zeros(shape: tuple[int, ...], kind: np.dtype[Any] | str) -> NDArray[Any]:
     if count * kind.itemsize < _WORTH_PAGES:
         return np.zeros(shape, kind)
     return np.frombuffer(mmap.mmap(-1, count * kind.itemsize), kind, count).reshape(shape)
-
-
-BASE_EXPONENT: Final = -4
-"""The finest buckets are 2⁻⁴ s = 62.5 ms wide: 12 samples at 200 Hz."""
-LEVELS: Final = 4
-_LEVEL_STEP: Final = 2
-"""The exponent's step between levels: buckets are 62.5 ms, 0.25, 1 and 4 s wide."""
-_NONE: Final = np.iinfo(np.int64).min
-
-Extremes = tuple["NDArray[np.float64]", "NDArray[np.float64]"]
-"""Minima and maxima, one row for each signal, one column for each bucket; NaN for none."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -194,17 +203,6 @@ def _store(
         level.lows[place][:, slots] = low
         level.highs[place][:, slots] = high
     level.numbers[slots] = numbers
-
-
-KEPT_S: Final = 1800.0
-"""Every sample is kept for this long, if they come at the rate of the protocol."""
-
-_FOLD_EVERY: Final = 512
-"""The number of samples added to the pyramid at once: numpy pays off by the hundred."""
-_BASE_PER_S: Final = 2.0**-BASE_EXPONENT
-_LATEST_TRIES: Final = 3
-
-Row = tuple[float, ...]
 
 
 @dataclass(frozen=True, slots=True)

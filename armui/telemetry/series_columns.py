@@ -40,6 +40,10 @@ _UNPROVEN: Final = frozenset(
 )
 """The signals of 0x2A1 bytes 5 and 6, whose meaning depends on the generation."""
 
+NOT_OF_THE_ARM: Final = ~FrameFlag.TRANSMITTED & 0xFF
+_IDS: Final = 0x800
+_Columns = TypeVar("_Columns", bound="DataclassInstance")
+
 
 def row_of(record: Record, codec: Codec, *, proven: bool) -> Callable[[_Signals], Row] | None:
     """Return a function that makes a row of a message's signals, or ``None`` if none is understood.
@@ -105,11 +109,6 @@ def _figure_maker(record: Record, field: Field, codec: Codec, told: frozenset[st
     if factor == 1:
         return itemgetter(name)
     return lambda signals: signals[name] * factor
-
-
-NOT_OF_THE_ARM: Final = ~FrameFlag.TRANSMITTED & 0xFF
-_IDS: Final = 0x800
-_Columns = TypeVar("_Columns", bound="DataclassInstance")
 
 
 @dataclass(frozen=True, slots=True, eq=False)

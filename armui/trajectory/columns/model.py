@@ -22,6 +22,13 @@ DELIMITERS: Final = (",", ";", "\t", "|", SPACES)
 DECIMALS: Final = (".", ",")
 _COMMENTS: Final = ("#", "%", "//")
 
+_TIMES: Final = {"s": 1.0, "ms": 1e-3, "µs": 1e-6, "ns": 1e-9}
+_ANGLES: Final = {"°": 1.0, "rad": math.degrees(1.0)}
+_LENGTHS: Final = {"mm": 1.0, "m": 1e3}
+
+Figures = Sequence[float | None]
+"""The figures of one column in order; ``None`` for a cell without a number."""
+
 
 class ColumnQuantity(StrEnum):
     """The quantities a column can hold.
@@ -59,9 +66,6 @@ POSE: Final = (
     ColumnQuantity.RZ,
 )
 
-_TIMES: Final = {"s": 1.0, "ms": 1e-3, "µs": 1e-6, "ns": 1e-9}
-_ANGLES: Final = {"°": 1.0, "rad": math.degrees(1.0)}
-_LENGTHS: Final = {"mm": 1.0, "m": 1e3}
 
 UNITS: Final[Mapping[ColumnQuantity, Mapping[str, float]]] = {
     **dict.fromkeys((ColumnQuantity.TIME, ColumnQuantity.WAIT, ColumnQuantity.DWELL), _TIMES),
@@ -78,10 +82,6 @@ class TableColumn(NamedTuple):
 
     quantity: ColumnQuantity
     unit: str
-
-
-Figures = Sequence[float | None]
-"""The figures of one column in order; ``None`` for a cell without a number."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -70,6 +70,33 @@ colon. A spreadsheet may have put it in quotation marks, and cells behind.
 Row = tuple[int, list[str]]
 """The number of the row's first line, and its cells."""
 
+_JOINTS: Final = tuple(f"j{joint}_deg" for joint in range(1, 7))
+_POSE: Final = ("x_mm", "y_mm", "z_mm", "rx_deg", "ry_deg", "rz_deg")
+_MIDDLE: Final = tuple(f"middle_{title}" for title in _POSE)
+_OPENING: Final = ("gripper_opening_mm", "gripper_torque_nm")
+_ANGLE: Final = ("gripper_angle_deg", "gripper_speed_rad_s")
+_LIGHT: Final = ("light_joint", "light_red", "light_green", "light_blue")
+_LAMP: Final = "light_lamp"
+_OF_CELL: Final = ("frame", "holds")
+"""The columns of a file in which points name things of a cell."""
+_OF_TOOL: Final = {
+    **{title: f"tcp_{title}" for title in _POSE},
+    **{f"middle_{title}": f"middle_tcp_{title}" for title in _POSE},
+}
+"""The titles of poses that are a tool's, by those of the flange's."""
+_PLAIN: Final = {of_tool: title for title, of_tool in _OF_TOOL.items()}
+_NOTHING: Final = "<nothing>"
+"""The cell of a point from which on nothing is held; no name can be written so."""
+
+TITLES: Final = (
+    *("move", *_JOINTS, *_POSE, *_MIDDLE, "speed_percent", "dwell_s"),
+    *(*_OPENING, *_ANGLE, *_LIGHT, _LAMP, "note"),
+)
+_WHOLE_DEFAULT: Final = 30
+
+_COUNTS: Final = (GRIPPER, COLUMN_COUNT)
+_STEP_DIGITS: Final = 6
+
 
 def is_csv(text: str) -> bool:
     """Return whether a text has the titles of this format, in any order."""
@@ -262,31 +289,6 @@ def _read_samples(titles: list[str], body: Iterator[Row], fields: dict[str, Any]
     return verified(Recording(samples=array, **fields), lines)
 
 
-_JOINTS: Final = tuple(f"j{joint}_deg" for joint in range(1, 7))
-_POSE: Final = ("x_mm", "y_mm", "z_mm", "rx_deg", "ry_deg", "rz_deg")
-_MIDDLE: Final = tuple(f"middle_{title}" for title in _POSE)
-_OPENING: Final = ("gripper_opening_mm", "gripper_torque_nm")
-_ANGLE: Final = ("gripper_angle_deg", "gripper_speed_rad_s")
-_LIGHT: Final = ("light_joint", "light_red", "light_green", "light_blue")
-_LAMP: Final = "light_lamp"
-_OF_CELL: Final = ("frame", "holds")
-"""The columns of a file in which points name things of a cell."""
-_OF_TOOL: Final = {
-    **{title: f"tcp_{title}" for title in _POSE},
-    **{f"middle_{title}": f"middle_tcp_{title}" for title in _POSE},
-}
-"""The titles of poses that are a tool's, by those of the flange's."""
-_PLAIN: Final = {of_tool: title for title, of_tool in _OF_TOOL.items()}
-_NOTHING: Final = "<nothing>"
-"""The cell of a point from which on nothing is held; no name can be written so."""
-
-TITLES: Final = (
-    *("move", *_JOINTS, *_POSE, *_MIDDLE, "speed_percent", "dwell_s"),
-    *(*_OPENING, *_ANGLE, *_LIGHT, _LAMP, "note"),
-)
-_WHOLE_DEFAULT: Final = 30
-
-
 def write_cells(point: Waypoint, titles: Sequence[str] = TITLES) -> list[str]:
     """Return the cells of a point, in the order of the titles."""
     cells = {
@@ -415,10 +417,6 @@ class _Row:
 
 def _named(titles: Sequence[str], values: Sequence[float]) -> dict[str, str]:
     return dict(zip(titles, map(number, values), strict=True))
-
-
-_COUNTS: Final = (GRIPPER, COLUMN_COUNT)
-_STEP_DIGITS: Final = 6
 
 
 def is_maker_csv(text: str) -> bool:

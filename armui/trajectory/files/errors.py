@@ -20,6 +20,10 @@ HEADER_UNKNOWN = Reason(
     "header_unknown", "“{value}” is not an entry of the header; use name, note or modified."
 )
 
+_NO_FIGURES: Final = dict.fromkeys(
+    ("field", "value", "minimum", "maximum", "unit", "expected", "text", "example"), "?"
+)
+
 
 def field_refusal(error: FieldError) -> Refusal:
     """Return the refusal for a wrong field, for a `TrajectoryFileError`."""
@@ -57,11 +61,6 @@ class TrajectoryFileError(Exception):
         if self.column:
             places.append(f"column {self.column}")
         return f"{', '.join(places)}: {words}" if places else words
-
-
-_NO_FIGURES: Final = dict.fromkeys(
-    ("field", "value", "minimum", "maximum", "unit", "expected", "text", "example"), "?"
-)
 
 
 def broken(

@@ -51,6 +51,8 @@ _EMPTY: Final = {
 }
 """Fields of a point that are omitted when they hold this value."""
 
+_Scan = Callable[[str, int], tuple[Any, int]]
+
 
 def is_json(text: str) -> bool:
     """Return whether a text begins as JSON does; no other format of ours begins so."""
@@ -214,9 +216,6 @@ def _light(item: Fields | None) -> LightAction | None:
     light = LightAction(*[item.whole(name) for name in names])
     item.nothing_else()
     return light
-
-
-_Scan = Callable[[str, int], tuple[Any, int]]
 
 
 def place_of(text: str, path: Path) -> tuple[int, int]:

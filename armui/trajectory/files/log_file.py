@@ -51,6 +51,8 @@ _ENTRY: Final = re.compile(r"([A-Za-z]\w*):[ \t]*(.*?)[ \t]*")
 
 _NAMED_POSE: Final = re.compile(r'("(?:[^"\\]|\\.)*")((?:\s+[^\s"]+){6})')
 
+_TITLES: Final = "# t_s J1 J2 J3 J4 J5 J6 (deg) gripper_mm"
+
 
 def is_log(text: str) -> bool:
     """Return whether a text begins as this format does."""
@@ -221,9 +223,6 @@ def _text(text: str) -> str:
     """Bare where it reads back as it is, else in quotation marks."""
     plain = text.isprintable() and text == text.strip() and not text.startswith('"')
     return text if plain and text else json.dumps(text, ensure_ascii=False)
-
-
-_TITLES: Final = "# t_s J1 J2 J3 J4 J5 J6 (deg) gripper_mm"
 
 
 def write_samples(samples: Array) -> str:

@@ -84,6 +84,14 @@ LIBRARY_DAMAGED = Reason(
     "The file of “{name}” is damaged and is not written over. Save under another name.",
 )
 
+__all__ = ["Check", "Deleted", "IndexEntry", "Library", "LibraryError", "Listing"]
+
+_BIN: Final = ".deleted"
+_RECORDINGS: Final = ".recordings"
+_ROOM_FOR_NUMBER: Final = 8
+_MOMENT_S: Final = 0.2
+"""So long others wait for estimates of trajectories."""
+
 
 class LibraryError(Exception):
     """An action on the library that failed; everything is as it was.
@@ -110,15 +118,6 @@ def on_disk(code: Reason, name: str) -> Iterator[None]:
     except OSError as error:
         refusal = Refusal(code, {"name": name, "text": error_text(error)})
         raise LibraryError(refusal) from error
-
-
-__all__ = ["Check", "Deleted", "IndexEntry", "Library", "LibraryError", "Listing"]
-
-_BIN: Final = ".deleted"
-_RECORDINGS: Final = ".recordings"
-_ROOM_FOR_NUMBER: Final = 8
-_MOMENT_S: Final = 0.2
-"""So long others wait for estimates of trajectories."""
 
 
 class Library:

@@ -25,6 +25,12 @@ _LARGE_BYTES: Final = 65536
 """A text of this size takes a twentieth of a second to read."""
 _LARGE_COUNT: Final = 1000
 
+_SUFFIXES: Final = (".log", ".npz")
+_INDEX: Final = ".index.json"
+_ROOM_FOR_NUMBER: Final = 8
+_UNKNOWN: Final = Stamp(0, 0, 0)
+"""The stamp of a file that cannot be looked at."""
+
 
 def call_directly(function: Callable[..., Any], *args: Any) -> Any:
     """Call the function in this thread."""
@@ -74,13 +80,6 @@ def write_content(path: Path, content: Content) -> None:
         UnwritableError: The content cannot be written.
     """
     write_whole(path, files.to_bytes(content, path.suffix))
-
-
-_SUFFIXES: Final = (".log", ".npz")
-_INDEX: Final = ".index.json"
-_ROOM_FOR_NUMBER: Final = 8
-_UNKNOWN: Final = Stamp(0, 0, 0)
-"""The stamp of a file that cannot be looked at."""
 
 
 @dataclass(frozen=True, slots=True)

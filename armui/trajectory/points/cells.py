@@ -25,6 +25,14 @@ from armui.trajectory.points.program import (
     check_point,
 )
 
+IN_FRAME: Final = "@"
+"""It parts the kind of motion from the user frame of a point, as in ``MOVE L@Table``."""
+HOLDS: Final = "holds="
+"""It stands before the name of what the hand holds from a point on; before none: nothing."""
+
+_PARTING: Final = re.compile(r"[\s;,，；/]+")
+_UNIT: Final = re.compile(r"\s*(?:°|deg|mm|%|s)$")
+
 
 class PointColumn(enum.IntEnum):
     """The columns from left to right."""
@@ -46,14 +54,6 @@ class PointColumn(enum.IntEnum):
 
 VALUES: Final = range(PointColumn.VALUE_1, PointColumn.VALUE_6 + 1)
 """The columns of the six values of the target."""
-
-IN_FRAME: Final = "@"
-"""It parts the kind of motion from the user frame of a point, as in ``MOVE L@Table``."""
-HOLDS: Final = "holds="
-"""It stands before the name of what the hand holds from a point on; before none: nothing."""
-
-_PARTING: Final = re.compile(r"[\s;,，；/]+")
-_UNIT: Final = re.compile(r"\s*(?:°|deg|mm|%|s)$")
 
 
 def text_of(point: Waypoint, column: PointColumn) -> str:

@@ -35,6 +35,16 @@ GRIPPER: Final = 7
 
 LONGEST_S: Final = 24 * 3600.0
 
+_STRIDE = 64
+"""Going this many samples forward, or one back in time, searches all of them by bisection."""
+
+_SPEED_OVER_S: Final = 0.1
+"""Speeds are averaged over this time, because samples carry the bus's jitter."""
+_COMES_AFTER_S: Final = 0.13
+_WITH_THE_WORST: Final = 0.3
+_LASTS_S: Final = 0.3
+"""So long before and after a change of speed the arm may be off the way."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Recording:
@@ -126,10 +136,6 @@ def check_recording(recording: Recording) -> tuple[int, Refusal] | None:
     return (0, refusal) if refusal is not None else check_samples(recording.samples)
 
 
-_STRIDE = 64
-"""Going this many samples forward, or one back in time, searches all of them by bisection."""
-
-
 class SampleCursor:
     """Finds the sample of a recording at a time, in a few microseconds whatever its length.
 
@@ -175,14 +181,6 @@ class SampleCursor:
 
     def _time_s(self, index: int) -> float:
         return float(self._samples[index, 0]) - self._start_s
-
-
-_SPEED_OVER_S: Final = 0.1
-"""Speeds are averaged over this time, because samples carry the bus's jitter."""
-_COMES_AFTER_S: Final = 0.13
-_WITH_THE_WORST: Final = 0.3
-_LASTS_S: Final = 0.3
-"""So long before and after a change of speed the arm may be off the way."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
