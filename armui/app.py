@@ -146,6 +146,12 @@ _LATE_ROOMS: Final = (
 )
 """The rooms with modules that a page imports when it is opened."""
 
+SIMULATED: Final = tuple(
+    Device("virtual", f"armui-simulated-{generation}", None, simulated=True, generation=generation)
+    for generation in (2, 1)
+)
+"""The simulated arms, today's protocol first."""
+
 
 def may_drive(modules: Collection[str]) -> bool:
     """Return whether a failure may leave the arm moving, by the modules in its traceback.
@@ -505,13 +511,6 @@ def chosen_device(options: StartOptions) -> Device | None:
         channel=options.channel,
         bitrate=(options.bitrate or DEFAULT_BITRATE) if ours else None,
     )
-
-
-SIMULATED: Final = tuple(
-    Device("virtual", f"armui-simulated-{generation}", None, simulated=True, generation=generation)
-    for generation in (2, 1)
-)
-"""The simulated arms, today's protocol first."""
 
 
 class SimulatedArms:

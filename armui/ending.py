@@ -47,6 +47,10 @@ _REST_S: Final = 0.15
 _ANSWER_S: Final = 2.0
 _CONSOLE_CLOSED: Final = frozenset({2, 5, 6})  # CTRL_CLOSE_EVENT, _LOGOFF_EVENT, _SHUTDOWN_EVENT
 
+_LOGIND: Final = "org.freedesktop.login1"
+_LOGIND_PATH: Final = "/org/freedesktop/login1"
+_ANNOUNCED: Final = ("PrepareForSleep", "PrepareForShutdown")
+
 
 class EndingProgram(Protocol):
     """The program to end: see :class:`armui.app.Program`."""
@@ -279,11 +283,6 @@ class SleepWatch:
         asked = ("sleep:shutdown", "armui", "The arm's motion is ended first", "delay")
         call = new_method_call(logind, "Inhibit", "ssss", asked)
         return unwrap_msg(connection.send_and_get_reply(call, timeout=_ANSWER_S))[0]
-
-
-_LOGIND: Final = "org.freedesktop.login1"
-_LOGIND_PATH: Final = "/org/freedesktop/login1"
-_ANNOUNCED: Final = ("PrepareForSleep", "PrepareForShutdown")
 
 
 def _system_bus() -> Any:

@@ -68,15 +68,14 @@ _Choices = ParamSpec("_Choices")
 _Answer = TypeVar("_Answer")
 _Store = TypeVar("_Store")
 
+Subscriber = Callable[[Settings], None]
+
 
 def _by_name(
     _settings: Callable[_Choices, Settings],
 ) -> Callable[[Callable[..., _Answer]], Callable[Concatenate[_Store, _Choices], _Answer]]:
     """Give a method the settings as its keywords, so that mypy knows their names and types."""
     return lambda method: method
-
-
-Subscriber = Callable[[Settings], None]
 
 
 def default_path() -> Path:

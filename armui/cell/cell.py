@@ -20,6 +20,14 @@ CELL_CHOICE_BAD = Reason(
     "cell_choice_bad", "The cell has nothing named “{value}”. Choose one of those in its list."
 )
 
+Part = Tool | UserFrame | HeldObject
+_LISTS: Final[dict[type[Any], tuple[str, str]]] = {
+    Tool: ("tools", "tool"),
+    UserFrame: ("frames", "frame"),
+    HeldObject: ("held_objects", "held"),
+}
+"""The list of each kind of part, and the name of the one of it that is in force."""
+
 
 @dataclass(frozen=True, slots=True)
 class Cell:
@@ -81,15 +89,6 @@ class Cell:
     def gripper(self) -> GripperTable | None:
         """The gripper's table while it is applied, or ``None``."""
         return GripperTable(self.gripper_table) if self.gripper_calibrated else None
-
-
-Part = Tool | UserFrame | HeldObject
-_LISTS: Final[dict[type[Any], tuple[str, str]]] = {
-    Tool: ("tools", "tool"),
-    UserFrame: ("frames", "frame"),
-    HeldObject: ("held_objects", "held"),
-}
-"""The list of each kind of part, and the name of the one of it that is in force."""
 
 
 def with_part(cell: Cell, part: Part, *, instead_of: str = "") -> Cell:

@@ -20,6 +20,8 @@ _LAST_WORDS: Final = 300
 Tell = Callable[[list[Diagnosis] | str], object]
 """Called in another thread with the findings, or with one line on why there are none."""
 
+_GRAVE = (DiagnosisLevel.FAULT, DiagnosisLevel.WARNING)
+
 
 class DoctorProcess(CommandProcess):
     """One examination, which starts at once.
@@ -55,9 +57,6 @@ def _findings(out: str, err: str) -> list[Diagnosis] | str:
         return findings_of_json(out)
     except (json.JSONDecodeError, ValueError, KeyError, TypeError):
         return err.strip()[-_LAST_WORDS:] or "the examination ended without a report"
-
-
-_GRAVE = (DiagnosisLevel.FAULT, DiagnosisLevel.WARNING)
 
 
 def adapter_trouble() -> list[Diagnosis]:

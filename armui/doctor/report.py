@@ -13,6 +13,8 @@ from armui.doctor.judge import BY_ID
 from armui.system.plain_words import Translate
 from armui.system.sentence import Sentence
 
+_INDENT: Final = "       "
+
 
 @dataclass(frozen=True, slots=True)
 class ReportText(Sentence):
@@ -46,7 +48,6 @@ _MARKS: Final = {
     DiagnosisLevel.WARNING: MARKED_WARNING,
     DiagnosisLevel.FAULT: MARKED_FAULT,
 }
-_INDENT: Final = "       "
 
 
 class Words:

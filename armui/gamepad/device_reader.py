@@ -11,6 +11,20 @@ from typing import Final, Protocol
 from armui.gamepad.device_state import DeviceInfo, DeviceSnapshot, DeviceState
 from armui.system.clock import steady_s
 
+_LOG: Final = logging.getLogger(__name__)
+
+_PERIOD_S: Final = 0.004
+"""The period of reading, twice as short as a USB device's reports: a press of the stop waits for
+the next one.
+"""
+_IDLE_S: Final = 0.25
+"""The period while there is no device."""
+_LOOK_S: Final = 2.0
+_END_S: Final = 2.0
+
+OnButtons = Callable[[DeviceInfo, frozenset[str], frozenset[str]], None]
+"""Called in the reader's thread with a device, the pressed buttons and the released ones."""
+
 
 class DeviceBackend(Protocol):
     """Reads the devices of one kind; created and used in one thread only.
@@ -47,21 +61,6 @@ class DeviceBackend(Protocol):
     def close(self) -> None:
         """Release the devices and the library."""
         ...
-
-
-_LOG: Final = logging.getLogger(__name__)
-
-_PERIOD_S: Final = 0.004
-"""The period of reading, twice as short as a USB device's reports: a press of the stop waits for
-the next one.
-"""
-_IDLE_S: Final = 0.25
-"""The period while there is no device."""
-_LOOK_S: Final = 2.0
-_END_S: Final = 2.0
-
-OnButtons = Callable[[DeviceInfo, frozenset[str], frozenset[str]], None]
-"""Called in the reader's thread with a device, the pressed buttons and the released ones."""
 
 
 class Reader(Protocol):

@@ -18,6 +18,32 @@ from armui.gamepad.device_state import DeviceKind, DeviceState
 SPEED_AXIS: Final = "right_trigger"
 """The trigger that makes a gamepad faster."""
 
+_PAD_BUTTONS: Final = (
+    *("a", "b", "x", "y", "left_shoulder", "right_shoulder"),
+    *("back", "start", "left_stick", "right_stick"),
+)
+_MOUSE_BUTTONS: Final = tuple(str(number) for number in range(1, 33))
+
+BUTTONS: Final[Mapping[DeviceKind, tuple[str, ...]]] = {
+    DeviceKind.GAMEPAD: _PAD_BUTTONS,
+    DeviceKind.SPACE_MOUSE: _MOUSE_BUTTONS,
+}
+"""The buttons that can be assigned; the cross moves the arm."""
+
+_OPTIONAL: Final = frozenset({"halt", "mode"})
+
+DEAD_ZONES: Final[Mapping[DeviceKind, float]] = {
+    DeviceKind.GAMEPAD: 0.18,
+    DeviceKind.SPACE_MOUSE: 0.10,
+}
+"""Within this of its centre an axis is at rest: worn sticks stay up to 0.15 away from it."""
+
+SLOWEST: Final = 0.02
+"""The share of the speed just outside the dead zone."""
+
+WITHOUT_TRIGGER: Final = 0.2
+"""The share of the operator's speed while the trigger of a gamepad is not pulled."""
+
 
 class JogMode(StrEnum):
     """The mode of the axes: the joints, or the tool along the axes of a frame."""
@@ -73,18 +99,6 @@ SOURCES: Final[Mapping[DeviceKind, Mapping[JogMode, tuple[AxisSource, ...]]]] = 
 }
 """The source of each axis of the arm (J1–J6, or X, Y, Z, RX, RY, RZ)."""
 
-_PAD_BUTTONS: Final = (
-    *("a", "b", "x", "y", "left_shoulder", "right_shoulder"),
-    *("back", "start", "left_stick", "right_stick"),
-)
-_MOUSE_BUTTONS: Final = tuple(str(number) for number in range(1, 33))
-
-BUTTONS: Final[Mapping[DeviceKind, tuple[str, ...]]] = {
-    DeviceKind.GAMEPAD: _PAD_BUTTONS,
-    DeviceKind.SPACE_MOUSE: _MOUSE_BUTTONS,
-}
-"""The buttons that can be assigned; the cross moves the arm."""
-
 
 @dataclass(frozen=True, slots=True)
 class Assignment:
@@ -106,7 +120,6 @@ class Assignment:
 ACTIONS: Final = tuple(field.name for field in fields(Assignment))
 """The actions of buttons, by the names of the fields."""
 
-_OPTIONAL: Final = frozenset({"halt", "mode"})
 
 DEFAULTS: Final[Mapping[DeviceKind, Assignment]] = {
     DeviceKind.GAMEPAD: Assignment("left_shoulder", "b", "x", "y"),
@@ -155,19 +168,6 @@ def _deflection(state: DeviceState, source: AxisSource) -> float:
     if source.axis:
         return source.sign * state.axes.get(source.axis, 0.0)
     return float((source.plus in state.buttons) - (source.minus in state.buttons))
-
-
-DEAD_ZONES: Final[Mapping[DeviceKind, float]] = {
-    DeviceKind.GAMEPAD: 0.18,
-    DeviceKind.SPACE_MOUSE: 0.10,
-}
-"""Within this of its centre an axis is at rest: worn sticks stay up to 0.15 away from it."""
-
-SLOWEST: Final = 0.02
-"""The share of the speed just outside the dead zone."""
-
-WITHOUT_TRIGGER: Final = 0.2
-"""The share of the operator's speed while the trigger of a gamepad is not pulled."""
 
 
 def shaped(deflection: float, dead_zone: float) -> float:

@@ -22,6 +22,19 @@ _BOTH_BYTES: Final = 13
 _HALF_BYTES: Final = 7
 _MOST_BUTTONS: Final = 32
 
+_VENDORS: Final = (0x256F, 0x046D)
+"""The vendor numbers of 3Dconnexion; before 2013 its devices had Logitech's."""
+_OLD_PRODUCTS: Final = frozenset(
+    {0xC603, 0xC605, 0xC606, 0xC621, 0xC623, 0xC625, 0xC626, 0xC627, 0xC628, 0xC629, 0xC62B}
+)
+_GENERIC_DESKTOP: Final = 1
+_MULTI_AXIS: Final = 8
+_REPORT_BYTES: Final = 64
+_MOST_REPORTS: Final = 200
+"""The most reports read at once: a flood must not occupy the thread."""
+SILENT_S: Final = 0.5
+"""Off its centre a SpaceMouse reports every 8 to 16 ms; after this silence it counts as gone."""
+
 
 @dataclass(frozen=True, slots=True)
 class SpaceMouseState:
@@ -63,20 +76,6 @@ def after(state: SpaceMouseState, report: bytes) -> SpaceMouseState:
         down = frozenset(str(place + 1) for place in range(_MOST_BUTTONS) if bits >> place & 1)
         return SpaceMouseState(state.figures, down)
     return state
-
-
-_VENDORS: Final = (0x256F, 0x046D)
-"""The vendor numbers of 3Dconnexion; before 2013 its devices had Logitech's."""
-_OLD_PRODUCTS: Final = frozenset(
-    {0xC603, 0xC605, 0xC606, 0xC621, 0xC623, 0xC625, 0xC626, 0xC627, 0xC628, 0xC629, 0xC62B}
-)
-_GENERIC_DESKTOP: Final = 1
-_MULTI_AXIS: Final = 8
-_REPORT_BYTES: Final = 64
-_MOST_REPORTS: Final = 200
-"""The most reports read at once: a flood must not occupy the thread."""
-SILENT_S: Final = 0.5
-"""Off its centre a SpaceMouse reports every 8 to 16 ms; after this silence it counts as gone."""
 
 
 @dataclass(slots=True)

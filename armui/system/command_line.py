@@ -46,6 +46,8 @@ OF_ARGPARSE: Final = (
 )
 """Its sentences about a wrong command line, which it looks up in a catalogue of its own."""
 
+_WHOLE_TURN_DEG: Final = 360.0
+
 
 @cache
 def _texts(language: Language) -> Translate:
@@ -220,9 +222,6 @@ def add_device(parser: argparse._ActionsContainer) -> None:
     parser.add_argument("--interface", help="python-can's name of the adapter, e.g. socketcan")
     parser.add_argument("--channel", help="the adapter's channel, e.g. can0")
     parser.add_argument("--bitrate", type=int, help="bit/s, where the program sets it (1000000)")
-
-
-_WHOLE_TURN_DEG: Final = 360.0
 
 
 def add_joints(parser: argparse._ActionsContainer, meaning: str) -> None:

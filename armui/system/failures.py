@@ -24,6 +24,11 @@ _LOG: Final = logging.getLogger("armui.system.failures")
 
 Key = tuple[str, str, int]
 
+LOGGERS: Final = ("armui", "concurrent.futures")
+"""The loggers through which unexpected exceptions come, also those of waiting futures."""
+
+_LONGEST: Final = 200
+
 
 @dataclass(frozen=True, slots=True)
 class Failure:
@@ -62,10 +67,6 @@ def is_our_own(error: BaseException) -> bool:
     for frame, _line in traceback.walk_tb(error.__traceback__):
         last = frame.f_globals.get("__name__", "")
     return last is not None and last.startswith("armui.")
-
-
-LOGGERS: Final = ("armui", "concurrent.futures")
-"""The loggers through which unexpected exceptions come, also those of waiting futures."""
 
 
 class FailureHandler(logging.Handler):
@@ -130,9 +131,6 @@ def _failure(record: logging.LogRecord, error: BaseException, count: int) -> Fai
     )
     ours = tuple(dict.fromkeys(name for name in modules if name.startswith("armui.")))
     return Failure(line[:_LONGEST], text, ours, count)
-
-
-_LONGEST: Final = 200
 
 
 @contextlib.contextmanager

@@ -46,6 +46,21 @@ LARGE_BYTES: Final = 1 << 18
 
 _ALIGNED: Final = 64
 
+_LOG: Final = logging.getLogger(__name__)
+
+OURS: Final = "armui-"
+"""How the names begin of processes that are not a pool's."""
+
+_NICER_BY: Final = 5
+"""The nice value's increase, so that window and bus come first if there are too few cores."""
+
+HANGS_S: Final = 10.0
+"""A disk that spins up takes some seconds; after this time it counts as hanging."""
+CALL_HANGS_S: Final = 120.0
+"""Reading two hours of samples takes some seconds, on a slow computer a minute; after this time a
+call counts as hanging.
+"""
+
 
 @dataclass(frozen=True, slots=True)
 class Packed:
@@ -122,25 +137,6 @@ def call_packed(packed: Packed, folder: Path) -> Packed:
     """Call the packed function in the other process, and return its packed result."""
     function, args, kwargs = unpack(packed)
     return pack(function(*args, **kwargs), folder)
-
-
-_LOG: Final = logging.getLogger(__name__)
-
-OURS: Final = "armui-"
-"""How the names begin of processes that are not a pool's."""
-
-_NICER_BY: Final = 5
-"""The nice value's increase, so that window and bus come first if there are too few cores."""
-_END_S: Final = 10.0
-
-HANGS_S: Final = 10.0
-"""A disk that spins up takes some seconds; after this time it counts as hanging."""
-CALL_HANGS_S: Final = 120.0
-"""Reading two hours of samples takes some seconds, on a slow computer a minute; after this time a
-call counts as hanging.
-"""
-_MOST_HANGING: Final = 8
-"""The most hanging threads that are abandoned; each keeps its arguments in memory."""
 
 
 class HelperProcess(Executor):
@@ -276,6 +272,12 @@ def _taken_from(jobs: SimpleQueue[_FileJob | None]) -> list[_FileJob]:
             if job is not None:
                 found.append(job)
     return found
+
+
+_END_S: Final = 10.0
+
+_MOST_HANGING: Final = 8
+"""The most hanging threads that are abandoned; each keeps its arguments in memory."""
 
 
 class FileThread(Executor):

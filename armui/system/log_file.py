@@ -26,6 +26,17 @@ from armui.system.files import open_file
 _MOST_BYTES: Final = 1_000_000
 _OLD_FILES: Final = 4
 
+NAME: Final = "armui.log"
+"""The file of the first of several programs running at a time; the others write armui-2.log and so
+on.
+"""
+_MOST_PROGRAMS: Final = 9
+_MOST_WAITING: Final = 1000
+"""The most lines that wait for a slow disk; further ones are lost."""
+_FLUSH_S: Final = 0.05
+"""The longest wait for the disk, which may hang."""
+_FORMAT: Final = "%(asctime)s %(levelname)s %(name)s [%(threadName)s] %(message)s"
+
 
 class RotatingFile(RotatingFileHandler):
     """Writes lines to a rotating file, which is opened with the first line.
@@ -49,18 +60,6 @@ class RotatingFile(RotatingFileHandler):
 
     def handleError(self, record: logging.LogRecord) -> None:  # noqa: N802 - logging's name
         """Ignore a full disk, or a file held by another program: the log continues when it can."""
-
-
-NAME: Final = "armui.log"
-"""The file of the first of several programs running at a time; the others write armui-2.log and so
-on.
-"""
-_MOST_PROGRAMS: Final = 9
-_MOST_WAITING: Final = 1000
-"""The most lines that wait for a slow disk; further ones are lost."""
-_FLUSH_S: Final = 0.05
-"""The longest wait for the disk, which may hang."""
-_FORMAT: Final = "%(asctime)s %(levelname)s %(name)s [%(threadName)s] %(message)s"
 
 
 class UnhurriedHandler(logging.Handler):
