@@ -507,7 +507,7 @@ class Authority:
 
     @property
     def _percent_shown(self) -> int | None:
-        """What our motion may be compared with; replays are watched by how far they lag.
+        """The speed, in %, to compare our motion with; ``None`` for replays, watched by their lag.
 
         One that is held back comes to a stand; once it has, a hand may move it.
         """

@@ -71,7 +71,7 @@ class Event:
 
     @property
     def level(self) -> Level:
-        """The severity."""
+        """The severity, which its notice sets."""
         return self.notice.level
 
     @property

@@ -1,4 +1,4 @@
-"""What shows that the arm heard after a short silence is the one of before: pure.
+"""The evidence that the arm heard after a short silence is the one of before: pure.
 
 A cell that was confirmed for an arm stays in force only for that very arm. Two arms of one make
 answer alike but for their numbers and limits, and rarely stand alike; one that was switched off,
@@ -24,7 +24,7 @@ SAME_PLACE_DEG: Final = 1.0
 
 
 class Likeness(enum.Enum):
-    """What is known of an arm that has come after a silence."""
+    """The result of comparing an arm heard after a silence with the one before it."""
 
     SAME = enum.auto()
     NOT_KNOWN = enum.auto()
@@ -35,7 +35,7 @@ class Likeness(enum.Enum):
 
 @dataclass(frozen=True, slots=True)
 class ArmEvidence:
-    """What an arm has said of itself, and where it stood, when it was heard last.
+    """The last answers and angles of an arm, to tell it from another one later.
 
     Attributes:
         heard_s: When that was.

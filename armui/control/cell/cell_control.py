@@ -173,7 +173,7 @@ class CellControl(ControllerPart):
 
     @property
     def rising(self) -> Rising:
-        """How the base stands in the room; it counts before it is confirmed, too."""
+        """The tilt of the base in the room, before the cell is confirmed, too."""
         return STANDING if self.cell is None else self.cell.placement.rising
 
     @property

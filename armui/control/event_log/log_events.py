@@ -161,7 +161,7 @@ def _worded(mark: SessionMark, wall: Wall) -> EventEntry:
 
 
 def _fault(mark: SessionMark, wall: Wall, code: str) -> EventEntry | None:
-    """What the arm says is wrong, in the words of live."""
+    """Return the event of a fault that the arm reports, in the words used while connected."""
     told, joint = mark.entry, mark.entry.get("joint")
     level = Level.FAULT
     if code in {"status", "stopped"}:
@@ -220,7 +220,7 @@ def _entry(
 def _heard(
     session: HasDataRows, channel: Channel, arm: RecordedArm, wall: Wall
 ) -> list[EventEntry]:
-    """What the event log of a program that was connected would say of the arm."""
+    """Return the events of the arm that a program connected at the time would have noted."""
     from armui.control.event_log.log_status import MOST, status_changes  # noqa: PLC0415 - numpy
 
     offset = arm.feedback_offset

@@ -82,7 +82,7 @@ def _understood(rows: DataRows | None, layout: MessageLayout) -> DataRows | None
 def _changes(
     layout: MessageLayout, rows: DataRows, begins: NDArray[np.int64]
 ) -> Iterator[tuple[float, StatusChange]]:
-    """Where a frame says something else than the one before, or is the first one."""
+    """Yield the first frame of a message, and each one that differs from the one before it."""
     names = [name for name in WATCHED[layout.name] if name in layout.signals]
     words = payload_words(rows.payloads)
     columns: list[NDArray[Any]] = [signal_column(words, layout.signals[each]) for each in names]
@@ -103,7 +103,7 @@ def _firsts(rows: DataRows, begins: NDArray[np.int64]) -> NDArray[np.int64]:
 
 
 def _rates(rows: DataRows, begins: NDArray[np.int64]) -> Iterator[tuple[float, StatusChange]]:
-    """How many frames a second come, counted anew after each silence."""
+    """Yield the frames per second, counted anew after each silence."""
     firsts = _firsts(rows, begins)
     for first, end in zip(firsts.tolist(), [*firsts[1:].tolist(), rows.numbers.size], strict=True):
         times_s = rows.times_s[first:end]

@@ -66,7 +66,7 @@ class BusAccess:
         self._context.connection.add_listener(listener)
 
     def remove_listener(self, listener: Listener) -> None:
-        """Remove a listener."""
+        """Remove a listener; frames on their way may still reach it."""
         self._context.connection.remove_listener(listener)
 
     def why_not_send(self, frame: Frame | None = None) -> Refusal | None:

@@ -31,7 +31,7 @@ class DeviceSearch(QThread):
         self._find = find
 
     def run(self) -> None:
-        """Search and report."""
+        """Search in this thread, and emit `found` with the simulated devices first."""
         # python-can and its back-ends are loaded here, where nobody waits for them
         from armui.bus.adapters import find_devices  # noqa: PLC0415
 

@@ -66,7 +66,7 @@ class JogPath(Protocol):
         ...
 
     def room(self) -> float:
-        """Return the length of the path."""
+        """Return the distance to the end of the path, in mm or degrees."""
         ...
 
     def joints_at(self, gone: float, near_deg: Sequence[float]) -> tuple[float, ...] | Refusal:

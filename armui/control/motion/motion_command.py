@@ -157,7 +157,7 @@ class Observation:
 
     @property
     def factory_limits(self) -> tuple[JointLimits, ...]:
-        """The factory limits of the model."""
+        """The limits of the joints that the model leaves the factory with."""
         return model_data(self.model).limits
 
     @property

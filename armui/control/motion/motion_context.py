@@ -12,7 +12,7 @@ from armui.control.safety.gate import Gate
 
 @dataclass(frozen=True, slots=True)
 class MotionContext(Context):
-    """What the parts of the controller share, for those that move the arm.
+    """The context of those parts of the controller that move the arm.
 
     Attributes:
         gate: Returns what checks every motion.

@@ -221,7 +221,7 @@ class Operations(Mapping[str, BoundOperation]):
                 self._bound[declared.id] = BoundOperation(declared, getattr(part, name))
 
     def __getitem__(self, name: str) -> BoundOperation:
-        """Return the operation of an id."""
+        """Return the operation with an id, bound to its part; an unknown id is a `KeyError`."""
         return self._bound[name]
 
     def __iter__(self) -> Iterator[str]:

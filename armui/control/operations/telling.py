@@ -1,4 +1,4 @@
-"""What becomes of a command is noted in its record and told the operator, in one step."""
+"""The end of a command: noted in its record and told the operator, in one step."""
 
 from __future__ import annotations
 

@@ -29,7 +29,7 @@ Kind = TypeVar("Kind")
 
 @dataclass(frozen=True, slots=True)
 class EndNotices:
-    """What the operator is told at the end of a command.
+    """The notices of a command's end, by how it ends.
 
     Attributes:
         done: Told when the arm has done it.

@@ -67,7 +67,7 @@ class Execution(QObject, ControllerPart):
 
     @property
     def progress(self) -> Progress:
-        """The progress of the run."""
+        """The phase, place and times of the run."""
         return self._progress
 
     @property
@@ -168,7 +168,7 @@ class Execution(QObject, ControllerPart):
 
     @property
     def _share(self) -> float:
-        """How fast it goes, of its own speed."""
+        """The operator's override as a share of the run's own speed, 0 to 1."""
         return self._override_percent / 100.0
 
     def _let_go_on(self, percent: int) -> Refusal | None:
@@ -200,7 +200,7 @@ class Execution(QObject, ControllerPart):
 
     @property
     def _rest_shows(self) -> bool:
-        """Whether angles have arrived in time for long enough since then to show the rest."""
+        """True if enough angles have come since `_since_s` to tell whether the arm is at rest."""
         context = self._context
         return context.state().in_time_for_s(context.clock(), self._since_s) > SETTLED_S
 

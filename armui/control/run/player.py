@@ -225,7 +225,7 @@ class Player(Execution):
 
     @property
     def _percent(self) -> int:
-        """What the point under way is sent with."""
+        """The speed in % that the point under way is sent with; 0 without a run."""
         run = self._run
         if run is None:
             return 0

@@ -116,7 +116,7 @@ class RunSchedule:
 
     @property
     def cycle_s(self) -> float:
-        """The duration of a cycle."""
+        """The duration of a cycle at the run's own speed, its dwells included."""
         return self._ends_s[-1] if self._ends_s else 0.0
 
     def time_limit_s(self, index: int) -> float:

@@ -105,7 +105,7 @@ class Replayer(Execution):
 
     @operation("replay.start", "Replay a recording", why_not_run, moves=True, shown_first=True)
     def start(self, started: Started, replay: Replay) -> Refusal | None:
-        """Begin a replay."""
+        """Begin a replay with the approach to its first angles, or return why not."""
         context = self._context
         refusal = why_not(replay, context.operating_state())
         if refusal is not None:

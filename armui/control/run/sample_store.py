@@ -73,7 +73,7 @@ class SampleStore:
         return len(self._full) * _CHUNK + self._used
 
     def extend(self, samples: Sequence[Sample]) -> None:
-        """Append samples."""
+        """Append samples; the time of the first one becomes 0."""
         for sample in samples:
             if not len(self):
                 self._start_s = sample.at_s

@@ -21,7 +21,7 @@ _DELAY_S: Final = 0.02
 
 @dataclass(frozen=True, slots=True)
 class Momentum:
-    """How the joints move, and how they can brake.
+    """The speeds of the joints, and the accelerations they can brake with.
 
     Attributes:
         speeds_deg_s: Their speeds; 0 of what stands.

@@ -79,7 +79,7 @@ class _Sample:
 
 @dataclass(frozen=True, slots=True)
 class _SpeedChange:
-    """How fast the joints were measured when another speed was told.
+    """The speeds of the joints at a change of the speed that was set.
 
     Attributes:
         at_s: When that was.
@@ -185,7 +185,7 @@ class OverspeedWatch:
 
 @dataclass(frozen=True, slots=True)
 class _Window:
-    """What was measured a tenth of a second ago, half of that ago, and last."""
+    """Three measurements: a tenth of a second ago, half of that ago, and the last one."""
 
     first: _Sample
     middle: _Sample

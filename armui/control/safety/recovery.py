@@ -75,7 +75,7 @@ a step is shown only if it lasts for ``_SETTLE_S``, because a flickering line le
 
 @dataclass(frozen=True, slots=True)
 class _Act:
-    """What an action does.
+    """The functions behind an action.
 
     Attributes:
         carry_out: Does it against a step; returns why not, if it comes to nothing at once.

@@ -414,7 +414,7 @@ class Step:
 
     @property
     def actions(self) -> frozenset[Action]:
-        """The actions of its buttons."""
+        """The one or two actions that it offers as buttons."""
         both = (self.action, self.alternative)
         return frozenset(action for action in both if action is not None)
 

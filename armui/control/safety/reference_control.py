@@ -193,7 +193,7 @@ class ReferenceControl(ControllerPart):
 
     @property
     def status(self) -> ReferenceStatus:
-        """The state of the reference for the operator."""
+        """The joints in doubt and the check under way, for the interface (S34)."""
         check = self.check
         return ReferenceStatus(
             self.record.doubtful,

@@ -41,7 +41,7 @@ _LATER_S: Final = 60.0
 
 @dataclass(frozen=True, slots=True)
 class WatchedMotion:
-    """What the watch must know of the arm.
+    """The facts about the arm that the watch needs at a moment.
 
     Attributes:
         state: The arm as heard.

@@ -128,7 +128,7 @@ class SinkingControl(ControllerPart):
 
     @property
     def motion(self) -> UncommandedMotion | None:
-        """What is seen of an arm that nothing holds or nothing told to move, or is not heard."""
+        """The motion of an arm that nothing holds or told to move, or that is silent, if any."""
         return self._watch.motion
 
     # A part of the controller -----------------------------------------------------------------

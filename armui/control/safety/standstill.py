@@ -35,7 +35,7 @@ STILL_DEG_S: Final = 1.0
 
 @dataclass(slots=True)
 class _Standing:
-    """Where the joints stand, since when, and whether that was measured for long enough."""
+    """The angles at which the joints stand, and whether that has lasted long enough."""
 
     angles_deg: Sequence[float]
     since_s: float

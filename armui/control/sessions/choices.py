@@ -31,7 +31,7 @@ class SessionChoices:
 
 
 def choices_of(settings: Settings) -> SessionChoices:
-    """Return the choices in the settings."""
+    """Return the choices for recordings that the settings hold."""
     return SessionChoices(
         folder=Path(settings.session_folder) if settings.session_folder else paths.sessions(),
         kind=RecordingFormat(settings.session_format),

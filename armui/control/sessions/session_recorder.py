@@ -181,7 +181,7 @@ class SessionRecorder(QObject):
         )
 
     def ring(self) -> RingContent:
-        """Return the contents of the ring."""
+        """The frames, seconds and bytes in the ring buffer; all 0 without one."""
         if self._ring is None:
             return RingContent()
         frames, span_s = self._ring.span()
