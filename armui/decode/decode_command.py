@@ -159,7 +159,7 @@ def _decode(log: LogFile, wanted: str, firmware: FirmwareVersion | None, *, as_j
 
 
 class _Layout:
-    """Which firmware's MIT frames the log is read with: what it tells, else what was said."""
+    """The firmware whose MIT frames a log is read with: that of the log, else the one asked for."""
 
     def __init__(self, path: Path, asked: FirmwareVersion | None) -> None:
         self._path = path

@@ -43,14 +43,14 @@ _KINDS: Final = {
 
 
 class _Reading(NamedTuple):
-    """What a frame says, and what is odd about it, by kind and detail."""
+    """The message in a frame, and what is odd about it, by kind and detail."""
 
     message: Message | None
     invalid_frame: tuple[str, str] | None
 
 
 class _Entry(NamedTuple):
-    """What a line is made of, but for its time.
+    """The parts of a line but for its time.
 
     Attributes:
         identifier: In hexadecimal.
@@ -68,7 +68,7 @@ class _Entry(NamedTuple):
 
 
 class _MessagePlan(NamedTuple):
-    """How the lines of one message on one channel are made.
+    """The templates of the lines of one message on one channel.
 
     Attributes:
         layout: The message.

@@ -169,7 +169,7 @@ def _record(
 
 
 def _wait_for(recording: SessionRecording, ending: list[int]) -> bool:
-    """Whether it was written to its end; a disk may hang, and another signal ends the wait.
+    """Wait until a recording is written; false if the disk hangs or another signal ends the wait.
 
     Signals that come at once with the first, as of a script that sends several, do not.
     """
@@ -246,7 +246,7 @@ def _tell(recording: SessionRecording, lane: FrameLane, now_s: float) -> None:
 
 
 def _device(options: argparse.Namespace) -> Device | None:
-    """What to listen to; None after saying why not."""
+    """Return the device to listen to, or ``None`` after printing what the options lack."""
     if options.sim:
         if options.interface is not None:
             _cannot_begin("--sim is a device of its own: leave out --interface")

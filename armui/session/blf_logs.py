@@ -166,7 +166,7 @@ class ObjectStream:
             self._lose_thread()
 
     def _lose_thread(self) -> None:
-        """What comes next may begin in the middle of an object, whose beginning is lost."""
+        """Forget the object under way: what comes next may begin in the middle of one."""
         self._tail = b""
         self._cut = True
         self._idle_bytes = 0

@@ -108,7 +108,7 @@ class LogFile:
         yield from self._batches
 
     def close(self) -> None:
-        """Closes the file."""
+        """Close the log's file."""
         self._source.close()
 
     def _read(self) -> Iterator[FrameBatch]:

@@ -120,7 +120,7 @@ class DataRows(NamedTuple):
     payloads: NDArray[np.uint8]
 
     def of(self, rows: NDArray[Any] | slice) -> DataRows:
-        """Return some of the rows."""
+        """Return the chosen rows, by index, mask or slice, in a new object."""
         numbers, times_s, lengths, payloads = self
         return DataRows(numbers[rows], times_s[rows], lengths[rows], payloads[rows])
 

@@ -75,7 +75,7 @@ class LogSource:
         return data
 
     def _packed(self, size: int) -> bytes:
-        """As `read`: where a packed file breaks, what was unpacked before is not lost."""
+        """Read from a packed file; where it breaks, keep what was unpacked before."""
         stream = cast("gzip.GzipFile", self._stream)
         pieces = []
         while size > 0:
@@ -91,7 +91,7 @@ class LogSource:
         return b"".join(pieces)
 
     def close(self) -> None:
-        """Closes the file."""
+        """Close the file, and the stream that reads it."""
         self._stream.close()
         self._raw.close()
 

@@ -387,7 +387,7 @@ def _read_candump(source: LogSource, lines: _Lines, builder: BatchBuilder) -> It
 
 
 def _read(lines: _Lines, log_format: TextFormat, builder: BatchBuilder) -> Iterator[FrameBatch]:
-    """Whatever python-can's reader makes of the lines."""
+    """Yield the frames that python-can's reader makes of the lines."""
     handed_out = iter(lines)
     reader = log_format.reader(handed_out)
     messages = iter(reader)

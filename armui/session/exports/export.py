@@ -77,7 +77,7 @@ class FileSource:
         return self._log.batches()
 
     def close(self) -> None:
-        """Closes the file."""
+        """Close the log's file."""
         self._log.close()
 
 
@@ -118,7 +118,7 @@ class SessionSource:
             yield batch
 
     def close(self) -> None:
-        """Closes the session."""
+        """Close the session and its files."""
         self._session.close()
 
 

@@ -88,7 +88,7 @@ class ExportCancelledError(Exception):
 
 @dataclass(frozen=True, slots=True)
 class ExportRequest:
-    """What to export.
+    """The log to export, the target, and the choices of the operator.
 
     Attributes:
         log: The log's file, in any format that `LogFile` reads.

@@ -356,7 +356,7 @@ def _generation(
     payloads: NDArray[np.uint8],
     times_s: NDArray[np.float64],
 ) -> Generation:
-    """Which protocol the frames speak, by their beginning."""
+    """Return the generation of the protocol that the first frames show."""
     detector = GenerationDetector()
     ordinary = np.flatnonzero((flags[:_MOST_LOOKED_AT] & NOT_OF_THE_ARM) == 0)
     for count, row in enumerate(ordinary.tolist()):

@@ -304,7 +304,7 @@ class RecordedSession:
         return found
 
     def _read_tail(self) -> None:
-        """What a killed program had written and not indexed yet.
+        """Index the blocks that a killed program had written and not indexed yet.
 
         Raises:
             NotALogError: That is far more than it can be.

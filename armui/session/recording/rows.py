@@ -47,12 +47,12 @@ class FrameRows:
 
     @property
     def times_s(self) -> NDArray[np.float64]:
-        """The time of each frame in seconds."""
+        """(n,) the frames' times, in s, as they are in the table."""
         times: NDArray[np.float64] = self.table["time_s"]
         return times
 
     def data(self, row: int) -> bytes:
-        """Return the data of one frame."""
+        """Return the payload of a frame, also one of more than eight bytes (CAN FD)."""
         whole = self.long_data.get(row)
         if whole is not None:
             return whole

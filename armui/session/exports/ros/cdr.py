@@ -47,7 +47,7 @@ class CdrWriter:
         self._bytes.extend(struct.pack(f"<{len(values)}{kind}", *values))
 
     def int8(self, value: int) -> None:
-        """Write an octet."""
+        """Write a signed byte, which is not aligned."""
         self._put("b", value)
 
     def count(self, value: int) -> None:
@@ -55,7 +55,7 @@ class CdrWriter:
         self._put("I", value)
 
     def text(self, value: str) -> None:
-        """Write a string."""
+        """Write a string: its length with a closing zero, its UTF-8 bytes, the zero."""
         encoded = value.encode()
         self._put("I", len(encoded) + 1)
         self._bytes.extend(encoded)

@@ -144,7 +144,7 @@ def signals_at(
 
 
 def _whole(figures: NDArray[np.float64]) -> NDArray[np.bool_]:
-    """Which rows have every figure."""
+    """Mark the rows without a missing figure (NaN)."""
     return np.asarray(~np.isnan(figures).any(axis=1), np.bool_)
 
 
