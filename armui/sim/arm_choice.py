@@ -1,4 +1,4 @@
-"""What a simulated arm in another process is to be, and how the hand that leads it is told."""
+"""The arm to simulate in another process, and the messages of the hand that leads it."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ LETS_GO: Final = (0.0,) * 7
 
 @dataclass(frozen=True, slots=True)
 class ArmChoice:
-    """What a simulated arm is to be.
+    """The kind of arm to simulate, and where it lies at first.
 
     Attributes:
         generation: The protocol it speaks.

@@ -96,7 +96,7 @@ class ArmProcess:
             pass
 
     def end(self) -> None:
-        """End the process, and wait for that."""
+        """Kill the process, which keeps nothing, and wait until it is gone."""
         self._close()
         self._process.kill()  # it keeps nothing
         self._process.join(_ENDS_WITHIN_S)

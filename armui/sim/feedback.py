@@ -74,7 +74,7 @@ class FrameCache:
 
 
 class ReportedArm(Protocol):
-    """What the feedback tells of an arm: its parts, and the angles as the arm believes them."""
+    """The parts of an arm that the feedback reads, and the angles as the arm believes them."""
 
     condition: Condition
     drivers: Drivers

@@ -190,7 +190,7 @@ class Firmware:
 
     @property
     def joints_deg(self) -> SixValues:
-        """The joint angles."""
+        """The true angles of the joints, which the feedback may not tell: see `reported_deg`."""
         return self.mechanics.positions_deg
 
     @property
@@ -240,7 +240,7 @@ class Firmware:
 
     @property
     def teaching_state(self) -> TeachingState:
-        """The state of drag teaching."""
+        """The state of drag teaching that the feedback 0x2A1 reports."""
         return self.condition.teaching_state
 
     @property

@@ -139,17 +139,17 @@ class CpvMotion:
 
     @property
     def positions_deg(self) -> SixValues:
-        """The joints' positions."""
+        """The angles that the CPV profiles have reached, joint 1 first."""
         return tuple(each.angle for each in self._joints)
 
     @property
     def speeds_deg_s(self) -> SixValues:
-        """The joints' speeds."""
+        """The speeds of the CPV profiles, joint 1 first."""
         return tuple(each.speed for each in self._joints)
 
     @property
     def accelerations_deg_s2(self) -> SixValues:
-        """The joints' accelerations."""
+        """The accelerations of the CPV profiles, joint 1 first."""
         return tuple(each.acceleration for each in self._joints)
 
     @property

@@ -47,7 +47,7 @@ def _factory_accelerations() -> list[float]:
 
 
 def factory_settings(model: PiperModel) -> ArmSettingsRecord:
-    """Return the factory settings of a model."""
+    """Return the limits and accelerations that a model leaves the factory with."""
     data = model_data(model)
     return ArmSettingsRecord(
         limits=list(data.limits), accelerations_deg_s2=list(data.accelerations_deg_s2)
