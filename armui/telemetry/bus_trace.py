@@ -90,7 +90,7 @@ class TraceSnapshot:
         )
 
     def frame(self, place: int) -> TracedFrame:
-        """Return one frame."""
+        """Return the frame at a place, and which of its bytes have changed."""
         arbitration_id, flags, sender = self.names[int(self.numbers[place])]
         length = int(self.lengths[place])
         data = int(self.words[place]).to_bytes(_BYTES, "big")[:length]
@@ -148,7 +148,7 @@ class BusTrace:
         self._count += count
 
     def snapshot(self) -> TraceSnapshot:
-        """Return a copy of the trace."""
+        """Return a copy of the trace, in the order of time."""
         places = np.arange(max(0, self._count - self._most), self._count) % self._most
         # frames that were sent are told a little later than those that were heard
         places = places[np.argsort(self._times_s[places], kind="stable")]

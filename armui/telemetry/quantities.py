@@ -94,12 +94,12 @@ class Record:
 
     @property
     def name(self) -> str:
-        """The name of its series."""
+        """The name of its series: the message, behind its source if that is not the arm."""
         return self.message if self.source is Source.ARM else f"{self.source}.{self.message}"
 
     @property
     def shape(self) -> Shape:
-        """The shape of its series."""
+        """The figures, codes and rate that its series is made for."""
         figures = tuple(field.name for field in self.fields if not field.is_code)
         codes = tuple(field.name for field in self.fields if field.is_code)
         return Shape(self.name, self.rate_hz, figures, codes, held=self.space is not None)

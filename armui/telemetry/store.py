@@ -264,7 +264,7 @@ class Telemetry(Listener):
         self._count_columns(frames)
 
     def _count_columns(self, frames: FrameColumns) -> None:
-        """What the frames of each tenth of a second took of the bus."""
+        """Add up the frames, bits and errors of each tenth of a second, for the load of the bus."""
         errors = np.cumsum((frames.flags & FrameFlag.ERROR) != 0)
         bits = np.cumsum(_FRAME_BITS + 8 * frames.lengths.astype(np.int64))
         tenths = np.floor(frames.times_s / _BUS_EVERY_S).astype(np.int64)
@@ -306,7 +306,7 @@ class Telemetry(Listener):
     # ------------------------------------------------------------------------------------------
 
     def _choose(self) -> None:
-        """What becomes of each message, by codec and generation."""
+        """Choose the writer of each message, by codec and generation."""
         codec = self._codec
         self._columns = None
         if codec is None:

@@ -89,7 +89,7 @@ class Renaming:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """The old name."""
+        """The name that undoing gives back."""
         return (self.old,)
 
     @property
@@ -313,7 +313,7 @@ class LibraryHistory:
         return tuple(names)
 
     def _forget(self, back: Deleted) -> None:
-        """What is back needs no undoing; the rest of what was deleted with it still does."""
+        """Take what is back out of the steps; the rest of each step can still be undone."""
         places = {place for _, place in back.places}
         steps: list[Step] = []
         for step in self._steps:

@@ -166,7 +166,7 @@ class Library:
 
     @property
     def folder(self) -> Path:
-        """The folder of the trajectories."""
+        """The folder that holds the trajectories' files."""
         return self._folder
 
     def entries(self) -> list[IndexEntry]:

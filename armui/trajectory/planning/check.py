@@ -185,7 +185,7 @@ _OF_A_WAY: Final = (PATH_BEYOND_LIMIT, PATH_OUT_OF_REACH, PATH_SINGULAR)
 
 @dataclass(frozen=True, slots=True)
 class Carried:
-    """What the hand holds, as a check sees it.
+    """The object in the gripper, as a check sees it.
 
     Attributes:
         held: Its shape; ``None`` for nothing.
@@ -293,7 +293,7 @@ def _outside_at_first(recording: Recording, arm: ArmModel) -> int:
 
 
 def _unknown(content: Trajectory, request: CheckRequest) -> Iterator[Finding]:
-    """What points name and the cell has not."""
+    """Yield a finding for each frame or held object that a point names and the cell lacks."""
     frames = dict(request.arm.frames)
     for row, point in enumerate(content.points):
         if point.frame and point.frame not in frames:
@@ -357,7 +357,7 @@ class _Leg:
     by_joints: bool = False
 
     def way(self, path: PlannedPath) -> Way:
-        """Return its way."""
+        """Return the way along it: straight in the joint angles, or through its samples."""
         if self.by_joints:
             return joint_way(path.joints_deg[self.begin], path.joints_deg[self.end])
         return Way(path.joints_deg[self.begin : self.end + 1])
@@ -657,7 +657,7 @@ def _recorded(recording: Recording, path: PlannedPath, arm: ArmModel) -> Iterato
 
 
 def _firsts(mask: Flags) -> list[int]:
-    """Where runs of marked samples begin."""
+    """Return where each run of marked samples begins."""
     begins: list[int] = np.flatnonzero(mask & ~np.concatenate(([False], mask[:-1]))).tolist()
     return begins
 

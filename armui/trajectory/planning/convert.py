@@ -128,7 +128,7 @@ class RowRefusal:
 
 @dataclass(frozen=True, slots=True)
 class Conversion:
-    """What conversions depend on beside the points.
+    """The arm, frames and limits that a conversion of points depends on.
 
     Attributes:
         geometry: The arm's geometry.

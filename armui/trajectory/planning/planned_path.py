@@ -49,7 +49,7 @@ class PlannedPath:
 
     @property
     def duration_s(self) -> float:
-        """The whole duration in seconds."""
+        """The time from the first pose to the last, in s; 0 for an empty path."""
         return float(self.times_s[-1]) if len(self.times_s) else 0.0
 
     @property

@@ -187,7 +187,7 @@ class Waypoint:
 
 @dataclass(frozen=True, slots=True)
 class PosesOf:
-    """What the poses in a file are of, with the figures that its writer had.
+    """The tool and frames of the poses in a file, with the figures that its writer had.
 
     Attributes:
         tool: The tool whose poses they are; ``None`` for the flange.

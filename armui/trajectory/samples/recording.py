@@ -67,7 +67,7 @@ class Recording:
 
     @property
     def times_s(self) -> Array:
-        """(n,) the times of the samples."""
+        """(n,) the samples' times in s, from 0."""
         return self.samples[:, 0]
 
     @property
