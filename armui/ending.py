@@ -132,7 +132,7 @@ class SystemEnd(QObject):
         self._motion_ended.set()
 
     def _on_asked(self, number: int) -> None:
-        """As when the window is closed, but nobody is asked, and nothing is taken to pieces."""
+        """End as closing the window does, but ask nobody and take nothing to pieces (S28)."""
         self._end_motion()
         self._program.window.keep_work()
         self._program.shutdown()

@@ -62,7 +62,7 @@ def why_no_jog_step(value: object) -> Refusal:
 
 @dataclass(frozen=True, slots=True)
 class Setting:
-    """What the annotation of a setting says of it beside its type.
+    """The label, tip and check of a setting, held by its annotation beside its type.
 
     ``python -m tests.translations`` collects the texts, in the context "Setting".
 
@@ -82,7 +82,7 @@ class Setting:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Settings:
-    """The settings of the program."""
+    """The settings of the program, each with its label and check in its annotation."""
 
     language: Annotated[Language, Setting("Language")] = "zh"
     """The language of the windows."""

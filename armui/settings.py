@@ -224,7 +224,7 @@ class SettingsStore:
 
     @property
     def path(self) -> Path:
-        """The file."""
+        """The file that the settings are read from and written to."""
         return self._path
 
     # What holds in this program -----------------------------------------------------------------
@@ -362,7 +362,7 @@ def _of_map(name: str, revision: Revision) -> Revision:
 
 
 def _entries(path: Path) -> dict[str, Any] | None:
-    """What stands in a file now; ``None`` if there is none.
+    """Return the entries of a file; ``None`` if there is no file.
 
     Raises:
         OSError: It cannot be read, or is no file: opening a pipe would wait for ever.
@@ -399,7 +399,7 @@ def _as_file(text: str) -> bytes:
 
 
 def _read(path: Path) -> tuple[dict[str, Any], tuple[Refusal, ...]]:
-    """What a file has for the start of the program, and what is to be told of it."""
+    """Return a file's entries for the start of the program, and what to tell the operator (S22)."""
     try:
         return _entries(path) or {}, ()
     except OSError as error:

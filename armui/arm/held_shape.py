@@ -40,7 +40,7 @@ class HeldShape:
 
     @property
     def reach_mm(self) -> float:
-        """How far from the flange's centre anything of it is at most."""
+        """The greatest distance of any of its points from the flange's centre."""
         ends = [(end, rod) for rod in self.hull for end in (rod.start_mm, rod.end_mm)]
         return max(float(np.linalg.norm(end)) + rod.radius_mm for end, rod in ends)
 

@@ -89,7 +89,7 @@ class Fields:
         return FieldError(FieldProblem.BAD, path, self._values.get(name), refusal=reason)
 
     def text(self, name: str, default: str | None = None) -> str:
-        """Return the text in a field."""
+        """Return the text in a field, or the default, if there is one, where it is missing."""
         value = self._value(name, default)
         if not isinstance(value, str):
             raise self.bad(name, "“…”")
@@ -113,7 +113,7 @@ class Fields:
         return value
 
     def number(self, name: str, default: float | None = None) -> float:
-        """Return the finite number in a field."""
+        """Return the number in a field; NaN and infinities are refused like texts."""
         value = finite(self._value(name, default))
         if value is None:
             raise self.bad(name, "0.0")
@@ -162,7 +162,7 @@ class Fields:
         return tuple(values)
 
     def object(self, name: str) -> Fields:
-        """Return the object in a field."""
+        """Return the fields of the JSON object in a field; its errors name the whole path."""
         return Fields(self._value(name, None), (*self.path, name))
 
     def maybe_object(self, name: str) -> Fields | None:

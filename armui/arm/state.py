@@ -412,7 +412,7 @@ class JointNumber(int):
     """
 
     def __new__(cls, number: float) -> Self:
-        """Return the number if it is 1 to 6."""
+        """Return a number of a joint; other numbers than 1 to 6 raise a `ValueError`."""
         if number not in JOINTS:
             raise ValueError(f"no joint has the number {number:g}; they are 1 to 6")
         return super().__new__(cls, number)

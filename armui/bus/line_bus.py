@@ -42,7 +42,7 @@ class LineBus(can.BusABC):
         return self._line.fileno()
 
     def shutdown(self) -> None:
-        """Close the line."""
+        """Close the bus and the line under it."""
         super().shutdown()
         self._line.close()
 

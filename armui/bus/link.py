@@ -37,7 +37,7 @@ _RESTARTED: Final = 0x100
 
 
 class BusState(enum.Enum):
-    """What the bus thread is doing with its device."""
+    """The state of the bus thread's device."""
 
     OPENING = enum.auto()
     OPEN = enum.auto()

@@ -120,12 +120,12 @@ class AreaCheck:
 
     @property
     def zones(self) -> tuple[Zone, ...]:
-        """What is switched on: planes, then boxes."""
+        """The planes, then the boxes, that are switched on."""
         return self._area.zones
 
     @property
     def reaches_mm(self) -> tuple[float, ...]:
-        """How far each joint moves any part at most, in mm for a radian."""
+        """For each joint the furthest any part of the arm goes when it turns by 1 rad, in mm."""
         return tuple(self._reaches_mm.tolist())
 
     @property

@@ -82,7 +82,7 @@ class Cell:
 
     @property
     def held_object(self) -> HeldObject | None:
-        """What the hand holds now, or ``None``."""
+        """The object that the gripper holds now, or ``None``."""
         return part_named(self.held_objects, self.held)
 
     @property

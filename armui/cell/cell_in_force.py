@@ -1,4 +1,4 @@
-"""What holds of a cell at a moment, as a recording keeps it and a replay shows it."""
+"""The parts of a cell that count at a moment, as a recording keeps and a replay shows them."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _Otherwise = TypeVar("_Otherwise")
 
 @dataclass(frozen=True, slots=True)
 class CellInForce:
-    """What holds of a cell.
+    """The parts of a cell that count at a moment.
 
     Attributes:
         name: Its name; "" without one.

@@ -97,7 +97,7 @@ class _Parts:
 
 @dataclass(frozen=True, slots=True)
 class _Rows:
-    """What is not known to be clear.
+    """The pairs of a part of a way and an obstacle that are not known to be clear.
 
     Attributes:
         part, capsule, obstacle: (m,) which.

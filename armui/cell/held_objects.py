@@ -1,4 +1,4 @@
-"""What the hand may hold: named boxes and capsules, fixed to the flange while they are held."""
+"""The objects a gripper may hold: boxes and capsules, fixed to the flange while they are held."""
 
 from __future__ import annotations
 

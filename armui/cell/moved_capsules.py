@@ -1,4 +1,4 @@
-"""Where capsules of an arm's links are at given joint angles, and how far each joint moves them."""
+"""The places of an arm's links, as capsules, at joint angles, and how far each joint moves them."""
 
 from __future__ import annotations
 

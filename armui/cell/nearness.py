@@ -1,4 +1,4 @@
-"""How near lines and places are to the planes and boxes of a work area, all of them at once.
+"""The distances of lines and places from the planes and boxes of a work area, all at once.
 
 Distance and depth of a place to a plane or box are together one convex function of the place. So
 there is, at the nearest place of a line, a support of it: a direction and a height. How far any

@@ -1,4 +1,4 @@
-"""What the parts of a cell share: lists of them by name, and the objects of its file."""
+"""The common ground of the parts of a cell: lists by name, and the objects of its file."""
 
 from __future__ import annotations
 

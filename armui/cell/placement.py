@@ -1,4 +1,4 @@
-"""Where the base of the arm stands in the room, and what follows from it.
+"""The place of the arm's base in the room, and what follows from it.
 
 The room's frame has its Z axis up and its origin on the floor. Areas, user frames and whatever is
 sent stay given in the base.
@@ -47,7 +47,7 @@ class Placement:
 
     @property
     def rising(self) -> Rising:
-        """How much each axis of the base rises in the room, and the height of the base, mm."""
+        """The rise of each axis of the base in the room, and the height of the base in mm."""
         return _rising(self.pose) if self.is_set else STANDING
 
     @property
@@ -57,7 +57,7 @@ class Placement:
 
     @property
     def mounting(self) -> Mounting | None:
-        """What the arm is to be told of its mounting; ``None`` if it knows none that is near."""
+        """The mounting to tell the arm; ``None`` if none that it knows is within 20°."""
         for mounting, up in _UPS.items():
             cosine = sum(one * other for one, other in zip(self.rising, up, strict=False))
             if cosine > _SAME_COSINE:

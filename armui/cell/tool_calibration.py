@@ -97,7 +97,7 @@ class TipFit:
 
     @property
     def largest_mm(self) -> float:
-        """The largest residual."""
+        """The residual of the pose that fits worst."""
         return max(self.residuals_mm)
 
     def refusal(self, limit_mm: float) -> Refusal | None:

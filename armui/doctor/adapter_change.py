@@ -294,6 +294,6 @@ def _understood(line: str) -> Answer | None:
 
 
 def _environment() -> dict[str, str]:
-    """What a program of the system is told: nothing of our own libraries and Python."""
+    """Return the variables for a program of the system, without our libraries and Python."""
     kept = {name: value for name, value in os.environ.items() if name.startswith(_PASSED_ON)}
     return {**kept, "PATH": "/usr/sbin:/usr/bin:/sbin:/bin"}

@@ -386,5 +386,5 @@ class Diagnosis:
 
     @property
     def section(self) -> Section:
-        """Its subject."""
+        """The section of the report that it belongs to."""
         return self.kind.section

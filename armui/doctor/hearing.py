@@ -184,7 +184,7 @@ def _arm(frames: Sequence[TimedFrame], offset: int, seconds: float) -> ArmFacts:
 
 
 def _models(state: ArmState, firmware: str | None) -> tuple[str, ...] | None:
-    """Which models of the family fit its angles and its pose."""
+    """Return the models of the family whose pose fits the angles; ``None`` if either is missing."""
     joints_deg, pose = state.angles_deg(), state.end_pose()
     if joints_deg is None or pose is None:
         return None
@@ -193,7 +193,7 @@ def _models(state: ArmState, firmware: str | None) -> tuple[str, ...] | None:
 
 
 def _without_offset(frame: Frame, offset: int) -> Frame:
-    """As an arm without offset would send it: the detector knows the plain tables."""
+    """Return a frame as an arm without offset would send it, for the detector of generations."""
     if frame.arbitration_id - offset in _FEEDBACK_IDS:
         return Frame(frame.arbitration_id - offset, frame.data)
     return frame

@@ -478,7 +478,7 @@ def _opengl(facts: ScreenFacts, families: tuple[str, ...]) -> Diagnosis:
 
 
 def _install(libraries: tuple[str, ...], families: tuple[str, ...]) -> tuple[str, ...]:
-    """How this distribution installs libraries that are known by their files."""
+    """Return this distribution's command that installs libraries, given their files."""
     tool = _installer(families)
     if tool == _APT_INSTALL:
         packages = dict.fromkeys(_APT[each] for each in libraries if each in _APT)

@@ -303,7 +303,7 @@ def _firmware(arm: ArmFacts, heard: HeardFacts, params: dict[str, str]) -> list[
 
 
 def _model(arm: ArmFacts, params: dict[str, str]) -> list[Diagnosis]:
-    """Which arm of the family it is, by its own pose; a moving arm's fits none."""
+    """Return the finding on the arm's model by its pose; none while it moves, as nothing fits."""
     if not arm.models:
         return []
     names = {**params, "fits": ", ".join(arm.models)}
@@ -399,7 +399,7 @@ def _restart(heard: HeardFacts) -> tuple[str, ...]:
 
 
 def _send(heard: HeardFacts, arbitration_id: int, data: str) -> tuple[str, ...]:
-    """How to send one frame by hand."""
+    """Return a command that sends one frame by hand."""
     if heard.interface == "socketcan":
         return (f"cansend {heard.channel} {arbitration_id:03X}#{data}",)
     bitrate = "" if heard.interface in _BITRATE_OF_SYSTEM else ", bitrate=1000000"

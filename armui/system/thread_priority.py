@@ -105,7 +105,7 @@ if sys.platform == "linux":
         return [int(each.name) for each in _TASKS.iterdir()]
 
     def _by_right(thread_ids: list[int]) -> None:
-        """As far as RLIMIT_NICE goes.
+        """Raise threads as far as RLIMIT_NICE lets this user.
 
         Raises:
             PermissionError: it does not go that far.

@@ -51,7 +51,7 @@ class Excess:
 
 
 class Rule(Protocol):
-    """What restricts where the arm may be.
+    """A restriction on where the arm may be.
 
     Attributes:
         name: The name, which is no other rule's.
@@ -101,7 +101,7 @@ class Rule(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class Judgement:
-    """What the law says of a way.
+    """The answer of the rules to a way.
 
     Attributes:
         refusal: Why it may not be driven, or ``None``.

@@ -124,7 +124,7 @@ class OwnBody:
 
     @property
     def reaches_mm(self) -> tuple[float, ...]:
-        """How far each joint moves any part at most, in mm for a radian."""
+        """For each joint the furthest any part of the arm goes when it turns by 1 rad, in mm."""
         return tuple(self._moved.reaches_mm.max(axis=(0, 1)).tolist())
 
     def gaps(self, joints_deg: npt.ArrayLike) -> Array:

@@ -1,4 +1,4 @@
-"""What lets a motion onto the bus."""
+"""The proof that a motion was checked, without which none is sent (S35)."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Pass:
-    """What the gate hands out with a motion that may be sent; nobody else makes one.
+    """The proof that a motion may be sent; nobody but the gate makes one (S35).
 
     Attributes:
         way: The way that was checked; ``None`` of what moves no joint.

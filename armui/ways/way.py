@@ -71,7 +71,7 @@ class Way:
 
     @property
     def turn_deg(self) -> float:
-        """How far the joint that turns most turns on it."""
+        """The angle by which the joint that turns most turns on it."""
         return float(np.abs(np.diff(self.joints_deg, axis=0)).sum(axis=0).max(initial=0.0))
 
 

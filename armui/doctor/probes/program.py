@@ -28,7 +28,7 @@ _NUMBERS: Final = re.compile(r"\d+")
 
 
 def look_at_program() -> ProgramFacts:
-    """Return the facts on the program."""
+    """Return the versions, packages, system and priority that this program runs with."""
     rise = try_priority()
     return ProgramFacts(
         armui=__version__,
@@ -61,7 +61,7 @@ def _is_of_this_system(requirement: str) -> bool:
 
 
 def _requirements() -> list[str]:
-    """What the installed program says it needs, or the project file beside the sources."""
+    """Return what the installed program requires, else what the project file beside it does."""
     try:
         return list(metadata.requires("armui") or [])
     except metadata.PackageNotFoundError:

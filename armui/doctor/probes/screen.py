@@ -87,7 +87,7 @@ def _look_at_opengl() -> tuple[str | None, str]:
 
 
 def _try(name: str) -> tuple[str, str]:
-    """What one of the trials printed, and its last words if it failed."""
+    """Run one of the trials in a process; return its output, and its last words if it failed."""
     environment = dict(os.environ, PYTHONFAULTHANDLER="")
     if not has_display():
         environment["QT_QPA_PLATFORM"] = "offscreen"
