@@ -89,12 +89,12 @@ class ControllerParts(QObject):
 
     @cached_property
     def motion(self) -> Motion:
-        """Moves the joints."""
+        """The part that moves the joints."""
         return Motion(self._context)
 
     @cached_property
     def gate(self) -> Gate:
-        """Checks every motion."""
+        """The part that checks every motion."""
         return Gate(self._context, self._scene, self._background)
 
     def _scene(self) -> tuple[object, Callable[[], Rules]]:
@@ -114,7 +114,7 @@ class ControllerParts(QObject):
 
     @cached_property
     def jog_floor(self) -> JogFloor:
-        """Knows how low the arm reaches, and how low a jog may take it."""
+        """The part that knows how low the arm reaches, and how low a jog may take it."""
         return JogFloor(
             self._context,
             lambda: tool_capsule(self.cartesian.tool, self.cartesian.tool_radius_mm),
@@ -124,7 +124,7 @@ class ControllerParts(QObject):
 
     @cached_property
     def area_guard(self) -> AreaGuard:
-        """Keeps motions out of the forbidden side of the cell's work area."""
+        """The part that keeps motions out of the forbidden side of the cell's work area."""
         return AreaGuard(
             self._context,
             lambda: self.cell.cell,
@@ -134,22 +134,22 @@ class ControllerParts(QObject):
 
     @cached_property
     def cartesian(self) -> Cartesian:
-        """Moves the tool."""
+        """The part that moves the tool."""
         return Cartesian(self._context, self.motion)
 
     @cached_property
     def cell(self) -> CellControl:
-        """Holds the cell in force: tools, and what stands around the arm."""
+        """The part that holds the cell in force: tools, and what stands around the arm."""
         return CellControl(self._context, self.cartesian, self.cell_changed.emit)
 
     @cached_property
     def jogging(self) -> Jogging:
-        """Moves joints and tool while something is held."""
+        """The part that moves joints and tool while something is held."""
         return Jogging(self._context, self.motion, self.cartesian)
 
     @cached_property
     def gamepad(self) -> GamepadPilot:
-        """Jogs by gamepad and SpaceMouse, once it is switched on."""
+        """The part that jogs by gamepad and SpaceMouse, once it is switched on."""
         return GamepadPilot(
             *(self.jogging, self.cartesian),
             stop=self.emergency_stop,
@@ -159,65 +159,65 @@ class ControllerParts(QObject):
 
     @cached_property
     def motors(self) -> Motors:
-        """Switches the motors."""
+        """The part that switches the motors."""
         return Motors(self._context, end_run=self._end_run_because)
 
     @cached_property
     def lights(self) -> Lights:
-        """Sets the lamps of the joints."""
+        """The part that sets the lamps of the joints."""
         return Lights(self._context)
 
     @cached_property
     def player(self) -> Player:
-        """Runs trajectories."""
+        """The part that runs trajectories."""
         player = Player(self._context, self)
         player.note_held = self.cell.note_held
         return player
 
     @cached_property
     def replayer(self) -> Replayer:
-        """Replays recordings."""
+        """The part that replays recordings."""
         return Replayer(self._context, self)
 
     @cached_property
     def speed_override(self) -> SpeedOverride:
-        """Slows runs and replays."""
+        """The part that slows runs and replays."""
         return SpeedOverride(self._context, self.motion, (self.player, self.replayer))
 
     @cached_property
     def recorder(self) -> Recorder:
-        """Records where the arm goes."""
+        """The part that records where the arm goes."""
         return Recorder(self._context, self)
 
     @cached_property
     def transactions(self) -> TransactionQueue:
-        """Carries out the commands that are answered."""
+        """The part that carries out the commands that are answered."""
         return TransactionQueue(self._context)
 
     @cached_property
     def settings(self) -> ArmSettings:
-        """Reads and sets the parameters the arm keeps."""
+        """The part that reads and sets the parameters the arm keeps."""
         return ArmSettings(self._context, self.transactions, self)
 
     @cached_property
     def joint_errors(self) -> JointErrors:
-        """Clears the errors of the joints' drivers."""
+        """The part that clears the errors of the joints' drivers."""
         return JointErrors(self._context, self.transactions)
 
     @cached_property
     def teaching(self) -> TeachingControl:
-        """Commands drag teaching."""
+        """The part that commands drag teaching."""
         return TeachingControl(self._context)
 
     @cached_property
     def planned_motion(self) -> PlannedMotion:
-        """Pauses, continues and clears motions."""
+        """The part that pauses, continues and clears motions."""
         tell_speed = self.motion.tell_speed
         return PlannedMotion(self._context, end_all=self._end_driven, tell_speed=tell_speed)
 
     @cached_property
     def recovery(self) -> Recovery:
-        """Determines the next step towards an arm that may be moved, and carries it out."""
+        """The part that finds and carries out the next step towards an arm that may be moved."""
         return Recovery(
             self._context,
             motors=self.motors,
@@ -236,7 +236,7 @@ class ControllerParts(QObject):
 
     @cached_property
     def reference(self) -> ReferenceControl:
-        """Watches the joints' reference, and carries out its check."""
+        """The part that watches the joints' reference, and carries out its check."""
         from armui.control.safety.reference_control import (  # noqa: PLC0415 - cantools
             ReferenceControl,
         )
@@ -249,7 +249,7 @@ class ControllerParts(QObject):
 
     @cached_property
     def sinking(self) -> SinkingControl:
-        """Tells as long as the arm moves though no motor holds it or nothing told it to."""
+        """The part that warns while the arm moves though nothing holds it or told it to (S37)."""
         return SinkingControl(
             self._context,
             self.jog_floor.height_mm,
@@ -259,27 +259,27 @@ class ControllerParts(QObject):
 
     @cached_property
     def mode_exit(self) -> ModeExitCommand:
-        """Takes the arm out of another host's mode."""
+        """The part that takes the arm out of another host's mode."""
         return ModeExitCommand(self._context, lambda: self.motion.speed_percent)
 
     @cached_property
     def end_reports(self) -> EndReports:
-        """Sets the load, switches the feedback of the end's motion."""
+        """The part that sets the load, and switches the feedback of the end's motion."""
         return EndReports(self._context, self.transactions)
 
     @cached_property
     def mounting(self) -> MountingControl:
-        """Tells the arm how it is mounted."""
+        """The part that tells the arm how it is mounted."""
         return MountingControl(self._context, lambda: self.motion.speed_percent)
 
     @cached_property
     def linkage(self) -> LinkageControl:
-        """Sets the arm's role and its identifiers."""
+        """The part that sets the arm's role and its identifiers."""
         return LinkageControl(self._context, self.transactions)
 
     @cached_property
     def gripper(self) -> GripperControl:
-        """Moves the gripper."""
+        """The part that moves the gripper."""
         gripper = GripperControl(
             self._context,
             self.settings,
@@ -293,17 +293,17 @@ class ControllerParts(QObject):
 
     @cached_property
     def zeroing(self) -> Zeroing:
-        """Sets the zeros of the joints."""
+        """The part that sets the zeros of the joints."""
         return Zeroing(self._context, self.transactions, before_zeroing=self._forget_places)
 
     @cached_property
     def bus(self) -> BusAccess:
-        """Gives the bus monitor access to the bus."""
+        """The part that gives the bus monitor access to the bus."""
         return BusAccess(self._context)
 
     @cached_property
     def sessions(self) -> SessionRecorder:
-        """Records what is on the bus."""
+        """The part that records what is on the bus."""
         recorder = SessionRecorder(self._context, self.events, self, self.cell.holding)
         if self.session_choices is not None:
             recorder.choose(self.session_choices())
@@ -316,7 +316,7 @@ class ControllerParts(QObject):
 
     @cached_property
     def event_collector(self) -> EventCollector:
-        """Writes events down; created with the first part that causes events."""
+        """The part that writes events down; created with the first part that causes events."""
         from armui.control.event_log.collector import EventCollector  # noqa: PLC0415 - cantools
 
         return EventCollector(self._context, self._wall, self.player, self.recovery)
@@ -328,7 +328,7 @@ class ControllerParts(QObject):
 
     @cached_property
     def model_watch(self) -> ModelWatch:
-        """Compares the chosen model with what the arm tells."""
+        """The part that compares the chosen model with what the arm tells."""
         return ModelWatch(self._context)
 
     @cached_property

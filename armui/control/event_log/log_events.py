@@ -235,7 +235,7 @@ def _heard(
 
 
 def _log_of(entries: Iterable[EventEntry]) -> EventLog:
-    """Numbered in the order of time."""
+    """Return an event log of entries, numbered in the order of time."""
     ordered = sorted(entries, key=lambda each: each.at_s)
     log = EventLog(max(len(ordered), MOST_ENTRIES))
     for entry in ordered:

@@ -214,7 +214,7 @@ class EventObserver:
             yield self._switch(joint, at_s, on=on)
 
     def _switch(self, joint: int, at_s: float, *, on: bool) -> EventChange:
-        """Motors that are switched one right after the other are one event."""
+        """Return the change of a motor that is switched; motors switched in a row are one event."""
         before = self._switched
         observed = MOTORS_ON if on else MOTORS_OFF
         if before is not None and before[0] is on and at_s - before[1] <= _TOGETHER_S:
@@ -258,7 +258,7 @@ class EventObserver:
                 yield from self._follow(unusable, on=not plausible(limits.value))
 
     def _follow(self, change: EventChange, *, on: bool) -> Iterator[EventChange]:
-        """Its beginning, or its end, where that is new."""
+        """Yield the beginning or the end of what a change is about, if that is new."""
         if on is (change.key in self._going_on):
             return
         if on:

@@ -130,7 +130,7 @@ class BusAccess:
         return context.authority.why_silent() or self._why_others(frame)
 
     def _why_others(self, frame: Frame) -> Refusal | None:
-        """Another host moves the arm, or has left it in a mode in which a mode word drops it."""
+        """Return why not to send by hand while another host moves the arm or set its mode."""
         connection = self._context.connection
         mode = self._context.authority.other.mode
         if mode is not None and sets_mode(frame):

@@ -450,7 +450,7 @@ def _sign(direction: int) -> str:
 
 
 def _why_not_steered(hold: _Hold, now_s: float) -> Refusal | None:
-    """Nobody has said for too long that the device is still held."""
+    """Return why a jog by a device ends: the device has been silent for too long."""
     if isinstance(hold.jog, SteeredJog) and now_s - hold.steered_s > _HELD_UP_S:
         return GAMEPAD_SILENT(name=hold.jog.device)
     return None

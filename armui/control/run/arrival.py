@@ -100,7 +100,7 @@ def _joints_away_deg(target: Sequence[float], angles_deg: Sequence[float]) -> fl
 
 
 def _pose_away(target: Sequence[float], pose: Sequence[float]) -> tuple[float, float]:
-    """Distance in mm, and the angle in degrees between two orientations."""
+    """Return the distance of two poses in mm, and the angle between them in degrees."""
     from scipy.spatial.transform import Rotation  # noqa: PLC0415 - loaded with the first run
 
     first, second = (Rotation.from_euler("xyz", six[3:], degrees=True) for six in (target, pose))

@@ -437,7 +437,7 @@ class Player(Execution):
         )
 
     def _elapsed_s(self, run: Run) -> float:
-        """Since the point under way was sent, as the schedule counts."""
+        """Return the time since the point under way was sent, as the schedule counts it."""
         until_s = self._paused_s if self._phase is RunPhase.PAUSED else self._context.clock()
         phase = self._paused_phase if self._phase is RunPhase.PAUSED else self._phase
         elapsed_s = max(0.0, until_s - self._since_s)

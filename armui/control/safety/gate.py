@@ -73,7 +73,7 @@ Background = Callable[[Callable[[], Any]], "Future[Any]"]
 
 
 def _nothing(_: object) -> None:
-    """Do nothing."""
+    """Do nothing with the command that was sent."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

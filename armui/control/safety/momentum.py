@@ -1,4 +1,4 @@
-"""How a moving arm comes to another target: straight on, or astray by what it must brake first."""
+"""The way of a moving arm to another target: straight, or astray while it brakes first."""
 
 from __future__ import annotations
 

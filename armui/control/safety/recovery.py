@@ -348,7 +348,7 @@ class Recovery(ControllerPart):
         return None
 
     def _take_command(self, _step: Step) -> Refusal | None:
-        """Back to standby: entering CAN control might start a target somebody left in the arm."""
+        """Return to standby; entering CAN control might start a target somebody left in the arm."""
         refusal = self._context.why_no_motion()
         if refusal is not None:
             return self._context.refuse(refusal)
