@@ -319,7 +319,7 @@ class Program:
             self._instances.close()
 
     def _on_failed(self, failure: Failure) -> None:
-        """Motion ends first; then it is told."""
+        """End motion if the failing code may drive the arm; then tell the operator (S23)."""
         ended = may_drive(failure.modules)
         if ended:
             self.controller.on_failure()

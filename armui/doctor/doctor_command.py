@@ -159,7 +159,7 @@ def _listen(options: argparse.Namespace, can: CanFacts, probes: Probes) -> tuple
 
 
 def _number(channel: str) -> int | str:
-    """Back-ends that count their channels want a number."""
+    """Return a channel as a number, as back-ends that count their channels want it."""
     return int(channel) if channel.isdigit() else channel
 
 

@@ -368,7 +368,7 @@ def _closed_port(port: SerialPortFacts) -> Diagnosis:
 
 
 def _several(links: list[LinkFacts]) -> Diagnosis:
-    """can0 and can1 may swap at the next replugging; by their serials they can be told apart."""
+    """Return the finding that can0 and can1 may swap when replugged, and how to name them."""
     names = ", ".join(f"{each.name} ({each.serial or '—'})" for each in links)
     commands = tuple(
         f'echo \'SUBSYSTEM=="net", ATTRS{{serial}}=="{each.serial}", NAME="arm_{each.name}"\''

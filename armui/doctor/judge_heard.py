@@ -344,7 +344,7 @@ def _drivers(arm: ArmFacts, params: dict[str, str]) -> list[Diagnosis]:
 
 
 def _feedback(arm: ArmFacts, heard: HeardFacts, params: dict[str, str]) -> list[Diagnosis]:
-    """Angles and pose that cannot be true, or are easily misread."""
+    """Return the findings on angles and a pose that cannot be true, or are easily misread."""
     findings: list[Diagnosis] = []
     if _all_zero(arm) or (arm.teaching is not None and _SILENT_BY_TEACHING_LEVEL in arm.teaching):
         commands = _mend_teaching(arm.teaching, heard) if arm.generation == 2 else ()
@@ -358,7 +358,7 @@ def _feedback(arm: ArmFacts, heard: HeardFacts, params: dict[str, str]) -> list[
 def _mend_teaching(
     teaching: tuple[float, float, float] | None, heard: HeardFacts
 ) -> tuple[str, ...]:
-    """0x47D with friction level 1, the other two as the arm has them, if they are known."""
+    """Return the command for 0x47D with friction level 1, the other two values left as they are."""
     if teaching is None:
         return _ask(heard)
     range_percent, stroke_mm, _friction = teaching
@@ -388,7 +388,7 @@ def _is_damaged(limits: LimitFacts) -> bool:
 
 
 def _end_teaching_input(heard: HeardFacts) -> tuple[str, ...]:
-    """0x470 with 0xFC and no offsets: a motion output again, after a power cycle."""
+    """Return the command for 0x470 that makes the arm a motion output after a power cycle."""
     return _send(heard, 0x470, "FC00000000000000")
 
 

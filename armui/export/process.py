@@ -100,7 +100,7 @@ class ExportProcess(CommandProcess):
         return None
 
     def _remove_unfinished(self) -> None:
-        """It was killed, by us or by the system: nobody else removes what it left."""
+        """Remove what a killed process left unfinished, as nobody else does."""
         if self._unfinished is not None:
             with contextlib.suppress(OSError):
                 if self._unfinished.is_dir():

@@ -233,7 +233,7 @@ def _parallel_wrist(ce: Value, se: Value, c4: Value, s4: Value) -> tuple[Vector,
 
 
 def _mixed(part: Value, one: Vector, other_part: Value, other: Vector) -> Vector:
-    """So much of one vector and so much of another."""
+    """Return a weighted sum of two vectors."""
     (x, y, z), (u, v, w) = one, other
     return part * x + other_part * u, part * y + other_part * v, part * z + other_part * w
 

@@ -20,7 +20,7 @@ _Angle = TypeVar("_Angle", float, Matrix)
 
 
 class Pose(NamedTuple):
-    """Position and orientation of the flange in the base frame.
+    """The position and orientation of the flange in the base frame.
 
     R = Rz(rz)·Ry(ry)·Rx(rx), as in the end pose feedback 0x2A2–0x2A4.
     """

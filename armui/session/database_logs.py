@@ -94,7 +94,7 @@ def read_database(path: Path, builder: BatchBuilder) -> Iterator[FrameBatch]:
 def _gathered(
     entries: Iterator[can.Message | Exception], builder: BatchBuilder
 ) -> Iterator[FrameBatch]:
-    """Batches of the rows that are frames, up to where the file can be read."""
+    """Yield batches of the rows that are frames, up to where the file can be read."""
     gathered: list[can.Message] = []
     places: list[int] = []
     row = 0

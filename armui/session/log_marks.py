@@ -238,7 +238,7 @@ class _Finder:
 
 
 def _runs(values: NDArray[Any]) -> Iterator[tuple[int, int, int]]:
-    """First place, the place behind the last, and the value of each stretch of equal values."""
+    """Yield begin, end and value of each stretch of equal values; the end is behind the last."""
     edges = np.flatnonzero(np.diff(values)) + 1
     edges = edges[: 2 * MOST_MARKS]
     starts = [0, *edges.tolist()]

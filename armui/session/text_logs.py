@@ -56,11 +56,11 @@ _PATIENT_BYTES: Final = 1 << 26
 
 
 def _unchanged(message: can.Message, _line: str) -> None:
-    """Nothing to add to what the reader made of a line."""
+    """Leave a message as python-can's reader made it of a line."""
 
 
 def _no_repair(_line: str) -> str | None:
-    """No other way to write a line."""
+    """Return nothing: a line of this format cannot be rewritten."""
     return None
 
 
@@ -92,7 +92,7 @@ class TextFormat:
 
 
 def _complete_candump(message: can.Message, line: str) -> None:
-    """Error frames of every class, with their class bits and details.
+    """Give an error frame its class bits and details, which python-can's reader leaves out.
 
     The reader knows those of the bus only, and drops what they say (linux/can/error.h).
     """
@@ -367,7 +367,7 @@ def read_text_log(
 
 
 def _read_candump(source: LogSource, lines: _Lines, builder: BatchBuilder) -> Iterator[FrameBatch]:
-    """Blocks of ordinary lines at once, all others through python-can's reader, line by line."""
+    """Yield blocks of ordinary lines at once, all others through python-can's reader."""
     for whole in source.lines():
         batch = quick_batch(whole, builder)
         step = _LINES_AT_ONCE if batch is None else len(whole)

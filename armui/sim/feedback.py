@@ -194,7 +194,7 @@ class Feedback:
         )
 
     def _driver_slow(self, joint: int) -> Frame:
-        """Only generation 1 measures the bus current; the 1.5 kg arm of today reports 0."""
+        """Return a driver's slow feedback; only generation 1 measures the bus current in it."""
         index, drivers = joint - 1, self._arm.drivers
         return self._cache.frame(
             f"DriverSlow{joint}",

@@ -401,7 +401,7 @@ class FileThread(Executor):
 
 
 def _come_to_the_end() -> None:
-    """Stands behind everything that is to be done."""
+    """Do nothing; its answer shows that everything queued before it was done."""
 
 
 def _name_of(work: Callable[..., Any]) -> str:

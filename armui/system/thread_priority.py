@@ -87,7 +87,7 @@ def _raise_and_tell() -> None:
 if sys.platform == "linux":
 
     def _raise(thread_ids: Iterable[int] | None) -> Rise:
-        """By the first way that is open."""
+        """Raise threads by the first way that the system permits."""
         wanted = _all_threads() if thread_ids is None else list(thread_ids)
         try:
             _by_right(wanted)

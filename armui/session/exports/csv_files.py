@@ -84,7 +84,7 @@ class CsvTable:
 
 
 def _table_template(record: RecordColumns) -> str:
-    """Figures as the arm sent them are whole in few digits; those turned into degrees are cut."""
+    """Return the format of a row; only figures turned into degrees need to be rounded."""
     return ",".join(
         "%d" if column.whole else "%s" if column.factor == 1.0 else "%.10g"
         for column in record.columns
@@ -159,7 +159,7 @@ def _title(signal: SignalLayout) -> str:
 
 
 def _template(signal: SignalLayout) -> str:
-    """Raw values and those divided by a whole number are exact in few digits."""
+    """Return the format of a signal; raw and evenly divided values are exact as they are."""
     if not signal.is_scaled:
         return "%d"
     return "%s" if signal.divisor is not None and not signal.offset else "%.10g"

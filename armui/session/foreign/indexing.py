@@ -298,7 +298,7 @@ def _write(folder: Path, name: str, values: NDArray[Any]) -> None:
 
 
 def _put_in_order(folder: Path) -> int:
-    """Sort the columns by time; how many frames had a time before the one in front of them."""
+    """Sort the columns by time; return how many frames went back in time."""
     raw_s = _read(folder, "times_s")
     times_s, backwards = straightened(raw_s, _read(folder, "channels"))
     if bool((np.diff(times_s) >= 0).all()):

@@ -94,7 +94,7 @@ def read_block(
 
 
 def _whole_lines(data: bytes, builder: BatchBuilder) -> bytes:
-    """Without a last line that was cut: what is left of it may look like a shorter frame."""
+    """Drop a last line that was cut: what is left of it may look like a shorter frame."""
     end = data.rfind(b"\n") + 1
     if end < len(data):
         builder.note(f"byte {end} of a block", "the file breaks off in a line", 0)
@@ -350,7 +350,7 @@ class RecordedSession:
 
 
 def _opening_size(beginning: bytes, kind: RecordingFormat) -> int:
-    """Bytes in front of the first block."""
+    """Return the size of what stands in front of the first block, in bytes."""
     if kind is RecordingFormat.BLF:
         return int.from_bytes(beginning[4:8], "little") if beginning[:4] == b"LOGG" else 0
     if kind is RecordingFormat.ASC:
@@ -360,7 +360,7 @@ def _opening_size(beginning: bytes, kind: RecordingFormat) -> int:
 
 
 def _sidecar_of(path: Path) -> tuple[str, list[dict[str, Any]], RecordingFormat]:
-    """Name, lines and format of the recording that a file belongs to.
+    """Return the name, lines and format of the recording that a file belongs to.
 
     Raises:
         NotALogError: It belongs to none.
@@ -405,7 +405,7 @@ def _part(batch: FrameBatch, begin: int, end: int, first: int) -> FrameBatch:
 def _last_of_each(
     batches: Sequence[FrameBatch], t_s: float, names: tuple[Channel, ...]
 ) -> FrameBatch:
-    """Of batches in the order of time, the last frames of each identifier up to a moment."""
+    """Return the last frames of each identifier up to a moment, of batches in order of time."""
     rows: dict[tuple[int, int], deque[tuple[FrameBatch, int]]] = {}
     key_flags = int(FrameFlag.EXTENDED | FrameFlag.TRANSMITTED)
     for batch in batches:
@@ -429,7 +429,7 @@ def _last_of_each(
 
 
 def _picked(found: Sequence[tuple[FrameBatch, int]], names: tuple[Channel, ...]) -> FrameBatch:
-    """Single frames of several batches as one."""
+    """Return single frames of several batches as one batch."""
     table = np.zeros(len(found), ROW)
     long_data = {}
     for place, (batch, row) in enumerate(found):

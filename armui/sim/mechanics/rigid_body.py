@@ -205,7 +205,7 @@ class RigidBody:
         return -G_M_S2 * float(self._masses @ (centres @ np.asarray(down)))
 
     def _place(self, joints_rad: Values) -> tuple[Values, Values, Values, Values, Values]:
-        """Axes, origins, rotations, steps from origin to origin, and centres of mass."""
+        """Return axes, origins, rotations, steps from origin to origin, and centres of mass."""
         angles = (joints_rad + self._thetas)[:, None, None]
         local = self._fixed + np.cos(angles) * self._by_cos + np.sin(angles) * self._by_sin
         turns = np.empty_like(local)

@@ -104,7 +104,7 @@ class PathProfile:
         return 0.0, spare / speed
 
     def _stand(self) -> None:
-        """Stops; as good as at the end is at the end."""
+        """Stop here, or at the end if that is within rounding."""
         self.speed = self.acceleration = 0.0
         if self._end - self.position <= 2.0 * self._grain:
             self.position = self._end

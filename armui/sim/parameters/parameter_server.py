@@ -227,7 +227,7 @@ class ParameterServer:
         return [self.answer(SettingIndex.TEACHING_SETTING)]
 
     def _drag_assistance_setting(self, signals: Signals) -> list[Frame]:
-        """Firmware before S-V1.8-1 has no such frame."""
+        """Set and answer the drag assistance, which firmware before S-V1.8-1 does not know."""
         if not self._codec.quirks.has_drag_assistance:
             return []
         self.settings.drag_assistance = tuple(

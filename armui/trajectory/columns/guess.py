@@ -121,7 +121,7 @@ def exceeds_radians(figures: Figures) -> bool:
 
 
 def _by_titles(header: Sequence[str]) -> list[tuple[ColumnQuantity | None, str]]:
-    """Quantity and unit of each title, as far as it names them; a quantity only once."""
+    """Return the quantity and unit that each title names; each quantity only once."""
     parts = [_parts(title) for title in header]
     bare = [_PREFIX.sub("", title, count=1) for title, _ in parts]
     joints = [_JOINT.fullmatch(title) for title in bare]

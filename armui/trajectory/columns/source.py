@@ -90,7 +90,7 @@ def decode_as(data: bytes, encoding: Encoding) -> str:
 
 
 def _odd(before: str, encoding: Encoding) -> TrajectoryFileError:
-    """Blames the character that follows a text."""
+    """Raise the error for the character that follows a text."""
     lines = before.removeprefix("\ufeff").splitlines(keepends=True)
     line, column = max(1, len(lines)), len(lines[-1]) + 1 if lines else 1
     if lines and lines[-1].endswith(("\n", "\r")):

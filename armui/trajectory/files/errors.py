@@ -72,7 +72,7 @@ def broken(
 
 
 def _short(value: float | str) -> float | str:
-    """Foreign text cut to what fits a message."""
+    """Return a foreign text cut to what fits a message."""
     if isinstance(value, str) and len(value) > 60:
         return value[:60] + "…"
     return value

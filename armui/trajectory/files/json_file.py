@@ -261,7 +261,7 @@ def _enter(text: str, position: int, step: str | int, scan: _Scan) -> int | None
 
 
 def _skip(text: str, position: int) -> int:
-    """Past white space."""
+    """Return the position behind white space."""
     while position < len(text) and text[position] in " \t\r\n":
         position += 1
     return position

@@ -220,7 +220,7 @@ def _comment(line: str) -> str:
 
 
 def _text(text: str) -> str:
-    """Bare where it reads back as it is, else in quotation marks."""
+    """Return a text bare where it reads back as it is, else in quotation marks."""
     plain = text.isprintable() and text == text.strip() and not text.startswith('"')
     return text if plain and text else json.dumps(text, ensure_ascii=False)
 

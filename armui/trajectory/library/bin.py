@@ -203,7 +203,7 @@ class Bin:
 
 
 def _due_since(room: Path, now: datetime) -> datetime:
-    """Since when something is marked as too old; it is marked now if it was not, or in the future.
+    """Return when an item was marked as too old; mark it now if it was not, or in the future.
 
     Raises:
         OSError: It cannot be marked.

@@ -231,7 +231,7 @@ def _is_gone(path: Path) -> bool:
 
 
 def _by_name(found: list[StoredFile]) -> dict[str, StoredFile]:
-    """Files by name; a copy that holds a name already taken goes by its file's name.
+    """Return the files by name; a copy with a name already taken goes by its file's name.
 
     One in a sub-folder tells that beside it. What lies in the library's folder itself comes first.
     """

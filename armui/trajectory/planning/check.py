@@ -303,7 +303,7 @@ def _unknown(content: Trajectory, request: CheckRequest) -> Iterator[Finding]:
 
 
 def _rank(finding: Finding) -> tuple[bool, int]:
-    """Errors come first, and what concerns the whole before its rows."""
+    """Return the key that sorts errors first, and findings on the whole before those on rows."""
     return finding.severity is not Severity.ERROR, -1 if finding.row is None else finding.row
 
 

@@ -275,7 +275,7 @@ def _replay(
 
 
 def _approach(start_deg: Array, first_deg: Array, arm: ArmModel) -> tuple[Array, Array]:
-    """Times and joints of the slow way to the first sample; (1, 6) each end."""
+    """Return times and joints of the slow way to the first sample; (1, 6) each end."""
     lasting_s, _, counts = _joint_moves(
         start_deg, first_deg, np.array([APPROACH_PERCENT / 100.0]), arm
     )

@@ -211,7 +211,7 @@ def _tool_demand(moves: PlannedToolMoves, paths: Paths, arm: ArmModel) -> Demand
 
 
 def _steps(wanted: Array) -> Whole:
-    """Numbers of steps: powers of two, so that there are few different ones."""
+    """Return the numbers of steps: powers of two, so that there are few different ones."""
     wanted = np.clip(wanted, _FEWEST_STEPS, _MOST_STEPS)
     steps: Whole = (2 ** np.ceil(np.log2(wanted))).astype(np.int64)
     return steps

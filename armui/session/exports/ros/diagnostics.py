@@ -234,7 +234,7 @@ def _codes(layout: MessageLayout) -> list[SignalLayout]:
 
 
 def _words(name: str) -> str:
-    """«MotorOvertemperature» as «Motor overtemperature»."""
+    """Return a signal's name as words: «MotorOvertemperature» as «Motor overtemperature»."""
     return re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name).capitalize()
 
 

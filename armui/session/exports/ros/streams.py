@@ -366,7 +366,7 @@ def _by_place(transforms: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]
 
 
 def _merged(one: TimedMessages, other: TimedMessages) -> TimedMessages:
-    """Both, in the order of their rows."""
+    """Return the messages of both, in the order of their rows."""
     rows = np.array([*one.rows, *other.rows])
     order = np.argsort(rows, kind="stable").tolist()
     times_ns, data = one.times_ns + other.times_ns, one.data + other.data
