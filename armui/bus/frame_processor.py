@@ -117,7 +117,8 @@ class FrameProcessor:
             self._count_failed(frame)
 
     def _process(self, frame: Frame, at_s: float, flags: int) -> None:
-        # most have none: to combine a flag with an int costs as much as all else here
+        # Most frames have no flags: the first test spares them the enum arithmetic, which costs as
+        # much as all else here.
         if flags and flags & FrameFlag.ERROR:
             self.notifier.error_frame()
         else:

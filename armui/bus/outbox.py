@@ -258,7 +258,7 @@ class Outbox:
                 if self._send(port, frame, batch, _SEND_TIMEOUT_S):
                     continue
                 if self.blocked:
-                    # what the driver still holds would go out late, when the cable is back
+                    # What the driver still holds would go out late, when the cable is back (S17).
                     flush_transmit_queue(port.bus)
                 return False
 
@@ -284,7 +284,8 @@ class Outbox:
         if in_driver_s is not None and now_s - in_driver_s >= BLOCKED_S:
             return True
         since_s = self._failing_since_s
-        # one frame with a short time to live that met a full queue tells nothing
+        # A single frame with a short time to live that met a full queue does not show a blocked
+        # bus.
         return since_s is not None and self._last_failure_s - since_s >= 0.8 * BLOCKED_S
 
     def _drop_waiting(self) -> None:

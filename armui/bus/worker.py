@@ -201,7 +201,8 @@ class BusWorker(QThread):
                     was_open = True
                     self._use(bus)
             except Exception as error:  # noqa: BLE001 - drivers of others raise anything; the thread lives on
-                # a device that goes is no failure; an error of this program's is told as one
+                # A device that is unplugged is no failure of the program; an error in its own code
+                # is one, and is told (S23).
                 level = logging.ERROR if was_open and is_our_own(error) else logging.WARNING
                 _LOG.log(level, "%s is lost", self._device.name, exc_info=error)
                 state = BusState.LOST if was_open else BusState.FAILED
@@ -218,7 +219,7 @@ class BusWorker(QThread):
         sender = SendingThread(self._outbox, bus)
         sender.start()
         self._notifier.open(self._processor.codec, self._device.bitrate)
-        self._received.emptied()  # what lies in a device that was just opened came just now
+        self._received.emptied()  # a device that was just opened holds no old frames
         self._report(BusState.OPEN)
         try:
             while not self._closing.is_set():
@@ -256,7 +257,8 @@ class BusWorker(QThread):
         else:
             self._received.emptied()
         if now_s - self._pictured_s >= _PICTURE_S or taken == 0:
-            # on a real bus frames come one by one: listeners are told of some together
+            # Frames of a real bus come one by one; telling listeners of several together saves
+            # time.
             self._pictured_s = now_s
             self._notifier.flush(self._processor.codec, now_s)
             self._processor.publish()

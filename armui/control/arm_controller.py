@@ -116,7 +116,8 @@ class ArmController(ControllerParts):
         background: Background | None = None,
     ) -> None:
         super().__init__(parent)
-        self.noticed.connect(self._on_noticed)  # before anybody who asks for the entry
+        # connected first: others who receive the signal ask for the entry
+        self.noticed.connect(self._on_noticed)
         self._replays = make_worker is not None
         self._background = background
         self._clock, self._wall, self._wait = clock, wall or wall_clock(clock), wait
@@ -312,7 +313,7 @@ class ArmController(ControllerParts):
         attempt("Assessor", self._assess)
         self._parts.follow_arm()
         attempt("LinkWatch", lambda: self._link_watch.follow_handshake(self._state))
-        attempt("Assessor", self._assess, step="2")  # what the parts have begun and ended
+        attempt("Assessor", self._assess, step="2")  # again: parts have begun and ended
         self._parts.follow_arm_last()
         attempt("MotionEnd", lambda: self._motion_end.retry_end(now_s))
         self._authority.failed = self._motion_end.stuck or not self._parts.in_order
@@ -330,7 +331,8 @@ class ArmController(ControllerParts):
         """End every motion of this program, because a part of the program has failed."""
         if not self._motion_end.busy:
             self._motion_end.end_motion()
-            # the failure may lie within the very call that goes on to begin a motion
+            # The call that failed may still go on to begin a motion: end it once more afterwards
+            # (S23).
             QTimer.singleShot(0, self, self._motion_end.end_motion)
             self.all_motion_ended.emit()
 
@@ -380,7 +382,8 @@ class ArmController(ControllerParts):
         elif notice == CONNECT_FAILED:
             self._timer.stop()
             self._forget_arm()
-        if report.device.recorded is None or notice not in LINK_BREAKS:  # a log is jumped in
+        # jumping in a log is not told as a loss
+        if report.device.recorded is None or notice not in LINK_BREAKS:
             self._tell(notice, device=report.device, reason=report.problem)
         self._refresh()
         self.recovery.follow_arm()

@@ -550,7 +550,9 @@ class Authority:
             return End.DISABLED
         if in_drag_teaching(state):
             return End.TAUGHT
-        if status.value.arm_status not in MOVABLE_STATUSES:  # it may move on, but not to there
+        # In this status the arm may still move, but not to our target: no step starts from that
+        # (S8).
+        if status.value.arm_status not in MOVABLE_STATUSES:
             self.command = replace(command, joints_deg=None, tool=None)
         taken_in = command.sent_s <= self._taken_in_s
         late = taken_in and status.at_s - command.sent_s > _TAKEN_IN_S
@@ -562,11 +564,12 @@ class Authority:
         measured_deg = state.angles_deg()
         seen = self._seen
         if seen is None or not state.in_time(seen.now_s):
-            return None  # one angle that was late shows nothing
+            return None  # angles that came late do not show whether it moved
         if self.under_way or self.holds or measured_deg is None:
             return None
         if command.joints_deg is None:
-            # a pose: which angles the arm takes there is its own choice
+            # The target was a pose, for which the arm chose the angles: those it rests at become
+            # the target.
             self.command = replace(command, joints_deg=measured_deg)
             return None
         away_deg = max(
@@ -601,13 +604,14 @@ class Authority:
         since_s = now_s - self._cancelled_s
         state = None if self._seen is None else self._seen.state
         status = None if state is None else state.status
-        # what is late in arriving shows neither rest nor motion
+        # Feedback that arrives late shows neither rest nor motion.
         in_time_s = 0.0 if state is None else state.in_time_for_s(now_s, self._cancelled_s)
         shows = in_time_s >= _REST_SHOWS_S
         stopped = status is not None and status.value.arm_status == ArmStatusCode.EMERGENCY_STOP
         replays = status is not None and is_own_replay(status.value)
         led = state is not None and in_drag_teaching(state) and not replays
-        moved = self.other.commands or stopped or led  # by somebody else from now on
+        # Another host, a stop or a hand rules the arm now: our cancel has nothing left to end.
+        moved = self.other.commands or stopped or led
         if moved or (self.at_rest and shows):
             self._cancelled_s, self.cancel_unheeded = None, False
         elif since_s > _CANCEL_WITHIN_S and shows:

@@ -202,7 +202,7 @@ class Context:
         """Return 0x151 to precede a target slower than the last, so that none starts too fast."""
         mode = self.authority.mode_in_force()
         if mode is None or mode[0] is not ControlMode.CAN_CONTROL:
-            return []  # in standby no target starts
+            return []  # in standby the arm starts no target
         if not self.authority.lowers_speed(speed_percent):
             return []
         return self.speed_frames(mode, speed_percent)

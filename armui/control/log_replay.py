@@ -121,9 +121,11 @@ class LogReplay(QObject):
         worker.moved.connect(self._on_moved)
         worker.failed.connect(self.failed)
         self._worker = worker
-        # a window that is destroyed, a program that ends: whoever forgets to close it
+        # The thread ends even if nobody closes the replay, when its window is destroyed or the
+        # program ends.
         self._forgotten = weakref.finalize(self, _end, worker)
-        # its own turn at the end may come after Qt's, which ends the program over such a thread
+        # At exit this would run after Qt's own clean-up, which aborts a program whose thread still
+        # runs.
         self._forgotten.atexit = False
         atexit.register(worker.end_in_time)
         return worker
@@ -297,7 +299,7 @@ class LogReplay(QObject):
         if worker is None or number != self._number or not worker.enter(number):
             return
         self._going_to = None
-        # what an arm is asked when it comes is known here: two looks take all of it in
+        # A log holds the handshake's answers already: two ticks take all of them in.
         self.controller.tick()
         self.controller.tick()
         if worker.is_playing:

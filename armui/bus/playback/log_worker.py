@@ -293,7 +293,8 @@ class LogWorker(QThread):
                     steps, self._steps = self._steps, 0
             if wanted is not None:
                 self._look_up(*wanted)
-            # until somebody enters the place that was looked up, nothing is played
+            # Nothing is played until the controller has taken over the place that was looked up
+            # (`enter`).
             now_s = time.monotonic()
             if self._travelling or not self._go_on(steps, min(now_s - looked_s, _LONGEST_TURN_S)):
                 now_s = time.monotonic()

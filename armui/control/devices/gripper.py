@@ -350,7 +350,8 @@ class GripperControl(RequestingPart[str]):
         heard = self._heard()
         if refusal is not None or heard is None:
             return refusal or GRIPPER_SILENT()
-        # told as it tells itself: a number of another kind would move it
+        # In the unit the gripper reports, opening or angle: a number in the other one would move
+        # it.
         frames = self._hold(heard.travel, effort, by_angle=heard.opening_mm is None)
         self._start(started, "enable", frames, lambda gripper: gripper.enabled)
         return None
@@ -445,7 +446,7 @@ class GripperControl(RequestingPart[str]):
         heard = feedback.value
         if heard.unit != travel.unit:
             if now_s - travel.moved_s >= _STANDS_S:
-                self._lose(travel)  # it goes on telling itself in the other way
+                self._lose(travel)  # it goes on reporting in the other unit
             return
         late = feedback.at_s - travel.heard_s > LATE_S
         travel.heard_s = max(travel.heard_s, feedback.at_s)

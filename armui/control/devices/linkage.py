@@ -134,7 +134,7 @@ class LinkageControl(ControllerPart):
             control_offset=control_offset,
             target_offset=target_offset,
         )
-        # from the first frame on the arm may have moved, answered or not
+        # From the first frame on the arm may use the new identifiers, whether it answers or not.
         context.connection.offsets.request(
             Addressing(feedback_offset, control_offset),
             context.clock(),

@@ -139,7 +139,7 @@ class Motors(RequestingPart[Busy]):
             joints,
             command(context.connection.codec, joint),
             lambda state: all(state.enabled()[number - 1] is on for number in joints),
-            answer=SettingIndex.MOTOR_ENABLE,  # which motor is meant it does not say
+            answer=SettingIndex.MOTOR_ENABLE,  # the answer does not name the motor
         )
 
     def _start(

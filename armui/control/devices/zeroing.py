@@ -142,7 +142,8 @@ class Zeroing:
                     proves=bool(_off_zero(joints, state)),
                 ),
                 recheck=partial(self._why_not_any_more, joints, state),
-                # given again, it would make a zero of wherever the joint stands by then
+                # Never repeated (S14): a second command would set the zero wherever the joint
+                # stands by then.
                 attempts=1,
                 ends_with_stop=True,
                 alters="zeroing",

@@ -230,7 +230,8 @@ class EventObserver:
         before_hz, self._last_hz = self._last_hz, hz
         if before_hz is None:
             return
-        # a computer that pauses hears them later, in a burst: nothing is missing then
+        # After a pause of the computer frames come in a burst, which looks like a high rate: the
+        # lower of two counts.
         self._best_hz = max(self._best_hz, min(before_hz, hz))
         share = (before_hz + hz) / 2 / self._best_hz
         going_on = "rate" in self._going_on

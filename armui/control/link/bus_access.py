@@ -104,7 +104,8 @@ class BusAccess:
         if refusal is not None:
             return context.refuse(refusal)
         connection.note_by_hand(frame)
-        context.observe()  # ours ends first, and what waits of it is dropped
+        # our own motion ends before the frame leaves, and what waits of it is dropped
+        context.observe()
         passed = context.gate().ask_held() if held else None
         if not connection.send([frame], _KEEP_S, passed=passed):
             return context.refuse(LINK_LOST())

@@ -351,10 +351,12 @@ class Connection(QObject):
             return ArmState()
         state = self._worker.state
         if state.silences or self._another_answers(state):
-            # Off for one look at least: whatever is under way ends, and begins from nothing.
+            # The arm counts as offline for at least one tick, so that everything under way ends and
+            # starts from nothing (S15).
             self._start_anew(self._worker, now_s)
             return self.newest
-        # A handshake starts with an empty state of the arm: that is no silence.
+        # A handshake clears the state of the arm; without the time kept here the arm would look
+        # silent.
         self._last_feedback_s = state.last_feedback_s or self._last_feedback_s
         is_open = self._bus_state in _IS_OPEN
         online = is_open and is_fresh(self._last_feedback_s, now_s)
@@ -407,7 +409,7 @@ class Connection(QObject):
 
     def _on_report(self, report: BusReport) -> None:
         if self._worker is None or report.worker != self._worker_number:
-            return  # a late word of a device that was left meanwhile
+            return  # a late report of a device that was left meanwhile
         before, self._bus_state = self._bus_state, report.state
         if report.state is BusState.OPEN:
             self.problem = None

@@ -106,7 +106,7 @@ class ModelWatch(ControllerPart):
         }
         idle = now.occupied is None and not now.moving and not self._context.authority.under_way
         if self.fit().confirmed:
-            return  # the arm itself says so
+            return  # the arm's own feedback confirms the model
         if not (device.model_assumed and idle):
             self._before = model
             self._context.tell(MODEL_WAS_OTHER, **names)

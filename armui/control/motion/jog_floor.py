@@ -79,7 +79,8 @@ class JogFloor:
             return None
         fit = self._context.operating_state().model_fit
         measured = (joints_deg, fit, self._tool(), self._held(), self._rising())
-        if measured != self._measured:  # it is asked twice a tick, mostly of an arm that stands
+        # asked twice a tick: computed only when something has changed
+        if measured != self._measured:
             below = round(-self.height_mm(joints_deg))
             self._measured, self._below_mm = measured, below if below > 0 else None
         return self._below_mm

@@ -110,7 +110,8 @@ class JogStream:
                 self._gone += way
                 self.setpoint_deg = ahead_deg
                 return None
-            # a bent way may need another try
+            # On a curved path the joints do not turn in proportion to the distance: a shortened
+            # step may still be too long.
             way *= 0.98 * share
             if way <= _CLOSE:
                 return None

@@ -310,7 +310,8 @@ class Jogging(ControllerPart):
         base_deg = self._begins_at(hold.jog, measured_deg, limits)
         sag_deg = [base - measured for base, measured in zip(base_deg, measured_deg, strict=True)]
         if outside_limits(measured_deg, limits):
-            sag_deg = [0.0] * len(JOINTS)  # the arm is led to where the jog begins
+            # outside its limits the arm is led to where the jog begins: the difference is no sag
+            sag_deg = [0.0] * len(JOINTS)
         check = self._context.gate().stream()
 
         def why_barred(ahead_deg: Sequence[float], now_deg: Sequence[float]) -> Refusal | None:
@@ -374,7 +375,7 @@ class Jogging(ControllerPart):
         reason = stream.advance_setpoint(measured_deg, dt_s, present)
         if reason is not None and reason.reason == JOG_NOT_FOLLOWING:
             if not context.connection.newest.in_time(context.clock()):
-                return  # it may have followed: its angles are late
+                return  # the arm may have followed: its angles arrive late
             # an arm beyond its limits follows no target before the first within them
             reason = check_joints(stream.setpoint_deg, operating_state.limits) or reason
         target_deg = tuple(round(angle, 3) for angle in stream.setpoint_deg)

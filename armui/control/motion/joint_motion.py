@@ -134,7 +134,8 @@ class Motion(ControllerPart):
         """
         context = self._context
         operating_state = context.operating_state()
-        slows = context.authority.lowers_speed(round(percent))  # a doubt is no reason against that
+        # slowing down is allowed while a joint's reference is in doubt
+        slows = context.authority.lowers_speed(round(percent))
         if operating_state.moving and not slows:
             refusal = operating_state.reference.why_not_move(percent)
             if refusal is not None:

@@ -49,13 +49,15 @@ def why_not_plan(now: OperatingState, command: TrajectoryCommand) -> Refusal | N
     if refusal is not None or command in _ENDS:
         return refusal
     if now.running or now.jogging:
-        # a run has a pause of its own; setpoints of a jog held back would be carried out later
+        # A run has a pause of its own; the setpoints of a jog, held back by a pause, would move the
+        # arm later.
         return now.occupied
     if command is TrajectoryCommand.PAUSE and not now.moving:
         return NOT_MOVING()
     if command is not TrajectoryCommand.CONTINUE:
         return None
-    # what is held back goes on at the operator's speed, and only in an arm that is ours
+    # Continuing starts the motion held back (S11): it needs a speed above 0 and an arm that may be
+    # sent motion.
     if not now.holds:
         return NOTHING_HELD()
     if now.speed_percent == 0:
@@ -130,7 +132,8 @@ class PlannedMotion(ControllerPart):
         frames = commands.trajectory_command(context.connection.codec, command)
         if command in _ENDS:
             self._end_all()
-            # past targets that wait to be sent
+            # Sent in front of targets that still wait in the outbox, which would move the arm
+            # first.
             sent = context.connection.send_urgent(frames)
             refusal = None if sent else LINK_LOST()
             context.authority.cancelled(context.clock())

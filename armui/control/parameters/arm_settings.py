@@ -140,7 +140,7 @@ class ArmSettings(QObject, ControllerPart):
         cell = self._cells.get(parameter, _UNREAD)
         if cell.state not in {CellState.READ, CellState.SAVED}:
             return cell
-        # an arm that went and came back has not said anything yet
+        # After the arm was away a value counts as unread until the arm has said it again (S15).
         return _UNREAD if heard(self._context.state(), parameter) is None else cell
 
     def everything(self) -> list[Batch] | Refusal:

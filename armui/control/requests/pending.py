@@ -97,7 +97,8 @@ class PendingRequest(Generic[Kind]):
         if sent is not None:
             notice, figures = sent
             self._context.tell(notice, started, **figures)
-        if self._request is request:  # a failure in who is told ends what is under way
+        # telling calls others: if one fails, this request may have been ended
+        if self._request is request:
             request.advance()
 
     def advance(self) -> RequestOutcome:

@@ -309,7 +309,8 @@ class TransactionQueue(ControllerPart):
         if task.attempt < (_ATTEMPTS if reading else task.transaction.attempts) and in_time:
             self._send(task)
         elif not reading and task.transaction.read_back is not None:
-            # what the arm holds now decides, but if it can't be read the missing answer is told
+            # Without an answer the value now in the arm decides; if it cannot be read, the missing
+            # answer is told.
             task.unanswered = SETTING_UNANSWERED()
             self._begin(task, _Phase.READING)
         elif not reading:

@@ -153,7 +153,7 @@ class Player(Execution):
         if refusal is not None:
             return refusal
         self._run, self._schedule = run, RunSchedule(run)
-        # once: the question is asked at every look at the arm, and there may be 10,000 points
+        # Determined once, because it is needed at every tick and a run may have 10,000 points.
         self._has_lights = any(point.light for point in run.points)
         self._index, self._cycle = run.first, 1
         self._way_in = [
@@ -443,7 +443,8 @@ class Player(Execution):
         elapsed_s = max(0.0, until_s - self._since_s)
         if phase is not RunPhase.DWELLING:
             return elapsed_s
-        # on arrival all but the dwell is behind, however long it took
+        # During the dwell the planned time of the move counts as passed, however long the move
+        # took.
         point = run.points[self._index]
         return max(0.0, run.expected_s[self._index] - point.dwell_s) + elapsed_s
 

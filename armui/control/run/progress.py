@@ -137,7 +137,9 @@ class RunSchedule:
         move_s = self._moves_s[index]
         even_s = min(move_s, self._run.even_s[index]) if self._run.even_s else move_s
         ramps_s = move_s - even_s
-        if ramps_s > even_s:  # it never goes evenly
+        # The motion is too short to reach its even speed: it only speeds up and slows down, which
+        # takes 2·√(D·R); R follows from that.
+        if ramps_s > even_s:
             ramps_s = move_s * move_s / (4.0 * even_s or 1.0)
         return max(move_s, even_s / share + min(ramps_s * share, even_s / share))
 

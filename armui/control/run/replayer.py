@@ -201,7 +201,7 @@ class Replayer(Execution):
         elif self._phase is RunPhase.STOPPING:
             self._follow_rest(replay)
         elif self._phase is RunPhase.MOVING and self._passed is None:
-            pass  # its way is being checked
+            pass  # the gate is still checking the way (S35)
         elif self._phase is RunPhase.MOVING and self._watch is not None:
             self._follow_approach(self._watch)
         elif self._phase is RunPhase.MOVING or self._comes_to_a_stand(replay):
@@ -257,7 +257,8 @@ class Replayer(Execution):
 
     def _follow_approach(self, watch: ArrivalWatch) -> None:
         now_s = self._context.clock()
-        # what it may take grows as the arm slows down
+        # The time counts at the share of the override: an arm slowed to a half may take twice as
+        # long.
         self._waited_s += (now_s - self._looked_s) * self._share
         self._looked_s = now_s
         if self._untold:
@@ -317,7 +318,8 @@ class Replayer(Execution):
         if now_s <= self._since_s or command is None:
             return
         if self._context.connection.holds(command.number):
-            return  # the driver has the last target still: with another one both go out at once
+            # the driver has not sent the last target yet: a second one would leave right behind it
+            return
         gap_s, self._since_s = now_s - self._since_s, now_s
         gone_s = gap_s if gap_s <= _GAP_S else PERIOD_MS / 1e3
         self._change_pace(replay, gone_s)

@@ -71,7 +71,8 @@ class AcknowledgementMonitor:
             return False
         if command is None:
             self._command = None
-            # a mode word that the arm does not follow is enough: where it led to is all one
+            # That the arm did not take up the command's mode word is proof enough, whatever its
+            # target was.
             return ended is End.OTHER_MODE or (
                 ended is End.MOVED_AWAY and self._leads_away(watched)
             )

@@ -53,7 +53,7 @@ MOVABLE_MODES: Final = frozenset({ControlMode.STANDBY, ControlMode.CAN_CONTROL})
 MOVABLE_STATUSES: Final = frozenset(
     {
         ArmStatusCode.NORMAL,
-        # the last target was refused; the next may be better
+        # In these three the arm refused the last target and stands; it takes the next one.
         ArmStatusCode.NO_SOLUTION,
         ArmStatusCode.SINGULARITY,
         ArmStatusCode.TARGET_BEYOND_LIMIT,

@@ -111,7 +111,8 @@ class ModeExitCommand(ControllerPart):
         if question is None:
             return
         now_s, state = context.clock(), context.connection.newest
-        # answers of two arms that are mixed can read as one version, but not with its date behind
+        # Frames of two arms' answers may be mixed into one version; a date that is known must fit,
+        # too.
         known = question.mark.identity
         named = [
             each

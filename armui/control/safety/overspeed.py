@@ -165,7 +165,8 @@ class OverspeedWatch:
         samples = self._samples
         if not samples or last.at_s > samples[-1].at_s:
             samples.append(_Sample(last.at_s, angles_deg))
-        # across a gap in arrival, or reports that were held up, no speed is known
+        # No speed can be computed across a gap, or from reports that were held up and came in a
+        # burst.
         while samples and samples[0].at_s < state.in_time_since_s:
             samples.popleft()
         if not samples:

@@ -260,7 +260,9 @@ class Recovery(ControllerPart):
             with self._acting():
                 self._joint_errors.clear(self._to_clear.pop(0))
         step = self._look()
-        if step.kind is not StepKind.WORKING:  # another kind is another problem
+        # A step of another kind is another problem: attempts in vain count from 0 again. WORKING
+        # only stands in between.
+        if step.kind is not StepKind.WORKING:
             self._in_vain = {kind: n for kind, n in self._in_vain.items() if kind is step.kind}
         step = self._follow(step, now_s)
         if self._holds(step, now_s) and step != self.step:

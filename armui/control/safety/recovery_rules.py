@@ -144,7 +144,8 @@ _RULES: Final = (
         Action.WITHDRAW_STOP,
         when(lambda view: view.operating_state.stop_lapsed),
     ),
-    # it obeys nothing but this: neither a stop nor a resume
+    # An arm that is a teaching input obeys only the command that ends this role, neither stop nor
+    # resume: so this step comes before theirs.
     _Rule(
         StepKind.TEACHING_INPUT, Level.WARNING, Action.LEAVE_TEACHING_INPUT, when(is_teaching_input)
     ),
@@ -198,7 +199,8 @@ _RULES: Final = (
     _latched(StepKind.OVERCURRENT, joints_flagged(drivers(lambda each: each.overcurrent))),
     _latched(StepKind.STALL, joints_flagged(drivers(lambda each: each.stall_protection))),
     _latched(StepKind.SENSOR, joints_flagged(drivers(lambda each: each.sensor_fault))),
-    # these two tell the moment: they go by themselves with their cause
+    # These two flags report the present value and clear by themselves with their cause: there is
+    # nothing to reset.
     _Rule(
         StepKind.UNDERVOLTAGE,
         Level.FAULT,
@@ -240,7 +242,7 @@ _RULES: Final = (
         Action.STOP,
         when(lambda view: view.operating_state.cancel_unheeded),
     ),
-    # nothing of ours moves the arm before, and the steps below may
+    # Until the cell is settled nothing of ours moves the arm, and steps further down may move it.
     _Rule(StepKind.CELL_UNREADABLE, Level.WARNING, Action.LEAVE_CELL, cell_waits(CELL_NOT_READ)),
     _Rule(
         StepKind.CELL_HOLDING,

@@ -121,7 +121,8 @@ class SinkingWatch:
         if not watched.heard:
             self._show_unheard(watched.now_s)
             return
-        if self._unheard:  # it is heard again: nothing is known of between
+        # heard again: what the arm did meanwhile is not known, so the watch starts anew
+        if self._unheard:
             self.reset()
         fresh = self._take_sample(watched)
         if watched.cause is None:

@@ -142,7 +142,7 @@ class SinkingControl(ControllerPart):
         now = context.operating_state()
         heard = now.link is LinkState.ONLINE and context.authority.why_silent() is None
         if not heard and device.recorded is not None:
-            self._reset()  # a log that stands still, or is jumped in
+            self._reset()  # silence in a replay: the log is paused, or another place was chosen
             return
         self._expects_motion |= not heard
         cause, joints = self._cause(now) if heard else (None, ALL_JOINTS)
