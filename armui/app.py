@@ -260,7 +260,7 @@ class Program:
             logging.getLogger(name).addHandler(self._failure_handler)
         self._event_keeper: EventKeeper | None = None
         self._instances: InstanceRegistry | None = None
-        # once the window stands
+        # Begun by the event loop, once the window stands.
         if events is not None:
             keep = partial(self._keep_events, events, files or workers)
             QTimer.singleShot(0, self._relay, keep)

@@ -101,7 +101,7 @@ class SystemEnd(QObject):
     def __enter__(self) -> Self:
         self._wakes.setblocking(False)
         signal.set_wakeup_fd(self._wakes.fileno(), warn_on_full_buffer=False)
-        # the thread below is told by the system itself
+        # The handlers do nothing: the system wakes the thread below through the socket.
         self._before = take_over(lambda *_: None)
         if sys.platform == "win32":
             self._follow_console()
@@ -167,7 +167,7 @@ class SystemEnd(QObject):
         self._asked.emit(number)
         self._await_rest(until_s)
         if self._program.closed.wait(max(0.0, until_s - time.monotonic())):
-            # the window's thread is the first to end the process, unless something hangs
+            # The window's thread ends the process; this thread does so only if that one hangs.
             time.sleep(max(0.0, until_s + _REST_S - time.monotonic()))
         self._exit(number)
 
@@ -198,7 +198,7 @@ class SystemEnd(QObject):
                     self._program.closed.wait(_CLOSED_S)
                 return kind in _CONSOLE_CLOSED
 
-            # Windows keeps nothing of it alive
+            # Kept as an attribute, because Windows does not keep the function alive.
             self._handler = ctypes.WINFUNCTYPE(ctypes.c_int, ctypes.c_uint)(on_event)
             ctypes.windll.kernel32.SetConsoleCtrlHandler(self._handler, 1)
 

@@ -292,7 +292,8 @@ class SettingsStore:
     def _write(self) -> Refusal | None:
         """Write whatever is unsaved by now; waits for a disk."""
         if not self._writing.acquire(blocking=False):
-            # a disk holds whoever writes it; he goes on with this once it lets go of him
+            # Another thread is writing and waits for the disk; it writes this, too, once the disk
+            # answers.
             return self._not_saved(TimeoutError(errno.ETIMEDOUT, os.strerror(errno.ETIMEDOUT)))
         try:
             while True:
@@ -342,7 +343,7 @@ class SettingsStore:
             stamp = found.st_size, found.st_mtime_ns, found.st_ino
             entries = None if stamp == self._looked else _entries(self._path)
         except (OSError, ValueError, RecursionError):
-            return  # what is known holds
+            return  # what was read before stays in force
         self._looked = stamp
         with self._turn:
             if entries is not None and writes == self._writes:

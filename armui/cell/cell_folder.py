@@ -95,7 +95,8 @@ class CellFolder:
 
     def _alone(self, work: Callable[[], Refusal | None], *names: str) -> Refusal | None:
         if not self._turn.acquire(blocking=False):
-            # whoever has it waits for a disk that does not answer, and was left behind
+            # Another thread has the turn and waits for a disk that does not answer: waiting for it
+            # would hang, too.
             return self._why_not(errno.ETIMEDOUT)
         try:
             with contextlib.ExitStack() as locked:

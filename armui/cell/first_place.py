@@ -147,7 +147,7 @@ class _Way:
         """
         lengths = np.sqrt(bulges_mm / _BULGE_MM)
         counts = np.maximum(np.ceil(lengths), 1.0).astype(np.int64)
-        # short ones on end are taken together
+        # Neighbouring parts that are short are joined into one.
         strides = np.floor(np.cumsum(lengths))
         alone = lengths > 0.5
         kept = np.ones(len(lengths), dtype=bool)
@@ -468,7 +468,7 @@ def _lowest(heights: Array, bulges_mm: Array) -> Array:
     """
     begins, ends = heights[..., :2], heights[..., 2:]
     single = _risen(begins, ends, bulges_mm[:, None])
-    # any mean of two supports is one, too
+    # Any mean of two supports is a support, too.
     begin, end = begins[:, 0], ends[:, 1]
     middle = (ends[:, 0] + begins[:, 1]) / 2.0 - bulges_mm / 4.0
     dips = np.maximum(np.minimum(begin, end) - middle, 0.0)

@@ -80,7 +80,7 @@ def _rising(pose: tuple[float, ...]) -> Rising:
 
 @lru_cache(maxsize=16)
 def _inverse(pose: tuple[float, ...]) -> tuple[float, ...]:
-    # numpy, which the window starts without
+    # imported here, because the window starts without numpy
     import numpy as np  # noqa: PLC0415
 
     from armui.kinematics.poses import matrix_to_pose, pose_to_matrix  # noqa: PLC0415

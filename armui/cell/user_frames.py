@@ -61,7 +61,7 @@ def frame_from_points(
         on_x: A place on its X axis, on the positive side.
         on_y_side: A place in its XY plane, on the side of +Y.
     """
-    # numpy, which the window starts without
+    # imported here, because the window starts without numpy
     import numpy as np  # noqa: PLC0415
 
     from armui.kinematics.poses import matrix_to_pose  # noqa: PLC0415

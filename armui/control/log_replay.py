@@ -124,7 +124,7 @@ class LogReplay(QObject):
         # The thread ends even if nobody closes the replay, when its window is destroyed or the
         # program ends.
         self._forgotten = weakref.finalize(self, _end, worker)
-        # At exit this would run after Qt's own clean-up, which aborts a program whose thread still
+        # At exit this may run after Qt's own clean-up, which aborts a program whose thread still
         # runs.
         self._forgotten.atexit = False
         atexit.register(worker.end_in_time)

@@ -182,7 +182,7 @@ class LineFormat:
                 template % values if (template := templates[code]) else self._single(batch, row)
                 for row, code, values in filled_in
             ]
-        except KeyError:  # more combinations than are kept: dropped again while they were made
+        except KeyError:  # more combinations than are kept: some were dropped again meanwhile
             return [self._single(batch, row) for row in rows.tolist()]
 
     def _template(self, plan: _MessagePlan, arbitration_id: int, code: int) -> str:

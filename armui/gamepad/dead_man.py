@@ -107,7 +107,8 @@ class DeadMan:
             self._seen_up = True
             self.hold = DeviceHold()
         elif not self._seen_up:
-            self.hold = DeviceHold(HoldPhase.SPENT)  # held since before anybody looked
+            # pressed before this program looked: release it first
+            self.hold = DeviceHold(HoldPhase.SPENT)
         elif self.hold.phase is not HoldPhase.SPENT:
             self.hold = self._held(state, mode, now_s, one_axis=one_axis)
         else:

@@ -36,7 +36,7 @@ class SdlGamepads:
 
     def open(self) -> None:
         """Load SDL and start its gamepads."""
-        # it says where its binaries are from, as a warning
+        # The import warns about where its binaries come from.
         warnings.filterwarnings("ignore", message="Using SDL2 binaries")
         import sdl2  # noqa: PLC0415 - an extra, loaded when it is wanted
 

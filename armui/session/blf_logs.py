@@ -85,7 +85,7 @@ class ObjectStream:
             for data in self._unpacked(body, place):
                 yield from self._whole(data, place)
         if self._is_broken_off or self._tail.strip(b"\0"):
-            # once: a container that is cut leaves an object that is cut
+            # Noted once: a container that is cut also leaves a cut object behind.
             self._note(self.position, self._source.broken or "the file breaks off here")
 
     def _take(self, size: int) -> bytes:

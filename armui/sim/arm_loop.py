@@ -91,7 +91,7 @@ class ArmLoop(ABC):
         feedback = arm.step(dt_s)
         if arm.leads is not self._leads:
             self._leads = arm.leads
-            self._feedback_ids.clear()  # what it said as a leader it may be told now
+            self._feedback_ids.clear()  # after a change of role it may receive what it sent before
         self._feedback_ids.update(frame.arbitration_id for frame in feedback)
         to_send, lost = link.to_bus(frames + feedback, arm.time_s, dt_s)
         self.lost += lost
@@ -128,7 +128,8 @@ class ArmLoop(ABC):
             try:
                 self.poll(min(periods * PERIOD_S, _LONGEST_CATCH_UP_S))
             except Exception:  # noqa: BLE001 - whatever it is: the loop goes on
-                # one that repeats is told once; an arm that says nothing any more would be worse
+                # The failure is logged once, and the loop goes on: an arm that falls silent would
+                # be worse.
                 if not self.failures:
                     _LOG.exception("the simulated arm has failed for a moment; it lives on")
                 self.failures += 1

@@ -76,7 +76,8 @@ class ArmProcess:
             self._close()
             raise
         finally:
-            frames_there.close()  # so that the process's end is the end of the line
+            # only the process holds its ends now: when it ends, the line closes
+            frames_there.close()
             hand_there.close()
 
     @property

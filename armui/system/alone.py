@@ -34,7 +34,7 @@ def alone_with(path: Path) -> Iterator[None]:
         except Timeout:
             raise
         except (OSError, NotImplementedError):
-            pass  # that nobody can be met there is said by whoever looks for others
+            pass  # without locks nobody can be met: whoever looks for other programs says so
         yield
 
 

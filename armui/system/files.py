@@ -46,7 +46,7 @@ def open_file(path: Path | str, mode: Mode = "rb") -> BinaryIO:
         NotAFileError: It is a folder, a pipe, a socket or a device.
         OSError: It cannot be opened.
     """
-    # the last word on what was opened is _opened's
+    # `_opened` checks what was really opened: the path may have changed meanwhile.
     opened: Any = open(path, mode, opener=_opened)  # noqa: SIM115 - handed on; the one place
     file: BinaryIO = opened
     return file

@@ -369,7 +369,8 @@ class FileThread(Executor):
         waiting, self._jobs, self._worker = self._jobs, SimpleQueue(), None
         for job in _taken_from(waiting):
             self._add(job)
-        waiting.put(None)  # it may have come back in this moment, and look for more
+        # The thread may have come back just now and wait at its old queue: None ends it.
+        waiting.put(None)
 
     def call(self, function: Callable[..., Any], *args: Any) -> Any:
         """Call a function in the process and wait for its result; only from this thread.

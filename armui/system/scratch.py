@@ -79,7 +79,7 @@ def make_folder(purpose: str) -> ScratchFolder:
     """
     path = Path(tempfile.mkdtemp(prefix=f"armui-{purpose}-{os.getpid()}-"))
     lock = FileLock(path / _LOCK, thread_local=False)
-    # a file system without locks: the number of the process has to do
+    # Where the file system has no locks, the process number in the name must tell who uses it.
     with contextlib.suppress(OSError, NotImplementedError, Timeout):
         lock.acquire(blocking=False)
     return ScratchFolder(path, lock)

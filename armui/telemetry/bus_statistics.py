@@ -324,7 +324,7 @@ class BusStatistics(Listener):
     def count_waiting(self, most: int = MOST_AT_ONCE) -> bool:
         """Count waiting frames, up to about `most`; return whether none is left."""
         if self._spoken is not self._codec:
-            # an identifier may be another sender's now
+            # With another codec an identifier may belong to another sender.
             self._spoken = self._codec
             self._heard.clear()
         taken = 0

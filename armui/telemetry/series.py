@@ -159,7 +159,8 @@ class Pyramid:
             side[block][np.asarray(rows)[:, np.newaxis], slots].astype(np.float64)
             for side in (level.lows, level.highs)
         )
-        there &= level.numbers[slots] == wanted  # written over meanwhile
+        # once more: the writer may have replaced them meanwhile
+        there &= level.numbers[slots] == wanted
         low[:, ~there] = np.nan
         high[:, ~there] = np.nan
         if ratio > 1:
@@ -366,7 +367,7 @@ class Series:
         numbers = np.floor(samples["time_s"] * _BASE_PER_S).astype(np.int64)
         complete = int(np.searchsorted(numbers, numbers[-1]))
         if complete == 0 and samples.size < self._capacity // 2:
-            return  # hundreds in one bucket: later
+            return  # all samples lie in one bucket: wait until it is complete
         complete = complete or samples.size
         samples, numbers = samples[:complete], numbers[:complete]
         numbers, low, high = self._extremes(samples, numbers)

@@ -202,7 +202,7 @@ class _Rods:
         start, end = self._starts[which], self._ends[which]
         apart = _apart(ends[:, 0], ends[:, 1], start, end)
         distances = np.sqrt(_dot(apart, apart))
-        # lines that cross are supported by nothing, which is true, too
+        # Lines that cross have no direction between them; zero for it is a valid support, too.
         apart /= np.where(distances > _SMALL_MM, distances, np.inf)[:, None]
         heights = np.maximum(_dot(apart, start), _dot(apart, end))
         radii_mm = self._radii_mm[which]

@@ -90,7 +90,7 @@ class LimitsRule:
     def outside(self, joints_deg: Array) -> Array:
         """Return (n, 12) by how much each joint is below and above its limits."""
         ends = np.stack((self._low - joints_deg, joints_deg - self._high), axis=2)
-        # what is no number is outside, too
+        # NaN counts as outside, so that an unknown angle never passes (S35).
         known: Array = np.nan_to_num(ends.reshape(len(joints_deg), -1), nan=np.inf)
         return known
 

@@ -264,7 +264,8 @@ _RULES: Final = (
         Action.CONNECT,
         joints_flagged(lambda view: [each is None for each in view.operating_state.enabled]),
     ),
-    # the steps out of drag teaching: near the rest pose, then a reset
+    # Drag teaching ends with a reset, which is offered only near the rest pose: elsewhere the arm
+    # is enabled, then led there by hand.
     _Rule(StepKind.DRAG_MODE_AT_REST, Level.WARNING, Action.RESET, when(near_rest)),
     _Rule(
         StepKind.DRAG_MODE_WITHOUT_POWER,

@@ -151,8 +151,7 @@ class _Joint:
         at_s, angle_deg = report.at_s, report.angle_deg
         before, self.last = self.last, (at_s, angle_deg)
         if before is None or not report.in_time:
-            # the first report, or one after a gap, proves nothing: the next one shows whether it
-            # stays
+            # the first report, or a late one, proves nothing: the next one shows whether it stays
             return
         place_deg = before[1]
         since_s = max(0.0, at_s - before[0])

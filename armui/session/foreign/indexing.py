@@ -346,7 +346,7 @@ def _order(
 
     generation = _generation(ids, flags, payloads, times_s)
     marks = marks_of(LogFrames(channels, rows), generation)
-    # a group that nothing is in is none
+    # An empty group begins where the next one does, and is left out.
     return tuple(dict.fromkeys(starts.tolist())), tuple(marks)
 
 

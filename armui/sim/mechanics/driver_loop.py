@@ -81,7 +81,7 @@ class DriverLoop:
         """
         before = self._setpoints.get(index)
         if before == setpoint:
-            return  # hosts repeat themselves at 200 Hz
+            return  # hosts repeat a target at 200 Hz: it is in force already
         if before is None:
             self._speeds_rad_s[index] = radians(speed_deg_s)
             self.torques_nm = {**self.torques_nm, index: 0.0}

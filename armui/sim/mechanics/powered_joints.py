@@ -97,7 +97,7 @@ class JointMotion:
         end_deg = tuple(targets_deg)
         asked = end_deg, tuple(speeds_deg_s), tuple(accelerations_deg_s2)
         if self.moving and asked == self._asked:
-            return  # hosts repeat themselves at 200 Hz
+            return  # hosts repeat a target at 200 Hz: it is in force already
         request = self._request(accelerations_deg_s2)
         request.target_position = list(end_deg)
         request.max_velocity = [max(speed, SLOWEST_DEG_S) for speed in speeds_deg_s]

@@ -137,7 +137,7 @@ class Bin:
         found: list[Deleted] = []
         for when, room in sorted(self._rooms(), reverse=True):
             by_name: dict[str, list[tuple[str, Path]]] = {}
-            # a trajectory goes before the draft of it, and a draft alone is one, too
+            # The file of a trajectory comes before its draft; a draft alone counts as a trajectory.
             for path in sorted(_files(room), key=lambda path: (is_draft(path), path.name)):
                 places = by_name.setdefault(name_inside(path), [])
                 places.append((path.relative_to(room).as_posix(), path))

@@ -757,7 +757,7 @@ class Library:
             if old is not None and not in_place:
                 old.path.unlink()
         if path != fitting and file_stem(content.name) != file_stem(str(replacing)):
-            # the file's own name follows; where it cannot, the one within it counts
+            # The file is renamed to fit; where that fails, the name inside the file counts.
             with contextlib.suppress(OSError):
                 path = path.rename(fitting)
         with on_disk(LIBRARY_UNREADABLE, str(self._folder)):

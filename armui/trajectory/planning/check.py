@@ -336,7 +336,7 @@ def _findings(
             findings += _broken(path, legs, carried, request, profile)
         findings = _tell_approach(findings, path)
     if any(each.cycle > 1 and each.severity is Severity.ERROR for each in findings):
-        # what ends a later cycle says why they do not repeat
+        # The error of a later cycle already says why the cycles do not repeat.
         findings = [each for each in findings if each.kind != NEVER_REPEATS]
     findings.sort(key=lambda each: (-1 if each.row is None else each.row, each.severity.value))
     return findings
@@ -389,7 +389,7 @@ def _carried_legs(
     if all(name is None for name in holds):
         yield now, legs
         return
-    # further cycles begin with what the last one ends with
+    # A further cycle begins with the object that the one before ended with.
     last = path.cycles[-1]
     again = [leg for leg in legs if path.cycles[leg.end] == last] if request.cycles != 1 else []
     found: dict[str | None, list[_Leg]] = {}
@@ -580,7 +580,7 @@ def _tool_too_fast(path: PlannedPath, free: Flags, arm: ArmModel) -> Iterator[Fi
     for index in _worst(fast, speeds, path):
         value = round(float(speeds[index]))
         found = _at(path, index, TOOL_TOO_FAST(value=value, maximum=round(most)))
-        # how fast a recording is approached is nothing that is recorded
+        # The speed of the approach is chosen by this program, not recorded.
         yield replace(found, approach=True) if index < slow_way else found
 
 

@@ -66,7 +66,8 @@ def estimate_s(
 def _lasting_s(points: tuple[Waypoint, ...], arm: ArmModel, speed_factor: float) -> float | None:
     """Return how long all points but the first take, dwells included; the arm stands at that."""
     begins = points[0]
-    if begins.move in {MoveMode.MOVE_L, MoveMode.MOVE_C}:  # a line from anywhere is none to it
+    # The arm stands at the first point already; a line to it, from anywhere, could not be planned.
+    if begins.move in {MoveMode.MOVE_L, MoveMode.MOVE_C}:
         begins = replace(begins, move=MoveMode.MOVE_P, middle=None)
     path = plan_path(
         Trajectory("", points=(begins, *points[1:])), arm, _ZEROS_DEG, speed_factor=speed_factor

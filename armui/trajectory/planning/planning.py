@@ -241,7 +241,7 @@ def single_pace(
         return None
     speed = float(move.speeds[0])
     turn_deg = float(move.angles_deg[0])
-    if arc is not None:  # there the hand turns unevenly
+    if arc is not None:  # on an arc the hand does not turn evenly: its fastest step counts
         turns = arc.poses(np.linspace(0.0, 1.0, _ARC_STEPS + 1))[:, :3, :3]
         between = np.einsum("nji,njk->nik", turns[:-1], turns[1:])
         cosines = (np.trace(between, axis1=1, axis2=2) - 1.0) / 2.0

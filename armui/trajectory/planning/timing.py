@@ -200,7 +200,8 @@ def _sampled(plan: Plan, arm: ArmModel, shares: Array, dwells_s: Array) -> _Samp
     expected_s, even_s = np.zeros(len(shares)), np.zeros(len(shares))
     expected_s[motions.rows] = motions.lasting_s + dwells_s
     even_s[motions.rows] = motions.even_s
-    times_s = np.maximum.accumulate(times_s + begins_s[which])  # against rounding
+    # rounding must not let time run backwards
+    times_s = np.maximum.accumulate(times_s + begins_s[which])
     return _Samples(times_s, joints, motions.rows[which], expected_s, even_s)
 
 

@@ -144,7 +144,7 @@ class SampleCursor:
     """
 
     def __init__(self, recording: Recording) -> None:
-        # a mapped array answers each look in Python; the plain one over the same bytes does not
+        # numpy.memmap handles each access in Python; a plain array over the same bytes does not.
         self._samples: Array = np.asarray(recording.samples)
         self._count = len(self._samples)
         self._start_s = float(self._samples[0, 0])
@@ -246,7 +246,7 @@ def replay_profile(recording: Recording) -> ReplayProfile:
     for index, angles_deg in enumerate(recording.joints_deg.T):
         speeds[:, index] = turning_speeds(times_s, angles_deg)
         astray[:, index] = astray_deg(times_s, angles_deg)
-    # the joints arrive together: what one of them is late the others are, too, a part of it
+    # The joints arrive together, so that a lag of one delays the others by a part of it.
     astray += _WITH_THE_WORST * astray.max(axis=1, keepdims=True)
     return ReplayProfile(
         speeds,
