@@ -131,6 +131,7 @@ ms a pressed stop would wait for the bus thread and for the simulated arm's.
 _CONNECTED_MS: Final = 5000
 _THREADS_BEGUN_MS: Final = 500
 _LOOK_AT_FILES_MS: Final = 1000
+"""Disks that hang, and settings changed by other programs, are noticed within this time."""
 
 _LATE_ROOMS: Final = (
     "arm",

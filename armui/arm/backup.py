@@ -57,6 +57,7 @@ BACKUP_TWICE = Reason(
 
 FORMAT: Final = "armui-parameters"
 VERSION: Final = 1
+"""The version of the file; others are refused."""
 SUFFIX: Final = ".json"
 
 _DECIMALS: Final = 6
@@ -67,6 +68,7 @@ _OF_EACH_JOINT: Final = frozenset(
 )
 
 _LONGEST_QUOTE: Final = 40
+"""A foreign text is quoted up to this length."""
 _LARGEST: Final = sys.float_info.max
 
 

@@ -39,6 +39,7 @@ _LEADER: Final = (0x151, 0x155, 0x156, 0x157, 0x159)
 _FORGOTTEN_S: Final = 2.0
 """A longer pause between frames of one identifier begins a new series."""
 _LEADER_RATE_HZ: Final = 20.0
+"""A leader arm sends its commands evenly and at least so often; another host need not."""
 _LOCKSTEP: Final = 3
 """The counts of a leader's identifiers may differ by this much: one cycle under way, frames lost.
 """

@@ -34,6 +34,7 @@ HEARD_S: Final = 0.5
 
 _BUS_OFF: Final = 0x040
 _RESTARTED: Final = 0x100
+"""The error classes «bus off» and «controller restarted» (linux/can/error.h)."""
 
 
 class BusState(enum.Enum):

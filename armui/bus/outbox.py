@@ -36,6 +36,7 @@ BLOCKED_S: Final = 0.5
 _PATIENCE_S: Final = 0.02
 """The time the caller of a stop waits for the frame in the driver, or for the sending thread."""
 _SEND_TIMEOUT_S: Final = 0.05
+"""The time a driver is given to take one frame; some ignore it (S3)."""
 
 
 class UnpassedMotionError(Exception):
@@ -220,6 +221,8 @@ class Outbox:
         with self._changed:
             port = self._port
             if port is not None:
+                # The stop is queued before anything is dropped, so that nothing can lose it (S3);
+                # one that waits already is not queued twice.
                 self._urgent.extend(frame for frame in frames if frame not in self._urgent)
             self._drop_waiting()
             if port is None:
@@ -295,6 +298,8 @@ class Outbox:
     def _drop_old(self, now_s: float) -> None:
         blocked = self._is_blocked(now_s)
         while self._batches and (
+            # A batch that has begun goes on while it can, so that the arm gets all of a command
+            # (S7).
             blocked if self._batches[0].begun else self._batches[0].is_late(now_s)
         ):
             self._dropped += len(self._batches.popleft().frames)

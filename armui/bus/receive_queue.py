@@ -22,11 +22,13 @@ _WANTED_BYTES: Final = 8 << 20
 
 _SO_RCVBUFFORCE: Final = 33
 _SO_MEMINFO: Final = 55
+"""Socket options of Linux that the module socket does not name."""
 _MEMINFO: Final = struct.Struct("=9I")
 _DROPS: Final = 8
 """The index of ``sk_drops`` in SO_MEMINFO (Linux, asm-generic/socket.h, linux/sock_diag.h)."""
 
 _CAN_ERR_CRTL: Final = 0x004
+"""The error class «controller problems» (linux/can/error.h)."""
 _RX_OVERFLOW: Final = 0x01
 """The overflow's bit in data byte 1 of a controller error frame (linux/can/error.h)."""
 

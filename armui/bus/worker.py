@@ -56,6 +56,7 @@ _PICTURE_S: Final = 0.005
 """The least time between two snapshots of the arm: the screen shows one every 16 ms."""
 
 _REOPEN_S: Final = 0.5
+"""A lost device is tried again after this time."""
 
 
 def is_own_echo(message: can.Message, interface: str) -> bool:

@@ -66,6 +66,7 @@ QUESTION_WITHDRAWN = Notice(
 
 
 _TICK_MS: Final = 33
+"""The feedback is taken in, and everything under way advanced, about 30 times a second."""
 _SENT_WITHIN_S: Final = 0.15
 _END_S: Final = 1.0
 """At the end of the program it waits this long for the device and for a search."""

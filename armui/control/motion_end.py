@@ -26,8 +26,10 @@ _ABORTS: Final = (bytes([0, 6, 0, 0, 0, 0, 0, 0]), bytes([0, 0, 6, 0, 0, 0, 0, 0
 """0x150 byte 1 = 6 and byte 2 = 6, 终止; written out because the codec may be the part that fails.
 """
 _MOTION_COMMAND: Final = 0x150
+"""The identifier of stop, resume and trajectory commands, without an offset."""
 _OPEN: Final = frozenset({LinkState.ONLINE, LinkState.OFFLINE})
 _REST_WITHIN_S: Final = 0.5
+"""The end of the program waits at most so long for the arm to rest."""
 _AGAIN_S: Final = 0.1
 _LOOK_S: Final = 0.02
 _OWED_S: Final = 10.0

@@ -33,6 +33,7 @@ if TYPE_CHECKING:
 # Which frames of a slice of a log must be looked at one by one when it is played fast.
 
 _IDS: Final = 0x800
+"""The number of standard identifiers: 11 bits."""
 _MEASURED: Final = frozenset(
     {f"JointFeedback{pair}" for pair in (12, 34, 56)}
     | {f"EndPose{part}" for part in (1, 2, 3)}

@@ -91,9 +91,11 @@ _MM: Final = "mm"
 _THERE: Final = 0.5
 """A gripper this close to its target, in mm or degrees, has arrived."""
 _STILL: Final = 0.05
+"""The gripper stands while its reported opening or angle changes by no more, mm or °."""
 _STANDS_S: Final = 0.6
 """A gripper that has not moved for this time has come to its end."""
 _GRIPS_NM: Final = 0.05
+"""A gripper short of its target with more torque than this holds something."""
 
 _STROKE: Final = Parameter("stroke_limit_mm")
 _OBEYS: Final = frozenset({ControlMode.STANDBY, ControlMode.CAN_CONTROL})

@@ -73,6 +73,7 @@ ZEROING_ENDED: Final = frozenset({ZERO_SET, ZERO_SET_JOINT, ZERO_FAILED})
 """After these notices angles may count from another zero: earlier positions no longer hold."""
 
 _AT_ZERO_DEG: Final = 0.5
+"""A joint reported this near to 0 has taken up its new zero."""
 _SAME_PLACE_DEG: Final = 0.5
 """A joint that has moved less than this since the press still stands where it was put."""
 _LONGEST_S: Final = 0.3

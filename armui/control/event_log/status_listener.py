@@ -27,6 +27,7 @@ RATE: Final = "rate"
 RATE_SPAN_S: Final = 2.0
 """The time over which the frames are counted."""
 _MOST_WAITING: Final = 5_000
+"""More changes than these push out the oldest, so that memory stays bounded."""
 
 DRIVERS: Final[Mapping[str, int]] = {f"DriverSlow{joint}": joint for joint in JOINTS}
 DRIVER_FLAGS: Final = (

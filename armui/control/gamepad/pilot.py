@@ -43,6 +43,7 @@ GAMEPAD_NOT_IN_FRONT = Reason(
 
 
 _TICK_MS: Final = 10
+"""The device is read, and its jog steered, a hundred times a second."""
 SILENT_S: Final = 0.08
 """Readings of devices older than this are not used."""
 

@@ -25,7 +25,9 @@ _LEADER_WAIT_S: Final = 2.0
 _FAST_PER_S: Final = 1500.0
 """A rate between that of generation 1 (some 700 frames/s) and generation 2 (some 3,000)."""
 _ASK_AGAIN_S: Final = 0.2
+"""Limits that were not answered are asked for again after this time."""
 _LIMIT_ROUNDS: Final = 5
+"""The limits are asked for so often at most; then the handshake ends without them."""
 _PAUSE_ROUNDS: Final = 2
 """The number of identity questions after each pause in which another arm may have come."""
 

@@ -25,6 +25,7 @@ JOG_SINGULAR = Reason(
 
 
 _TRIES: Final = 3
+"""So often a step is shortened until it keeps the speed and the lead over the arm."""
 _LEAST_SHARE: Final = 0.05
 """The pose is singular if a joint would have to turn over twenty times its jog speed."""
 _STRETCHES: Final = (2, 3)
@@ -33,6 +34,7 @@ _SMALL_DEG: Final = 1e-9
 _CLOSE: Final = 1e-9
 """A path is at its end with less than this left, in mm or degrees."""
 _STALLED_S: Final = 0.5
+"""A jog whose arm has not followed for this time ends."""
 
 
 class JogStream:

@@ -23,6 +23,7 @@ RUN_ELSEWHERE = Reason(
 JOINT_TOLERANCE_DEG: Final = 0.1
 PLACE_TOLERANCE_MM: Final = 0.5
 TURN_TOLERANCE_DEG: Final = 0.3
+"""A point is reached when every joint is this near to it, or the flange in place and turn."""
 
 _TAKEN_IN_S: Final = 0.1
 """Feedback sooner than this after a point was sent may still be about the last point."""

@@ -58,10 +58,14 @@ PERIOD_MS: Final = 20
 """The period of the targets, 50 a second; the arm plans anew at each."""
 
 _APPROACH_PERCENT: Final = 15
+"""The speed of the way to the first sample, unless the arm must come inside its limits first."""
 _FULL_PERCENT: Final = 100
+"""The speed sent with the samples: the pace is set by when they are sent."""
 _APPROACH_WITHIN_S: Final = 90.0
+"""An approach that takes longer fails; time counts at the share of the override."""
 _REST_WITHIN_S: Final = 3.0
 _GRIPPER_STEP_MM: Final = 0.5
+"""The gripper gets a new target only when the recorded opening has changed by this much."""
 _GRIPPER_TORQUE_NM: Final = 1.0
 _GAP_S: Final = 0.08
 """After a longer pause of the program the recorded time goes on by one period only, so that the arm

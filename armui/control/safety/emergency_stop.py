@@ -12,7 +12,9 @@ from armui.protocol.codes import ArmStatusCode
 from armui.protocol.frame import Frame
 
 _REPEAT_S: Final = 0.1
+"""A stop is sent again after this time until the arm confirms it."""
 _UNCONFIRMED_S: Final = 0.5
+"""A stop not confirmed after this time is told the operator."""
 _BY_ITSELF_S: Final = 10.0
 """A stop older than this goes to an arm that was away only if the operator asks again."""
 _AWAY_S: Final = 1.0
@@ -84,6 +86,8 @@ class EmergencyStop:
         if state.status is not None and state.status.at_s > stop.since_s and is_stopped(state):
             self._stop = None
             return True
+        # An arm that was away may be another one, or switched on again: for it the stop goes on by
+        # itself for ten seconds only, then the operator is asked (S5).
         if now_s - stop.asked_s > _BY_ITSELF_S and now_s - stop.reached_s > _AWAY_S:
             stop.lapsed = True
         if online:

@@ -59,6 +59,7 @@ CHECKING = Notice("checking", "Checking the way…", Level.INFO, EventKind.COMMA
 _WITHIN_S: Final = 0.95
 """What could not be sent within this time of its press is dropped: a second, less a tick (S14)."""
 _SAID_AFTER_S: Final = 0.05
+"""A motion that waits for its check for longer than this is told the operator."""
 _SAME_DEG: Final = 0.2
 """A check counts for an arm measured this near to where the checked way begins."""
 _AT_ONCE: Final = 400.0
@@ -310,6 +311,8 @@ class Gate(ControllerPart):
         if way is None:
             return self._brake_first(request, measured_deg, motion)
         rules = self.rules()
+        # Only a short check is made here, in the thread of the window; a longer one gets a thread
+        # of its own and an answer that counts for a second (S35).
         if rules is None or _is_short(way, rules):
             passed = self.ask(way)
             if not isinstance(passed, Refusal):
@@ -424,6 +427,7 @@ class Gate(ControllerPart):
         """Go on with what waits; return why it is refused, or ``None``."""
         context, request = self._context, pending.request
         now_s = context.clock()
+        # Another command, a stop or a cancel has come since the press: what waited is void (S10).
         if context.authority.revision != pending.revision:
             self._drop(Ending.CUT_OFF)
             return None
@@ -464,6 +468,7 @@ class Gate(ControllerPart):
         if measured_deg is None:
             return JOINTS_UNKNOWN()
         away_deg = max(abs(a - b) for a, b in zip(measured_deg, judged.begin_deg, strict=True))
+        # The answer counts only for the rules and the place that were checked (S35).
         if self.rules() is not pending.rules or away_deg > _SAME_DEG:
             return BEGAN_ELSEWHERE()
         return self._send(pending.request, self._let_through(judged, way))

@@ -53,9 +53,11 @@ FRAME_RESUMES = Reason(
 )
 
 _MODE_ID: Final = 0x151
+"""The mode word, without an offset."""
 _CPV_IDS: Final = range(0x181, 0x188)
 _UPGRADE: Final = (range(0x0A0, 0x0C0), range(0x4A0, 0x4D0))
 _HIGHEST: Final = 0x7FF
+"""The highest standard identifier: 11 bits."""
 _BYTES: Final = 8
 _LIMP_MODES: Final = frozenset({0x04, 0x05, 0x06})
 """MOVE M, MOVE CPV, and MOVE M from firmware S-V1.8-8 on."""

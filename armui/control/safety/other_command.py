@@ -46,10 +46,12 @@ LEADER_ARM = Reason(
 _GONE_AFTER_S: Final = 2.0
 """Another host counts as moving the arm until this long after its last motion frame."""
 _TAKE_OVER_AFTER_S: Final = 0.5
+"""The operator may take over this long after the other host's last motion frame (S13)."""
 _TAKEN_IN_S: Final = 0.3
 """A status this much later than a mode word was reported after it."""
 _MODE_BYTE: Final = 1
 _MIT_BYTE: Final = 3
+"""The bytes of the mode word 0x151 with the move mode and with MIT."""
 _LEAVING_S: Final = 0.5
 """The arm may still report the mode it leaves this long after our own mode word."""
 

@@ -36,6 +36,7 @@ TOOL_TURNS_TOO_FAST = Reason(
 
 
 _TOO_FAST: Final = 1.5
+"""A measured speed of more than so many times what the window shows ends the motion (S12)."""
 _SLACK_DEG_S: Final = 2.0
 """The speed that the last digit's noise and the bus's jitter can feign."""
 _SLACK_MM_S: Final = 3.0
@@ -45,6 +46,7 @@ _UNKNOWN_RAMP_S: Final = 1.0
 _TAKEN_UP_S: Final = 0.2
 """A new percentage shows in the measured speed after this time."""
 _FOR_S: Final = 0.1
+"""The time that speeds are measured over (S12)."""
 _HALF_S: Final = 0.05
 _BRAKING: Final = 0.95
 """A joint whose speed falls to this share within 0.05 s is braking to its new speed."""

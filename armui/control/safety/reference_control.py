@@ -100,6 +100,7 @@ REFERENCE_OFF = Notice(
 ALLOWED_S: Final = 60.0
 """Motions may begin for this long after the operator has agreed; one under way goes on."""
 _DRIVE_PERCENT: Final = 5
+"""The speed at which a joint is driven to its mark while another one is in doubt."""
 _STALLED_S: Final = 0.5
 """After a longer time without a look at the arm nothing is concluded, as after a silence."""
 

@@ -30,6 +30,7 @@ _REST_S: Final = 0.5
 _WINDOW_S: Final = 0.3
 """The time over which the speed is measured."""
 _SHORTEST_S: Final = 0.05
+"""A speed is not computed over a shorter time: noise would outweigh the motion."""
 _JUMP_DEG: Final = 2.0
 _JUMP_DEG_S: Final = 400.0
 """No joint turns that fast: the angles are counted from another zero, and nothing has moved."""
@@ -37,6 +38,8 @@ _BY_WEIGHT: Final = frozenset({Unheld.STOPPED, Unheld.MOTORS_OFF, Unheld.NOT_TOL
 """Where a way down is the arm's weight: elsewhere a motor or a hand may have led it."""
 _SOON_S: Final = 10.0
 _LATER_S: Final = 60.0
+"""A silence is told in steps of 1 s up to the first of these times, of 5 s up to the second, then
+of 60 s."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -159,6 +159,8 @@ class Stopping:
         self._asked_of = connection.device
         self._halted_s = None
         frames = self._on_every_offset(commands.emergency_stop(connection.codec))
+        # The stop is handed over first, so that no part of the program that fails can hold it up
+        # (S3).
         on_the_bus = self.emergency_stop.request(frames, self._clock())
         self._end_all()
         notice = STOP_SENT if on_the_bus else STOP_NOT_SENT
@@ -198,6 +200,7 @@ class Stopping:
         self._was_unconfirmed, self._was_lapsed = unconfirmed, emergency_stop.lapsed
         if self._watch.undone(state, now_s, resuming=resuming):
             self._tell(STOP_UNDONE)
+            # That another host undid the stop is always told; stopping again is a setting (S27).
             if self.stop_again:
                 self.stop()
         self._follow_halt(state, now_s, still=still)
@@ -248,6 +251,7 @@ class Stopping:
             self._tell(REFUSED, reason=refusal)
             return refusal
         frames = self._on_every_offset(ending_frames(self._connection))
+        # The frames go first: what the parts end below must not hold the halt up (S26).
         out = self._connection.send_urgent(frames)
         end_driven()
         self._halted_s = self._clock()
