@@ -24,6 +24,10 @@ ON_THE_FLOOR: Final[tuple[float, ...]] = (
     *(0.0, 0.0, 1.0, 0.0),
 )
 """The placement of a base that stands upright on the floor."""
+_SAME_ANGLE_DEG: Final = 0.005
+"""A smaller difference moves nothing by a pixel: an arm at rest whose last digit changes is not
+drawn again.
+"""
 
 
 class ViewDirection(enum.Enum):
@@ -139,12 +143,6 @@ _DIRECTIONS_DEG: Final = {
 }
 """Azimuth and elevation of each direction: from +X towards the arm, from its right, from above and
 from below with X to the right.
-"""
-
-
-_SAME_ANGLE_DEG: Final = 0.005
-"""A smaller difference moves nothing by a pixel: an arm at rest whose last digit changes is not
-drawn again.
 """
 
 

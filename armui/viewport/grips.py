@@ -43,6 +43,14 @@ EDGE_ON: Final = 0.13
 turned then, for the same reason. A joint's arc can, see :class:`GripDrag`.
 """
 _ARROW_SHARE: Final = 0.09
+_SAME_PX: Final = 3.0
+"""The distance at which the near and the far side of an arc, seen from its edge, coincide."""
+_ROUND_DEG: Final = 60.0
+"""Up to this angle from the side that faces the eye the pointer stays on the grabbed point; beyond,
+a pixel would mean more and more degrees, so the rest of a turn keeps the ratio of that place.
+"""
+_ROUND: Final = math.sin(math.radians(_ROUND_DEG))
+_BEYOND: Final = 1.0 / math.cos(math.radians(_ROUND_DEG))
 
 
 class GripKind(enum.Enum):
@@ -196,16 +204,6 @@ def _arc(
         plus(origin, turned(rotation(axis, math.radians(angle)), pointer), radius)
         for angle in angles
     )
-
-
-_SAME_PX: Final = 3.0
-"""The distance at which the near and the far side of an arc, seen from its edge, coincide."""
-_ROUND_DEG: Final = 60.0
-"""Up to this angle from the side that faces the eye the pointer stays on the grabbed point; beyond,
-a pixel would mean more and more degrees, so the rest of a turn keeps the ratio of that place.
-"""
-_ROUND: Final = math.sin(math.radians(_ROUND_DEG))
-_BEYOND: Final = 1.0 / math.cos(math.radians(_ROUND_DEG))
 
 
 class GripDrag:

@@ -31,6 +31,11 @@ _MARGIN_PX = 12.0
 _PADDING_PX = 10.0
 _GAP_PX = 18.0
 _BACKDROP_OPACITY = 0.88
+FADED_OPACITY: Final = 0.35
+"""The opacity of a picture that is not current."""
+_PLATE_MARGIN_PX: Final = 24
+_PLATE_PADDING_PX: Final = 10
+_PLATE_OPACITY: Final = 0.85
 
 
 @dataclass(frozen=True, slots=True)
@@ -219,14 +224,6 @@ class Hud:
                 baseline += line_px
             left += self._column_px + _GAP_PX
         painter.end()
-
-
-FADED_OPACITY: Final = 0.35
-"""The opacity of a picture that is not current."""
-
-_PLATE_MARGIN_PX: Final = 24
-_PLATE_PADDING_PX: Final = 10
-_PLATE_OPACITY: Final = 0.85
 
 
 def lost_text(lost: Lost) -> str:

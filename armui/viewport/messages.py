@@ -35,6 +35,7 @@ URDF_MISSING = Reason(
     "Robot description: the file {path} is not there. Choose another file, or use the "
     "built-in one.",
 )
+BYTES_PER_PIXEL: Final = 4
 
 
 class SceneError(Exception):
@@ -51,9 +52,6 @@ class SceneError(Exception):
     def __init__(self, code: Reason, **params: float | int | str) -> None:
         self.refusal = Refusal(code, params)
         super().__init__(str(self.refusal))
-
-
-BYTES_PER_PIXEL: Final = 4
 
 
 class PicturePhase(enum.Enum):

@@ -25,6 +25,9 @@ _CELL_PX: Final = (34.0, 20.0)
 """The size of a cell that holds one number at most: closer ones are not readable."""
 _MOST: Final = 120
 _NEAR_PX: Final = 13.0
+_SIGN_PX: Final = 10.0
+_TAG_OFFSET_PX: Final = (8.0, 6.0)
+_SMALLER: Final = 0.85
 
 
 @dataclass(frozen=True, slots=True)
@@ -163,11 +166,6 @@ def _pixels(places_m: NDArray[np.float64], projection: Projection) -> NDArray[np
         across = projection.width_px / 2.0 + relative @ right * scales
         down = projection.height_px / 2.0 - relative @ up * scales
     return np.column_stack((across, down))
-
-
-_SIGN_PX: Final = 10.0
-_TAG_OFFSET_PX: Final = (8.0, 6.0)
-_SMALLER: Final = 0.85
 
 
 class PathOverlay:

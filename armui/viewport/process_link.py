@@ -58,6 +58,26 @@ URDF_ENDS_VIEW = Reason(
     "aside; choose another one.",
 )
 
+_LOG = logging.getLogger(__name__)
+
+A = TypeVar("A", Ready, Drawn)
+T = TypeVar("T")
+
+ENTRY: Final = "armui.viewport.process.main:run"
+"""The module and function that the process runs, by name, so that the program does not load it."""
+_END_LIMIT_S: Final = 1.0
+_SMALL_BYTES: Final = 8_000
+"""A shorter message fits into the pipe, which holds 8,192 bytes on Windows and far more elsewhere,
+so that sending it never blocks.
+"""
+_TAKEN_LIMIT_S: Final = 5.0
+MOST_UNUSED: Final = 1
+"""The most results that may be unused when the next item is taken."""
+_REST_S: Final = 0.15
+"""The picture is at rest when nothing has changed for this long."""
+_JOIN_LIMIT_S: Final = 3.0
+_WITH_A_NEW_ROBOT: Final = frozenset({PicturePhase.LOADING, PicturePhase.FIRST_DRAWING})
+
 
 @dataclass(frozen=True, slots=True)
 class RenderRequest:
@@ -105,15 +125,6 @@ class Lost:
 
     refusal: Refusal
     comes_back: bool
-
-
-_END_LIMIT_S: Final = 1.0
-_SMALL_BYTES: Final = 8_000
-"""A shorter message fits into the pipe, which holds 8,192 bytes on Windows and far more elsewhere,
-so that sending it never blocks.
-"""
-
-_TAKEN_LIMIT_S: Final = 5.0
 
 
 def run_entry(entry: str, connection: Connection) -> None:
@@ -220,23 +231,12 @@ def _describe(exit_code: int | None) -> str:
     return f"0x{exit_code & 0xFFFFFFFF:X}" if exit_code > 255 else str(exit_code)
 
 
-_LOG = logging.getLogger(__name__)
-
-A = TypeVar("A", Ready, Drawn)
-
-
 class ProcessLostError(Exception):
     """The process cannot be used any more."""
 
     def __init__(self, refusal: Refusal) -> None:
         self.refusal = refusal
         super().__init__(str(refusal))
-
-
-T = TypeVar("T")
-
-MOST_UNUSED: Final = 1
-"""The most results that may be unused when the next item is taken."""
 
 
 class Mailbox(Generic[T]):
@@ -480,7 +480,12 @@ class RenderSession:
         return replace(state, pick=fresh(state.pick), mark_pick=fresh(state.mark_pick))
 
     def _await(self, kind: type[A]) -> A:
-        """Return the next answer of a kind; what comes before it is told, or noted."""
+        """Return the next answer of a kind; handle the messages before it.
+
+        Raises:
+            ProcessLostError: the process is silent, makes no progress, or says that it can't go on.
+            OSError, EOFError: it has ended.
+        """
         since_s = time.monotonic()
         while True:
             message = self._child.receive(LIMITS[self.phase].silent_s)
@@ -489,32 +494,42 @@ class RenderSession:
             if isinstance(message, kind):
                 return message
             if isinstance(message, PictureBusy):
-                if message.phase is not self.phase:
-                    self.phase, since_s = message.phase, time.monotonic()
-                if is_stuck(message, time.monotonic() - since_s):
-                    raise ProcessLostError(PICTURE_PROCESS_HUNG())
-            elif isinstance(message, RobotRead):
-                self._keep(message.content)
-            elif isinstance(message, Failed):
-                _LOG.error("The 3D view stopped\n%s", message.traceback)
-                raise ProcessLostError(message.refusal)
+                since_s = self._check_progress(message, since_s)
             else:
-                self._forward(message)
+                self._handle(message)
 
-    def _forward(self, message: Answer) -> None:
+    def _check_progress(self, busy: PictureBusy, since_s: float) -> float:
+        """Note the phase of a process that works, and return when that phase began.
+
+        Args:
+            busy: Its sign of life.
+            since_s: When the phase before began, or the wait, by the monotonic clock.
+
+        Raises:
+            ProcessLostError: it has been in this phase for too long.
+        """
+        if busy.phase is not self.phase:
+            # each phase has limits of its own: loading meshes may take longer than drawing
+            self.phase, since_s = busy.phase, time.monotonic()
+        if is_stuck(busy, time.monotonic() - since_s):
+            raise ProcessLostError(PICTURE_PROCESS_HUNG())
+        return since_s
+
+    def _handle(self, message: Answer) -> None:
+        """Keep the robot that was read, or report a failure; pass other messages on.
+
+        Raises:
+            ProcessLostError: the process says that it can't go on.
+        """
+        if isinstance(message, RobotRead):
+            self._keep(message.content)
+            return
+        if isinstance(message, Failed):
+            _LOG.error("The 3D view stopped\n%s", message.traceback)
+            raise ProcessLostError(message.refusal)
         if isinstance(message, LoadFailed):
             self.failed_robot = self.robot
         self._tell(message)
-
-
-ENTRY: Final = "armui.viewport.process.main:run"
-"""The module and function that the process runs, by name, so that the program does not load it."""
-
-_REST_S: Final = 0.15
-"""The picture is at rest when nothing has changed for this long."""
-
-_JOIN_LIMIT_S: Final = 3.0
-_WITH_A_NEW_ROBOT: Final = frozenset({PicturePhase.LOADING, PicturePhase.FIRST_DRAWING})
 
 
 class ProcessLink:

@@ -17,6 +17,8 @@ Rows = tuple[float, ...]
 """The upper three rows of a 4×4 transform, twelve figures; lengths in metres."""
 
 IDENTITY: Final[Rows] = (1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0)
+_SHORT_M: Final = 0.02
+_SQUARE: Final = 0.5
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,10 +111,6 @@ class RobotShape:
             if math.dist(square, (0.0, 0.0, 0.0)) > _SQUARE:
                 return unit(square)
         return unit(without_part_along(turned(rows, (0.0, 0.0, 1.0)), axis))
-
-
-_SHORT_M: Final = 0.02
-_SQUARE: Final = 0.5
 
 
 def _value(

@@ -24,6 +24,13 @@ if TYPE_CHECKING:
     from armui.viewport.projection import Projection
     from armui.viewport.strokes import Stroke
 
+_FILL_OPACITY: Final = 0.14
+_HALO_OPACITY: Final = 0.7
+_HALO_PX: Final = 2.0
+_LABEL_GAP_PX: Final = 4.0
+_RIM_PX: Final = 80.0
+"""The largest distance of a label from its line."""
+
 
 class KeptLayer:
     """Caches an image of the last drawing."""
@@ -67,14 +74,6 @@ class KeptLayer:
                 own.end()
         if self._image is not None:
             painter.drawPixmap(self._place, self._image)
-
-
-_FILL_OPACITY: Final = 0.14
-_HALO_OPACITY: Final = 0.7
-_HALO_PX: Final = 2.0
-_LABEL_GAP_PX: Final = 4.0
-_RIM_PX: Final = 80.0
-"""The largest distance of a label from its line."""
 
 
 class StrokePainter:

@@ -35,6 +35,10 @@ _FOLLOWED_AT_M: Final = 0.75
 
 _TRIED: Final = 8
 """The steps in the range of a joint in which its reach is computed."""
+_LETTERS: Final = ((0.19, 0.0, 0.0), (0.0, 0.19, 0.0))
+"""Behind the letters X and Y of the base, in metres; Z is within the arm."""
+_SLACK_PX: Final = 10.0
+"""The arm may come this far into the margin before the camera moves back."""
 
 
 class ViewMode(enum.Enum):
@@ -273,9 +277,3 @@ def _reached(shape: RobotShape, reach: Reach) -> Iterator[Vector]:
             shoulder[1] + out_m * math.sin(math.radians(turn)),
             shoulder[2] + furthest_m * math.sin(math.radians(height)),
         )
-
-
-_LETTERS: Final = ((0.19, 0.0, 0.0), (0.0, 0.19, 0.0))
-"""Behind the letters X and Y of the base, in metres; Z is within the arm."""
-_SLACK_PX: Final = 10.0
-"""The arm may come this far into the margin before the camera moves back."""

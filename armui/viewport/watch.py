@@ -8,6 +8,22 @@ from typing import Final
 
 from armui.viewport.messages import PictureBusy, PicturePhase
 
+_WAITS_SHARE: Final = 0.05
+"""A process that uses less of a free processor waits for something that does not come."""
+_LATE_S: Final = 0.03
+"""A process that wakes up this late shares the processor with others: it is slow, not stuck."""
+_STARVED_SHARE: Final = 0.005
+_STARVED_FACTOR: Final = 3.0
+"""After this factor of its limit even a starved process has used more than that share of the time.
+"""
+_SPINS_FACTOR: Final = 2.0
+_LONGEST_FACTOR: Final = 20.0
+LONGEST_S: Final = 0.25
+"""An older picture gets a notice."""
+_CLEAR_S: Final = 0.15
+"""A picture with the notice loses it when it is no older than this, which avoids flicker."""
+_REMEMBERED: Final = 256
+
 
 @dataclass(frozen=True, slots=True)
 class Limits:
@@ -30,19 +46,6 @@ LIMITS: Final = {
     PicturePhase.DRAWING: Limits(5.0, 1.0),
 }
 """A silent process may be starved by others: it is given longer than one that tells its turns."""
-_WAITS_SHARE: Final = 0.05
-"""A process that uses less of a free processor waits for something that does not come."""
-
-_LATE_S: Final = 0.03
-"""A process that wakes up this late shares the processor with others: it is slow, not stuck."""
-
-_STARVED_SHARE: Final = 0.005
-_STARVED_FACTOR: Final = 3.0
-"""After this factor of its limit even a starved process has used more than that share of the time.
-"""
-
-_SPINS_FACTOR: Final = 2.0
-_LONGEST_FACTOR: Final = 20.0
 
 
 def is_stuck(busy: PictureBusy, busy_for_s: float) -> bool:
@@ -77,15 +80,6 @@ class Restarts:
         """Count a loss, and return whether to restart automatically."""
         self._lost_s.append(now_s)
         return len(self._lost_s) < self.MOST or now_s - self._lost_s[0] > self.WITHIN_S
-
-
-LONGEST_S: Final = 0.25
-"""An older picture gets a notice."""
-
-_CLEAR_S: Final = 0.15
-"""A picture with the notice loses it when it is no older than this, which avoids flicker."""
-
-_REMEMBERED: Final = 256
 
 
 class PictureAge:

@@ -51,6 +51,8 @@ _NICER_BY: Final = 5
 
 _FIRST_TO_GO: Final = b"800"
 _PR_SET_PDEATHSIG: Final = 1
+_BEAT_S: Final = 0.2
+_MOST_KEPT_BYTES: Final = 64_000_000
 
 
 def configure_process() -> None:
@@ -89,9 +91,6 @@ def _end_with_the_program() -> None:
     if program is not None:
         program.join()
         os._exit(1)
-
-
-_BEAT_S: Final = 0.2
 
 
 class Heartbeat:
@@ -156,9 +155,6 @@ class Heartbeat:
 
     def _tell(self, phase: PicturePhase) -> None:
         self.send(PictureBusy(phase, time.process_time() - self._cpu_began_s, self._late_s))
-
-
-_MOST_KEPT_BYTES: Final = 64_000_000
 
 
 def run(connection: Connection) -> None:

@@ -27,6 +27,27 @@ _LOG = logging.getLogger(__name__)
 _OUTER_OPACITY: Final = 0.10
 _INNER_OPACITY: Final = 0.30
 _FLOOR_OPACITY: Final = 0.6
+Array = NDArray[np.float64]
+Shares = NDArray[np.float32]
+VOXEL_M: Final = 0.02
+_STEP_M: Final = 0.016
+"""The distance between the places tried for joints 3 to 6."""
+_CELL_M: Final = 0.014
+_ROUND_SHOULDER: Final = 240
+_ROUND_BASE: Final = 120
+"""The number of cells around the axes of joints 2 and 1."""
+_SHARES: Final = (0.2, 0.5, 0.8)
+_LONGEST_M: Final = 4.0
+"""The longest arm from base to tool: the voxels grow with the third power."""
+_POINT_M: Final = 0.001
+"""A turn that moves a point by less than this is neglected."""
+_HALF: Final = 0.5
+_LEFT_OUT: Final = 0.88
+"""The share of the triangles removed: the border is smooth, and drawn in every picture."""
+_DIRECTIONS: Final = 400
+_DEEP_M: Final = 0.09
+"""A border this far within the reach belongs to an inner region."""
+_SMOOTHINGS: Final = 20
 
 
 class ReachActor:
@@ -112,23 +133,6 @@ class _Job:
         except Exception:  # noqa: BLE001 - whatever it is, the picture goes on without its reach
             # for one, all axes of a foreign arm may lie in one plane
             _LOG.exception("The reach of the robot cannot be worked out")
-
-
-Array = NDArray[np.float64]
-Shares = NDArray[np.float32]
-
-VOXEL_M: Final = 0.02
-_STEP_M: Final = 0.016
-"""The distance between the places tried for joints 3 to 6."""
-_CELL_M: Final = 0.014
-_ROUND_SHOULDER: Final = 240
-_ROUND_BASE: Final = 120
-"""The number of cells around the axes of joints 2 and 1."""
-_SHARES: Final = (0.2, 0.5, 0.8)
-_LONGEST_M: Final = 4.0
-"""The longest arm from base to tool: the voxels grow with the third power."""
-_POINT_M: Final = 0.001
-"""A turn that moves a point by less than this is neglected."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -344,15 +348,6 @@ def _softened(shares: Shares, round_axis: int | None = None) -> Shares:
             after = shares.take(np.minimum(np.arange(count) + 1, count - 1), axis)
         shares = 0.25 * before + 0.5 * shares + 0.25 * after
     return shares.astype(np.float32)
-
-
-_HALF: Final = 0.5
-_LEFT_OUT: Final = 0.88
-"""The share of the triangles removed: the border is smooth, and drawn in every picture."""
-_DIRECTIONS: Final = 400
-_DEEP_M: Final = 0.09
-"""A border this far within the reach belongs to an inner region."""
-_SMOOTHINGS: Final = 20
 
 
 @dataclass(frozen=True, slots=True)

@@ -31,6 +31,12 @@ Rgb = tuple[float, float, float]
 
 ARM_JOINT_COUNT = 6
 HINGES = frozenset({"revolute", "continuous"})
+_WAYS: Final = np.array(
+    [way for way in itertools.product((-1.0, 0.0, 1.0), repeat=3) if any(way)], dtype=np.float64
+)
+"""The 26 directions in which the outermost point of a link is searched."""
+_WIDE_M: Final = 1.0
+"""More than any gripper opens, so that a finger is at its end."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -190,12 +196,6 @@ def rotation_about(axis: NDArray[np.float64], angle_rad: float) -> Matrix:
     )
 
 
-_WAYS: Final = np.array(
-    [way for way in itertools.product((-1.0, 0.0, 1.0), repeat=3) if any(way)], dtype=np.float64
-)
-"""The 26 directions in which the outermost point of a link is searched."""
-
-
 def shape_of(robot: Robot) -> RobotShape:
     """Return the shape of a robot, without its surfaces."""
     names = [robot.root, *(joint.child for joint in robot.joints)]
@@ -223,10 +223,6 @@ def _joint(
         if mimic is None or mimic.leader not in by_name
         else (by_name[mimic.leader], mimic.multiplier, mimic.offset),
     )
-
-
-_WIDE_M: Final = 1.0
-"""More than any gripper opens, so that a finger is at its end."""
 
 
 def _rows(matrix: Matrix) -> tuple[float, ...]:

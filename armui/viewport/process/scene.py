@@ -53,6 +53,20 @@ _FLOOR_STEP_M = 0.1
 _AXIS_LENGTH_M = 0.15
 _LETTER_HEIGHT_M = 0.022
 _AXES = (("X", (1.0, 0.0, 0.0)), ("Y", (0.0, 1.0, 0.0)), ("Z", (0.0, 0.0, 1.0)))
+_PLAIN: Rgb = (0.80, 0.82, 0.85)
+_FADED_SHARE = 0.6
+_HIGHLIGHT_SHARE = 0.55
+_GHOST_OPACITY = 0.3
+_SAME = 1e-3
+"""Poses that differ by less, in metres and in the elements of their rotation, are equal."""
+_MM = 0.001
+_DRIVEN_PX, _COMMANDED_PX = 7.0, 2.0
+_OLDEST_SHARE = 0.12
+"""The share of its colour at the oldest place; the rest is the background's."""
+_FAR_BEHIND_FOCUS_M = 5.0
+_FAR_BEFORE_FOCUS_M = 3.0
+"""Without perspective nothing is too near to be seen, at any scale."""
+_ZERO_DEG = (0.0,) * 6
 
 
 class Stage:
@@ -136,14 +150,6 @@ class Stage:
             light.SetIntensity(intensity)
             light.SetPosition(position)
             self._renderer.AddLight(light)
-
-
-_PLAIN: Rgb = (0.80, 0.82, 0.85)
-_FADED_SHARE = 0.6
-_HIGHLIGHT_SHARE = 0.55
-_GHOST_OPACITY = 0.3
-_SAME = 1e-3
-"""Poses that differ by less, in metres and in the elements of their rotation, are equal."""
 
 
 class RobotActors:
@@ -231,12 +237,6 @@ class RobotActors:
         return None
 
 
-_MM = 0.001
-_DRIVEN_PX, _COMMANDED_PX = 7.0, 2.0
-_OLDEST_SHARE = 0.12
-"""The share of its colour at the oldest place; the rest is the background's."""
-
-
 class TrailActors:
     """The lines of a trail in a renderer."""
 
@@ -292,12 +292,6 @@ def _fading(count: int, color: str, ground: str) -> np.ndarray:
     shares = np.linspace(_OLDEST_SHARE, 1.0, count)[:, np.newaxis]
     far, own = np.asarray(rgb(ground)), np.asarray(rgb(color))
     return np.round((far * (1.0 - shares) + own * shares) * 255.0).astype(np.uint8)
-
-
-_FAR_BEHIND_FOCUS_M = 5.0
-_FAR_BEFORE_FOCUS_M = 3.0
-"""Without perspective nothing is too near to be seen, at any scale."""
-_ZERO_DEG = (0.0,) * 6
 
 
 class Scene:

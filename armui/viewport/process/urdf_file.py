@@ -182,29 +182,52 @@ def _joint_count(path: Path, found: int) -> SceneError:
 
 
 def _tree(path: Path, description: yourdfpy.Robot) -> tuple[str, tuple[Joint, ...]]:
-    """Name of the link everything stands on, and the joints, parents before children."""
+    """Return the name of the link everything stands on, and the joints, parents before children.
+
+    Raises:
+        SceneError: there is no link, the links are no single tree, or a joint is wrong.
+    """
     links = Counter(link.name for link in description.links)
     if not links:
         raise _joint_count(path, 0)
     children = Counter(joint.child for joint in description.joints)
-    reached = [link for link in links if link not in children][:1]
+    roots = [link for link in links if link not in children][:1]
+    ordered = _joints_from(roots, description.joints)
+    reached = {*roots, *(joint.child for joint in ordered)}
+    # a tree has each link once, carries each by one joint at most, and leaves none aside
+    odd = {name for name, count in (links | children).items() if count > 1}
+    odd |= links.keys() ^ reached
+    if odd:
+        raise SceneError(URDF_NO_TREE, path=str(path), links=", ".join(sorted(map(str, odd))))
+    _check_joints(path, ordered)
+    return roots[0], tuple(_joint(path, joint) for joint in ordered)
+
+
+def _joints_from(roots: Sequence[str], joints: Sequence[yourdfpy.Joint]) -> list[yourdfpy.Joint]:
+    """Return the joints that can be reached from these links, level by level."""
     ordered = []
-    for link in reached:  # which grows on the way
-        for joint in description.joints:
+    reached = list(roots)
+    for link in reached:  # the children found here are appended, and visited in their turn
+        for joint in joints:
+            # a link that was reached before would lead round a circle for ever
             if joint.parent == link and joint.child not in reached:
                 ordered.append(joint)
                 reached.append(joint.child)
-    odd = {name for name, count in (links | children).items() if count > 1}
-    odd |= links.keys() ^ set(reached)
-    if odd:
-        raise SceneError(URDF_NO_TREE, path=str(path), links=", ".join(sorted(map(str, odd))))
-    names = [joint.name for joint in ordered]
-    leaders = {joint.name for joint in ordered if joint.mimic is None}
-    for joint in ordered:
+    return ordered
+
+
+def _check_joints(path: Path, joints: Sequence[yourdfpy.Joint]) -> None:
+    """Check names, types, and that a joint that mimics follows one that moves by itself.
+
+    Raises:
+        SceneError: one of the joints is wrong.
+    """
+    names = Counter(joint.name for joint in joints)
+    leaders = {joint.name for joint in joints if joint.mimic is None}
+    for joint in joints:
         follows_nothing = joint.mimic is not None and joint.mimic.joint not in leaders
-        if names.count(joint.name) > 1 or joint.type not in _KINDS or follows_nothing:
+        if names[joint.name] > 1 or joint.type not in _KINDS or follows_nothing:
             raise SceneError(URDF_BAD_JOINT, path=str(path), joint=joint.name)
-    return reached[0], tuple(_joint(path, joint) for joint in ordered)
 
 
 def _joint(path: Path, joint: yourdfpy.Joint) -> Joint:
