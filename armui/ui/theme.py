@@ -20,6 +20,28 @@ from PySide6.QtWidgets import QApplication, QWidget
 from armui.system.files import read_file
 
 _HERE: Final = Path(__file__).parent
+LIGHT_CURVES: Final = (
+    *("#1763d2", "#b35c00", "#18864a", "#8a3ffc", "#00808a", "#b0257f"),
+    *("#6b6b00", "#5f6b7c", "#0b3d91", "#7a4b1e", "#3f7d20", "#5b2a86"),
+)
+_DARK_CURVES: Final = (
+    *("#5a9cff", "#f0a050", "#45c47b", "#b98cff", "#35c8d6", "#f078c0"),
+    *("#cfcf50", "#98a5b6", "#9cc4ff", "#d8a878", "#a0d878", "#d0b0ff"),
+)
+"""The curves' colours on a dark background, without red, which means stop or fault."""
+_CJK_FAMILIES: Final = (
+    "Microsoft YaHei UI",
+    "PingFang SC",
+    "Noto Sans CJK SC",
+    "Source Han Sans SC",
+    "WenQuanYi Micro Hei",
+)
+_SMALLEST_FONT_PT: Final = 10.0
+_STYLE: Final = "Fusion"
+_IN_STYLE: Final = "in_style"
+"""The application's property that marks it as created in the style."""
+_FOLLOWER: Final = "scheme_follower"
+"""The application's property with the object that follows the system's colours."""
 
 
 class Theme(enum.StrEnum):
@@ -122,32 +144,6 @@ DARK: Final = Colors(
     replay_pale="#2c2140",
     on_replay="#160b28",
 )
-
-LIGHT_CURVES: Final = (
-    *("#1763d2", "#b35c00", "#18864a", "#8a3ffc", "#00808a", "#b0257f"),
-    *("#6b6b00", "#5f6b7c", "#0b3d91", "#7a4b1e", "#3f7d20", "#5b2a86"),
-)
-_DARK_CURVES: Final = (
-    *("#5a9cff", "#f0a050", "#45c47b", "#b98cff", "#35c8d6", "#f078c0"),
-    *("#cfcf50", "#98a5b6", "#9cc4ff", "#d8a878", "#a0d878", "#d0b0ff"),
-)
-"""The curves' colours on a dark background, without red, which means stop or fault."""
-
-_CJK_FAMILIES: Final = (
-    "Microsoft YaHei UI",
-    "PingFang SC",
-    "Noto Sans CJK SC",
-    "Source Han Sans SC",
-    "WenQuanYi Micro Hei",
-)
-
-_SMALLEST_FONT_PT: Final = 10.0
-_STYLE: Final = "Fusion"
-_IN_STYLE: Final = "in_style"
-"""The application's property that marks it as created in the style."""
-
-_FOLLOWER: Final = "scheme_follower"
-"""The application's property with the object that follows the system's colours."""
 
 
 def colors_of(widget: QWidget) -> Colors:

@@ -13,17 +13,15 @@ Language = Literal["zh", "en"]
 """The languages the operator can choose."""
 
 LANGUAGES: Final[tuple[Language, ...]] = get_args(Language)
+_OWN: Final = "armui"
+_QT: Final = "qtbase"
+_QT_LOCALES: Final = {"zh": "zh_CN"}
 
 
 def shown_language() -> Language:
     """Return the present language of the texts."""
     # Translators: the code of the language that is shown, "zh" for Chinese
     return "zh" if QCoreApplication.translate("GuidePage", "en") == "zh" else "en"
-
-
-_OWN: Final = "armui"
-_QT: Final = "qtbase"
-_QT_LOCALES: Final = {"zh": "zh_CN"}
 
 
 class TranslationMissingError(RuntimeError):

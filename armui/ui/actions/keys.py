@@ -12,6 +12,36 @@ from PySide6.QtWidgets import QWidget
 
 from armui.ui.words.text import Text
 
+_QTS_OWN: Final = (QT_TRANSLATE_NOOP("QShortcut", "Up"), QT_TRANSLATE_NOOP("QShortcut", "Down"))
+"""Keys whose names in Qt's translation are longer than their labels; our names are used."""
+_TOLD: Final = (
+    ("everywhere.stop", "F12, Pause", Text("StopButton", "Emergency stop")),
+    (
+        "everywhere.halt",
+        "F9",
+        Text("Shortcut", "Halt: ends any motion, the motors keep their power"),
+    ),
+    ("everywhere.slower", "F8", Text("Shortcut", "Slower: run or motion")),
+    (
+        "everywhere.next",
+        "Tab",
+        Text("Shortcut", "To the next control; with Shift to the one before"),
+    ),
+    ("everywhere.close", "Esc", Text("Shortcut", "Close the dialog")),
+    ("view.turn", "← → ↑ ↓", Text("Help", "Turn the view")),
+    ("view.zoom", "+  −", Text("Help", "Zoom in and out")),
+    ("view.home", "Home", Text("Help", "The first view again")),
+    ("jogging.joints", "Q…Y, A…H", Text("Shortcut", "With Space held: J1 to J6 up, down")),
+    (
+        "jogging.place",
+        "↑ ↓ ← → PgUp PgDn",
+        Text("Shortcut", "With Space held: X, Y, Z of the tool"),
+    ),
+    ("jogging.rotation", "Q…E, A…D", Text("Shortcut", "With Space held: RX, RY, RZ of the tool")),
+    ("library.edit", "Enter", Text("Shortcut", "Edit the points of the chosen trajectory")),
+    ("replay.move", "← →, Home, End", Text("Shortcut", ("On the timeline: through the recording"))),
+)
+
 
 @dataclass(frozen=True, slots=True)
 class Shortcut:
@@ -39,10 +69,6 @@ class Shortcut:
         if not self.by_qt:
             return self.keys
         return QKeySequence(self.keys).toString(QKeySequence.SequenceFormat.NativeText)
-
-
-_QTS_OWN: Final = (QT_TRANSLATE_NOOP("QShortcut", "Up"), QT_TRANSLATE_NOOP("QShortcut", "Down"))
-"""Keys whose names in Qt's translation are longer than their labels; our names are used."""
 
 
 # fmt: off
@@ -119,27 +145,6 @@ _ONE_PRESS: Final = (
     ("replay.copy", "Ctrl+C", Text("Shortcut", "Copy the chosen rows")),
 )
 
-_TOLD: Final = (
-    ("everywhere.stop", "F12, Pause", Text("StopButton", "Emergency stop")),
-    ("everywhere.halt", "F9",
-     Text("Shortcut", "Halt: ends any motion, the motors keep their power")),
-    ("everywhere.slower", "F8",
-     Text("Shortcut", "Slower: run or motion")),
-    ("everywhere.next", "Tab",
-     Text("Shortcut", "To the next control; with Shift to the one before")),
-    ("everywhere.close", "Esc", Text("Shortcut", "Close the dialog")),
-    ("view.turn", "← → ↑ ↓", Text("Help", "Turn the view")),
-    ("view.zoom", "+  −", Text("Help", "Zoom in and out")),
-    ("view.home", "Home", Text("Help", "The first view again")),
-    ("jogging.joints", "Q…Y, A…H", Text("Shortcut", "With Space held: J1 to J6 up, down")),
-    ("jogging.place", "↑ ↓ ← → PgUp PgDn",
-     Text("Shortcut", "With Space held: X, Y, Z of the tool")),
-    ("jogging.rotation", "Q…E, A…D", Text("Shortcut", "With Space held: RX, RY, RZ of the tool")),
-    ("library.edit", "Enter", Text("Shortcut", "Edit the points of the chosen trajectory")),
-    ("replay.move", "← →, Home, End", Text("Shortcut", (
-        "On the timeline: through the recording"
-    ))),
-)
 # fmt: on
 
 SHORTCUTS: Final[Mapping[str, Shortcut]] = {

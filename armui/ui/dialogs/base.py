@@ -134,11 +134,6 @@ class ArmDialog(HasActs, Translated, KeepsFocus, QDialog):
         self.footer = in_row(spacing=_GAP_PX // 2)
         in_column(header, (self.body, 1), self.footer, on=self, spacing=_GAP_PX, margins=_MARGIN_PX)
 
-    @property
-    def controller(self) -> ArmController:
-        """The controller of the arm."""
-        return self._controller
-
     def add_to_header(self, widget: QWidget) -> None:
         """Add a widget between the title and the stops."""
         self._header.insertWidget(1, widget, 0, Qt.AlignmentFlag.AlignTop)

@@ -39,6 +39,32 @@ from armui.ui.widgets.track_slider import TrackSlider
 from armui.ui.words.arm import GRIPPER_ACTS
 from armui.ui.words.text import Text, Texts
 
+_TALLEST_CARD_PX: Final = 330
+_Kind = tuple[Generation, bool]
+"""The generation, and whether angles are commanded in the second one."""
+_WIDEST: Final = "-000.000 rad/s"
+_LABEL_PX: Final = 58
+"""The width of the labels of all rows."""
+_POWER: Final[Mapping[str, Callable[..., object]]] = {
+    "enable": GripperControl.enable,
+    "disable": GripperControl.disable,
+    "clear": GripperControl.clear_error,
+    "zero": GripperControl.set_zero,
+}
+_ENDS: Final = Texts("GripperPanel") | {"close_fully": "Close fully", "open_fully": "Open fully"}
+_TITLES: Final = Texts("GripperPanel") | {
+    "close_fully": "Close the gripper",
+    "open_fully": "Open the gripper",
+}
+_USES: Final = Texts("GripperPanel") | {
+    "close_fully": "Closes the gripper to 0.",
+    "open_fully": "Opens the gripper to its stroke limit.",
+    "enable": "Gives the gripper power where it is.",
+    "disable": "Takes its power: it drops what it holds. Asks first.",
+    "clear": "Clears its error; it has no power until enabled again.",
+    "zero": "Makes the present opening its zero. Asks first.",
+}
+
 
 class MeasureChoice(QWidget):
     """Two buttons to choose between an opening and an angle.
@@ -83,15 +109,6 @@ class MeasureChoice(QWidget):
         self._label.setText(self.tr("Set by"))
         caption(self._opening, self.tr("Opening (mm)"), whose=self._label.text())
         caption(self._angle, self.tr("Angle (°)"), whose=self._label.text())
-
-
-_TALLEST_CARD_PX: Final = 330
-
-_Kind = tuple[Generation, bool]
-"""The generation, and whether angles are commanded in the second one."""
-_WIDEST: Final = "-000.000 rad/s"
-_LABEL_PX: Final = 58
-"""The width of the labels of all rows."""
 
 
 class GripperRow(QWidget):
@@ -220,27 +237,6 @@ class GripperRow(QWidget):
         describe(self.measured, measured, self.tr("Measured by the gripper"))
         self.minus.setAccessibleName(self.tr("{figure} minus").format(figure=name))
         self.plus.setAccessibleName(self.tr("{figure} plus").format(figure=name))
-
-
-_POWER: Final[Mapping[str, Callable[..., object]]] = {
-    "enable": GripperControl.enable,
-    "disable": GripperControl.disable,
-    "clear": GripperControl.clear_error,
-    "zero": GripperControl.set_zero,
-}
-_ENDS: Final = Texts("GripperPanel") | {"close_fully": "Close fully", "open_fully": "Open fully"}
-_TITLES: Final = Texts("GripperPanel") | {
-    "close_fully": "Close the gripper",
-    "open_fully": "Open the gripper",
-}
-_USES: Final = Texts("GripperPanel") | {
-    "close_fully": "Closes the gripper to 0.",
-    "open_fully": "Opens the gripper to its stroke limit.",
-    "enable": "Gives the gripper power where it is.",
-    "disable": "Takes its power: it drops what it holds. Asks first.",
-    "clear": "Clears its error; it has no power until enabled again.",
-    "zero": "Makes the present opening its zero. Asks first.",
-}
 
 
 class GripperPanel(Panel):

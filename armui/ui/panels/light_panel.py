@@ -52,6 +52,14 @@ _PAGE: Final = 16
 _HEIGHT_PX: Final = 44
 _BRIGHT: Final = 0.45
 """From this luminance on black text is more readable than white."""
+_TALLEST_CARD_PX: Final = 270
+_FIELD_PX: Final = 74
+_PICKER: Final = (
+    QColorDialog.ColorDialogOption.DontUseNativeDialog,
+    QColorDialog.ColorDialogOption.NoButtons,
+    QColorDialog.ColorDialogOption.NoEyeDropperButton,
+)
+_LAMPS: Final = Text("Action", "Lamps of")
 
 
 class ColorStrip(QWidget):
@@ -157,15 +165,6 @@ class ChannelRow(Translated, QWidget):
         describe(self.slider, self.field.name, self.field.span)
 
 
-_TALLEST_CARD_PX: Final = 270
-_FIELD_PX: Final = 74
-_PICKER: Final = (
-    QColorDialog.ColorDialogOption.DontUseNativeDialog,
-    QColorDialog.ColorDialogOption.NoButtons,
-    QColorDialog.ColorDialogOption.NoEyeDropperButton,
-)
-
-
 class ColorDialog(ArmDialog):
     """Qt's own colour picker beside the stop; a picked colour takes effect at once.
 
@@ -204,9 +203,6 @@ class ColorDialog(ArmDialog):
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
         self.set_title(self.tr("Colour of the lamps"))
-
-
-_LAMPS: Final = Text("Action", "Lamps of")
 
 
 class LightPanel(Panel):

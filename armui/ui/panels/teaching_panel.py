@@ -76,6 +76,12 @@ _PHASES: Final = Texts("TeachingPhase") | {
     TeachingPhase.REPLAYING: "Moving along the recording",
     TeachingPhase.PAUSED: "Replay paused",
 }
+_PLAN_TITLES: Final = {
+    TrajectoryCommand.PAUSE: Text("Action", "Pause the planned motion"),
+    TrajectoryCommand.CONTINUE: Text("Action", "Continue the held motion"),
+    TrajectoryCommand.ABORT: Text("Action", "Terminate the planned motion"),
+}
+"""The titles in the palette that differ from the texts on the buttons."""
 
 
 class TeachingExitSteps(QFrame):
@@ -143,14 +149,6 @@ class TeachingExitSteps(QFrame):
             self.tr("To leave drag teaching, take the steps in the line at the top:")
         )
         self._mark()
-
-
-_PLAN_TITLES: Final = {
-    TrajectoryCommand.PAUSE: Text("Action", "Pause the planned motion"),
-    TrajectoryCommand.CONTINUE: Text("Action", "Continue the held motion"),
-    TrajectoryCommand.ABORT: Text("Action", "Terminate the planned motion"),
-}
-"""The titles in the palette that differ from the texts on the buttons."""
 
 
 class TeachingPanel(Panel):

@@ -48,6 +48,11 @@ if TYPE_CHECKING:
     from armui.viewport.vectors import Vector
     from armui.viewport.view import ArmView
 
+_MM_PER_M: Final = 1000.0
+_BETWEEN_S: Final = 0.1
+"""The period of updating a growing trail, which is copied and drawn as a whole."""
+_M_PER_MM: Final = 0.001
+
 
 class PictureExport(FileExport):
     """Exports the picture on the screen, unless it is missing or too old.
@@ -102,11 +107,6 @@ def _write(image: QImage, path: Path) -> None:
     if not image.save(buffer, "PNG"):  # type: ignore[call-overload]
         raise OSError(str(path))
     write_whole(path, bytes(data.data()))
-
-
-_MM_PER_M: Final = 1000.0
-_BETWEEN_S: Final = 0.1
-"""The period of updating a growing trail, which is copied and drawn as a whole."""
 
 
 class TrailKeeper:
@@ -176,9 +176,6 @@ class TrailKeeper:
         rows = shape.flange(shape.links(angles_deg))
         place = moved(rows, (x / _MM_PER_M, y / _MM_PER_M, z / _MM_PER_M))
         return (place[0] * _MM_PER_M, place[1] * _MM_PER_M, place[2] * _MM_PER_M)
-
-
-_M_PER_MM: Final = 0.001
 
 
 class PictureWork(QObject):

@@ -47,6 +47,11 @@ COARSE: Final = {GripKind.AXIS: 10.0, GripKind.RING: 15.0, GripKind.JOINT: 5.0}
 """The steps with Ctrl held: mm along an axis, degrees about one."""
 FINE: Final = {GripKind.AXIS: 1.0, GripKind.RING: 1.0, GripKind.JOINT: 1.0}
 """The steps with Shift held."""
+_LEAD_DEG_S: Final = 30.0
+"""The speed of a careful hand: far below the one at which drag teaching ends."""
+_LOOK_MS: Final = 100
+_ELSEWHERE_DEG: Final = 0.05
+"""A ghost nearer to the arm than this would coincide with it."""
 
 
 @dataclass(frozen=True)
@@ -333,10 +338,6 @@ class HandGuide(Protocol):
         """Release the arm, which stays in place."""
 
 
-_LEAD_DEG_S: Final = 30.0
-"""The speed of a careful hand: far below the one at which drag teaching ends."""
-
-
 class LedArm(_InForce):
     """A simulated arm in drag teaching, led by the mouse as a real one is by the hand.
 
@@ -391,11 +392,6 @@ class LedArm(_InForce):
         if self._held is not None:
             self._held.let_go()
         self._held = None
-
-
-_LOOK_MS: Final = 100
-_ELSEWHERE_DEG: Final = 0.05
-"""A ghost nearer to the arm than this would coincide with it."""
 
 
 class TargetDrag(QObject):
@@ -460,6 +456,7 @@ class TargetDrag(QObject):
     def look(self) -> None:
         """Move ghost and handles to the present target; does nothing while hidden."""
         if self._held is not None:
+            # during a drag the pointer places both; only another arm or another target ends it
             if not self._is_as_begun(self._held):
                 self._view.give_up_drag()
             return
@@ -486,24 +483,41 @@ class TargetDrag(QObject):
         typed = None if target is None else target.typed_deg()
         kind = self._kind_for(target)
         angles_deg = None if isinstance(typed, Refusal) else typed
-        if kind is not None and target is not None:
-            angles_deg = target.angles_deg()
         place = None
-        if kind is not None and angles_deg is not None and target is not None:
-            place = self._drag_base(target, angles_deg, kind).place(angles_deg)
+        if target is not None and kind is not None:
+            # handles need angles even where nothing was typed and the fields follow the arm
+            angles_deg = target.angles_deg()
+            if angles_deg is not None:
+                place = self._drag_base(target, angles_deg, kind).place(angles_deg)
         self._view.set_handles(place)
         inside_deg = self._inside_deg() if angles_deg is None else None
         ghost_deg = angles_deg if self._is_elsewhere(angles_deg) else inside_deg
         self._preview.show_target(ghost_deg)
+        self._tell(self._note_on(target, typed, ghost_deg, leads_inside=inside_deg is not None))
+
+    def _note_on(
+        self,
+        target: DragTarget | None,
+        typed: tuple[float, ...] | Refusal | None,
+        ghost_deg: tuple[float, ...] | None,
+        *,
+        leads_inside: bool,
+    ) -> Refusal | Callable[[], str] | None:
+        """Return the note beside the picture: why there is no ghost, or what the one in it means.
+
+        Args:
+            target: The target, if there is one.
+            typed: Its angles as they were given, or why there are none.
+            ghost_deg: The angles of the ghost, if one is shown.
+            leads_inside: True if the ghost is at the end of the way inside.
+        """
         if isinstance(typed, Refusal):
-            self._tell(typed)
-        elif isinstance(target, LedArm):
-            self._tell(self._led_text)
-        elif inside_deg is not None:
-            self._tell(self._inside_text)
-        else:
-            is_preview = typed is not None and ghost_deg is not None
-            self._tell(self._preview_text if is_preview else None)
+            return typed
+        if isinstance(target, LedArm):
+            return self._led_text
+        if leads_inside:
+            return self._inside_text
+        return self._preview_text if typed is not None and ghost_deg is not None else None
 
     @property
     def _zone_kind(self) -> HandleKind:

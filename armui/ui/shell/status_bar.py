@@ -338,6 +338,29 @@ class StatusBar(Translated, QWidget):
 
     def _spell_out(self, status: Status | None, stale: bool, foreign_mode: str) -> None:
         """Put the codes into words; ``None`` is a status that has never been heard."""
+        texts = self._texts_of(status, foreign_mode)
+        # an alarm is given only by what is heard now: an old status may no longer hold
+        alarm = None if stale or status is None else self._alarm(status)
+        ranks = self._ranks(alarm, muted=stale or status is None)
+        if foreign_mode and not stale:
+            ranks["mode"] = "warning"
+        self._labels["control"].setToolTip(
+            "" if status is None else words.control_mode(status.control_mode)
+        )
+        for name, label in self._labels.items():
+            label.setText(texts.get(name, ""))
+            label.setVisible(name in texts)
+            if name in self._separators:
+                self._separators[name].setVisible(name in texts)
+            set_rank(label, ranks[name])
+        self._status_icon.setVisible(alarm is not None)
+        if alarm is not None:
+            colors = colors_of(self)
+            color = colors.warn if alarm == "warning" else colors.stop_ink
+            self._draw_warning(self._status_icon, color)
+
+    def _texts_of(self, status: Status | None, foreign_mode: str) -> dict[str, str]:
+        """Return the text of each label by its name; a label without one is hidden."""
         if status is None:
             texts = dict.fromkeys(("control", "arm", "mode", "reached"), fmt.NOTHING)
         else:
@@ -353,26 +376,19 @@ class StatusBar(Translated, QWidget):
                 texts["joints"] = self._joint_faults(status)
         texts["control"] = self.tr("Control: {mode}").format(mode=texts["control"])
         texts["arm"] = self.tr("Status: {status}").format(status=texts["arm"])
-        self._labels["control"].setToolTip(
-            "" if status is None else words.control_mode(status.control_mode)
-        )
-        colors = colors_of(self)
-        ink = "muted" if stale or status is None else ""
-        alarm = None if stale or status is None else self._alarm(status)
-        for name, label in self._labels.items():
-            label.setText(texts.get(name, ""))
-            label.setVisible(name in texts)
-            if name in self._separators:
-                self._separators[name].setVisible(name in texts)
-            loud = name == "joints" or (name == "arm" and alarm is not None)
-            rank = alarm if loud and alarm else ink
-            if name == "mode" and foreign_mode and not stale:
-                rank = "warning"
-            set_rank(label, rank)
-        self._status_icon.setVisible(alarm is not None)
+        return texts
+
+    def _ranks(self, alarm: str | None, *, muted: bool) -> dict[str, str]:
+        """Return the rank of each label: that of the alarm for the status and the joints at fault.
+
+        Args:
+            alarm: See `_alarm`.
+            muted: True for a status that is old, or was never heard.
+        """
+        ranks = dict.fromkeys(self._labels, "muted" if muted else "")
         if alarm is not None:
-            ink_of_alarm = colors.warn if alarm == "warning" else colors.stop_ink
-            self._draw_warning(self._status_icon, ink_of_alarm)
+            ranks |= {"arm": alarm, "joints": alarm}
+        return ranks
 
     def _mode(self, code: int, foreign_mode: str) -> str:
         """Return how the arm travels; a mode that another program has chosen is told as its."""
@@ -393,7 +409,7 @@ class StatusBar(Translated, QWidget):
         return "warning" if any(status.limit_exceeded) else None
 
     def _joint_faults(self, status: Status) -> str:
-        """The joints out of order, as short as they fit beside all the rest."""
+        """Return the joints at fault in few words: the bar has room for one line only."""
         parts = []
         for text, flags in (
             (self.tr("No communication: {joints}"), status.communication_fault),
@@ -426,6 +442,9 @@ class StatusBar(Translated, QWidget):
 
 
 def _foreign_mode(now: OperatingState) -> str:
-    """MIT, CPV or high-follow by another host's word, "" for none; 0x2A1 doesn't tell the last."""
+    """Return the mode that another host was heard to command (MIT, CPV, high-follow), or "".
+
+    It is taken from that host's frames, as the arm's own status (0x2A1) doesn't tell high-follow.
+    """
     other = now.other_host
     return "" if other is None else str(other.refusal.params.get("other_mode", ""))

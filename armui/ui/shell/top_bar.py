@@ -67,6 +67,7 @@ _OF_ITSELF: Final = (
 )
 """What an arm does that is said in the place of what its motors are told."""
 _WIDEST_PX: Final = 620
+_CONNECT: Final = also("open port device adapter can 设备 端口 打开")
 
 
 class SpeedControl(Translated, QWidget):
@@ -421,9 +422,6 @@ def _draw_sign(painter: QPainter, colors: Colors, center: QPointF, link: LinkSta
     else:
         painter.setPen(QPen(QColor(colors.muted), 1.6, Qt.PenStyle.DotLine))
         painter.drawEllipse(box)
-
-
-_CONNECT: Final = also("open port device adapter can 设备 端口 打开")
 
 
 class TopBar(Translated, QWidget):

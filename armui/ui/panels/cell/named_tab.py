@@ -39,6 +39,13 @@ from armui.ui.words.text import Text
 
 Thing = Tool | UserFrame | HeldObject | Zone
 EDGES: Final = "XYZ"
+_LABELS: Final = {
+    "apply": Text("NamedTab", "Apply"),
+    "add": Text("NamedTab", "Add"),
+    "plane": Text("AreaTab", "Add plane"),
+    "box": Text("AreaTab", "Add box"),
+    "delete": Text("NamedTab", "Delete"),
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,15 +71,6 @@ class TabTexts:
     apply: str
     add: Sequence[str]
     delete: str
-
-
-_LABELS: Final = {
-    "apply": Text("NamedTab", "Apply"),
-    "add": Text("NamedTab", "Add"),
-    "plane": Text("AreaTab", "Add plane"),
-    "box": Text("AreaTab", "Add box"),
-    "delete": Text("NamedTab", "Delete"),
-}
 
 
 class NamedTab(CellTab):

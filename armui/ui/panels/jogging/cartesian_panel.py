@@ -80,6 +80,7 @@ _TALLEST_CARD_PX: Final = 640
 _WIDEST: Final = "-0000.000 mm"
 _NAME_PX: Final = 34
 _NARROW_PX: Final = 60
+_TARGET: Final = Text("Action", "Target of")
 
 
 class PoseRow(TargetRow):
@@ -181,9 +182,6 @@ class FrameChoice(Translated, QWidget):
         none = words.refusal(FRAME_NOT_IN_FORCE()) if frame is None else ""
         caption(button, name if frame is None else fmt.short(frame.name), whose=name)
         enable_or_explain(button, none, "" if frame is None else frame.name)
-
-
-_TARGET: Final = Text("Action", "Target of")
 
 
 class CartesianPanel(JogPanel):

@@ -51,6 +51,10 @@ _KEYS: Final = tuple(
 
 _WIDEST_ANGLE: Final = "-000.000°"
 _WIDEST_LIMIT: Final = "-000.00°"
+_ZERO: Final = also("zero zeros origin home 归零 零位 零点 原点 复位")
+_JOINTS: Final = also("movej joints 关节运动")
+_TARGET: Final = Text("Action", "Target of")
+_KEYBOARD: Final = also("keyboard teach 键盘")
 
 
 class JointRow(TargetRow):
@@ -190,12 +194,6 @@ class JointRow(TargetRow):
         origin = read if self._limits_read else self.tr("Factory limit: not read from the arm yet")
         self._minimum.setToolTip(origin)
         self._maximum.setToolTip(origin)
-
-
-_ZERO: Final = also("zero zeros origin home 归零 零位 零点 原点 复位")
-_JOINTS: Final = also("movej joints 关节运动")
-_TARGET: Final = Text("Action", "Target of")
-_KEYBOARD: Final = also("keyboard teach 键盘")
 
 
 class MotionPanel(JogPanel):

@@ -108,11 +108,6 @@ class OwnHome(HasActs, Translated, QWidget):
         self.retranslate_ui()
 
     @property
-    def controller(self) -> ArmController:
-        """The controller of the arm."""
-        return self._controller
-
-    @property
     def _arm(self) -> str | None:
         """What the arm that is connected is remembered by; ``None`` before it has named itself."""
         now = self._controller.operating_state

@@ -169,11 +169,6 @@ class ArcBox(HasActs, Translated, QWidget):
         grid.setRowStretch(3, 1)
         self.retranslate_ui()
 
-    @property
-    def controller(self) -> ArmController:
-        """The controller of the arm."""
-        return self._controller
-
     @captures.pressed
     def _on_capture(self, place: int) -> None:
         self.capture_wanted.emit(place)

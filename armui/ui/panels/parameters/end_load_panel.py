@@ -58,6 +58,7 @@ _CHOICES: Final[dict[Mounting, MountingName]] = {
     Mounting.ON_THE_RIGHT_SIDE: "on_the_right_side",
     Mounting.UPSIDE_DOWN: "upside_down",
 }
+_MOTION: Final = Text("EndLoadPanel", "Speed and acceleration of the end, by joint")
 
 
 class MountingCard(HasActs, QFrame):
@@ -221,9 +222,6 @@ class MountingCard(HasActs, QFrame):
         )
         self._show_told()
         self.show_possible()
-
-
-_MOTION: Final = Text("EndLoadPanel", "Speed and acceleration of the end, by joint")
 
 
 class EndLoadPanel(Panel):
