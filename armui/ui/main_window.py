@@ -262,7 +262,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._show_where()
 
     def _show_where(self) -> None:
-        """The menu, and the button of the library, say what stands beside the picture."""
+        """Mark in the menu, or by the library's button, what stands beside the picture."""
         pages = self._work_area.shows_pages
         self._menu.choose(None if pages else self._panels.currentIndex())
         self._library_button.setChecked(pages)

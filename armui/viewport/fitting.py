@@ -172,7 +172,7 @@ def outermost(camera: OrbitCamera, groups: Groups) -> list[Sequence[Vector]]:
 
 
 def _free_boxes(room: Room) -> Iterable[Box]:
-    """Rectangles that the arm might be fitted into, from the whole picture down."""
+    """Yield the rectangles that the arm may be fitted into, the whole picture last."""
     inside = room.inside
     shares = (0.0, 0.5, 1.0)
     lefts = [max(inside.left, room.figures.right * share) for share in shares]

@@ -83,7 +83,7 @@ class FrameMemory:
 
 
 def _check_room(size_bytes: int) -> None:
-    """Linux gives out shared memory that it does not have, and ends whoever writes to it."""
+    """Raise OSError without so much free room: Linux gives it even so, and ends who writes."""
     if sys.platform != "win32" and _PLACE.is_dir():
         room = os.statvfs(_PLACE)
         if room.f_blocks and room.f_bavail * room.f_frsize < size_bytes:

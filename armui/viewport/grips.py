@@ -254,7 +254,7 @@ class GripDrag:
         return self._turns
 
     def _at(self, ray: Ray) -> float | None:
-        """Metres along the axis, or degrees about it, of what a ray points at."""
+        """Return where a ray points: metres along the axis, or degrees about it; or None."""
         grip = self.grip
         if grip.kind is GripKind.AXIS:
             return _along(ray, grip.origin, grip.axis)
@@ -272,7 +272,7 @@ class GripDrag:
         return math.degrees(math.atan2(dot(arm, second), dot(arm, first)))
 
     def _on_cylinder(self, ray: Ray) -> float | None:
-        """Degrees about the axis of where a ray meets the cylinder, seen along its axis."""
+        """Return the angle about the axis, degrees, at which a ray meets the cylinder."""
         first, second = self._first, cross(self.grip.axis, self._first)
         to_eye = (-dot(ray.direction, first), -dot(ray.direction, second))
         length = math.hypot(*to_eye)
@@ -288,7 +288,7 @@ class GripDrag:
 
 
 def _wheel_deg(aside: float) -> float:
-    """Degrees from the side that faces the eye, of what is seen so many radii beside the middle."""
+    """Return the degrees from the side facing the eye, of a point so many radii off the middle."""
     if abs(aside) <= _ROUND:
         return math.degrees(math.asin(aside))
     beyond = math.degrees((abs(aside) - _ROUND) * _BEYOND)

@@ -181,7 +181,7 @@ class Hud:
         self._column_px = self._figures_end_px + metrics.horizontalAdvance(_WIDEST_UNIT)
 
     def _draw_in_cells(self, painter: QPainter, place: QPointF, figure: str) -> None:
-        """The font has digits of its own widths: each gets a cell as wide as the widest."""
+        """Draw a figure; each digit gets a cell as wide as the widest, as their widths differ."""
         for character in figure:
             own_px = self._metrics.horizontalAdvance(character)
             cell_px = self._width_px(character)
@@ -189,7 +189,7 @@ class Hud:
             place += QPointF(cell_px, 0.0)
 
     def _width_px(self, figure: str) -> float:
-        """As wide as its characters: digits have one width, and none is set closer to another."""
+        """Return the width of a figure in pixels, as `_draw_in_cells` draws it: without kerning."""
         widths_px = self._widths_px
         for character in figure:
             if character not in widths_px:

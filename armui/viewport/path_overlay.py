@@ -152,7 +152,7 @@ def _within(value: float, low: float, high: float) -> float:
 
 
 def _pixels(places_m: NDArray[np.float64], projection: Projection) -> NDArray[np.float64]:
-    """(n, 2) where places are seen; infinite behind the eye."""
+    """Return where places are seen, as (n, 2) pixels; infinite for those behind the eye."""
     import numpy as np  # noqa: PLC0415 - see above
 
     camera = projection.camera
@@ -231,7 +231,7 @@ class PathOverlay:
 
 
 def _paint_sign(painter: QPainter, sign: Sign, palette: ScenePalette) -> None:
-    """An error is an octagon with a cross, a warning a triangle with an exclamation mark."""
+    """Paint an octagon and a cross for an error, a triangle and an exclamation mark otherwise."""
     centre = QPointF(sign.x_px, sign.y_px)
     is_error = sign.finding.is_error
     corners, turn = (8, math.pi / 8.0) if is_error else (3, -math.pi / 2.0)

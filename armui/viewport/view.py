@@ -542,7 +542,7 @@ class ArmView(QWidget):
             self.first_frame_shown.emit()
 
     def _on_lost(self, lost: Lost) -> None:
-        """Nothing is aimed at in a picture that is gone (S24)."""
+        """End a drag as the picture is lost: no one may aim at what is not drawn any more (S24)."""
         self._lost = lost
         self._again_button.setVisible(not lost.comes_back)
         self.update()

@@ -259,7 +259,7 @@ class Viewpoint:
 
 
 def _reached(shape: RobotShape, reach: Reach) -> Iterator[Vector]:
-    """Places all around, as far from the shoulder as the tool can come."""
+    """Yield places all around the shoulder, at the largest distance of the tool from it."""
     middles = [(low + high) / 2.0 for low, high in reach.limits_deg]
     tried = [
         [low + (high - low) * share / _TRIED for share in range(_TRIED + 1)]

@@ -151,7 +151,7 @@ class Act:
 
     @property
     def command(self) -> Command | None:
-        """Its command in the palette."""
+        """The command in the palette, or ``None`` for an act without a key."""
         if not self.key:
             return None
         named_elsewhere = self.operation is not None or self.key in SHORTCUTS

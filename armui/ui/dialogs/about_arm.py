@@ -160,7 +160,7 @@ def _firmware(state: ArmState, now: OperatingState) -> str:
 
 
 def _told(state: ArmState, now: OperatingState, field: str) -> str:
-    """What stands in the arm's answer beside its version, where it does."""
+    """Return a field of the arm's identity, or in words why it is not known."""
     found = "" if state.identity is None else str(getattr(state.identity, field))
     return found or _untold(now)
 
@@ -399,7 +399,7 @@ class AboutArmDialog(ArmDialog):
                 value.setAccessibleName(f"{row.label}: {row.value}")
 
     def _measure_rate(self) -> None:
-        """Frames a second by the time of the feedback, since the last look a second ago."""
+        """Measure the frames per second since the last look, by the times of the feedback."""
         state = self._controller.state
         if state.last_feedback_s is None:
             self._before = self._rate = None

@@ -46,7 +46,7 @@ class HelperRun(Protocol):
     """A change in progress that can be started and cancelled."""
 
     def go(self) -> None:
-        """Carry out the plan."""
+        """Carry out the plan that was made."""
 
     def end(self) -> None:
         """Cancel the change."""
@@ -188,7 +188,7 @@ class AdapterLine(Translated, QWidget):
         self._on_done(answer)
 
     def _on_planned(self, planned: Planned) -> None:
-        """The password is given: look at the arm once more, and at what was shown."""
+        """Carry out the plan, unless arm or adapter have changed while the password was typed."""
         verb, subject = self._remedy[:2]
         refusal = why_not_switch(verb, subject, self._controller.operating_state)
         changed = self._shown is not None and self._shown != planned
@@ -219,7 +219,7 @@ class AdapterLine(Translated, QWidget):
         self.changed.emit()
 
     def _listen(self, interface: str) -> None:
-        """Success is what is heard, not what the system says."""
+        """Listen to the interface: frames prove that it works, the answer of the system doesn't."""
         said = self.tr("{channel} is switched on; listening whether anything is heard…")
         self._say(said.format(channel=interface), busy=True)
         number = self._number

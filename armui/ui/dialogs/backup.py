@@ -278,7 +278,7 @@ class BackupModel(TableModel):
         return fmt.NOTHING if value is None else value_text(row.parameter.name, value)
 
     def _state(self, row: ComparisonRow) -> str:
-        """The comparison; or, of what is being restored, how far that is."""
+        """Return the comparison of a row in words, or the progress of its restoring."""
         cell = self._cell(row.parameter)
         if cell.state is CellState.READING:
             return self.tr("… reading")

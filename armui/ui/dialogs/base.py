@@ -75,7 +75,7 @@ def place_of(rect: QRect) -> Place:
 
 
 def _rect_of(place: Place) -> QRect:
-    """The other way round."""
+    """Return a stored place as a rectangle."""
     return QRect(place.x, place.y, place.width, place.height)
 
 

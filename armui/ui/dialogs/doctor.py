@@ -196,7 +196,7 @@ class DoctorDialog(ArmDialog):
         return ["--interface", device.interface, "--channel", str(device.channel), *bitrate]
 
     def _listens_to(self, interface: str) -> bool:
-        """Whether an examination that begins now listens to an interface."""
+        """Return whether an examination that begins now listens to an interface."""
         if self._controller.operating_state.device is not None or not self.isVisible():
             return False
         device = self._device
@@ -291,7 +291,7 @@ class DoctorDialog(ArmDialog):
         self._area.viewport().setAutoFillBackground(False)
 
     def _add_rows(self) -> None:
-        """Some rows at a time: many at once would hold up the window, and the stop with it."""
+        """Add some rows at a time: many at once would hold up the window, and the stop with it."""
         now, self._rows = self._rows[:_AT_ONCE], self._rows[_AT_ONCE:]
         for make in now:
             self._column.insertWidget(self._column.count() - 1, make())

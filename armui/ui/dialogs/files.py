@@ -81,7 +81,7 @@ class FileExport(QObject):
         )
 
     def _job(self, path: Path) -> Job[Any]:
-        """Of writing a file: says what came of it."""
+        """Return a job of writing a file that tells its result to `_on_written`."""
         return Job(partial(self._on_written, path))
 
     def _on_written(self, path: Path, result: int | Refusal | None) -> None:

@@ -92,7 +92,7 @@ class FindingRow(QWidget):
         self._draw_icon()
 
     def _remedies(self, finding: Diagnosis, adapter: SetsUpAdapters) -> QHBoxLayout:
-        """The buttons; the commands stay in their tooltips."""
+        """Return a row with a button for each remedy; the tooltips hold the commands."""
         for remedy in finding.remedies:
             button = push_button("adapter_remedy", remedy_label(remedy), on_enter=False)
             button.setToolTip("\n".join(finding.commands))

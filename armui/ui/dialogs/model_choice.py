@@ -150,7 +150,7 @@ class DeviceModel(TableModel):
         return bitrate_text(self._bitrate(device))
 
     def _bitrate(self, device: Device) -> int | None:
-        """What the device runs at if it is connected, else what it would be opened with."""
+        """Return the present bitrate of a connected device, or the one to open another with."""
         if self._connected is not None and same_device(device, self._connected):
             return self._connected.bitrate
         return device.bitrate

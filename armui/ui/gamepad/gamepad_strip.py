@@ -99,7 +99,7 @@ class GamepadStrip(Translated, QWidget):
         return GAMEPAD_NOT_IN_FRONT()
 
     def _front(self) -> QWidget | None:
-        """The window to jog from: the main window, or a page taken out of it beside that."""
+        """Return the window in front, if it may jog: the main window or a page taken out."""
         window, front = self.window(), QApplication.activeWindow()
         if front is None or not window.isVisible() or window.isMinimized():
             return None
@@ -180,7 +180,7 @@ class GamepadStrip(Translated, QWidget):
         self.update()
 
     def _paint_colors(self, colors: Colors) -> tuple[str, str]:
-        """Ground and ink."""
+        """Return the colours of background and text in the present state."""
         return {
             _WAITS: (colors.window, colors.muted),
             _HELD: (colors.accent_pale, colors.text),

@@ -319,7 +319,7 @@ class GripperPanel(Panel):
     # -- layout -------------------------------------------------------------------------------
 
     def _make_rows(self, generation: Generation) -> tuple[GripperRow, GripperRow]:
-        """The generations measure other quantities: each has rows of its own."""
+        """Make the rows of a generation: each generation measures other quantities."""
         figures = gripper_figures(generation, self._controller.state)
         travel = GripperRow(figures.travel, steps=True)
         effort = GripperRow(figures.effort, steps=False)
@@ -358,7 +358,7 @@ class GripperPanel(Panel):
     # -- actions ------------------------------------------------------------------------------
 
     def _on_measure(self, by_angle: bool) -> None:
-        """Nothing is sent: the next target is of the other kind."""
+        """Take the next target as an angle or as an opening; nothing is sent by this choice."""
         self._controller.gripper.by_angle = by_angle
         self._refusal = self._event = None
         self._describe()
@@ -392,7 +392,7 @@ class GripperPanel(Panel):
         return self._kind, self._travel.field.text(), self._effort.field.text()
 
     def _on_stepped(self, sign: int) -> None:
-        """A step goes from where it was sent, or from where it is; the last one is shorter."""
+        """Move by a step, from the target or else the present place, but not beyond the range."""
         heard, figure = self._controller.state.gripper, self._travel.figure
         start = self._travel.field.value
         if start is None or self._travel.refusal() is not None:

@@ -155,7 +155,7 @@ class ChannelRow(Translated, QWidget):
         self.edited.emit()
 
     def _after_change(self) -> None:
-        """The slider goes with the field as far as its track reaches."""
+        """Set the slider by the field, as far as its track reaches."""
         wrong = self.value is None
         self.slider.show_requested(self.field.value, attention=wrong)
         self.field.show_attention(wanted=wrong)

@@ -242,6 +242,6 @@ class LinkagePanel(Panel):
 
 
 def _span(name: str, offset: int) -> str:
-    """From which to which identifier an offset leads."""
+    """Return the first and the last CAN identifier of a group with an offset, as text."""
     first, last = _BASES[name]
     return f"0x{first + offset:03X}–0x{last + offset:03X}"

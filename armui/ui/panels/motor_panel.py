@@ -166,7 +166,7 @@ class MotorPanel(Panel):
         self._ask_to_hold(title, f"{text}\n{danger}", self.tr("Set zero"), act, still=still)
 
     def _accepted(self, answer: Started | Refusal | None) -> bool:
-        """A refusal by the controller is shown as an event is; it stays until the next command."""
+        """Show a refusal until the next command, and return whether the command was accepted."""
         if isinstance(answer, Refusal):
             self._say(answer)
         return not isinstance(answer, Refusal)

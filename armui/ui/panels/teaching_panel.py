@@ -267,7 +267,7 @@ class TeachingPanel(Panel):
         )
 
     def _danger(self, command: TeachingState) -> str:
-        """What the arm does by itself, said before it does."""
+        """Return the warning to be agreed to before a command that has the arm move by itself."""
         if command is TeachingState.MOVE_TO_START:
             does = self.tr("The arm will move by itself to the start of the recording it holds.")
         else:

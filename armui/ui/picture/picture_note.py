@@ -73,7 +73,7 @@ class PictureNote(QLabel):
         self.setGeometry(QRect(view.pos() + corner, QSize(width, height)))
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """The picture has another size."""
+        """Find a new place when the picture has another size."""
         if watched is self._view and event.type() in {QEvent.Type.Resize, QEvent.Type.Move}:
             self.find_place()
         return super().eventFilter(watched, event)
@@ -85,7 +85,7 @@ class PictureNote(QLabel):
         self.find_place()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """What is not seen does no work."""
+        """Stop looking for a better place while the note is hidden."""
         self._look.stop()
         super().hideEvent(event)
 

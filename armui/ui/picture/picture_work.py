@@ -313,7 +313,7 @@ class PictureWork(QObject):
             self._show_reach()  # other limits, or those of another arm
 
     def _show_reach(self) -> None:
-        """The reach by the limits as read from the arm, the factory's until they are."""
+        """Show the reach within the arm's limits, the factory's until they are read; or hide it."""
         if not self._reach.isChecked():
             self._view.set_reach(None)
             return
@@ -324,7 +324,7 @@ class PictureWork(QObject):
         )
 
     def _on_focus(self, _old: QWidget | None, new: QWidget | None) -> None:
-        """The range of a joint is shown while its row is edited."""
+        """Show the range of a joint while a widget of its row has the focus."""
         widget = new
         while widget is not None and not isinstance(widget, JointRow):
             widget = widget.parentWidget()

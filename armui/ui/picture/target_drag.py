@@ -150,7 +150,7 @@ def moved_to(
 
 
 def _rounded(angle_deg: float) -> float:
-    """As an angle is sent."""
+    """Return an angle in degrees, rounded to the resolution in which angles are sent."""
     return round(angle_deg / ANGLE_STEP_DEG) * ANGLE_STEP_DEG
 
 
@@ -521,7 +521,7 @@ class TargetDrag(QObject):
 
     @property
     def _zone_kind(self) -> HandleKind:
-        """The handles of a plane or box: along the axes of the base, or its own."""
+        """The kind of handles of a plane or box: along the axes of the base, or along its own."""
         return HandleKind.TOOL if self.kind is HandleKind.TOOL else HandleKind.TOOL_FRAME
 
     def _kind_for(self, target: DragTarget | None) -> HandleKind | None:

@@ -164,7 +164,7 @@ def end_motion_then(
 
 
 def _question(operating_state: OperatingState) -> tuple[str, str, str] | None:
-    """Title, text and the word on the button; ``None``: nothing is under way."""
+    """Return title, text and button text of the question; ``None`` if nothing is under way."""
     if operating_state.stop is StopState.REQUESTED:
         return (
             QCoreApplication.translate("Leaving", "The stop is not confirmed"),
@@ -312,7 +312,7 @@ def is_taught(controller: ArmController) -> bool:
 def _ask_how_to_close(
     window: QWidget, controller: ArmController, close_now: Callable[[], object]
 ) -> None:
-    """This program moves the arm: its motion is ended unless the operator lets it finish."""
+    """Ask before closing during a motion: it is ended unless the operator lets it finish."""
 
     def let_finish() -> None:
         controller.let_motion_finish()

@@ -192,7 +192,7 @@ class PageArea(QWidget):
         self._bar.show_path(path)
 
     def _on_back(self, *_: object) -> None:
-        """To go back is to leave the page that is seen, which may ask."""
+        """Leave the page that is seen; it may ask first what becomes of unsaved changes."""
         self._open[-1].leave()
 
     def _on_take_out(self) -> None:

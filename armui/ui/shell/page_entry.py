@@ -65,5 +65,5 @@ class PageEntry(Generic[_Opener]):
 
     @property
     def tip_text(self) -> str:
-        """Its purpose in the present language; empty if none is declared."""
+        """The purpose of the page in the present language; empty if none is declared."""
         return "" if self.tip is None else self.tip.text()

@@ -319,7 +319,7 @@ class RecoveryLine(Translated, QWidget):
 
 
 def _paint_colors(colors: Colors, level: Level) -> tuple[str, str]:
-    """Ground and sign."""
+    """Return the colours of background and sign."""
     return {
         Level.INFO: (colors.accent_pale, colors.accent),
         Level.DONE: (colors.accent_pale, colors.ok),

@@ -112,7 +112,7 @@ class SpeedControl(Translated, QWidget):
         self._on_state_changed(self._controller.state)
 
     def _allow(self, operating_state: OperatingState) -> None:
-        """A run sends each point with its own speed: another one would change it in silence."""
+        """Lock the speed during a run, as it would silently change the speed of its points."""
         reason = words.refusal(RUN_UNDER_WAY()) if operating_state.running else ""
         use = self.tr(
             "Speed of motions, 0–100 % of the arm's highest; 0 % means no motion. A motion that is "
@@ -131,7 +131,7 @@ class SpeedControl(Translated, QWidget):
         self._slider.show_measured(None if stale else percent)
 
     def _show_what_is_told(self, generation: Generation | None) -> None:
-        """Only firmware of generation 1 reports a speed percentage; else nothing is shown."""
+        """Show the speed that the arm reports; only firmware of generation 1 does."""
         for widget in (self._arm_label, self._arm_value):
             widget.setVisible(generation is Generation.ONE)
             widget.setToolTip(self.tr("The speed percentage the arm reports"))
@@ -329,7 +329,7 @@ class CommunicationButton(Translated, QAbstractButton):
         self.update()
 
     def _offset_text(self) -> str:
-        """Under which identifiers the arm is heard, where they are not the usual ones."""
+        """Return in words the first identifier of the feedback, "" if it is the usual one."""
         offset = self._addressing.feedback_offset
         if self._link is not LinkState.ONLINE or self._addressing == Addressing():
             return ""
@@ -391,7 +391,7 @@ class CommunicationButton(Translated, QAbstractButton):
 
 
 def _draw_sign(painter: QPainter, colors: Colors, center: QPointF, link: LinkState) -> None:
-    """Tick: online. Ring: offline. Dotted ring: nothing. Arc: opening. Triangle: lost."""
+    """Draw the link's sign: tick online, ring offline, dotted none, arc opening, triangle lost."""
     round_cap = Qt.PenCapStyle.RoundCap
     painter.setBrush(Qt.BrushStyle.NoBrush)
     box = QRectF(

@@ -130,5 +130,5 @@ class ViewRegion(Translated, QWidget):
 
 
 def _with_rim(widget: QWidget) -> QVBoxLayout:
-    """A widget a little away from the picture's edge."""
+    """Return a layout that keeps a widget away from the picture's edge."""
     return in_column(widget, margins=_RIM_PX)

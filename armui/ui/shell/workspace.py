@@ -301,7 +301,7 @@ class Workspace(QObject):
         self._keeper.note()
 
     def _on_closed(self, page: Page) -> None:
-        """A page that was left; the one that led to it is seen again, wherever it stands."""
+        """Release a page that was left, and show the one that led to it, wherever that stands."""
         docked = page not in self._windows and page.isVisible()
         self._let_go(page)
         self._homes[page].drop_page(page)

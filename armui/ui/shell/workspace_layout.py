@@ -176,7 +176,7 @@ def _open_windows(found: object) -> tuple[OpenWindow, ...]:
 
 
 def _whole(value: object) -> int | None:
-    """A whole number of pixels that a desktop can have."""
+    """Return a value of the file if it is a number of pixels that a desktop can have, else None."""
     if isinstance(value, bool) or not isinstance(value, int) or abs(value) > _FARTHEST_PX:
         return None
     return value

@@ -77,7 +77,7 @@ class FigureField(QLineEdit):
             repolish(self)
 
     def _unit_px(self) -> int:
-        """Room for the unit: a degree sign stands close to its figure, others apart."""
+        """Return the width of the unit in pixels; only a degree sign has no gap before it."""
         if self._unit in {"", "°"}:
             return 5 * len(self._unit)
         return self.fontMetrics().horizontalAdvance(self._unit) + 5

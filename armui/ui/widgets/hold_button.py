@@ -105,7 +105,7 @@ class HoldButton(Translated, QPushButton):
         self._begin_anew()
 
     def _on_clicked(self) -> None:
-        """Nothing was done: say why, over the button, where its question may stand below."""
+        """Explain after a short press, above the button, as its question may be below."""
         if not self._was_held:
             above = self.mapToGlobal(QPoint(0, -2 * self.height()))
             QToolTip.showText(above, self._hint(), self, QRect(), _HINT_MS)

@@ -62,7 +62,7 @@ class JogButton(QPushButton):
             self.stepped.emit()
 
     def _end(self) -> None:
-        """The motion ends before anything is done that could fail."""
+        """Emit `let_go` before the guard is released: the motion must end even if that fails."""
         self._timer.stop()
         if self._holding:
             self._holding = False

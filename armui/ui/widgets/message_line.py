@@ -121,7 +121,7 @@ class MessageLine(QWidget):
         return self.fontMetrics().boundingRect(room, wrap, text).height()
 
     def _natural_px(self) -> int:
-        """As wide as its longest line, for a row that goes on below where there is no room."""
+        """Return the width in pixels that the longest line needs without a break."""
         lines = (self.fontMetrics().horizontalAdvance(line) for line in self.text().split("\n"))
         return max(_LEAST_PX, max(lines) + 2 * _SIDE_PX + _GAP_PX + _ICON_PX)
 

@@ -59,7 +59,7 @@ class PressButton(QPushButton):
         self._has_acted = False
 
     def _on_pressed(self) -> None:
-        """By the keyboard, or by an assistive program."""
+        """Act on a press by keyboard or assistive program; one by the mouse has acted already."""
         if not self._has_acted:
             self.act()
 

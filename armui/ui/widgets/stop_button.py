@@ -181,7 +181,7 @@ class StopButton(Translated, PressButton):
         painter.end()
 
     def _draw_face(self, painter: QPainter, colors: Colors, ink: str, *, stopped: bool) -> None:
-        """Sign, word and caption, centred; the sign tells the state without its colour."""
+        """Draw sign, word and caption, centred; the sign tells the state without its colour."""
         face = self._face
         word_font = scaled_font(self, face.word_scale, bold=True)
         caption_font = scaled_font(self, _CAPTION_SCALE)
@@ -204,7 +204,7 @@ class StopButton(Translated, PressButton):
         painter.drawText(QPointF(text_left, baseline), below)
 
     def _draw_stop_sign(self, painter: QPainter, center: QPointF, ink: str, ground: str) -> None:
-        """An octagon; with an exclamation mark while the arm has not said that it stopped."""
+        """Draw an octagon, with an exclamation mark until the arm confirms the stop."""
         unit = self._face.sign_px / 2
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(QColor(ink))
@@ -218,7 +218,7 @@ class StopButton(Translated, PressButton):
 
     @staticmethod
     def _draw_recovery_sign(painter: QPainter, center: QPointF, sign_px: float, ink: str) -> None:
-        """An arrow that goes round; only the large button offers it."""
+        """Draw an arrow that goes round; only the large button offers recovery."""
         radius = sign_px - 3
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.setPen(QPen(QColor(ink), 2.6, c=Qt.PenCapStyle.RoundCap))

@@ -189,7 +189,7 @@ class TrackSlider(QSlider):
         painter.drawRoundedRect(way, _GROOVE_PX / 2, _GROOVE_PX / 2)
 
     def _draw_mark(self, painter: QPainter, colors: Colors, center: QPointF) -> None:
-        """A tick on the track and a pointer below, which no handle covers."""
+        """Draw a tick on the track, and a pointer below, where the handle doesn't cover it."""
         color = QColor(colors.text if self.isEnabled() else colors.faint)
         painter.setPen(QPen(color, 2))
         painter.drawLine(center - QPointF(0, _GROOVE_PX), center + QPointF(0, _GROOVE_PX))

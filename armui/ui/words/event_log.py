@@ -116,7 +116,7 @@ def outcome_text(outcome: EventOutcome) -> str:
 
 
 def _text(code: str, params: Mapping[str, object]) -> str:
-    """A sentence, whatever the figures are: they may come from a file."""
+    """Return the sentence of an event, or its bare code and figures if a file holds odd ones."""
     try:
         observed = Observed(code)
         if source := source_of(observed):
@@ -135,7 +135,7 @@ def _figures(observed: Observed, params: Mapping[str, object]) -> dict[str, obje
 
 
 def _values(params: Mapping[str, object]) -> list[str]:
-    """Of settings that were sent, each with its value."""
+    """Return the settings that were sent, each with its value, in brackets; none gives no text."""
     values = params.get("values", ())
     if not isinstance(values, tuple) or not values:
         return []

@@ -104,7 +104,7 @@ def under_way(what: str) -> str:
 
 
 def _unexpected(reason: Refusal) -> str:
-    """What to say to a code this program has no sentence for: an adapter of others may add one."""
+    """Return a general sentence for a code that another package's adapter may have added."""
     source = QT_TRANSLATE_NOOP("Refusal", "Not possible now: {reason}.")
     return sentence("Refusal", source, {"reason": str(reason) or NOT_KNOWN})
 
@@ -133,7 +133,7 @@ def point_figure(name: str) -> str:
 
 
 def _with_figures(code: str, params: dict[str, object]) -> dict[str, object]:
-    """The figures of a sentence about a point, as the operator reads them."""
+    """Return the parameters of a sentence about a point, with figures in the operator's words."""
     if not code.startswith(_OF_FIGURES):
         return params
     words = dict(params)
@@ -147,7 +147,7 @@ def _with_figures(code: str, params: dict[str, object]) -> dict[str, object]:
 
 
 def _with_units(params: dict[str, object]) -> dict[str, object]:
-    """Figures of a sentence about a parameter, as the operator reads them."""
+    """Return the parameters of a sentence about a setting, with its name and values in words."""
     name = params.get("parameter")
     if name is None:
         return params

@@ -48,7 +48,7 @@ class _Figures(dict[str, str]):
 
 
 def _figure(name: str, value: object) -> str:
-    """Return a figure as the operator reads it: angles and lengths with three decimals."""
+    """Return a value as the operator reads it: numbers with a fraction get three decimals."""
     if name == "joint" and value == ALL_JOINTS:
         return f"{JOINTS[0]}–{JOINTS[-1]}"
     text = f"{value:.3f}" if isinstance(value, float) else str(value)

@@ -67,7 +67,7 @@ class Pixels:
 
 @contextmanager
 def _quiet_vtk() -> Iterator[None]:
-    """No lines on the terminal while VTK tries one way to draw after the other."""
+    """Silence VTK's warnings, which each way to draw that fails would print on the terminal."""
     before = vtkObject.GetGlobalWarningDisplay()
     vtkObject.SetGlobalWarningDisplay(0)
     try:

@@ -86,7 +86,7 @@ class PreviewActors:
         return path.rows[nearest] if away_px[nearest] <= _NEAR_PX * pixel_ratio else None
 
     def _pixels(self, places_m: NDArray[np.float64]) -> NDArray[np.float64]:
-        """(n, 2) where places are in the picture, from its top left; infinite behind the camera."""
+        """Return places in (n, 2) pixels, from the top left; infinite behind the camera."""
         width_px, height_px = self._renderer.GetSize()
         projection = self._renderer.GetActiveCamera().GetCompositeProjectionTransformMatrix(
             self._renderer.GetTiledAspectRatio(), -1.0, 1.0

@@ -338,7 +338,7 @@ def _voxels(lower: _Grid, shoulder: Array) -> ReachVolume:
 
 
 def _softened(shares: Shares, round_axis: int | None = None) -> Shares:
-    """Each share mixed with those beside it; at the rim with itself, or round an axis."""
+    """Return the shares smoothed with their neighbours; one axis may be cyclic, the others end."""
     for axis in range(shares.ndim):
         if axis == round_axis:
             before, after = np.roll(shares, 1, axis), np.roll(shares, -1, axis)

@@ -233,7 +233,7 @@ def _rows(matrix: Matrix) -> tuple[float, ...]:
 
 
 def _outermost(robot: Robot, link: str) -> tuple[Vector, ...]:
-    """Of all shapes of a link, the points that reach furthest; some 20 tell how large it looks."""
+    """Return the outermost points of a link: some 20 are enough to tell how large it looks."""
     clouds = [part.surface.vertices for part in robot.parts if part.link == link]
     if not clouds:
         return ()

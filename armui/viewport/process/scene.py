@@ -139,7 +139,7 @@ class Stage:
         self._renderer.AddActor(actor)
 
     def _light(self) -> None:
-        """A soft head light, a key light over the left shoulder, a faint one from the right."""
+        """Add a soft head light, a key light over the left shoulder, a faint one from the right."""
         for position, intensity in (
             ((0, 0, 1), 0.40),
             ((-0.6, 1.2, 0.9), 0.56),

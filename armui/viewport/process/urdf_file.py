@@ -289,7 +289,7 @@ def _part(path: Path, description: yourdfpy.Robot, link: str, visual: yourdfpy.V
 
 
 def _surface(path: Path, geometry: yourdfpy.Geometry) -> trimesh.Trimesh:
-    """Triangles of one shape in its own frame, metres."""
+    """Return the triangles of one shape in its own frame, metres."""
     surface: trimesh.Trimesh
     if geometry.mesh is not None:
         surface = _mesh(_mesh_file(path, geometry.mesh.filename))
@@ -353,7 +353,7 @@ def _mesh_file(path: Path, name: str | None) -> Path:
 
 
 def _color(description: yourdfpy.Robot, material: yourdfpy.Material | None) -> Rgb | None:
-    """Colour of a visual's own material, or of the one of that name in the whole file."""
+    """Return the colour of a visual's material, which may be defined elsewhere under its name."""
     if material is not None and material.color is None:
         named = (other for other in description.materials if other.name == material.name)
         material = next(named, None)

@@ -211,7 +211,7 @@ class CellPanel(Panel):
         self._show_cells()
 
     def _on_new(self) -> None:
-        """The tool of the settings becomes the new cell's first one."""
+        """Make a new cell, with the tool of the settings, if there is one, as its first tool."""
         pose, name = self._preferences.settings.tool, self._name.text().strip()
         tool = Tool(self.tr("Tool"), pose)
         cell = Cell(name, (tool,), tool.name) if any(pose) else Cell(name)

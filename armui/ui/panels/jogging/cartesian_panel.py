@@ -319,7 +319,7 @@ class CartesianPanel(JogPanel):
             self._use_tool()
 
     def _use_tool(self) -> None:
-        """Poses of another point stand for nothing, and figures are of another frame."""
+        """Show another tool or frame, and drop entries that were made for the one before."""
         cartesian = self._controller.cartesian
         other_tool = cartesian.tool != self._shown_of[0]
         self._shown_of = cartesian.tool, cartesian.frame
@@ -376,7 +376,7 @@ class CartesianPanel(JogPanel):
     # -- jogging ------------------------------------------------------------------------------
 
     def _release(self) -> None:
-        """No target is the operator's any more."""
+        """Let all fields follow the arm again."""
         for row in self._rows:
             row.own = False
 
@@ -386,7 +386,7 @@ class CartesianPanel(JogPanel):
             self._release()
 
     def _on_repeated(self, place: int, direction: int) -> None:
-        """MOVE L plans anew at each target: a held button waits for the arm."""
+        """Jog by another step once the arm stands: MOVE L plans anew at each target."""
         if not self._operating_state.moving:
             self._on_stepped(place, direction)
 
@@ -422,7 +422,7 @@ class CartesianPanel(JogPanel):
         self.show_acts()
 
     def _forget_outdated(self, old: OperatingState) -> None:
-        """Once a pose was driven to, the fields follow the arm again."""
+        """Let the fields follow the arm again once it has driven to the pose that was sent."""
         super()._forget_outdated(old)
         if self._sent and old.moving and not self._operating_state.moving:
             self._sent = False
@@ -472,7 +472,7 @@ class CartesianPanel(JogPanel):
             self._show_message()
 
     def _follow_arm(self) -> None:
-        """Fields in which nothing was given show where the arm is."""
+        """Show the arm's present pose in the fields in which nothing was typed."""
         pose = None if self._operating_state.device is None else self._shown_pose()
         if pose is not None:
             self._follow(pose)
@@ -514,7 +514,7 @@ class CartesianPanel(JogPanel):
         self.show_acts()
 
     def _first_wrong(self) -> Refusal | None:
-        """A figure that is none, or what the arm itself says against its last target."""
+        """Return a text that is no figure, or the arm's own refusal of its last target."""
         nonsense = self._nonsense()
         if nonsense is not None:
             return nonsense

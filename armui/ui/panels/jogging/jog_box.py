@@ -326,7 +326,7 @@ class JogBox(Translated, QFrame):
             self.refused.emit(refusal_of(answer))
 
     def _on_repeated(self, place: int, direction: int) -> None:
-        """A held button waits for an arm that does not keep up: letting go must end the motion."""
+        """Jog by another step unless the arm lags behind: letting go must end the motion."""
         if self.kind is JogKind.JOINTS:
             waits = self._controller.motion.jog_lagging(place + 1, self._steps.step)
         else:

@@ -329,7 +329,7 @@ class KeyPad(Translated, QFrame):
         self._end()
 
     def _end(self) -> None:
-        """The motion ends before anything is done that could fail."""
+        """Emit `let_go` first: the motion must end even if something after it fails."""
         if self._holding:
             self._holding = False
             self.let_go.emit()
@@ -492,7 +492,7 @@ class JogPanel(Panel):
         raise NotImplementedError
 
     def _on_edited(self) -> None:
-        """The operator changed a target."""
+        """React to a target that the operator has changed."""
         raise NotImplementedError
 
     def _on_held(self, number: int, direction: int) -> None:
@@ -515,7 +515,7 @@ class JogPanel(Panel):
         raise NotImplementedError
 
     def _forget_targets(self) -> None:
-        """The arm is another one, or counts its angles anew."""
+        """Drop all targets: the arm is another one, or has new zero points."""
         raise NotImplementedError
 
     def _show_possible(self) -> None:
@@ -546,7 +546,7 @@ class JogPanel(Panel):
         self._accepted(HOLD_UNATTENDED(seconds=UNATTENDED_S))
 
     def _on_noticed(self, event: Event) -> None:
-        """What ended a jog is said where the operator looks; a new zero makes targets void."""
+        """Say why a jog has ended, and drop all targets after a new zero."""
         reason = event.params.get("reason")
         if event.notice == JOG_ENDED and isinstance(reason, Refusal) and self.isVisible():
             self._accepted(reason)

@@ -118,7 +118,7 @@ class JointRow(TargetRow):
         self.edited.emit()
 
     def _after_target(self) -> None:
-        """Slider, marks and colours go with the figure in the field."""
+        """Set slider, marks and colours by the figure in the field."""
         beyond = self.beyond_limits() is not None
         self.slider.show_requested(self.field.value, attention=beyond)
         self.field.show_attention(wanted=beyond or self.field.is_nonsense())
@@ -316,7 +316,7 @@ class MotionPanel(JogPanel):
     # -- actions ------------------------------------------------------------------------------
 
     def _on_repeated(self, joint: int, direction: int) -> None:
-        """A held button waits for an arm that doesn't keep up: letting go must end the motion."""
+        """Jog by another step unless the arm lags behind: letting go must end the motion."""
         if not self._controller.motion.jog_lagging(joint, self.jog_step_deg):
             self._on_stepped(joint, direction)
 
@@ -334,14 +334,14 @@ class MotionPanel(JogPanel):
         self._follow_arm()
 
     def _release(self, *joints: int) -> None:
-        """These joints were sent on: their fields go along, and sending takes none of them back."""
+        """Let the fields of these joints follow the arm, so that Send doesn't take them back."""
         self._event = None
         for joint in joints:
             self._rows[joint - 1].own = False
         self._follow_arm()
 
     def _follow_device(self) -> None:
-        """The fields of joints that a gamepad turns go along, too."""
+        """Let the fields of joints follow that a gamepad turns."""
         jog = self._controller.jogging.steered
         if jog is not None and not jog.frame:
             for joint in _moving(jog.rates):
@@ -400,7 +400,7 @@ class MotionPanel(JogPanel):
             row.show_measured(angle_deg, stale=is_stale(heard, state, self._operating_state))
 
     def _follow_arm(self) -> None:
-        """Fields in which nothing was given show where the arm is sent, else where it is."""
+        """Show the arm's setpoint, or else its angles, in the fields in which nothing was typed."""
         angles_deg = self._angles_deg()
         if angles_deg is not None:
             self._follow(angles_deg)

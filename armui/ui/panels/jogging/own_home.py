@@ -109,7 +109,7 @@ class OwnHome(HasActs, Translated, QWidget):
 
     @property
     def _arm(self) -> str | None:
-        """What the arm that is connected is remembered by; ``None`` before it has named itself."""
+        """The key under which the arm's own home is stored; ``None`` before it is known."""
         now = self._controller.operating_state
         return arm_key(now.device, now.generation, self._controller.state.identity)
 
@@ -185,7 +185,7 @@ class OwnHome(HasActs, Translated, QWidget):
         self._set.setToolTip("\n".join(filter(None, (kept, self._doubt()))))
 
     def _doubt(self) -> str:
-        """What to say where another arm at this adapter would be taken for this one."""
+        """Return a warning if another arm at this adapter would be taken for this one, else ""."""
         if self._arm is None or self._node:
             return ""
         return self.tr(

@@ -143,7 +143,7 @@ class MountingCard(HasActs, QFrame):
 
     @property
     def _kept(self) -> Mounting | None:
-        """What this arm was told last by this program; ``None``: nothing, or no arm is there."""
+        """The mounting that this program has sent to this arm last, or ``None``."""
         kept = self._preferences.settings.mountings.get(self._arm or "")
         return next((each for each, name in _CHOICES.items() if name == kept), None)
 
@@ -192,7 +192,7 @@ class MountingCard(HasActs, QFrame):
         return self.chosen is not None and self.chosen is not self._kept
 
     def _show_kept(self) -> None:
-        """Nothing that was chosen for another arm stays chosen."""
+        """Choose the mounting last sent to this arm, or none: another arm's must not stay."""
         self._choices.setExclusive(False)
         for mounting in _CHOICES:
             self._choices.button(int(mounting)).setChecked(mounting is self._kept)

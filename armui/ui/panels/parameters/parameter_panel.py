@@ -369,7 +369,7 @@ class ParameterPanel(Panel):
         return self._operating_state.unreachable or self._settings.why_not_kept(self._batches)
 
     def _no_way(self) -> str:
-        """The same in words, or that the arm is still at the last request; empty: nothing."""
+        """Return in words why nothing can be read or saved, also during a request; else ""."""
         refusal = self._why_not_here()
         if refusal is None and self._settings.busy:
             refusal = BUSY(what="settings")
