@@ -189,11 +189,11 @@ def test_a_silent_arm_is_offline_and_its_table_stale(ready):
     ready.run(0.8)
     assert button(ready).state_text == "Offline"
     assert "not heard of late" in table.tip("Joint communication:", 1)
-    assert not table.page.clear_buttons[0].isEnabled()
-    assert "nothing is heard" in table.page.clear_buttons[0].toolTip()
+    assert not table.page.clear_buttons[1].isEnabled()
+    assert "nothing is heard" in table.page.clear_buttons[1].toolTip()
     ready.powered = True
     ready.run_until(lambda: button(ready).state_text == "Normal")
-    assert table.page.clear_buttons[0].isEnabled()
+    assert table.page.clear_buttons[1].isEnabled()
 
 
 @ONE_IS_ENOUGH
@@ -288,7 +288,7 @@ def message(table):
 
 def test_clearing_an_error_sends_it_and_waits_for_the_arms_answer(ready):
     table = Table(ready)
-    ready.click(table.page.clear_buttons[1])
+    ready.click(table.page.clear_buttons[2])
     assert "Clear error sent to joint 2" in message(table)
     ready.step()
     assert ready.heard() == [CLEAR_2[ready.firmware.generation]]
@@ -300,7 +300,7 @@ def test_clearing_an_error_sends_it_and_waits_for_the_arms_answer(ready):
 def test_no_answer_within_a_second_is_said(ready):
     table = Table(ready)
     ready.firmware.on_frame = lambda _frame: []
-    ready.click(table.page.clear_buttons[5])
+    ready.click(table.page.clear_buttons[6])
     ready.run(0.9)
     assert ready.codes()[-1] == "clear_error_sent"
     ready.run(0.2)
@@ -311,8 +311,8 @@ def test_no_answer_within_a_second_is_said(ready):
 @ONE_IS_ENOUGH
 def test_one_error_at_a_time(ready):
     table = Table(ready)
-    ready.click(table.page.clear_buttons[0])
-    ready.click(table.page.clear_buttons[3])
+    ready.click(table.page.clear_buttons[1])
+    ready.click(table.page.clear_buttons[4])
     assert "clearing a joint's error" in message(table)
     ready.run(0.1)
     assert len(ready.heard()) == 1

@@ -209,7 +209,7 @@ def test_a_refusal_to_clear_is_said_in_the_page(
     qtbot: QtBot, controller: FakeController, page: JointStatusPage
 ) -> None:
     controller.answer = LINK_LOST()
-    qtbot.mouseClick(page.clear_buttons[3], Qt.MouseButton.LeftButton)
+    qtbot.mouseClick(page.clear_buttons[4], Qt.MouseButton.LeftButton)
     assert controller.calls[-1] == ("clear_joint_error", 4)
     said = page.findChild(MessageLine, "joint_status_message")
     assert said.text() == words.refusal(LINK_LOST())
@@ -221,7 +221,7 @@ def test_a_refusal_to_clear_is_said_in_the_page(
 
 def test_the_buttons_stand_above_their_columns(page: JointStatusPage) -> None:
     table = page.table
-    for column, button in enumerate(page.clear_buttons):
+    for column, button in enumerate(page.clear_buttons.values()):
         left = table.viewport().mapTo(page, table.viewport().rect().topLeft()).x()
         left += table.columnViewportPosition(column)
         place = button.mapTo(page, button.rect().topLeft())
@@ -245,7 +245,7 @@ def test_in_the_drawer_of_a_small_window_all_rows_are_seen(
     translator.set_language(language)
     if said:
         controller.answer = LINK_LOST()
-        page.clear_buttons[3].click()
+        page.clear_buttons[4].click()
     QApplication.processEvents()
     assert page.minimumSizeHint().width() <= DRAWER_PX[0]
     assert page.minimumSizeHint().height() <= DRAWER_PX[1]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any, Final
@@ -28,19 +28,17 @@ from armui.control.devices.joint_errors import (
     CLEAR_ERROR_SENT,
     CLEAR_ERROR_UNANSWERED,
     JointErrors,
-    why_not_clear,
 )
 from armui.control.devices.joint_monitor import JointMonitor
 from armui.control.events import Event, Level
 from armui.control.operating_state import OperatingState
-from armui.control.operations.operation import operation_of
 from armui.protocol.generation import Generation
 from armui.ui import format as fmt
 from armui.ui import words
-from armui.ui.actions.command import Command, Target
+from armui.ui.actions.act import Act, ActFamily
 from armui.ui.theme import Colors, colors_of, scaled_font
 from armui.ui.widgets import state_mark
-from armui.ui.widgets.buttons import enable_or_explain, named, push_button
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import STRETCH, fill, in_row
 from armui.ui.widgets.message_line import MessageLine, Words
 from armui.ui.widgets.page import Page
@@ -304,16 +302,20 @@ class JointStatusPage(Page):
 
     Attributes:
         table: The table with a row for each item and a column for each joint.
-        clear_buttons: The buttons that clear each joint's error, above its column.
+        clear_buttons: The buttons that clear each joint's error, above its column, by its number.
     """
 
-    commands = tuple(
-        Command(
-            f"joint_status.clear_{joint}",
-            replace(_CLEAR, suffix=f"J{joint}"),
-            operation_of(JointErrors.clear),
-        )
-        for joint in JOINTS
+    clear_buttons = ActFamily(
+        {
+            joint: Act(
+                _CLEAR,
+                named=f"clear_error_{joint}",
+                does=JointErrors.clear,
+                key=f"joint_status.clear_{joint}",
+                title=replace(_CLEAR, suffix=f"J{joint}"),
+            )
+            for joint in JOINTS
+        }
     )
 
     def __init__(self, controller: ArmController, monitor: JointMonitor) -> None:
@@ -337,11 +339,6 @@ class JointStatusPage(Page):
         self._model.dataChanged.connect(self._show_detail)
         self.first = self.table
         self.retranslate_ui()
-
-    def command_targets(self) -> Mapping[str, Target]:
-        """Return the target of each command, by the command's name."""
-        names = (command.name for command in self.commands)
-        return dict(zip(names, self.clear_buttons, strict=True))
 
     # Layout -----------------------------------------------------------------------------------
 
@@ -370,16 +367,12 @@ class JointStatusPage(Page):
         """Make the line above the columns: numbers of the joints, buttons that clear errors."""
         self._joint_label = text_label(rank="muted")
         self._joint_label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        self.clear_buttons = [
-            push_button(f"clear_error_{joint}", on_enter=False) for joint in JOINTS
-        ]
         self._head = QWidget()
         row = in_row(
             self._joint_label, on=self._head, spacing=0, margins=(_FRAME_PX, 0, _FRAME_PX, 0)
         )
-        for joint, button in zip(JOINTS, self.clear_buttons, strict=True):
+        for joint, button in self.clear_buttons.items():
             button.setProperty("compact", True)
-            button.clicked.connect(partial(self._clear_error, joint))
             number = text_label()
             number.setText(str(joint))
             cell = (int(_LEFT_PX), 0, _BETWEEN_PX, 0)
@@ -398,12 +391,9 @@ class JointStatusPage(Page):
         self.set_title(self.tr("Joint status"))
         self._joint_label.setText(self.tr("Joint"))
         self.table.setAccessibleName(self.tr("Joint status"))
-        for joint, button in zip(JOINTS, self.clear_buttons, strict=True):
-            button.setText(self.tr("Clear error"))
-            button.setAccessibleName(f"{button.text()} J{joint}")
         self._model.retranslate()
-        self._fit_columns()
         self._show_usable(self._controller.operating_state)
+        self._fit_columns()
         self._show_detail()
         self._show_notice()
 
@@ -414,7 +404,7 @@ class JointStatusPage(Page):
         header_px = names + _HEADER_PAD_PX
         self.table.verticalHeader().setFixedWidth(header_px)
         self._joint_label.setFixedWidth(header_px)
-        column_px = max(button.sizeHint().width() for button in self.clear_buttons)
+        column_px = max(button.sizeHint().width() for button in self.clear_buttons.values())
         column_px = max(column_px + 4 * _BETWEEN_PX, word_width(self.table))
         self.table.setMinimumWidth(header_px + len(JOINTS) * column_px + 2 * _FRAME_PX)
 
@@ -429,10 +419,7 @@ class JointStatusPage(Page):
             self._show_usable(operating_state)
 
     def _show_usable(self, operating_state: OperatingState) -> None:
-        reason = why_not_clear(operating_state)
-        use = self.tr("Ask the driver of joint {joint} to clear its error")
-        for joint, button in zip(JOINTS, self.clear_buttons, strict=True):
-            enable_or_explain(button, words.why_not(reason), use.format(joint=joint))
+        self.show_acts()
         doubt = words.why_not(operating_state.reference.why_doubtful())
         self._reference.show_message(doubt, Level.WARNING if doubt else Level.INFO)
 
@@ -460,6 +447,15 @@ class JointStatusPage(Page):
 
     # Clearing errors --------------------------------------------------------------------------
 
+    @clear_buttons.tip
+    def _what_clears(self, joint: int) -> str:
+        return self.tr("Ask the driver of joint {joint} to clear its error").format(joint=joint)
+
+    @clear_buttons.whose
+    def _of_joint(self, joint: int) -> str:
+        return f"J{joint}"
+
+    @clear_buttons.pressed
     def _clear_error(self, joint: int) -> None:
         self._event = None
         answer = self._controller.joint_errors.clear(joint)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Final
 
 from PySide6.QtCore import QEvent, QSize, Qt, QTimer, Signal
@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from armui.ui.actions.command import Command, Target
+from armui.ui.actions.act import HasActs
 from armui.ui.widgets.curve_menu import offer_curves
 from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.translated import Translated
@@ -24,7 +24,7 @@ from armui.ui.widgets.translated import Translated
 _GAP_PX: Final = 12
 
 
-class Page(Translated, QWidget):
+class Page(HasActs, Translated, QWidget):
     """Content without a frame: its holder shows the title, the way back, and the stops.
 
     A page is left, never just closed: :meth:`leave` may ask first. It works only while it is
@@ -41,7 +41,6 @@ class Page(Translated, QWidget):
         first: The widget to focus at first; ``None`` for the page itself.
         body: The layout for its content.
         footer: The layout for its last buttons, from left to right.
-        commands: Its commands for the command palette.
         leaves_at_escape: Whether Escape leaves it, as something opened from elsewhere.
 
     Signals:
@@ -50,7 +49,6 @@ class Page(Translated, QWidget):
         closed: It was left for good, and its holder removes it.
     """
 
-    commands: Sequence[Command] = ()
     leaves_at_escape = True
     titled = Signal()
     wanted = Signal()
@@ -86,10 +84,6 @@ class Page(Translated, QWidget):
 
     def headers(self) -> Mapping[str, QHeaderView]:
         """Return the headers of its tables by name, whose widths and order are stored."""
-        return {}
-
-    def command_targets(self) -> Mapping[str, Target]:
-        """Return the target of each of its commands, by the command's name."""
         return {}
 
     def bring_into_sight(self, part: QWidget) -> None:
