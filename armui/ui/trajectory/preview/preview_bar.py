@@ -3,25 +3,23 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
 from typing import Final
 
 from PySide6.QtCore import QElapsedTimer, QSignalBlocker, QTimer, Signal
 from PySide6.QtWidgets import QFrame
 
-from armui.ui.actions.command import Command, Target
+from armui.ui.actions.act import Act, HasActs
 from armui.ui.widgets.buttons import caption, describe, named, push_button
 from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.text_label import ValueLabel
 from armui.ui.widgets.track_slider import TrackSlider
 from armui.ui.widgets.translated import Translated
-from armui.ui.words.text import Text
 
 _STEP_S: Final = 0.01
 _FRAME_MS: Final = 33
 
 
-class PreviewBar(Translated, QFrame):
+class PreviewBar(HasActs, Translated, QFrame):
     """Shows the ghost's time, and lets the operator change it.
 
     Nothing is ever sent.
@@ -31,7 +29,7 @@ class PreviewBar(Translated, QFrame):
         closed: the preview is no longer wanted.
     """
 
-    commands = (Command("view.close_preview", Text("PreviewBar", "Close preview")),)
+    _close = Act("Close preview", named="preview_close", key="view.close_preview")
     time_changed = Signal(float)
     closed = Signal()
 
@@ -45,7 +43,6 @@ class PreviewBar(Translated, QFrame):
         self._slider.setSingleStep(10)
         self._slider.setPageStep(100)
         self._time = named("preview_time", ValueLabel(""))
-        self._close = push_button("preview_close", on_enter=False)
         parts = (self._play, (self._slider, 1), self._time, self._close)
         in_row(*parts, on=self, spacing=10, margins=(12, 8, 12, 8))
         self._clock = QElapsedTimer()
@@ -54,13 +51,8 @@ class PreviewBar(Translated, QFrame):
         self._timer.timeout.connect(self._on_frame)
         self._slider.valueChanged.connect(self._on_moved)
         self._play.toggled.connect(self._on_play)
-        self._close.clicked.connect(self.closed)
         self.hide()
         self.retranslate_ui()
-
-    def command_targets(self) -> Mapping[str, Target]:
-        """Return the target of each command, by the command's name."""
-        return {"view.close_preview": self._close}
 
     @property
     def time_s(self) -> float:
@@ -98,6 +90,10 @@ class PreviewBar(Translated, QFrame):
             self._play.setChecked(False)
         self.setVisible(shown)
 
+    @_close.pressed
+    def _on_close(self) -> None:
+        self.closed.emit()
+
     def _on_moved(self) -> None:
         self._time.show_text(f"{_clock(self.time_s)} / {_clock(self._duration_s)}", stale=False)
         self.time_changed.emit(self.time_s)
@@ -127,7 +123,7 @@ class PreviewBar(Translated, QFrame):
         """Set the texts in the operator's language."""
         tip = self.tr("Moves the ghost arm through the motion.")
         describe(self._slider, self.tr("Time of the preview"), tip)
-        caption(self._close, self.tr("Close preview"))
+        self.show_acts()
         self._name_play()
 
 

@@ -11,24 +11,23 @@ from PySide6.QtWidgets import (
     QLabel,
     QProgressBar,
     QSizePolicy,
-    QToolButton,
     QWidget,
 )
 
 from armui.control.motion.abort import RUN_STOPPED
 from armui.control.operations.operation import operation_of
-from armui.control.run.player import Player
+from armui.control.run.player import NOT_RUNNING, Player
 from armui.control.run.progress import ENDLESS, OVER, Progress, RunPhase
 from armui.control.run.speed_override import STEP_PERCENT, SpeedOverride
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.actions.act import Act, HasActs
 from armui.ui.actions.command import Command, Target, also
 from armui.ui.actions.keys import key_text
 from armui.ui.theme import colors_of
 from armui.ui.trajectory.running.runner import Runner, can_pause
 from armui.ui.widgets import icons, painting
-from armui.ui.widgets.buttons import describe, named, push_button
-from armui.ui.widgets.hold_button import HoldButton
+from armui.ui.widgets.buttons import describe, named
 from armui.ui.widgets.layouts import fill, in_column, in_row
 from armui.ui.widgets.percent_input import PercentInput
 from armui.ui.widgets.text_label import ElidedLabel
@@ -105,7 +104,7 @@ class OverrideControl(Translated, QWidget):
         self._input.show_value()
 
 
-class RunStrip(Translated, QWidget):
+class RunStrip(HasActs, Translated, QWidget):
     """Visible from the beginning of a run until the operator has seen its end.
 
     It follows every run, of points or of a recording.
@@ -119,9 +118,7 @@ class RunStrip(Translated, QWidget):
 
     turned = Signal()
     commands = (
-        Command("run.pause", Text("RunStrip", "Pause"), operation_of(Player.pause)),
         Command("run.go_on", operation=operation_of(Player.go_on)),
-        Command("run.stop", Text("RunStrip", "End run")),
         Command(
             "run.override",
             Text("OverrideControl", "Speed override of the run"),
@@ -130,9 +127,23 @@ class RunStrip(Translated, QWidget):
             synonyms=also("velocity fast slow 速度 快 慢"),
         ),
     )
+    # no button becomes another one under the finger: a pause pressed late never moves the arm
+    _next = Act("Next step", named="run_next")
+    _pause = Act(
+        "Pause",
+        named="run_pause",
+        does=Player.pause,
+        key="run.pause",
+        title=Text("RunStrip", "Pause"),
+    )
+    # a motion that was held back is never set going by a slip
+    _continue = Act("Continue", named="run_continue", held=True)
+    _stop = Act("End run", named="run_stop", key="run.stop")
+    _close = Act("Close", named="run_close", tip="Puts this line away; the run is over.", flat=True)
 
     def __init__(self, controller: ArmController) -> None:
         super().__init__()
+        self._controller = controller
         self.setObjectName("run_strip")
         self._runner = Runner(controller, self)
         self._refusal: Refusal | None = None
@@ -146,13 +157,6 @@ class RunStrip(Translated, QWidget):
         self._told = QWidget()
         self._beside = False
         self._override = OverrideControl(controller)
-        # no button becomes another one under the finger: a pause pressed late never moves the arm
-        self._next = push_button("run_next", on_enter=False)
-        self._pause = push_button("run_pause", on_enter=False)
-        # a motion that was held back is never set going by a slip
-        self._continue = named("run_continue", HoldButton(controller))
-        self._stop = push_button("run_stop", on_enter=False)
-        self._close = named("run_close", QToolButton())
         self._close.setIconSize(QSize(_ICON_PX, _ICON_PX))
         lines = in_column(self._name, self._text, spacing=0, margins=0)
         lines.setAlignment(Qt.AlignmentFlag.AlignVCenter)
@@ -160,11 +164,6 @@ class RunStrip(Translated, QWidget):
         row = in_row((self._told, 1), self._override, self._next, on=self, spacing=12)
         fill(row, self._pause, self._continue, self._stop, self._close)
         row.setContentsMargins(_MARGIN_PX + _GAP_PX, _TOP_PX, _MARGIN_PX + _GAP_PX, 0)
-        self._next.clicked.connect(self._on_go_on)
-        self._pause.clicked.connect(self._on_pause)
-        self._continue.held.connect(self._on_go_on)
-        self._stop.clicked.connect(self._runner.stop)
-        self._close.clicked.connect(self.hide)
         self._runner.progressed.connect(self._on_progress)
         self.retranslate_ui()
         self._recolor()
@@ -172,11 +171,9 @@ class RunStrip(Translated, QWidget):
 
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
-        stop: dict[str, Target] = {"run.stop": self._stop, "run.override": self._override.field}
-        if can_pause(self._runner.progress):
-            return {**stop, "run.pause": self._pause}
+        targets = {**super().command_targets(), "run.override": self._override.field}
         go_on = self.go_on_button  # a press of the palette never sets the arm moving
-        return stop if go_on is None else {**stop, "run.go_on": go_on}
+        return targets if go_on is None else {**targets, "run.go_on": go_on}
 
     @property
     def go_on_button(self) -> QWidget | None:
@@ -195,13 +192,28 @@ class RunStrip(Translated, QWidget):
         self.setSizePolicy(policy, QSizePolicy.Policy.Preferred)
         self._show(self._runner.progress)
 
+    @_pause.why_not
+    def _why_not_pause(self) -> Refusal | None:
+        return None if can_pause(self._runner.progress) else NOT_RUNNING()
+
+    @_pause.pressed
     def _on_pause(self) -> None:
         self._refusal = self._runner.pause()
         self._show(self._runner.progress)
 
+    @_next.pressed
+    @_continue.pressed
     def _on_go_on(self) -> None:
         self._refusal = self._runner.go_on()
         self._show(self._runner.progress)
+
+    @_stop.pressed
+    def _on_stop(self) -> None:
+        self._runner.stop()
+
+    @_close.pressed
+    def _on_close(self) -> None:
+        self.hide()
 
     def _on_progress(self, progress: Progress) -> None:
         if self.isHidden() and self._runner.running:
@@ -218,7 +230,7 @@ class RunStrip(Translated, QWidget):
         paused = self._is_paused
         self._next.setVisible(progress.phase is RunPhase.WAITING)
         self._pause.setVisible(running and not paused)
-        self._pause.setEnabled(can_pause(progress))
+        RunStrip._pause.show(self)
         self._continue.setVisible(running and paused)
         self._stop.setVisible(running)
         # beside an obstacle its end stays told: put away, it would slide the obstacle's button
@@ -282,12 +294,8 @@ class RunStrip(Translated, QWidget):
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
-        self._next.setText(self.tr("Next step"))
-        self._pause.setText(self.tr("Pause"))
-        self._stop.setText(self.tr("End run"))
-        self._continue.setText(self.tr("Continue"))
         self._bar.setAccessibleName(self.tr("Progress of the run"))
-        describe(self._close, self.tr("Close"), self.tr("Puts this line away; the run is over."))
+        self.show_acts()
         self._show(self._runner.progress)
 
     def _recolor(self) -> None:
