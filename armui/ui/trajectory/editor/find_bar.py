@@ -14,8 +14,9 @@ from armui.trajectory.planning.user_frames import RowsOrRefusal
 from armui.trajectory.points import edits
 from armui.trajectory.points.program import JOINT_NAMES, POSE_NAMES
 from armui.ui import words
+from armui.ui.actions.act import Act, ActFamily, HasActs
 from armui.ui.trajectory.editor.long_edits import LongEdit, LongEdits
-from armui.ui.widgets.buttons import enable_or_explain, named, push_button
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.flow import in_flow
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
@@ -30,7 +31,7 @@ _AT_ONCE: Final = 500
 """In so many rows a replacement takes 10 ms."""
 
 
-class FindBar(Translated, QWidget):
+class FindBar(HasActs, Translated, QWidget):
     """The fields for searching and replacing; its owner carries both out.
 
     Signals:
@@ -42,6 +43,13 @@ class FindBar(Translated, QWidget):
     next_wanted = Signal(int)
     replace_wanted = Signal(bool)
     closed = Signal()
+    _find = ActFamily(
+        {-1: Act("Previous", named="find_previous"), 1: Act("Next", named="find_next")}
+    )
+    _replace = ActFamily(
+        {False: Act("Replace", named="replace_one"), True: Act("Replace all", named="replace_all")}
+    )
+    _close = Act("Close", named="find_close")
 
     def __init__(self) -> None:
         super().__init__()
@@ -51,32 +59,30 @@ class FindBar(Translated, QWidget):
         self._wanted = named("find_text", QLineEdit())
         self._by = named("replace_text", QLineEdit())
         self._result = text_label("find_result", rank="muted")
-        self._next = push_button("find_next", on_enter=False)
-        self._previous = push_button("find_previous", on_enter=False)
-        self._replace = push_button("replace_one", on_enter=False)
-        self._replace_all = push_button("replace_all", on_enter=False)
-        self._close = push_button("find_close", on_enter=False)
         self._lay_out()
-        self._next.clicked.connect(lambda: self.next_wanted.emit(1))
-        self._previous.clicked.connect(lambda: self.next_wanted.emit(-1))
-        self._replace.clicked.connect(lambda: self.replace_wanted.emit(False))
-        self._replace_all.clicked.connect(lambda: self.replace_wanted.emit(True))
-        self._close.clicked.connect(self.put_away)
         self._wanted.returnPressed.connect(lambda: self.next_wanted.emit(1))
         self._by.returnPressed.connect(lambda: self.replace_wanted.emit(False))
         self._wanted.textChanged.connect(self._result.clear)
-        self._wanted.textChanged.connect(self._show_usable)
+        self._wanted.textChanged.connect(self.show_acts)
         self.retranslate_ui()
 
     def _lay_out(self) -> None:
-        of_finding = (self._field, self._wanted, self._previous, self._next)
-        of_replacing = (self._by, self._replace, self._replace_all)
+        of_finding = (self._field, self._wanted, *self._find.values())
+        of_replacing = (self._by, *self._replace.values())
         in_flow(*of_finding, *of_replacing, self._result, on=self).push(self._close)
 
-    def _show_usable(self) -> None:
-        reason = "" if self._wanted.text() else self.tr("Type what to find first.")
-        for button in (self._previous, self._next, self._replace, self._replace_all):
-            enable_or_explain(button, reason)
+    @_find.why_not
+    @_replace.why_not
+    def _why_not(self, _which: int) -> str:
+        return "" if self._wanted.text() else self.tr("Type what to find first.")
+
+    @_find.pressed
+    def _on_find(self, by: int) -> None:
+        self.next_wanted.emit(by)
+
+    @_replace.pressed
+    def _on_replace(self, everywhere: bool) -> None:
+        self.replace_wanted.emit(everywhere)
 
     def open(self) -> None:
         """Show the bar, and focus the search field."""
@@ -84,6 +90,7 @@ class FindBar(Translated, QWidget):
         self._wanted.setFocus()
         self._wanted.selectAll()
 
+    @_close.pressed
     def put_away(self) -> None:
         """Close the bar."""
         self.hide()
@@ -115,12 +122,7 @@ class FindBar(Translated, QWidget):
         self._field.setAccessibleName(self.tr("Where to search"))
         self._wanted.setPlaceholderText(self.tr("Find"))
         self._by.setPlaceholderText(self.tr("Replace with"))
-        self._next.setText(self.tr("Next"))
-        self._previous.setText(self.tr("Previous"))
-        self._replace.setText(self.tr("Replace"))
-        self._replace_all.setText(self.tr("Replace all"))
-        self._close.setText(self.tr("Close"))
-        self._show_usable()
+        self.show_acts()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Close the bar at Escape."""

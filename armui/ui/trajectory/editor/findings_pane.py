@@ -11,9 +11,10 @@ from PySide6.QtWidgets import QListWidget, QListWidgetItem, QWidget
 from armui.arm.refusal import Refusal
 from armui.control.cell.cell_reasons import CELL_NOT_READ
 from armui.trajectory.planning.findings import Finding, Severity
+from armui.ui.actions.act import Act, HasActs
 from armui.ui.theme import colors_of
 from armui.ui.trajectory.running.preflight import Preflight
-from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
@@ -27,7 +28,7 @@ _MOST = 100
 """Further lines are only counted: more than an operator reads, or a window lays out at once."""
 
 
-class FindingsPane(Translated, QWidget):
+class FindingsPane(HasActs, Translated, QWidget):
     """Shows a :class:`Preflight`; hidden while there is none.
 
     Signals:
@@ -37,6 +38,8 @@ class FindingsPane(Translated, QWidget):
 
     row_wanted = Signal(int)
     dismissed = Signal()
+    accept_button = Act("Run now", named="accept_warnings", primary=True)
+    _close_button = Act("Close", named="findings_close")
 
     def __init__(self) -> None:
         super().__init__()
@@ -50,10 +53,6 @@ class FindingsPane(Translated, QWidget):
         self._list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._list.currentItemChanged.connect(self._on_current)
         self._list.itemClicked.connect(self._on_current)
-        self.accept_button = push_button("accept_warnings", primary=True, on_enter=False)
-        self.accept_button.clicked.connect(self._on_accepted)
-        self._close_button = push_button("findings_close", on_enter=False)
-        self._close_button.clicked.connect(self.dismiss)
         head = in_row((self._title, 1), self.accept_button, self._close_button)
         in_column(head, self._list, on=self, spacing=6, margins=0)
         self.clear()
@@ -83,6 +82,7 @@ class FindingsPane(Translated, QWidget):
         self.hide()
 
     def _fill(self) -> None:
+        self.show_acts()
         checked = self._checked
         if checked is None:
             return
@@ -105,9 +105,11 @@ class FindingsPane(Translated, QWidget):
         self._fit()
         self._list.setVisible(bool(checked.findings))
         self.accept_button.setVisible(self._accept is not None)
-        self.accept_button.setText(
-            self.tr("Accept the warnings and run") if checked.findings else self.tr("Run now")
-        )
+
+    @accept_button.text
+    def _accept_text(self) -> str:
+        found = self._checked is not None and self._checked.findings
+        return self.tr("Accept the warnings and run") if found else self.tr("Run now")
 
     def _why_less(self, waits: Refusal) -> str:
         """Return what of the cell the check counted, while it waits for its confirmation."""
@@ -155,12 +157,14 @@ class FindingsPane(Translated, QWidget):
         if row is not None:
             self.row_wanted.emit(row)
 
+    @accept_button.pressed
     def _on_accepted(self) -> None:
         accept = self._accept
         self.clear()
         if accept is not None:
             accept()
 
+    @_close_button.pressed
     def dismiss(self) -> None:
         """Close the pane without an answer."""
         self.clear()
@@ -168,7 +172,6 @@ class FindingsPane(Translated, QWidget):
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
-        self._close_button.setText(self.tr("Close"))
         self._fill()
 
     def _recolor(self) -> None:

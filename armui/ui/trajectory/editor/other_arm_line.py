@@ -8,13 +8,14 @@ from PySide6.QtWidgets import QWidget
 from armui.arm.model_check import ModelFit
 from armui.control.events import Level
 from armui.ui import words
-from armui.ui.widgets.buttons import describe, named, push_button
+from armui.ui.actions.act import Act, HasActs
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.translated import Translated
 
 
-class OtherArmLine(Translated, QWidget):
+class OtherArmLine(HasActs, Translated, QWidget):
     """A line shown while the chosen arm differs from the one a trajectory was taught on.
 
     Signals:
@@ -22,15 +23,14 @@ class OtherArmLine(Translated, QWidget):
     """
 
     convert_wanted = Signal()
+    _convert = Act("Convert zeros", named="convert_zeros")
 
     def __init__(self) -> None:
         super().__init__()
         self._taught_on = ""
         self._fit = ModelFit()
         self._message = named("editor_other_arm", MessageLine(keeps_room=False))
-        self._convert = push_button("convert_zeros", on_enter=False)
         in_row((self._message, 1), self._convert, on=self, spacing=8, margins=0)
-        self._convert.clicked.connect(self.convert_wanted)
         self.hide()
 
     def show_arms(self, taught_on: str, fit: ModelFit) -> None:
@@ -52,15 +52,19 @@ class OtherArmLine(Translated, QWidget):
             taught=words.arm_kind(self._taught_on), arm=words.arm_kind(self._fit.kind)
         )
         self._message.show_message(text if other else "", Level.WARNING)
-        by_deg = self._fit.zeros_from_deg(self._taught_on)
-        self._convert.setVisible(by_deg is not None)
-        if by_deg is not None:
-            tip = self.tr(
-                "Turns the joints of every point by {degrees}, so that the arm comes to the same "
-                "place. Poses stay: they count from the base. It can be undone."
-            )
-            turns = enumerate(by_deg, start=1)
-            each = ", ".join(f"J{joint} {turn:+g}°" for joint, turn in turns if turn)
-            describe(self._convert, self.tr("Convert zeros"), tip.format(degrees=each))
-            self._convert.setText(self.tr("Convert zeros"))
+        self._convert.setVisible(self._fit.zeros_from_deg(self._taught_on) is not None)
+        self.show_acts()
         self.setVisible(other)
+
+    @_convert.tip
+    def _what_converts(self) -> str:
+        turns = enumerate(self._fit.zeros_from_deg(self._taught_on) or (), start=1)
+        each = ", ".join(f"J{joint} {turn:+g}°" for joint, turn in turns if turn)
+        return self.tr(
+            "Turns the joints of every point by {degrees}, so that the arm comes to the same "
+            "place. Poses stay: they count from the base. It can be undone."
+        ).format(degrees=each)
+
+    @_convert.pressed
+    def _on_convert(self) -> None:
+        self.convert_wanted.emit()

@@ -11,7 +11,8 @@ from PySide6.QtWidgets import QWidget
 
 from armui.control.events import Level
 from armui.ui import format as fmt
-from armui.ui.widgets.buttons import describe, named, push_button
+from armui.ui.actions.act import Act, HasActs
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.translated import Translated
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 _SPACING_PX: Final = 8
 
 
-class UnsavedRecordingLine(Translated, QWidget):
+class UnsavedRecordingLine(HasActs, Translated, QWidget):
     """A line shown while there is such a recording; the oldest comes first.
 
     Args:
@@ -39,19 +40,19 @@ class UnsavedRecordingLine(Translated, QWidget):
     kept = Signal(str)
     discarded = Signal(str)
     refused = Signal(str)
+    _keep = Act("Keep", named="keep_recording", tip="Saves it in the library.")
+    _discard = Act(
+        "Discard", named="discard_recording", tip="It stays under “Recently deleted…” for 30 days."
+    )
 
     def __init__(self, work: LibraryWork) -> None:
         super().__init__()
         self._work = work
         self._found: Sequence[UnsavedRecording] = ()
         self._message = named("unsaved_recording", MessageLine(keeps_room=False))
-        self._keep = push_button("keep_recording", on_enter=False)
-        self._discard = push_button("discard_recording", on_enter=False)
         in_row(
             (self._message, 1), self._keep, self._discard, on=self, spacing=_SPACING_PX, margins=0
         )
-        self._keep.clicked.connect(self._on_keep)
-        self._discard.clicked.connect(self._on_discard)
         self.retranslate_ui()
 
     def look(self) -> None:
@@ -60,12 +61,12 @@ class UnsavedRecordingLine(Translated, QWidget):
 
     def _show_found(self, found: Sequence[UnsavedRecording]) -> None:
         self._found = found
-        self._keep.setEnabled(True)
-        self._discard.setEnabled(True)
+        self.setEnabled(True)
         self.retranslate_ui()
 
+    @_keep.pressed
     def _on_keep(self) -> None:
-        self._begin()
+        self.setEnabled(False)  # nobody decides twice
         keep = partial(self._work.library.keep_recording, self._found[0])
         self._work.do(keep, self._on_kept, self._on_refused)
 
@@ -73,19 +74,15 @@ class UnsavedRecordingLine(Translated, QWidget):
         self.kept.emit(name)
         self.look()
 
+    @_discard.pressed
     def _on_discard(self) -> None:
-        self._begin()
+        self.setEnabled(False)
         discard = partial(self._work.library.discard_recording, self._found[0])
         self._work.do(discard, self._on_discarded, self._on_refused)
 
     def _on_discarded(self, deleted: Deleted) -> None:
         self.discarded.emit(deleted.names[0])
         self.look()
-
-    def _begin(self) -> None:
-        """Let nobody decide twice."""
-        self._keep.setEnabled(False)
-        self._discard.setEnabled(False)
 
     def _on_refused(self, text: str) -> None:
         self.refused.emit(text)
@@ -94,11 +91,7 @@ class UnsavedRecordingLine(Translated, QWidget):
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
         self.setVisible(bool(self._found))
-        self._keep.setText(self.tr("Keep"))
-        self._discard.setText(self.tr("Discard"))
-        describe(self._keep, self.tr("Keep"), self.tr("Saves it in the library."))
-        tip = self.tr("It stays under “Recently deleted…” for 30 days.")
-        describe(self._discard, self.tr("Discard"), tip)
+        self.show_acts()
         if not self._found:
             self._message.show_message("")
             return
