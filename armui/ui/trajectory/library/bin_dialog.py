@@ -13,10 +13,11 @@ from armui.control.events import Level
 from armui.trajectory.library.bin import KEPT
 from armui.trajectory.library.folders import shown_folder
 from armui.trajectory.library.store import Deleted
+from armui.ui.actions.act import Act
 from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.trajectory.library.library_actions import LibraryActions
 from armui.ui.trajectory.library.library_work import LibraryWork
-from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import STRETCH, fill
 from armui.ui.widgets.message_line import MessageLine, Words
 from armui.ui.widgets.table_model import plain_table
@@ -36,6 +37,7 @@ class BinDialog(ArmDialog):
     """
 
     wanted = Signal(object)
+    _back = Act("Restore", named="bin_back", primary=True, on_enter=True)
 
     def __init__(self, controller: ArmController, parent: QWidget | None = None) -> None:
         super().__init__(controller, parent)
@@ -47,13 +49,11 @@ class BinDialog(ArmDialog):
         self._table.verticalHeader().setDefaultSectionSize(_ROW_PX)
         for column in (1, 2):
             self._table.setColumnWidth(column, _DATE_PX)
-        self._back = push_button("bin_back", primary=True, on_enter=True)
         self._message = named("bin_message", MessageLine())
         fill(self.body, self._text, (self._table, 1), self._message)
         fill(self.footer, STRETCH, self._back, CloseButton(self))
         self._table.itemSelectionChanged.connect(self._show_usable)
         self._table.itemDoubleClicked.connect(lambda _item: self._back.click())
-        self._back.clicked.connect(lambda _checked=False: self.wanted.emit(self._chosen()))
         self.retranslate_ui()
         self.resize(_SIZE)
         self._table.setFocus()
@@ -85,14 +85,18 @@ class BinDialog(ArmDialog):
             self._table.selectRow(0)
         self._show_usable()
 
-    def _chosen(self) -> list[Deleted]:
+    @_back.why_not
+    def _why_not_restore(self) -> str:
+        chosen = self._table.selectionModel().selectedRows()
+        return "" if chosen else self.tr("Choose what to restore")
+
+    @_back.pressed
+    def _on_restore(self) -> None:
         rows = sorted(index.row() for index in self._table.selectionModel().selectedRows())
-        return [self._deleted[row] for row in rows]
+        self.wanted.emit([self._deleted[row] for row in rows])
 
     def _show_usable(self) -> None:
-        usable = bool(self._table.selectionModel().selectedRows())
-        self._back.setEnabled(usable)
-        self._back.setToolTip("" if usable else self.tr("Choose what to restore"))
+        self.show_acts()
         days = KEPT.days
         if self._deleted:
             text = self.tr(
@@ -110,7 +114,6 @@ class BinDialog(ArmDialog):
             [self.tr("Name"), self.tr("Deleted"), self.tr("Kept until")]
         )
         self._table.setAccessibleName(self.tr("Recently deleted"))
-        self._back.setText(self.tr("Restore"))
         self._show_usable()
 
 

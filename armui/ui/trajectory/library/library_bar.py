@@ -8,30 +8,21 @@ from typing import Final
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QAction, QKeyEvent, QKeySequence
-from PySide6.QtWidgets import QLineEdit, QMenu, QPushButton, QTableView, QWidget
+from PySide6.QtWidgets import QAbstractButton, QLineEdit, QMenu, QPushButton, QTableView, QWidget
 
 from armui.trajectory.files import SUFFIXES
 from armui.trajectory.library.store import IndexEntry
+from armui.ui.actions.act import Act, ActFamily, HasActs
 from armui.ui.actions.keys import key_text, keys_of, listen_for
-from armui.ui.widgets.buttons import give_menu, named, push_button
+from armui.ui.widgets.buttons import give_menu, named
 from armui.ui.widgets.flow import Flow
-from armui.ui.words.text import Texts
 
-_BUTTONS: Final = Texts("LibraryBar") | {
-    "import": "Import files",
-    "create": "Create",
-    "record": "Record",
-    "delete": "Delete",
-    "duplicate": "Duplicate",
-    "rename": "Rename",
-    "export": "Export files",
-}
 _OF_TABLE: Final = ("delete", "rename", "duplicate")
 """Actions whose keys count in the list only: in the search field they edit its text."""
 _SEARCH_PX: Final = 120
 
 
-class LibraryBar(QWidget):
+class LibraryBar(HasActs, QWidget):
     """Buttons and a search field, which emit the operator's wishes.
 
     Signals:
@@ -43,10 +34,22 @@ class LibraryBar(QWidget):
     wanted = Signal(str)
     export_wanted = Signal(str)
     open_wanted = Signal()
+    # a key of the list alone is no shortcut of a button: those count in the whole window
+    _buttons = ActFamily(
+        {
+            "import": Act("Import files", named="library_import"),
+            "create": Act("Create", named="library_create"),
+            "record": Act("Record", named="library_record"),
+            "delete": Act("Delete", named="library_delete"),
+            "duplicate": Act("Duplicate", named="library_duplicate"),
+            "rename": Act("Rename", named="library_rename"),
+        }
+    )
+    _export = Act("Export files", named="library_export")
 
     def __init__(self) -> None:
         super().__init__()
-        self._buttons = {name: push_button(f"library_{name}", on_enter=False) for name in _BUTTONS}
+        self._count, self._unsaved = 0, False
         self._export_menu = QMenu(self)
         self.search = named("library_search", QLineEdit())
         self.search.setClearButtonEnabled(True)
@@ -54,28 +57,25 @@ class LibraryBar(QWidget):
         self.search.setAcceptDrops(False)  # files are for the window, not for the search
         self.search.installEventFilter(self)
         layout = Flow(self)
-        for name, button in self._buttons.items():
+        for button in self.buttons.values():
             button.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the list
-            if name != "export":
-                button.clicked.connect(partial(self._on_clicked, name))
             layout.addWidget(button)
         for suffix in SUFFIXES:
             action = self._export_menu.addAction(suffix)
             action.triggered.connect(partial(self._on_export, suffix))
-        give_menu(self._buttons["export"], self._export_menu)
+        give_menu(self._export, self._export_menu)
         layout.addWidget(self.search)
         self._flow = layout
-        self.show_chosen(())
 
     @property
-    def buttons(self) -> Mapping[str, QPushButton]:
+    def buttons(self) -> Mapping[str, QAbstractButton]:
         """The buttons by their names."""
-        return self._buttons
+        return {**self._buttons, "export": self._export}
 
     def add_button(self, button: QPushButton) -> None:
         """Add a button that does its work by itself."""
         button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        self._flow.insert(len(self._buttons), button)
+        self._flow.insert(len(self.buttons), button)
 
     def add_before_search(self, widget: QWidget) -> None:
         """Add what also says which trajectories are listed."""
@@ -88,11 +88,9 @@ class LibraryBar(QWidget):
             page: The page: most keys count everywhere in its window.
             table: The list: keys for selected rows, and Enter, count in it only.
         """
-        for name in _BUTTONS:
-            if key_text(f"library.{name}"):
-                owner = table if name in _OF_TABLE else page
-                keys = keys_of(f"library.{name}")
-                _key(owner, keys, owner is table).triggered.connect(self._buttons[name].click)
+        for name, button in self._buttons.items():
+            owner = table if name in _OF_TABLE else page
+            _key(owner, keys_of(f"library.{name}"), owner is table).triggered.connect(button.click)
         for keys in ("Return", "Enter"):
             _key(table, keys, True).triggered.connect(self.open_wanted)
         listen_for("library.find", page, self._on_find, Qt.ShortcutContext.WindowShortcut)
@@ -100,17 +98,9 @@ class LibraryBar(QWidget):
 
     def show_chosen(self, entries: Sequence[IndexEntry]) -> None:
         """Enable the actions possible with the selected entries; the others show their reasons."""
-        unsaved = any(entry.kind == "draft" for entry in entries)
-        usable = {
-            "delete": bool(entries),
-            "export": bool(entries) and not unsaved,
-            "duplicate": len(entries) == 1 and not unsaved,
-            "rename": len(entries) == 1,
-        }
-        for name, can_be in usable.items():
-            self._buttons[name].setEnabled(can_be)
-        self._count, self._unsaved = len(entries), unsaved
-        self._show_tips()
+        self._count = len(entries)
+        self._unsaved = any(entry.kind == "draft" for entry in entries)
+        self.show_acts()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Handle keys of the search field: Escape clears it first, Down leads to the list."""
@@ -124,7 +114,8 @@ class LibraryBar(QWidget):
                 return True
         return super().eventFilter(watched, event)
 
-    def _on_clicked(self, name: str, _checked: bool = False) -> None:
+    @_buttons.pressed
+    def _on_pressed(self, name: str) -> None:
         self.wanted.emit(name)
 
     def _on_export(self, suffix: str, _checked: bool = False) -> None:
@@ -144,21 +135,31 @@ class LibraryBar(QWidget):
 
     def retranslate(self) -> None:
         """Set all texts in the operator's language."""
-        for name, button in self._buttons.items():
-            button.setText(_BUTTONS.text(name))
         self.search.setPlaceholderText(self.tr("Search"))
         self.search.setAccessibleName(self.tr("Search"))
         text, key = self.tr("Search in names and notes"), key_text("library.find")
         self.search.setToolTip(f"{text} ({key})")
-        self._show_tips()
+        self.show_acts()
 
-    def _show_tips(self) -> None:
-        for name, button in self._buttons.items():
-            shown = key_text(f"library.{name}")
-            tip = f"{_BUTTONS.text(name)} ({shown})" if shown else ""
-            button.setToolTip(tip if button.isEnabled() else self._missing())
+    @_buttons.tip
+    def _tip(self, name: str) -> str:
+        return f"{self._buttons[name].text()} ({key_text(f'library.{name}')})"
 
-    def _missing(self) -> str:
+    @_export.why_not
+    def _why_not_export(self) -> str:
+        return self._why_not("export")
+
+    @_buttons.why_not
+    def _why_not(self, name: str) -> str:
+        chosen, saved, alone = bool(self._count), not self._unsaved, self._count == 1
+        usable = {
+            "delete": chosen,
+            "export": chosen and saved,
+            "duplicate": alone and saved,
+            "rename": alone,
+        }
+        if usable.get(name, True):
+            return ""
         if self._unsaved:
             return self.tr("Not saved yet. Open it and save it first")
         if self._count > 1:
