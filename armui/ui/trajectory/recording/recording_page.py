@@ -23,13 +23,14 @@ from armui.trajectory.samples import thin
 from armui.trajectory.samples.recording import Recording
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.actions.act import Act
 from armui.ui.actions.command import Command, Target
 from armui.ui.background import Job
 from armui.ui.dialogs.confirm_dialog import LeaveQuestion, SaveQuestion
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.recording.recorded_curves import RecordedCurves
 from armui.ui.trajectory.running.preflight import Checks, Preflight
-from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
 from armui.ui.widgets.message_line import MessageLine, Words
@@ -151,10 +152,22 @@ class RecordingPage(Page):
     commands = (
         Command("recording.record", Text("RecordingPage", "Record"), operation_of(Recorder.start)),
         Command("recording.stop", Text("RecordingPage", "Stop recording")),
-        Command("recording.preview", Text("RecordingPage", "Preview"), leads=True),
-        Command("recording.points", Text("RecordingPage", "Save as points")),
-        Command("recording.samples", Text("RecordingPage", "Save as recording")),
     )
+    _record = Act("Record", named="record")
+    _preview = Act(
+        "Preview",
+        named="record_preview",
+        tip="The path in the 3D view, and a ghost arm; the real arm stays where it is",
+        key="recording.preview",
+        leads=True,
+    )
+    _as_points = Act(
+        "Save as points",
+        named="save_points",
+        tip="The arm comes to rest in every point",
+        key="recording.points",
+    )
+    _as_samples = Act("Save as recording", named="save_recording", key="recording.samples")
     saved = Signal(str)
     preview_wanted = Signal(object)
     cut_changed = Signal()
@@ -193,18 +206,9 @@ class RecordingPage(Page):
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
         record = "stop" if self._controller.recorder.recording else "record"
-        return {
-            f"recording.{record}": self._record,
-            "recording.preview": self._preview,
-            "recording.points": self._as_points,
-            "recording.samples": self._as_samples,
-        }
+        return {**super().command_targets(), f"recording.{record}": self._record}
 
     def _make_widgets(self) -> None:
-        self._record = push_button("record", on_enter=False)
-        self._preview = push_button("record_preview", on_enter=False)
-        self._as_samples = push_button("save_recording", on_enter=False)
-        self._as_points = push_button("save_points", on_enter=False)
         self._state = text_label("record_state")
         self._name = named("record_name", QLineEdit())
         self._from = _field("record_from", 3, "s")
@@ -230,10 +234,6 @@ class RecordingPage(Page):
         fill(self.footer, self._preview, STRETCH, self._as_points, self._as_samples)
 
     def _connect(self) -> None:
-        self._record.clicked.connect(self._on_record)
-        self._preview.clicked.connect(self.preview)
-        self._as_samples.clicked.connect(self.save_samples)
-        self._as_points.clicked.connect(self.save_points)
         for field in (self._from, self._to, self._tolerance):
             field.value_edited.connect(self._timer.start)
         self._from.value_edited.connect(lambda: self._on_typed(self._from))
@@ -250,6 +250,7 @@ class RecordingPage(Page):
 
     # Recording --------------------------------------------------------------------------------
 
+    @_record.pressed
     def _on_record(self) -> None:
         if self._controller.recorder.recording:
             self._take()
@@ -428,9 +429,17 @@ class RecordingPage(Page):
             kept, count = fmt.count(len(result.samples)), fmt.count(len(whole.samples))
             time, size = fmt.duration(result.duration_s), size_text(result.samples.nbytes)
             self._kept.setText(text.format(kept=kept, count=count, time=time, size=size))
-        for button in (self._preview, self._as_samples, self._as_points):
-            button.setEnabled(result is not None or self._job is not None)
+        self.show_acts()
 
+    @_preview.why_not
+    @_as_samples.why_not
+    @_as_points.why_not
+    def _why_nothing_kept(self) -> str:
+        if self._result is not None or self._job is not None:
+            return ""
+        return self._kept.text() or self._state.text()
+
+    @_preview.pressed
     def preview(self) -> None:
         """Show in 3D the path of what would be saved; nothing is sent."""
         self._work_out(self._plan_preview)
@@ -447,10 +456,12 @@ class RecordingPage(Page):
 
     # Keeping ----------------------------------------------------------------------------------
 
+    @_as_samples.pressed
     def save_samples(self) -> None:
         """Save it as a recording, to be replayed in its own time."""
         self._work_out(self._save)
 
+    @_as_points.pressed
     def save_points(self) -> None:
         """Save it as points of MOVE J for editing; the arm will come to rest in each."""
         self._work_out(self._save_as_points)
@@ -513,7 +524,6 @@ class RecordingPage(Page):
     def _show_state(self) -> None:
         recorder = self._controller.recorder
         running = recorder.recording
-        self._record.setText(self.tr("Stop recording") if running else self.tr("Record"))
         if running:
             text = self.tr("Recording: {time}, {count} samples").format(
                 time=fmt.duration(recorder.duration_s), count=fmt.count(recorder.count)
@@ -533,7 +543,11 @@ class RecordingPage(Page):
         for field in (self._from, self._to, self._tolerance):
             field.setEnabled(self._recording is not None)
         self._show_kept()
-        self._show_usable(self._controller.operating_state)
+
+    @_record.text
+    def _record_text(self) -> str:
+        recording = self._controller.recorder.recording
+        return self.tr("Stop recording") if recording else self.tr("Record")
 
     def _told(self) -> str:
         """What it is: a file that names no arm was not recorded here, or of an unknown arm."""
@@ -554,16 +568,16 @@ class RecordingPage(Page):
         if self.isVisible():
             self._show_state()
 
-    def _on_operating_state(self, operating_state: OperatingState) -> None:
+    def _on_operating_state(self, _operating_state: OperatingState) -> None:
         if self.isVisible():
-            self._show_usable(operating_state)
+            self.show_acts()
 
-    def _show_usable(self, operating_state: OperatingState) -> None:
-        reason = None if self._controller.recorder.recording else operating_state.unreachable
+    @_record.why_not
+    def _why_not_record(self) -> Refusal | None:
         if self._joining:
-            reason = BUSY(what="recording")
-        self._record.setToolTip("" if reason is None else words.refusal(reason))
-        self._record.setEnabled(reason is None)
+            return BUSY(what="recording")
+        recording = self._controller.recorder.recording
+        return None if recording else self._controller.operating_state.unreachable
 
     def _say(self, text: Words, level: Level = Level.INFO) -> None:
         self._message.show_message(text, level)
@@ -577,13 +591,6 @@ class RecordingPage(Page):
         self._tolerance.setToolTip(
             self.tr("How far a joint may be off where samples are left out, in degrees")
         )
-        self._preview.setText(self.tr("Preview"))
-        self._preview.setToolTip(
-            self.tr("The path in the 3D view, and a ghost arm; the real arm stays where it is")
-        )
-        self._as_samples.setText(self.tr("Save as recording"))
-        self._as_points.setText(self.tr("Save as points"))
-        self._as_points.setToolTip(self.tr("The arm comes to rest in every point"))
         self._show_state()
 
 
