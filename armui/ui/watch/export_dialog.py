@@ -34,10 +34,11 @@ from armui.session.exports.request import (
     ExportRequest,
     default_target,
 )
+from armui.ui.actions.act import Act
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.confirm_dialog import confirm
 from armui.ui.dialogs.files import choose_file, choose_folder
-from armui.ui.widgets.buttons import enable_or_explain, named, push_button
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
@@ -432,6 +433,8 @@ class ExportDialog(ArmDialog):
         begin: Starts an export.
     """
 
+    export_button = Act("Export", named="export_button", primary=True)
+    close_button = Act("Close", named="export_close")
     _told = Signal(int, object)
 
     def __init__(
@@ -451,8 +454,6 @@ class ExportDialog(ArmDialog):
         self._cancelled = False
         self._build()
         self.form.changed.connect(self._on_changed)
-        self.export_button.clicked.connect(self._on_export)
-        self.close_button.clicked.connect(self._on_close)
         # queued, for an answer comes in another thread
         self._told.connect(self._on_told, Qt.ConnectionType.QueuedConnection)
         self.resize(*_SIZE_PX)
@@ -466,14 +467,11 @@ class ExportDialog(ArmDialog):
         self._remarks = text_label("export_remarks", rank="muted", wraps=True, plain=True)
         self.progress = quiet_progress()
         fill(self.body, self.form, STRETCH, self._message, self._remarks, self.progress)
-        self.export_button = push_button("export_button", primary=True, on_enter=False)
-        self.close_button = push_button(on_enter=False)
         fill(self.footer, STRETCH, self.export_button, self.close_button)
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
         self.set_title(self.tr("Export a recording"))
-        self.export_button.setText(self.tr("Export"))
         self._refresh()
 
     # What the operator does -------------------------------------------------------------------
@@ -493,6 +491,7 @@ class ExportDialog(ArmDialog):
             self._done, self._cancelled = None, False
             self._refresh()
 
+    @export_button.pressed
     def _on_export(self) -> None:
         request = self.form.request()
         if request is not None and self._under_way is None:
@@ -507,6 +506,7 @@ class ExportDialog(ArmDialog):
         self._under_way = self._begin(request, lambda said: self._told.emit(number, said))
         self._refresh()
 
+    @close_button.pressed
     def _on_close(self) -> None:
         if self._under_way is None:
             self.close()
@@ -547,13 +547,19 @@ class ExportDialog(ArmDialog):
 
     def _refresh(self) -> None:
         running = self._under_way is not None
-        reason = self.tr("An export is under way.") if running else self.form.reason()
-        enable_or_explain(self.export_button, reason)
+        self.show_acts()
         self.form.setEnabled(not running)
-        self.close_button.setText(self.tr("Cancel the export") if running else self.tr("Close"))
         self.progress.setVisible(running)
         self._refresh_message()
         self._refresh_progress()
+
+    @export_button.why_not
+    def _why_not_export(self) -> str:
+        return self.tr("An export is under way.") if self._under_way else self.form.reason()
+
+    @close_button.text
+    def _close_text(self) -> str:
+        return self.tr("Cancel the export") if self._under_way else self.tr("Close")
 
     def _refresh_message(self) -> None:
         done, request = self._done, self._request

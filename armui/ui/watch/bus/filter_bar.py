@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from armui.telemetry.bus_senders import Sender
+from armui.ui.actions.act import Act, HasActs
 from armui.ui.actions.keys import keys_of
 from armui.ui.watch.bus.frame_filter import FrameFilter, IdFilter, parse_ids
 from armui.ui.widgets.buttons import bar_button, drop_down, named
@@ -29,7 +30,7 @@ _TEXT_PX: Final = 130
 _BOLDER: Final = 1.15
 
 
-class FilterBar(Translated, QWidget):
+class FilterBar(HasActs, Translated, QWidget):
     """Controls in a row, which goes on below where the window is narrow.
 
     Args:
@@ -46,6 +47,7 @@ class FilterBar(Translated, QWidget):
     trace_wanted = Signal(bool)
     pause_wanted = Signal(bool)
     clear_wanted = Signal()
+    clear = Act("Clear", named="bus_clear", tip="Starts counting from zero")
 
     def __init__(self, now_s: Callable[[], float]) -> None:
         super().__init__()
@@ -59,7 +61,6 @@ class FilterBar(Translated, QWidget):
         self._views.addButton(self.in_order, 1)
         self.by_id.setChecked(True)
         self.pause = bar_button("bus_pause", toggles=True)
-        self.clear = bar_button("bus_clear")
         self.text = named("bus_text", QLineEdit())
         self.text.setClearButtonEnabled(True)
         self.text.setMinimumWidth(_TEXT_PX)
@@ -72,7 +73,6 @@ class FilterBar(Translated, QWidget):
         self._lay_out()
         self._views.idClicked.connect(lambda place: self.trace_wanted.emit(place == 1))
         self.pause.toggled.connect(self._on_pause)
-        self.clear.clicked.connect(self._on_clear)
         self.text.textChanged.connect(self.changed)
         self.ids.textChanged.connect(self._on_ids)
         self.senders.currentIndexChanged.connect(self.changed)
@@ -120,6 +120,7 @@ class FilterBar(Translated, QWidget):
         self._changed_since_s = self._now_s() if wanted else None
         self.changed.emit()
 
+    @clear.pressed
     def _on_clear(self) -> None:
         if self.only_changed.isChecked():
             self._changed_since_s = self._now_s()
@@ -144,8 +145,7 @@ class FilterBar(Translated, QWidget):
             self.tr("Freezes the figures; frames that come meanwhile are still counted (Ctrl+P)")
         )
         self._name_pause()
-        self.clear.setText(self.tr("Clear"))
-        self.clear.setToolTip(self.tr("Starts counting from zero"))
+        self.show_acts()
         self.text.setPlaceholderText(self.tr("Name or identifier"))
         self.text.setAccessibleName(self.text.placeholderText())
         self.ids.setPlaceholderText("2A1-2A8, 150/7F0")

@@ -12,9 +12,9 @@ from armui.control.events import Level
 from armui.control.safety.hand_frame import FrameEffect, effect_of, parse_frame
 from armui.protocol.frame import Frame
 from armui.ui import words
+from armui.ui.actions.act import Act, HasActs
 from armui.ui.watch.bus.cells import byte_font
-from armui.ui.widgets.buttons import named, push_button
-from armui.ui.widgets.hold_button import HoldButton
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.text_label import ElidedLabel, text_label
@@ -37,7 +37,7 @@ _GRAVE: Final = frozenset(
 )
 
 
-class SendBox(Translated, QWidget):
+class SendBox(HasActs, Translated, QWidget):
     """A lock, a frame, its meaning, and the button that sends it.
 
     It locks when it is hidden, at disconnecting, and after a minute.
@@ -47,15 +47,19 @@ class SendBox(Translated, QWidget):
         texts: Formats the typed frame.
     """
 
+    unlock = Act("Hold to send frames by hand", named="bus_unlock", held=True)
+    lock = Act(
+        "Lock", named="bus_lock", tip="Send nothing more; it also locks by itself after a minute"
+    )
+    send = Act("Send", named="bus_send")
+    hold = Act("Hold to send", named="bus_hold_to_send", held=True)
+
     def __init__(self, controller: ArmController, texts: FrameTexts) -> None:
         super().__init__()
         self._controller = controller
         self._texts = texts
         self._pressed: Frame | None = None
         self._sent = ""
-        self.unlock = named("bus_unlock", HoldButton(controller))
-        self.lock = push_button("bus_lock")
-        self.lock.setAutoDefault(False)
         self.identifier = named("bus_send_id", QLineEdit())
         self.identifier.setMaxLength(10)
         self.identifier.setFixedWidth(_ID_PX)
@@ -65,9 +69,6 @@ class SendBox(Translated, QWidget):
         for field in (self.identifier, self.data):
             field.setFont(byte_font(field))
             field.textChanged.connect(self._on_typed)
-        self.send = push_button("bus_send")
-        self.send.setAutoDefault(False)
-        self.hold = named("bus_hold_to_send", HoldButton(controller))
         self._hint = named("bus_send_hint", ElidedLabel())
         self._hint.setProperty("rank", "muted")
         self.decoded = text_label("bus_send_decoded", wraps=True, plain=True)
@@ -75,12 +76,8 @@ class SendBox(Translated, QWidget):
         self._timer = QTimer(self, singleShot=True, interval=UNLOCKED_MS)
         self._timer.timeout.connect(self.close_lock)
         self._lay_out()
-        self.unlock.held.connect(self._on_unlocked)
-        self.lock.clicked.connect(self.close_lock)
         for button in (self.send, self.hold):
             button.pressed.connect(self._on_pressed)
-        self.send.clicked.connect(lambda: self._send(held=False))
-        self.hold.held.connect(lambda: self._send(held=True))
         controller.operating_state_changed.connect(self._on_operating_state)
         self.retranslate_ui()
         self.close_lock()
@@ -105,12 +102,14 @@ class SendBox(Translated, QWidget):
         """True if a frame can be sent."""
         return self._timer.isActive()
 
+    @lock.pressed
     def close_lock(self) -> None:
         """Lock the box."""
         self._timer.stop()
         self._sent = ""
         self._show()
 
+    @unlock.pressed
     def _on_unlocked(self) -> None:
         if self._controller.bus.why_not_send() is None:
             self._timer.start()
@@ -148,6 +147,14 @@ class SendBox(Translated, QWidget):
         frame = self._typed()
         self._pressed = frame if isinstance(frame, Frame) else None
 
+    @send.pressed
+    def _on_send(self) -> None:
+        self._send(held=False)
+
+    @hold.pressed
+    def _on_held(self) -> None:
+        self._send(held=True)
+
     def _send(self, *, held: bool) -> None:
         frame, self._pressed = self._pressed, None
         if frame is None or frame != self._typed() or not self.is_open:
@@ -171,28 +178,32 @@ class SendBox(Translated, QWidget):
         self._hint.setVisible(not is_open)
         for widget in (self.identifier, self.data, self.lock):
             widget.setVisible(is_open)
-        why_not = self._controller.bus.why_not_send()
-        self.unlock.setEnabled(why_not is None)
-        self.unlock.setToolTip(words.why_not(why_not))
+        self.show_acts()
+        why_not = self._why_not_unlock()
         self._hint.show_text(self._use if why_not is None else words.refusal(why_not))
         frame = self._typed()
         harmless = isinstance(frame, Frame) and effect_of(frame) is FrameEffect.HARMLESS
-        if isinstance(frame, Frame):
-            why_not = self._controller.bus.why_not_send(frame)
         self.send.setVisible(is_open and harmless)
         self.hold.setVisible(is_open and not harmless)
-        may = isinstance(frame, Frame) and why_not is None
-        self.send.setEnabled(may)
-        self.hold.setEnabled(may)
         self.message.setVisible(is_open)
         self.decoded.setVisible(is_open)
         if is_open:
             means = self._texts.describe(frame) if isinstance(frame, Frame) else ""
             if means != self.decoded.text():
                 self.decoded.setText(means)
-            text, level = self._says(frame, why_not)
+            text, level = self._says(frame, self._why_not_send())
             if text != self.message.text():
                 self.message.show_message(text, level)
+
+    @unlock.why_not
+    def _why_not_unlock(self) -> Refusal | None:
+        return self._controller.bus.why_not_send()
+
+    @send.why_not
+    @hold.why_not
+    def _why_not_send(self) -> Refusal | None:
+        frame = self._typed()
+        return frame if isinstance(frame, Refusal) else self._controller.bus.why_not_send(frame)
 
     def _says(self, frame: Frame | Refusal, why_not: Refusal | None) -> tuple[str, Level]:
         if isinstance(frame, Refusal):
@@ -218,13 +229,8 @@ class SendBox(Translated, QWidget):
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
-        self.unlock.setText(self.tr("Hold to send frames by hand"))
-        self.lock.setText(self.tr("Lock"))
-        self.lock.setToolTip(self.tr("Send nothing more; it also locks by itself after a minute"))
         self.identifier.setPlaceholderText(self.tr("ID, hex"))
         self.identifier.setAccessibleName(self.tr("Identifier of the frame, hexadecimal"))
         self.data.setPlaceholderText(self.tr("Data, hex: 01 00 00 00 …"))
         self.data.setAccessibleName(self.tr("Data of the frame, hexadecimal"))
-        self.send.setText(self.tr("Send"))
-        self.hold.setText(self.tr("Hold to send"))
         self._show()

@@ -19,6 +19,7 @@ from armui.session.session import KeepsCounts
 from armui.system.helper_process import HelperProcess
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.actions.act import Act
 from armui.ui.background import Job
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.files import choose_file
@@ -27,8 +28,8 @@ from armui.ui.theme import colors_of
 from armui.ui.watch.replay.log_opening import REPLAY_FAILED, LogOpening
 from armui.ui.watch.replay.log_time import wall_time
 from armui.ui.widgets import icons, painting
-from armui.ui.widgets.buttons import named, push_button
-from armui.ui.widgets.layouts import STRETCH, in_column, in_row
+from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import STRETCH, fill, in_column, in_row
 from armui.ui.widgets.message_line import MessageLine, Words
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
@@ -149,6 +150,12 @@ class ReplayWindow(ArmDialog):
     """
 
     export_wanted = Signal(object)
+    choose_button = Act("Choose a recording…", named="replay_choose", primary=True, on_enter=True)
+    cancel_button = Act("Cancel", named="replay_cancel")
+    other_button = Act("Open another recording…", named="replay_other")
+    export_button = Act(
+        "Export…", named="replay_export", tip="As ROS 2 messages in MCAP, as CSV or as Parquet."
+    )
 
     def __init__(
         self,
@@ -198,10 +205,6 @@ class ReplayWindow(ArmDialog):
         self._hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.progress = named("replay_progress", QProgressBar())
         self.progress.setFixedWidth(480)
-        self.choose_button = push_button("replay_choose", primary=True)
-        self.choose_button.clicked.connect(self.choose)
-        self.cancel_button = push_button("replay_cancel")
-        self.cancel_button.clicked.connect(self._on_cancel)
         layout = in_column(on=part, spacing=14)
         layout.addStretch(2)
         layout.addWidget(self._hint)
@@ -210,17 +213,13 @@ class ReplayWindow(ArmDialog):
         buttons = in_row(STRETCH, self.choose_button, self.cancel_button, STRETCH)
         layout.addLayout(buttons)
         layout.addStretch(3)
-        self.other_button = push_button("replay_other")
-        self.other_button.clicked.connect(self.choose)
-        self.export_button = push_button("replay_export")
-        self.export_button.clicked.connect(lambda: self.export_wanted.emit(self._path))
-        self.footer.addWidget(self.export_button)
-        self.footer.addWidget(self.other_button)
-        self.footer.addStretch(1)
+        fill(self.footer, self.export_button, self.other_button, STRETCH)
         return part
 
     # Opening ----------------------------------------------------------------------------------
 
+    @choose_button.pressed
+    @other_button.pressed
     def choose(self) -> None:
         """Let the operator choose a log."""
         endings = " ".join(f"*{each} *{each}.gz" for each in SUFFIXES)
@@ -249,6 +248,10 @@ class ReplayWindow(ArmDialog):
         self._show_waiting()
         self._opening.begin()
 
+    @export_button.pressed
+    def _on_export(self) -> None:
+        self.export_wanted.emit(self._path)
+
     def _on_progress(self, progress: ReadingProgress) -> None:
         share = progress.share
         if share is not None:
@@ -258,6 +261,7 @@ class ReplayWindow(ArmDialog):
         name = "" if self._path is None else self._path.name
         self._hint.setText(text.format(name=name, count=fmt.count(progress.frames)))
 
+    @cancel_button.pressed
     def _on_cancel(self) -> None:
         self._leave()
         self._show_waiting()
@@ -464,11 +468,7 @@ class ReplayWindow(ArmDialog):
         if self._path is not None and self.view is not None:
             title = self.tr("Replay – {name}").format(name=self._path.name)
         self.set_title(title)
-        self.choose_button.setText(self.tr("Choose a recording…"))
-        self.other_button.setText(self.tr("Open another recording…"))
-        self.export_button.setText(self.tr("Export…"))
-        self.export_button.setToolTip(self.tr("As ROS 2 messages in MCAP, as CSV or as Parquet."))
-        self.cancel_button.setText(self.tr("Cancel"))
+        self.show_acts()
         self.live_strip.retranslate_ui()
 
 
