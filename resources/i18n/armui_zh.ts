@@ -12707,6 +12707,10 @@ The other program must have ended.</source>
         <translation>还没有会话记录。可以记录会话，或保存刚才发生的事：两者都能在此回放，也能用其他 CAN 工具打开。</translation>
     </message>
     <message>
+        <source>Choose one recording in the list first.</source>
+        <translation>请先在列表中选择一条记录。</translation>
+    </message>
+    <message>
         <source>Moved to {folder}. It can be moved back from there.</source>
         <translation>已移到 {folder}，可以从那里移回。</translation>
     </message>

@@ -22,13 +22,15 @@ from armui.setting_fields import ROTATE_MB
 from armui.system.clock import local_time
 from armui.system.files import size_text
 from armui.ui import format as fmt
+from armui.ui.actions.act import Act, HasActs
 from armui.ui.dialogs.files import choose_folder
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
-from armui.ui.widgets.buttons import drop_down, named, push_button
+from armui.ui.widgets.buttons import drop_down, named
 from armui.ui.widgets.layouts import STRETCH, in_column, in_row
 from armui.ui.widgets.text_label import ElidedLabel, text_label
 from armui.ui.widgets.translated import Translated
+from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -71,13 +73,17 @@ def moment_text(unix_s: float) -> str:
     return fmt.NOTHING if at is None else f"{at:%Y-%m-%d %H:%M:%S}"
 
 
-class RingCard(Translated, QFrame):
+class RingCard(HasActs, Translated, QFrame):
     """The last minutes of everything on the bus.
 
     Args:
         sessions: Has the ring.
         store: Holds the setting that has them saved automatically.
     """
+
+    save_button = Act(
+        "Save what just happened", named="ring_save", key="sessions.ring", primary=True
+    )
 
     def __init__(self, sessions: SessionRecorder, store: SettingsStore) -> None:
         super().__init__()
@@ -93,14 +99,11 @@ class RingCard(Translated, QFrame):
             label.setMinimumWidth(_FIGURES_PX)
         self._bar = QProgressBar(minimum=0, maximum=round(KEPT_S), textVisible=False)
         self._bar.setFixedHeight(6)
-        self.save_button = push_button("ring_save", primary=True)
-        self.save_button.setAutoDefault(False)
         self.at_faults_box = named("ring_save_at_faults", QCheckBox())
         words = in_column(self.content_label, self.memory_label, spacing=0)
         head = in_row(self.save_button, (words, 1), spacing=_BETWEEN_PX)
         below = in_row(self.at_faults_box, STRETCH)
         in_column(head, self._bar, STRETCH, below, on=self, spacing=4, margins=_INSIDE)
-        self.save_button.clicked.connect(lambda: self._sessions.save_ring())  # noqa: PLW0108
         self.at_faults_box.clicked.connect(
             lambda checked: self._store.change(session_save_at_faults=checked)
         )
@@ -123,11 +126,7 @@ class RingCard(Translated, QFrame):
         ring = self._sessions.ring()
         self.at_faults_box.setChecked(self._store.settings.session_save_at_faults)
         self._bar.setValue(round(min(ring.span_s, KEPT_S)))
-        saving = self._sessions.saving
-        self.save_button.setText(
-            self.tr("Saving…") if saving else self.tr("Save what just happened")
-        )
-        self.save_button.setEnabled(bool(ring.frames) and not saving)
+        self.show_acts()
         if not ring.frames:
             self.content_label.show_text(self.tr("Nothing heard yet"))
             self.memory_label.show_text(
@@ -149,14 +148,37 @@ class RingCard(Translated, QFrame):
             )
         )
 
+    @save_button.text
+    def _save_text(self) -> str:
+        saving = self._sessions.saving
+        return self.tr("Saving…") if saving else self.tr("Save what just happened")
 
-class RecordingCard(Translated, QFrame):
+    @save_button.why_not
+    def _why_not_save(self) -> str:
+        if self._sessions.saving:
+            return self.tr("Saving…")
+        return "" if self._sessions.ring().frames else self.tr("Nothing heard yet")
+
+    @save_button.pressed
+    def _on_save(self) -> None:
+        self._sessions.save_ring()
+
+
+class RecordingCard(HasActs, Translated, QFrame):
     """The controls and the state of the recording to the disk.
 
     Args:
         controller: Receives the emergency stop of the file chooser.
         store: The settings of format, folder and size.
     """
+
+    record_button = Act("Record", named="session_record", key="sessions.record")
+    folder_button = Act(
+        "Choose…",
+        named="session_choose_folder",
+        key="sessions.folder",
+        title=Text("Action", "Folder of the recordings"),
+    )
 
     def __init__(self, controller: ArmController, store: SettingsStore) -> None:
         super().__init__()
@@ -169,14 +191,11 @@ class RecordingCard(Translated, QFrame):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         self._make_widgets()
         self._lay_out()
-        self.record_button.clicked.connect(self._on_record)
         self.format_box.activated.connect(self._on_format)
         self.size_box.valueChanged.connect(self._on_size)
-        self.folder_button.clicked.connect(self._on_folder)
         self.retranslate_ui()
 
     def _make_widgets(self) -> None:
-        self.record_button = push_button("session_record")
         self.record_button.setIconSize(QSize(_ICON_PX, _ICON_PX))
         self.state_label = named("session_state", ElidedLabel())
         self.figures_label = text_label("session_figures", rank="muted")
@@ -192,12 +211,9 @@ class RecordingCard(Translated, QFrame):
         self.size_box.setKeyboardTracking(False)
         self.size_box.setSingleStep(50)
         self.folder_name = named("session_folder", ElidedLabel())
-        self.folder_button = push_button("session_choose_folder")
         for cut in (self.state_label, self.folder_name):
             cut.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self.folder_name.setMinimumWidth(_FOLDER_PX)
-        for button in (self.record_button, self.folder_button):
-            button.setAutoDefault(False)
 
     def _lay_out(self) -> None:
         words = in_column(self.state_label, self.figures_label, spacing=0)
@@ -215,7 +231,6 @@ class RecordingCard(Translated, QFrame):
         self._format_label.setText(self.tr("Format"))
         self._size_label.setText(self.tr("New file at"))
         self._folder_label.setText(self.tr("Folder"))
-        self.folder_button.setText(self.tr("Choose…"))
         self.format_box.setAccessibleName(self._format_label.text())
         self.size_box.setAccessibleName(self._size_label.text())
         self.size_box.setToolTip(
@@ -224,7 +239,7 @@ class RecordingCard(Translated, QFrame):
         self.refresh()
 
     def _recolor(self) -> None:
-        self._show_button(recording=self._sessions.recording)
+        self._show_icon(recording=self._sessions.recording)
 
     def refresh(self) -> None:
         """Show the state of the recording."""
@@ -236,7 +251,8 @@ class RecordingCard(Translated, QFrame):
             self.size_box.setValue(settings.session_rotate_mb)
             self.size_box.blockSignals(before)
         self.folder_name.show_text(str(self._sessions.choices.folder))
-        self._show_button(recording=progress is not None)
+        self._show_icon(recording=progress is not None)
+        self.show_acts()
         if progress is None:
             self._before, self._rate = None, 0.0
             self.state_label.show_text(self.tr("Not recording"))
@@ -261,16 +277,21 @@ class RecordingCard(Translated, QFrame):
             text += " · " + self.tr("{count} lost").format(count=fmt.count(progress.lost))
         return text
 
-    def _show_button(self, *, recording: bool) -> None:
-        colors = colors_of(self)
+    @record_button.text
+    def _record_text(self) -> str:
+        recording = self._sessions.recording
         text = self.tr("Stop recording") if recording else self.tr("Record")
-        self.record_button.setText(f" {text}")
+        return f" {text}"
+
+    def _show_icon(self, *, recording: bool) -> None:
+        colors = colors_of(self)
         name = "stop_recording" if recording else "record"
         color = colors.text if recording else colors.stop_ink
         self.record_button.setIcon(icons.icon(name, color, _ICON_PX))
 
     # What the operator does -------------------------------------------------------------------
 
+    @record_button.pressed
     def _on_record(self) -> None:
         if self._sessions.recording:
             self._sessions.stop()
@@ -284,6 +305,7 @@ class RecordingCard(Translated, QFrame):
     def _on_size(self, megabytes: int) -> None:
         self._store.change(session_rotate_mb=megabytes)
 
+    @folder_button.pressed
     def _on_folder(self) -> None:
         choose_folder(
             self._controller,

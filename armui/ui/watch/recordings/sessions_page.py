@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import enum
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
@@ -34,6 +34,7 @@ from armui.control.sessions.session_recorder import (
 from armui.system.files import size_text
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.actions.act import Act, HasActs
 from armui.ui.actions.command import Command, Target
 from armui.ui.background import Job
 from armui.ui.watch.recordings import recording_files
@@ -43,7 +44,7 @@ from armui.ui.watch.recordings.recording_card import (
     length_text,
     moment_text,
 )
-from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.flow import in_flow
 from armui.ui.widgets.layouts import STRETCH, fill
 from armui.ui.widgets.message_line import MessageLine, Words
@@ -222,9 +223,10 @@ class SessionsModel(TableModel):
             return fmt.NOTHING if entry.stops is None else str(entry.stops)
         if column is SessionColumn.KIND:
             return _KINDS.word(entry.reason)
-        return self._state(entry)
+        return self.state(entry)
 
-    def _state(self, entry: RecordingEntry) -> str:
+    def state(self, entry: RecordingEntry) -> str:
+        """Return the words on the state of a recording."""
         if self.is_written(entry.name):
             key = "under way"
         elif entry.damage:
@@ -288,16 +290,31 @@ class SessionsPage(Page):
     """
 
     commands = (
-        Command("sessions.record", Text("RecordingCard", "Record")),
-        Command("sessions.folder", Text("Action", "Folder of the recordings")),
-        Command("sessions.ring", Text("RingCard", "Save what just happened")),
+        *(*RecordingCard.commands, *RingCard.commands),
         Command("sessions.ring_at_faults", Text("RingCard", "Save by itself at a fault or a stop")),
-        Command("sessions.replay", Text("SessionsPage", "Replay")),
-        Command("sessions.export", Text("SessionsPage", "Export…")),
-        Command("sessions.rename", Text("SessionsPage", "Rename")),
-        Command("sessions.delete", Text("SessionsPage", "Delete")),
-        Command("sessions.other", Text("SessionsPage", "Replay another log…")),
-        Command("sessions.show_folder", Text("SessionsPage", "Show in the file manager")),
+    )
+    open_button = Act("Replay", named="session_open", key="sessions.replay")
+    export_button = Act(
+        "Export…",
+        named="session_export",
+        tip="As ROS 2 messages in MCAP, as CSV or as Parquet.",
+        key="sessions.export",
+    )
+    rename_button = Act("Rename", named="session_rename", key="sessions.rename")
+    delete_button = Act(
+        "Delete",
+        named="session_delete",
+        tip="Moves the recording into the folder “deleted” beside the others.",
+        key="sessions.delete",
+    )
+    other_button = Act(
+        "Replay another log…",
+        named="session_open_other",
+        tip="Any CAN log, also of another program, is shown as if it were live.",
+        key="sessions.other",
+    )
+    folder_button = Act(
+        "Show in the file manager", named="session_show_folder", key="sessions.show_folder"
     )
     open_wanted = Signal(object)
     other_wanted = Signal()
@@ -323,15 +340,14 @@ class SessionsPage(Page):
         self._hint.setProperty("rank", "muted")
         self._hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._message = named("sessions_message", MessageLine(keeps_room=False, lines=1))
-        self._make_buttons()
         self._lay_out()
         self._timer = SeenTimer(self, _LOOK_MS, self._look)
         self._sessions.changed.connect(self._on_changed)
         controller.noticed.connect(self._on_noticed)
         self._model.rename_wanted.connect(self._rename)
-        self.table.selectionModel().selectionChanged.connect(self._show_usable)
+        self.table.selectionModel().selectionChanged.connect(self.show_acts)
         self.table.doubleClicked.connect(lambda _index: self._open_chosen())
-        self._model.modelReset.connect(self._show_usable)
+        self._model.modelReset.connect(self.show_acts)
         self.first = self.table
         self.retranslate_ui()
 
@@ -341,32 +357,11 @@ class SessionsPage(Page):
 
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
-        return {
-            "sessions.record": self.recording.record_button,
-            "sessions.folder": self.recording.folder_button,
-            "sessions.ring": self.ring.save_button,
-            "sessions.ring_at_faults": self.ring.at_faults_box,
-            "sessions.replay": self.open_button,
-            "sessions.export": self.export_button,
-            "sessions.rename": self.rename_button,
-            "sessions.delete": self.delete_button,
-            "sessions.other": self.other_button,
-            "sessions.show_folder": self.folder_button,
-        }
+        return {**super().command_targets(), "sessions.ring_at_faults": self.ring.at_faults_box}
 
-    def _make_buttons(self) -> None:
-        self.open_button = push_button("session_open", on_enter=False)
-        self.export_button = push_button("session_export", on_enter=False)
-        self.rename_button = push_button("session_rename", on_enter=False)
-        self.delete_button = push_button("session_delete", on_enter=False)
-        self.other_button = push_button("session_open_other", on_enter=False)
-        self.folder_button = push_button("session_show_folder", on_enter=False)
-        self.open_button.clicked.connect(self._open_chosen)
-        self.export_button.clicked.connect(self._export_chosen)
-        self.rename_button.clicked.connect(self._edit_name)
-        self.delete_button.clicked.connect(self._delete)
-        self.other_button.clicked.connect(self.other_wanted)
-        self.folder_button.clicked.connect(self._show_folder)
+    def act_parts(self) -> Iterable[HasActs]:
+        """Return the cards, whose acts the page offers as well."""
+        return (self.recording, self.ring)
 
     def _lay_out(self) -> None:
         self.body.setSpacing(_GAP_PX)
@@ -380,19 +375,6 @@ class SessionsPage(Page):
         """Set all texts in the operator's language."""
         self.set_title(self.tr("Session recordings"))
         self.table.setAccessibleName(self.tr("Session recordings"))
-        self.open_button.setText(self.tr("Replay"))
-        self.other_button.setText(self.tr("Replay another log…"))
-        self.other_button.setToolTip(
-            self.tr("Any CAN log, also of another program, is shown as if it were live.")
-        )
-        self.export_button.setText(self.tr("Export…"))
-        self.export_button.setToolTip(self.tr("As ROS 2 messages in MCAP, as CSV or as Parquet."))
-        self.rename_button.setText(self.tr("Rename"))
-        self.delete_button.setText(self.tr("Delete"))
-        self.delete_button.setToolTip(
-            self.tr("Moves the recording into the folder “deleted” beside the others.")
-        )
-        self.folder_button.setText(self.tr("Show in the file manager"))
         self._hint.setText(
             self.tr(
                 "No recordings yet. Record a session, or save what just happened: both can be "
@@ -400,6 +382,7 @@ class SessionsPage(Page):
             )
         )
         self._model.retranslate()
+        self.show_acts()
 
     # Looking ----------------------------------------------------------------------------------
 
@@ -438,7 +421,7 @@ class SessionsPage(Page):
         if self._model.show(entries, self._sessions.busy_names()):
             self._choose(names)
         self._hint.setVisible(not entries)
-        self._show_usable()
+        self.show_acts()
 
     def _on_changed(self) -> None:
         if self.isVisible():
@@ -469,27 +452,41 @@ class SessionsPage(Page):
                 self.table.selectionModel().select(index, flag.Select | flag.Rows)
                 self.table.scrollTo(index)
 
-    def _show_usable(self, *_: object) -> None:
+    @open_button.why_not
+    @export_button.why_not
+    def _why_not_read(self) -> str:
+        return self._why_not(lambda one: one.path is not None)
+
+    @rename_button.why_not
+    def _why_not_rename(self) -> str:
+        return self._why_not(lambda one: not self._model.is_written(one.name))
+
+    def _why_not(self, fits: Callable[[RecordingEntry], bool]) -> str:
         chosen = self.chosen()
-        one = chosen[0] if len(chosen) == 1 else None
-        still = [each for each in chosen if not self._model.is_written(each.name)]
-        self.open_button.setEnabled(one is not None and one.path is not None)
-        self.export_button.setEnabled(one is not None and one.path is not None)
-        self.rename_button.setEnabled(one is not None and bool(still))
-        self.delete_button.setEnabled(bool(still))
+        if len(chosen) != 1:
+            return self.tr("Choose one recording in the list first.")
+        return "" if fits(chosen[0]) else self._model.state(chosen[0])
+
+    @delete_button.why_not
+    def _why_not_delete(self) -> str:
+        free = (each for each in self.chosen() if not self._model.is_written(each.name))
+        return "" if any(free) else self._why_not_rename()
 
     # What the operator does -------------------------------------------------------------------
 
+    @open_button.pressed
     def _open_chosen(self) -> None:
         chosen = self.chosen()
         if len(chosen) == 1 and chosen[0].path is not None:
             self.open_wanted.emit(chosen[0].path)
 
+    @export_button.pressed
     def _export_chosen(self) -> None:
         chosen = self.chosen()
         if len(chosen) == 1 and chosen[0].path is not None:
             self.export_wanted.emit(chosen[0].path)
 
+    @rename_button.pressed
     def _edit_name(self) -> None:
         rows = self.table.selectionModel().selectedRows(SessionColumn.NAME)
         if rows:
@@ -513,6 +510,7 @@ class SessionsPage(Page):
             self._say("", Level.INFO)
         self.refresh()
 
+    @delete_button.pressed
     def _delete(self) -> None:
         busy = self._sessions.busy_names()
         names = tuple(each.name for each in self.chosen() if each.name not in busy)
@@ -529,6 +527,11 @@ class SessionsPage(Page):
             self._say(text.format(folder=result), Level.DONE)
         self.refresh()
 
+    @other_button.pressed
+    def _on_other(self) -> None:
+        self.other_wanted.emit()
+
+    @folder_button.pressed
     def _show_folder(self) -> None:
         folder = self._sessions.choices.folder
         if not QDesktopServices.openUrl(QUrl.fromLocalFile(str(folder))):
