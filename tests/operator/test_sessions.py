@@ -146,8 +146,11 @@ def test_what_is_being_written_can_be_opened_but_not_moved(sessions):
     sessions.driver.run(0.5)
     sessions.until(lambda: sessions.recorder.progress().frames > 0)
     window.refresh()
+    window.table.clearSelection()
+    assert "Choose one recording" in window.open_button.toolTip()
     window.table.selectRow(0)
     assert sessions.column(SessionColumn.STATE) == ["under way"]
+    assert window.rename_button.toolTip() == window.delete_button.toolTip() == "under way"
     assert sessions.column(SessionColumn.SIZE) == ["—"]
     assert not window.delete_button.isEnabled()
     assert not window.rename_button.isEnabled()
