@@ -203,7 +203,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         work = in_column(run, gamepad, (self._work_column, 1), spacing=0)
         middle = (in_row(self._menu, (work, 1), spacing=0), 1)
         in_column(top, middle, self._status_bar, on=self, spacing=0, margins=0)
-        self.setFocus()  # no control has it before the operator takes one
+        self.setFocus()  # no control has the focus before the operator chooses one
 
     def _offer(self, parts: Iterable[Offering]) -> None:
         """Hand what can be done in the window to the palette, the shortcuts and the guide."""

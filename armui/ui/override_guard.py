@@ -49,12 +49,13 @@ def guarded(function: Callable[..., Any], kind: type | None = None) -> Callable[
         try:
             return function(self, *arguments, **named)
         except Exception as error:  # noqa: BLE001 - whatever it is, Qt must not meet it
-            # it is told where it happened, as by PySide: this module is no part of that
+            # the trace begins at the function that failed, as PySide would report it, not in this
+            # wrapper
             trace = error.__traceback__ and error.__traceback__.tb_next
             sys.excepthook(type(error), error.with_traceback(trace), trace)
         if kind is None or name not in _QUESTIONS:
             return False
-        with suppress(Exception):  # Qt has no answer of its own to some
+        with suppress(Exception):  # pure virtual functions have no answer of Qt's own
             return getattr(super(kind, self), name)(*arguments, **named)
         return 0 if name.endswith("Count") else None
 

@@ -193,7 +193,8 @@ def apply_theme(app: QApplication, theme: Theme, *, before_windows: bool = False
         before_windows: Leave the style sheet for the next call, when the windows are built: Qt
             evaluates it again for a widget and its children whenever the widget gets a parent.
     """
-    follower = app.property(_FOLLOWER)  # to look for a child has PySide load every class there is
+    # a property, because searching for a child makes PySide load every class there is
+    follower = app.property(_FOLLOWER)
     if follower is None:
         if not app.property(_IN_STYLE):
             app.setStyle(_STYLE)

@@ -47,7 +47,9 @@ class Picture:
         pixels = frame.memory.slot(frame.slot, stride * height)
         self.image = QImage(pixels, width, height, stride, QImage.Format.Format_RGB32)
         self.image.setDevicePixelRatio(frame.pixel_ratio)
-        pixels.release()  # the image knows the place; the memory is kept by the frame
+        # the image has taken the address, and the frame keeps the memory alive: this view of it can
+        # go
+        pixels.release()
 
 
 class PictureClient(QObject):
@@ -154,14 +156,15 @@ class PictureClient(QObject):
 
     def _tell(self, news: object) -> None:
         """Bring news into the GUI thread; called in the link's."""
-        with contextlib.suppress(RuntimeError):  # Qt's part of this object is gone
+        # the link's thread may still tell something after the Qt object was deleted
+        with contextlib.suppress(RuntimeError):
             self._told.emit((self._link, news))
 
     def _on_told(self, told: tuple[ProcessLink | None, object]) -> None:
 
         link, news = told
         if link is not self._link or link is None:
-            return  # of a process that was given up
+            return  # it comes from a process that was given up meanwhile
         if isinstance(news, PictureFrame):
             self._is_rough = news.is_rough
             self._note_shown(news.sequence)

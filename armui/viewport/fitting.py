@@ -109,7 +109,8 @@ def is_ball_clear(projection: Projection, ball: Ball, room: Room, slack_px: floa
     if scale_px is None or nearest_px is None:
         return False
     x, y = room.width_px / 2.0 + across * scale_px, room.height_px / 2.0 - up * scale_px
-    # as large as its nearest part looks; beside the middle of the picture it looks longer
+    # in perspective the nearest part sets the size, and off the middle of the picture a ball looks
+    # elongated
     aside_px = max(abs(across), abs(up)) * (nearest_px - scale_px)
     half_px = ball.radius_m * nearest_px + aside_px
     return _is_free(Box(x - half_px, y - half_px, x + half_px, y + half_px), room, slack_px)
@@ -143,7 +144,8 @@ def fitted(camera: OrbitCamera, groups: Groups, room: Room, grown: float = 1.0) 
     """
     if not any(groups):
         return camera
-    # turned about by the operator, it turns about the middle of the arm
+    # the camera turns about its focus: in the arm's middle, so that the operator turns it about the
+    # arm
     camera = replace(camera, focus_m=_middle(groups))
     seen = _deciding(_seen(camera, groups, room), camera, room)
     roomy = room.with_air()

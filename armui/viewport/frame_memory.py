@@ -78,7 +78,7 @@ class FrameMemory:
         if self._is_named:
             self._is_named = False
             with contextlib.suppress(FileNotFoundError):
-                # where opening it failed in the other process, Python took its name away there
+                # Python has removed the name already if the other process failed to open the memory
                 self._memory.unlink()
 
 

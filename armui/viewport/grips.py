@@ -279,7 +279,7 @@ class GripDrag:
         if length < 1e-6:
             return None
         start = minus(ray.start_m, self.grip.origin)
-        # how far beside the axis the ray passes, in radii, counted the way the angles are
+        # the distance of the ray from the axis in radii, with the sign of the angles
         passed_m = to_eye[0] * dot(start, second) - to_eye[1] * dot(start, first)
         aside = passed_m / (length * self._radius_m)
         turned_deg = _wheel_deg(aside)

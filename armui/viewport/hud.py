@@ -163,7 +163,7 @@ class Hud:
             (place.y() - frame.top() - _PADDING_PX) / (self._metrics.height() * _LINE_SPACING)
         )
         if line == 0:
-            return None  # the name of the point
+            return None  # the first line is the name of the point
         line = min(line - 1, 5)
         if place.x() < frame.center().x():
             return f"arm.{'tool' if of_tool else 'pose'}_{_POSE[line][0].lower()}"

@@ -225,9 +225,11 @@ class ChildProcess:
 def _describe(exit_code: int | None) -> str:
     if exit_code is None:
         return "?"
+    # on POSIX a negative code is the number of the signal that ended the process
     if exit_code < 0:
         with contextlib.suppress(ValueError):
             return signal.Signals(-exit_code).name
+    # Windows reports a crash as a large code that is known by its hexadecimal form
     return f"0x{exit_code & 0xFFFFFFFF:X}" if exit_code > 255 else str(exit_code)
 
 
@@ -283,6 +285,8 @@ class Mailbox(Generic[T]):
             The item; None if the box is closed, the reader interrupted, or the time over.
         """
         with self._changed:
+            # first let the receiver catch up; only then take an item, which is the newest by that
+            # time
             self._changed.wait_for(lambda: self._is_woken or self._has_room)
             self._changed.wait_for(lambda: self._is_woken or self._item is not None, timeout_s)
             return None if self._is_woken else self._pop()
@@ -399,6 +403,7 @@ class RenderSession:
         memory = self._memory
         if memory is None:
             return
+        # the answer proves that the process has opened the memory: nobody needs its name any more
         memory.unlink_name()
         if drawn.size_px is None:
             self._tell(UpToDate(drawn.sequence, drawn.is_rough))
@@ -447,6 +452,7 @@ class RenderSession:
             except OSError as error:
                 raise ProcessLostError(PICTURE_PROCESS_ENDED(text=str(error))) from error
         path = state.preview.path
+        # a path can be large: it is sent once, and the process keeps it
         is_new_path = path is not None and path is not self._path
         message = Draw(
             request.sequence,
@@ -464,7 +470,8 @@ class RenderSession:
         """Keep the robot that was read, and no other, for the next process."""
         self._robots.clear()
         if self.robot is not None:
-            # in the place of one that fails at the start, the built-in one is read
+            # if the wanted robot fails at the start, the process reads the built-in one in its
+            # place
             read = BUILT_IN_ROBOT if self.robot == self.failed_robot else self.robot
             self._robots[read] = content
 
@@ -574,6 +581,7 @@ class ProcessLink:
 
     def stop(self) -> None:
         """End the process and the thread; may be called twice."""
+        # closed before the process is killed, so that the thread takes its end for intended
         self._mailbox.close()
         with self._lock:
             if self._child is not None:
@@ -593,6 +601,7 @@ class ProcessLink:
             if self._mailbox.is_closed:
                 return
             _LOG.warning("The 3D view's process is lost: %s", reason or "a robot was put aside")
+            # without OpenGL another process would fail in the same way
             comes_back = reason is None or (
                 reason.reason != NO_OPENGL and self._restarts.lost(time.monotonic())
             )
@@ -611,7 +620,7 @@ class ProcessLink:
             return PICTURE_PROCESS_ENDED(text=str(error))
         with self._lock:
             self._child = child
-            if self._mailbox.is_closed:  # while the process was started
+            if self._mailbox.is_closed:  # `stop` was called while the process was started
                 child.kill()
         session = RenderSession(
             child, self._mailbox, self._tell, self._asked_serial, self._robot_read
@@ -632,7 +641,7 @@ class ProcessLink:
             how = child.end()
             session.close()
         self._asked_serial = session.asked_serial
-        # the next process has none that could stay in the picture
+        # a robot that fails leaves the one before in the picture; the next process has none yet
         self._put_aside = session.failed_robot or self._put_aside
         reason = reason or PICTURE_PROCESS_ENDED(text=how)
         return None if self._blames_robot(session, reason) else reason

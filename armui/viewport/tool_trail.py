@@ -68,7 +68,7 @@ class ToolTrail:
         if self.length_s <= 0.0:
             return False
         if self._last_s is not None and now_s - self._last_s > _LOST_S and self._far(driven_mm):
-            self.clear()  # nobody has seen how it came here
+            self.clear()  # the way since the last place is unknown: no line may pretend one
         passed_s = 0.0 if self._last_s is None else min(_LONGEST_STEP_S, now_s - self._last_s)
         self._last_s = now_s
         is_new = not self._driven or math.dist(driven_mm, self._driven[-1][1]) >= _STEP_MM

@@ -167,7 +167,8 @@ class ArmView(QWidget):
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setMinimumSize(240, 200)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setMouseTracking(True)  # a button that came up elsewhere is seen at the next move
+        # moves without a button reveal that a button was released elsewhere, see `mouseMoveEvent`
+        self.setMouseTracking(True)
         application = QCoreApplication.instance()
         if application is not None:
             # A child gets no close event when its window closes.
@@ -485,7 +486,7 @@ class ArmView(QWidget):
         if self._client.is_running and self.isVisible() and not self._is_shut_down:
             self._client.show(state)
             self._asked[self._client.sequence] = state
-            if len(self._asked) > _MOST_ASKED:  # no picture has come for seconds
+            if len(self._asked) > _MOST_ASKED:  # no picture for seconds: drop the oldest request
                 del self._asked[min(self._asked)]
 
     def _set_hud(self, values: HudValues) -> None:
@@ -493,7 +494,7 @@ class ArmView(QWidget):
             return
         self._hud = values
         if not self._client.is_running or self._client.is_settled or self._lost is not None:
-            self._paint_figures()  # no picture is on its way
+            self._paint_figures()  # no picture is on its way that the figures could wait for
         elif not self._figures_wait.isActive():
             self._figures_wait.start()
 
@@ -529,7 +530,7 @@ class ArmView(QWidget):
         shown = self._asked.get(sequence, self._state)
         self._asked = {each: state for each, state in self._asked.items() if each >= sequence}
         if is_first and shown.camera != self._state.camera:
-            # it was drawn before it was known how large the robot is
+            # its camera is wrong: the size of the robot was not known yet
             self._client.frame_used(picture)
             return
         self._picture = picture
@@ -710,10 +711,11 @@ class ArmView(QWidget):
         """Begin a drag of a handle or of the camera."""
         if self._handles.is_held:
             if event.button() != Qt.MouseButton.LeftButton:
-                return  # another button beside the one that holds
-            self.give_up_drag()  # it was let go where nobody told of it
+                return  # a second button changes nothing while the left one drags
+            self.give_up_drag()  # its release was never reported
         at, projection = event.position(), self.projection
         left = event.button() == Qt.MouseButton.LeftButton
+        # in a late picture the handles are not where they seem to be: none can be grabbed (S24)
         if left and self._handles.place is not None and not self.is_late:
             grips = self._grips(projection)
             if self._handles.take(grips, projection, at.x(), at.y()) is not None:
@@ -729,7 +731,7 @@ class ArmView(QWidget):
         """Drag a handle; else turn the camera, or with the middle button or shift move it."""
         at = event.position()
         if not event.buttons() and (self._handles.is_held or self._drag.is_pressed):
-            self.give_up_drag()  # the button came up where nobody told of it
+            self.give_up_drag()  # its release was never reported
         if self._handles.is_held:
             dragged = self._handles.carry(at.x(), at.y())
             if dragged is not None:

@@ -220,7 +220,8 @@ class Viewpoint:
         elif self.mode is ViewMode.FIT and (exactly or not self._is_all_clear(shape)):
             if exactly:
                 self._been.clear()
-            # where the arm has been it may go again: the picture is not to swing to and fro
+            # places where the arm has been stay in view, or the picture would swing with an arm
+            # that goes to and fro
             self.camera = self._fitted(1.0 if exactly else _GROWN)
             self._been = outermost(self.camera, [*self._groups(), *self._been])
 

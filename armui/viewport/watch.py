@@ -59,11 +59,14 @@ def is_stuck(busy: PictureBusy, busy_for_s: float) -> bool:
         busy_for_s: The time it has worked on this so far.
     """
     limit_s = LIMITS[busy.phase].stuck_s
+    # it has computed, or waited, for far longer than any work of this phase takes
     if busy.cpu_s >= _SPINS_FACTOR * limit_s or busy_for_s >= _LONGEST_FACTOR * limit_s:
         return True
+    # it wakes up late, so other programs use the processor: it is given more time
     if busy.late_s >= _LATE_S:
         too_long = busy_for_s >= _STARVED_FACTOR * limit_s
         return too_long and busy.cpu_s < _STARVED_SHARE * busy_for_s
+    # the processor is free, but hardly used: it waits for something that does not come
     return busy_for_s >= limit_s and busy.cpu_s < _WAITS_SHARE * busy_for_s
 
 

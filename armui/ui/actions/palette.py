@@ -233,7 +233,7 @@ class CommandPalette(ArmDialog):
         told = self._message.isVisible() and before is not None
         ranked = [(rank(query, text), place) for place, (_, text) in enumerate(self._items)]
         found = [
-            # nobody comes upon what is dangerous by Enter while anything else is called so
+            # dangerous commands sort last: Enter must not choose one while anything else matches
             (bool(query.strip()) and self._items[place][0].command.dangerous, how, place)
             for how, place in ranked
             if how is not None
@@ -245,7 +245,8 @@ class CommandPalette(ArmDialog):
         chosen = self._chosen()
         if chosen is None:
             self._show_reason(None)
-        else:  # the reason that was told stays as long as what it was told of is chosen
+        else:
+            # the reason is shown only as long as the command that it belongs to is chosen
             same = before is not None and chosen.command.name == before.command.name
             self._message.setVisible(told and same)
 

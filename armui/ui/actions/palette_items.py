@@ -96,7 +96,7 @@ class PaletteItems:
             item = self.show(item)
         target = item.target
         if not item.seen or target is None:
-            return  # its panel asks first what becomes of what is not saved
+            return  # not shown yet: a panel with unsaved changes asks first
         if item.command.only_led_to or (item.command.shown_first and not was_seen):
             if isinstance(target, QWidget):
                 lead_to(target)

@@ -271,7 +271,9 @@ class WindowActions(QObject):
     def _take_step(self) -> None:
         button = self._step_button()
         if button is not None and button is self._run.go_on_button:
-            lead_to(button)  # it sets the arm moving: with a press of its own
+            # this button sets the arm moving, so the key only leads to it: it needs a press of its
+            # own
+            lead_to(button)
         elif button is not None:
             use(button)
 

@@ -269,7 +269,7 @@ class AdapterLine(Translated, QWidget):
             return
         of_arm = [each for each in findings if each.section is Section.ARM]
         good = any(each.kind == ARM for each in of_arm)
-        if not of_arm:  # it is gone again, or was not looked at
+        if not of_arm:  # the adapter is gone again, or the arm was not examined
             said = self.tr("{channel}: nothing was found out. Run the diagnosis again.")
             self._say(said.format(channel=self._remedy[1]), Level.WARNING)
             return

@@ -203,7 +203,7 @@ class BackupModel(TableModel):
         if not same:
             self.endResetModel()
         elif other := [at for at, what in enumerate(self._told) if what != told[at]]:
-            end = self._columns - 1  # the view measures every cell that it is told of
+            end = self._columns - 1  # only changed rows are reported, as the view measures each
             self.dataChanged.emit(self.index(other[0], 0), self.index(other[-1], end))
         self.ticked.emit()
 
@@ -421,7 +421,8 @@ class BackupDialog(ArmDialog):
         self._restoring = {}
         self._model.follow([])
         self._could_read = bool(self._known())
-        self._reader.start()  # why it cannot be asked stands in the message as long as it is so
+        # a refusal is not kept: the message shows the reason for as long as it holds
+        self._reader.start()
         self._say("")
 
     def _on_save(self) -> None:
@@ -604,7 +605,7 @@ class BackupDialog(ArmDialog):
 
     def _show_all(self) -> None:
         if not self.isVisible():
-            return  # it is read and shown anew when it is opened
+            return  # all is read and shown anew when the window is opened
         self._compare()
         self._origin.setText(origin_text(self._backup, self._path))
         self._show_possible()

@@ -44,7 +44,7 @@ def place(dialog: QDialog) -> None:
     """
     parent = dialog.parentWidget()
     window = dialog if parent is None else parent.window()
-    # where the operator has moved the window beyond the screen, its dialogs may go, too
+    # a window that was moved partly off the screen may have its dialogs there, too
     screen = window.screen().availableGeometry().marginsRemoved(FRAME)
     reach = screen if window is dialog else screen.united(window.geometry())
     dialog.ensurePolished()

@@ -121,7 +121,7 @@ class ManualEntry(HasActs, Translated, QWidget):
         self.entered.emit(
             Device(
                 interface=interface,
-                # some back-ends count their channels
+                # some back-ends number their channels and expect an integer
                 channel=int(channel) if channel.isdecimal() else channel,
                 bitrate=DEFAULT_BITRATE if bitrate_is_ours(interface) else None,
             )
@@ -415,7 +415,7 @@ class ConnectDialog(ArmDialog):
         self._refresh()
         online = operating_state.link is LinkState.ONLINE
         if online and self._wanted is not None and self._is_connected(self._wanted):
-            self.close()  # nothing is left to be done here: the arm is in sight again
+            self.close()  # the dialog has done its work, and covers the arm
 
     def _make_room(self) -> None:
         """Grow to what is said of an adapter: no line of it is cut off."""

@@ -151,7 +151,7 @@ class ProblemReportDialog(ArmDialog):
         self._collecting = True
         self._began = (time.monotonic(), self._controller.state.frames)
         self._message.show_message(self.tr("Looking at this computer, logs and settings…"))
-        # two programs on one adapter: one of them would lose it
+        # the examination must not open an adapter that is in use: one of the two would lose it
         connected = self._controller.operating_state.device is not None
         self._under_way = self._examine(
             ["--no-listen"] if connected else [], lambda answer: self._told.emit(number, answer)
@@ -179,7 +179,7 @@ class ProblemReportDialog(ArmDialog):
             on_chosen=self._on_chosen,
             new_file=str(Path.home() / f"armui-report-{now:%Y%m%d-%H%M%S}.zip"),
         )
-        # what is there is never replaced: that is said instead of asked
+        # an existing file is never replaced: saving reports it, so Qt need not ask
         chooser.setOption(QFileDialog.Option.DontConfirmOverwrite)
 
     def _on_chosen(self, path: Path) -> None:

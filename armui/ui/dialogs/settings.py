@@ -302,7 +302,7 @@ class SettingsDialog(ArmDialog):
             return
         self._problem = None
         problem = self._store.change(urdf_path=str(path))
-        # whoever shows the robot may have found fault with it meanwhile
+        # during `change` the part that shows the robot may have reported a fault of the file
         self._problem = problem or self._problem
         self._refresh()
 

@@ -45,7 +45,7 @@ class GuideBrowser(QTextBrowser):
         self._fitted: dict[str, QImage] = {}
         self._job: Job[dict[str, bytes]] | None = None
         self.setOpenLinks(False)
-        # Tab leaves it: where its links lead, the contents do, too
+        # Tab leaves the text instead of visiting its links: the contents lead to the same places
         flags = self.textInteractionFlags()
         self.setTextInteractionFlags(flags & ~Qt.TextInteractionFlag.LinksAccessibleByKeyboard)
         self.anchorClicked.connect(self._on_link)

@@ -66,7 +66,7 @@ def section_of(pages: Iterable[QWidget | None], panel: str) -> str:
     while each is not None:
         name = type(each).__name__
         if name == _GUIDE:
-            break  # who reads it asks about what stands beside it
+            break  # a reader of the guide wants help with what stands beside it
         section = _WINDOWS.get(name) or _REGIONS.get(name)
         if section is not None:
             return section

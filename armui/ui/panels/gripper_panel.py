@@ -345,7 +345,8 @@ class GripperPanel(Panel):
     def _lay_out(self) -> None:
         state = in_row(self._mark, self._power, STRETCH)
         card = QFrame()
-        # errors come and go by themselves: below all that is pressed
+        # errors come and go by themselves: at the bottom they move nothing that may be pressed just
+        # then
         notes = (self._calibrated, self._stroke_note, self._faults, STRETCH)
         parts = (state, self._measure, self._rows, *notes)
         in_column(*parts, on=card, spacing=10, margins=(16, 12, 16, 12))
@@ -472,7 +473,7 @@ class GripperPanel(Panel):
         heard = state.gripper
         stale = is_stale(heard, state, self._operating_state)
         gripper = None if heard is None else heard.value
-        # a gripper that was told an angle tells angles, and no opening
+        # a gripper that is commanded by angle reports angles instead of openings
         same = gripper is not None and gripper.unit == self._travel.figure.unit
         shown = self._controller.gripper.shown(gripper) if gripper and same else None
         self._travel.show_measured(shown, stale=stale)
@@ -537,7 +538,7 @@ class GripperPanel(Panel):
         if refusal is None and self._event is None:
             refusal = self._travel.refusal() or self._effort.refusal()
         if refusal is not None and refusal.reason == BUSY and self._refusal is None:
-            refusal = None  # what is under way will say itself how it ends
+            refusal = None  # no message is needed: the end of the request is reported
         self._say(refusal, self._event)
 
     def _describe(self) -> None:

@@ -198,7 +198,7 @@ class MotorPanel(Panel):
     def _show_message(self) -> None:
         blocked = self._unless_told(why_not_enable(self._operating_state))
         if blocked is not None and blocked.reason == BUSY:
-            blocked = None  # what is under way will say itself how it ends
+            blocked = None  # no message is needed: the end of the request is reported
         self._say(blocked, self._event)
 
     def retranslate_ui(self) -> None:

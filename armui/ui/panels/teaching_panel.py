@@ -164,7 +164,7 @@ class TeachingPanel(Panel):
                 key=f"teaching.{command.name.lower()}",
                 title=TEACHING_COMMANDS.entry(command),
                 leads=command in _MOVES,
-                held=command is TeachingState.CONTINUE,  # no slip sets a held motion going
+                held=command is TeachingState.CONTINUE,  # a slip must not set a held motion going
                 least_height_px=_BUTTON_PX,
             )
             for command in chain(*_COMMANDS)

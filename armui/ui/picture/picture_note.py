@@ -42,7 +42,7 @@ class PictureNote(QLabel):
         self.setWordWrap(True)
         self.setTextFormat(Qt.TextFormat.PlainText)
         self.setMaximumWidth(_WIDEST_PX)
-        self.setIndent(0)  # beside the rim of the style sheet
+        self.setIndent(0)  # the padding of the style sheet is the only margin
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self._words: str | Callable[[], str] = ""
         self._level = Level.INFO
@@ -139,5 +139,6 @@ class PictureNote(QLabel):
             f"#picture_note {{ background: {ground}; border: 1px solid {line}; "
             f"border-radius: 6px; padding: 6px {_NOTE_RIM_PX - 1}px; color: {colors.text}; }}"
         )
-        if sheet != self.styleSheet():  # which is itself a change of the palette
+        # setting it is itself a change of the palette, which would lead here again
+        if sheet != self.styleSheet():
             self.setStyleSheet(sheet)

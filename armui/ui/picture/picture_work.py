@@ -310,7 +310,7 @@ class PictureWork(QObject):
 
     def _on_operating_state(self, _state: OperatingState) -> None:
         if self._reach.isChecked():
-            self._show_reach()  # other limits, or those of another arm
+            self._show_reach()  # the limits have changed, or are those of another arm
 
     def _show_reach(self) -> None:
         """Show the reach within the arm's limits, the factory's until they are read; or hide it."""

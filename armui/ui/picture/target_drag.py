@@ -294,7 +294,7 @@ class CartesianTarget(_InForce):
         self._panel.take_targets(poses.matrix_to_pose(tool_point))
         pose = self._panel.targets()
         if pose is not None:
-            # what leads there is known: it was dragged there
+            # the pose was made from these angles: keep them instead of solving it again
             self._solved = (self._key(pose), angles_deg)
 
     def drop(self, angles_deg: tuple[float, ...]) -> Refusal | None:
@@ -644,11 +644,14 @@ class TargetDrag(QObject):
         if held is None or base is None:
             return
         self._say(None)
+        # a drag ends in one of three ways: with another arm or target, without effect, or kept
         refusal: Refusal | None = None
         if not self._is_as_begun(held):
             held.give_up(base.angles_deg)
             refusal = DRAG_GIVEN_UP()
         elif given_up or self._last_deg == base.angles_deg:
+            # a click without a move changes no field, so that those which follow the arm go on
+            # doing so
             held.give_up(base.angles_deg)
         else:
             refusal = held.drop(self._last_deg)

@@ -48,7 +48,8 @@ class FirstSteps(QObject):
     def _follow(self, now: OperatingState) -> None:
         self._done = self._done or (now.moving and now.mover is Mover.OURS)
         if self._done and now.link is LinkState.NO_DEVICE and not self._store.settings.has_jogged:
-            self._store.change(has_jogged=True)  # no file is written while a device is open
+            # it is stored only now because no file is written while a device is open
+            self._store.change(has_jogged=True)
         button = self._first_jog()
         if button is not None:
             wanted = now.cannot_move is None and not self._done

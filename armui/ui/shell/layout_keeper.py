@@ -41,7 +41,7 @@ class LayoutKeeper(QObject):
         super().__init__(parent)
         self._file = settings.with_name("workspace.json")
         self._background = background
-        # at the start, as the settings are: a window that changes its size once it is seen startles
+        # read at once, not in the background: a window must not change its size once it is seen
         self.layout: WorkspaceLayout = from_text(read_text(self._file))
         self._written = self.layout
         self._collect: Callable[[WorkspaceLayout], WorkspaceLayout] = lambda layout: layout
@@ -89,7 +89,7 @@ class LayoutKeeper(QObject):
 
     def _note_columns(self, name: str, header: QHeaderView) -> None:
         if not isValid(header):
-            return  # it tells of its sections while it is taken down
+            return  # the header emits while it is being deleted
         kept = self.layout.columns.get(name)
         known = () if kept is None else kept.widths_px
         shown = header.isSortIndicatorShown()

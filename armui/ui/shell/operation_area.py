@@ -186,7 +186,7 @@ class OperationArea(QStackedWidget):
         new = shown is not None and shown.focusWidget() is None
         self.setCurrentIndex(place)
         if had and new and shown is not None:
-            # Qt has given it to the first control, whose frame then looks like a choice
+            # Qt has focused the first control of the panel, and its frame would look like a choice
             shown.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def focus_joint(self, joint: int) -> None:

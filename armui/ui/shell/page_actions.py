@@ -83,7 +83,7 @@ class PageActions(QObject):
         """Return the commands of each page and each window."""
         own = (
             CommandSource(
-                page.kind().commands,  # loaded when nothing else is to be done, or here
+                page.kind().commands,  # imports the page, unless that was done in idle time
                 partial(self._pages.existing, key),
                 partial(self._pages.show, key),
                 why_not=partial(self._why_not, key),
@@ -100,7 +100,7 @@ class PageActions(QObject):
         """
         left = self._workspace.next_left_open()
         if left is None:
-            self._workspace.note_windows()  # what is not there any more is forgotten
+            self._workspace.note_windows()  # windows that did not open again are forgotten
             self._window.activateWindow()
             self.startup_done = True
             return
@@ -109,7 +109,7 @@ class PageActions(QObject):
         elif left.key in _MOVABLE:
             focus = self._window.focusWidget() or self._window
             self._pages.show(left.key)
-            focus.setFocus()  # nobody asked for the page just now
+            focus.setFocus()  # the operator did not ask for the page just now
         QTimer.singleShot(0, self, self.reopen)
 
     def _why_not(self, place: str) -> str:

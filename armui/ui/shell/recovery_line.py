@@ -213,7 +213,8 @@ class RecoveryLine(Translated, QWidget):
             ).format(name=self._asking)
             self._texts = (text,)
         side = _MARGIN_PX + _GAP_PX
-        confirms = step.action is Action.CONFIRM_CELL  # not where Enable is: two presses are two
+        # not in the place where Enable comes next: pressing twice there must not do both
+        confirms = step.action is Action.CONFIRM_CELL
         right = side + (_BUTTON_PX + _GAP_PX if confirms else 0)
         self._row.setContentsMargins(side, _TOP_PX + _PADDING_PX, right, _PADDING_PX)
         self._fit_text()
@@ -253,7 +254,7 @@ class RecoveryLine(Translated, QWidget):
         blocked = None if free else self._controller.recovery.why_not(step)
         button = self._hold_button if step.held else self._button
         policy = self._button.sizePolicy()
-        policy.setRetainSizeWhenHidden(not step.held)  # nothing moves when a button goes
+        policy.setRetainSizeWhenHidden(not step.held)  # a hidden button keeps its room
         self._button.setSizePolicy(policy)
         self._button.setVisible(action is not None and not step.held)
         self._hold_button.setVisible(action is not None and step.held)

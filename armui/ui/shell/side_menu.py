@@ -256,7 +256,7 @@ class SideMenu(Translated, QWidget):
             Command(f"{entry.key}.open", entry.title, synonyms=entry.synonyms)
             for entry in self._entries
         ]
-        # no group of Qt's: Tab would reach only the chosen one of its buttons
+        # no QButtonGroup: Tab would reach only the checked one of its buttons
         self._buttons: list[QToolButton] = []
         self._chosen: int | None = 0
         self.setFixedWidth(_WIDTH_PX)
@@ -312,7 +312,7 @@ class SideMenu(Translated, QWidget):
         area.viewport().setAutoFillBackground(False)
         column.setAutoFillBackground(False)
         self._bar = area.verticalScrollBar()
-        # later: the area is not to be resized while it lays out what it holds
+        # queued: the area must not be resized while it lays out its contents
         queued = Qt.ConnectionType.QueuedConnection
         self._bar.rangeChanged.connect(self._make_room, queued)
         return area

@@ -62,7 +62,7 @@ class ViewRegion(Translated, QWidget):
             button.setObjectName(f"{name}_button")
             button.setAutoDefault(False)
             row.addWidget(button)
-        # two items in one cell lie over each other: the buttons in a corner of the picture
+        # items in one cell of a grid overlap: so the buttons lie over a corner of the picture
         align = Qt.AlignmentFlag
         layout = empty_grid(self, margins=0)
         layout.addWidget(view, 0, 0)
@@ -99,7 +99,8 @@ class ViewRegion(Translated, QWidget):
         below_px = 0 if self._below.isHidden() else self._below.sizeHint().height()
         room_px = event.size().height() - below_px - strip.height() - _RIM_PX
         if self._row.sizeHint().height() > room_px:
-            beside_px = strip.width() + 2 * _RIM_PX  # a low picture: they would lie over its end
+            # in a low picture the buttons would cover the end of the strip
+            beside_px = strip.width() + 2 * _RIM_PX
             self._row.setContentsMargins(_RIM_PX, _RIM_PX, beside_px, _RIM_PX)
         self._tell_covered()
 
@@ -121,7 +122,8 @@ class ViewRegion(Translated, QWidget):
             button.setAccessibleName(text)
             keys = shortcut.toString(shortcut.SequenceFormat.NativeText)
             button.setToolTip(f"{tip} ({keys})" if keys else tip)
-        if self.testAttribute(Qt.WidgetAttribute.WA_WState_Polished):  # else its size comes yet
+        # before that, sizes are not final
+        if self.testAttribute(Qt.WidgetAttribute.WA_WState_Polished):
             self._tell_covered()
 
     def _recolor(self) -> None:

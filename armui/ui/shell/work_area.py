@@ -213,7 +213,7 @@ class WindowLayout(QObject):
         self._column = column
         layout = keeper.layout
         if layout.window is None:
-            room = screens()[0]  # its title and its frame need some of the screen, too
+            room = screens()[0]  # less the room for the window's title and frame
             window.resize(first_size.boundedTo(QSize(room.width, room.height)))
         else:
             window.setGeometry(on_screen(layout.window))

@@ -56,7 +56,7 @@ class PageWindow(ArmDialog):
         super().__init__(controller, parent)
         self.setObjectName(f"{page.key}_window")
         self.setWindowFlags(Qt.WindowType.Window)
-        self._moved = True  # it opens where it stood
+        self._moved = True  # as if the operator had moved it: it opens where it was
         self._page: Page | None = page
         self._put_back = named("page_put_back", QToolButton())
         self._put_back.setIconSize(QSize(_ICON_PX, _ICON_PX))

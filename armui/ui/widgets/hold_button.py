@@ -97,7 +97,9 @@ class HoldButton(Translated, QPushButton):
 
     def _on_finished(self) -> None:
         self._was_held = True
+        # the button may have been released, disabled or hidden in the last moment
         if self.isDown() and self.isEnabled() and self.isVisible():
+            # the press was meant for the arm as it was then: it must not act on another one
             if self._pressed_for is not None and self._pressed_for.is_still(self._controller.mark):
                 self.held.emit()
             else:

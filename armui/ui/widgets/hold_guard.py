@@ -70,6 +70,8 @@ class HoldGuard(QObject):
         self.release()
         self._window = window or self._control.window()
         self._window.installEventFilter(self)
+        # while a button is down, moves of the pointer go to the control and need not reach the
+        # window
         self._control.installEventFilter(self)
         self._patience.start()
 
@@ -89,6 +91,7 @@ class HoldGuard(QObject):
         elif kind is QEvent.Type.MouseMove or (
             kind in _KEYS and isinstance(event, QKeyEvent) and not event.isAutoRepeat()
         ):
+            # a held key repeats by itself, so a repetition is no sign of the operator
             self._patience.start()
         return False
 

@@ -50,6 +50,8 @@ class JogButton(QPushButton):
         self.released.connect(self._end)
 
     def _on_pressed(self) -> None:
+        # Qt also emits `pressed` when the pointer returns with its button down: nothing may begin
+        # then
         if not self._fresh_press:
             return
         self._fresh_press = False
@@ -70,6 +72,7 @@ class JogButton(QPushButton):
         self._guard.release()
 
     def _on_timeout(self) -> None:
+        # checked at each repetition, in case the end of the hold was not reported
         if not (self.isDown() and self.isEnabled() and self.isVisible()):
             self._end()
             return
@@ -84,6 +87,7 @@ class JogButton(QPushButton):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Mark a fresh press of the space bar."""
+        # a held space bar repeats, and its repetitions are no new presses
         self._fresh_press = not event.isAutoRepeat()
         super().keyPressEvent(event)
         self._fresh_press = False

@@ -29,7 +29,9 @@ class KeepsFocus(_Base):
         now = self.focusWidget()
         if now is not None and now is not self and not _takes_keys(now):
             self._left = now
-            self.setFocus()  # with no focus in it Qt gives it to the first control at activation
+            # the dialog itself takes the focus: without any, Qt would focus the first control as
+            # soon as the window is activated
+            self.setFocus()
             return True
         left, self._left = self._left, None
         if left is None or not isValid(left) or now not in {None, self}:

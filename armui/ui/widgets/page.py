@@ -176,7 +176,8 @@ class StackArea(QScrollArea):
         super().__init__()
         viewport = QWidget()
         viewport.setAutoFillBackground(False)
-        self.setViewport(viewport)  # to ask for Qt's own has PySide load every class of widgets
+        # its own viewport, because asking for Qt's makes PySide load every class of widgets
+        self.setViewport(viewport)
         self._room = _Room(stack)
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)

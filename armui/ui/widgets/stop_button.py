@@ -75,6 +75,7 @@ class StopButton(Translated, PressButton):
 
     def act(self) -> None:
         """Stop, or ask about recovery if the arm reports that it is stopped."""
+        # quick presses all mean stop, even if the arm confirms its stop between two of them
         if self._ask_to_resume is not None and self._offers_recovery() and not self._hurried:
             self._ask_to_resume()
         else:

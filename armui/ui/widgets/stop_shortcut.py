@@ -54,6 +54,7 @@ class StopShortcut(QObject):
         if first_window is None:
             app.installEventFilter(self)
         else:
+            # from then on, so that the events of the first painting do not pass through Python
             _FirstPicture(self, first_window).seen.connect(self._go_first)
 
     def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
@@ -73,6 +74,7 @@ class StopShortcut(QObject):
         return False
 
     def _on_key(self, event: QKeyEvent) -> bool:
+        # repetitions of a held key do nothing, but are taken, too, so that no widget acts on them
         chord = event.keyCombination() if _HAS_CHORDS else None
         if event.key() in STOP_KEYS or chord == STOP_CHORD:
             if not event.isAutoRepeat():
@@ -89,6 +91,7 @@ class StopShortcut(QObject):
         return False
 
     def _go_first(self) -> None:
+        # Qt asks the filter first that was installed last
         self._app.removeEventFilter(self)
         self._app.installEventFilter(self)
 
@@ -101,6 +104,7 @@ class _FirstPicture(QObject):
     def __init__(self, parent: QObject, window: QWidget) -> None:
         super().__init__(parent)
         window.installEventFilter(self)
+        # a covered window may never be painted, and the stop keys have to work all the same
         QTimer.singleShot(_PAINTED_WITHIN_MS, self, self._tell)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
@@ -121,6 +125,7 @@ def _press_behind_popup(event: QMouseEvent) -> bool:
     button = _button_at(event.globalPosition().toPoint())
     if button is None or not button.press_behind_popup():
         return False
+    # a menu and its submenus are one popup each; one that does not close must not keep us here
     while (popup := QApplication.activePopupWidget()) is not None:
         if not popup.close():
             break

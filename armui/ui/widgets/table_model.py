@@ -72,9 +72,10 @@ class TableHint(Translated, QWidget):
     def _fit(self) -> None:
         width = max(1, min(_WIDEST_PX, self._viewport.width() - 2 * _SIDE_PX))
         for label in (self._title, self._text):
-            # in the middle of a layout a label does not get the height of its lines by itself
+            # a layout does not give a centred label the height of its wrapped lines
             label.setFixedSize(width, label.heightForWidth(width))
-        # in a low table the title comes first, and the buttons, which the bar has too, last
+        # if the table is low, the title stays longest and the buttons go first: the bar has them,
+        # too
         room = self._viewport.height() - self._title.height()
         for widget, needed in (
             (self._text, self._text.height()),

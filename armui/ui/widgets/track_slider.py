@@ -83,7 +83,7 @@ class TrackSlider(QSlider):
         self._attention = attention
         if value is not None:
             with QSignalBlocker(self):
-                self.setValue(round(value / self._resolution))  # repaints if it moves
+                self.setValue(round(value / self._resolution))  # this repaints if the handle moves
         if before != (self._requested_known, self._attention):
             self.update()
 

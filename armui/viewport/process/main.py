@@ -61,11 +61,12 @@ def configure_process() -> None:
     if sys.stderr is not None:
         faulthandler.enable()
     if sys.platform == "linux":
-        # where memory runs out, the system ends the picture and not the window
+        # when memory runs out, Linux shall end this process and not the program with the window
         adjusted = Path("/proc/self/oom_score_adj")
         with contextlib.suppress(OSError), open_file(adjusted, "r+b") as file:
             file.write(_FIRST_TO_GO)
-        # also where a driver keeps Python's lock, so that the thread below gets no turn
+        # the kernel ends this process with the program, even if a driver holds Python's lock and
+        # the thread below never runs
         with contextlib.suppress(OSError):
             ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
     threading.Thread(target=_end_with_the_program, daemon=True).start()
@@ -102,6 +103,7 @@ class Heartbeat:
 
     def __init__(self, connection: Connection) -> None:
         self._connection = connection
+        # two threads send through one pipe, and their messages must not mix
         self._sending = threading.Lock()
         self._awake = threading.Event()
         self._phase: PicturePhase | None = None
@@ -145,13 +147,14 @@ class Heartbeat:
             pause.wait(_BEAT_S)
             self._late_s = steady_s() - due_s
             phase = self._phase
+            # no request is being worked on: wait until the next one wakes this thread
             if phase is None:
                 continue
             self._awake.set()
             try:
                 self._tell(phase)
             except OSError:
-                return  # the program has ended; the thread that draws finds out
+                return  # the program has ended; the drawing thread finds out by itself
 
     def _tell(self, phase: PicturePhase) -> None:
         self.send(PictureBusy(phase, time.process_time() - self._cpu_began_s, self._late_s))
@@ -209,6 +212,7 @@ class _Drawing:
     def _answer(self, request: Draw) -> Drawn:
         began_s = time.monotonic()
         if request.memory is not None:
+            # a name is sent only with new memory, which the program makes for another size
             self._memory = FrameMemory.attach(request.memory)
         painter = self._painter
         if request.state is None:
@@ -230,6 +234,7 @@ class _Drawing:
         if pixels is not None and self._memory is not None:
             target = self._memory.slot(request.slot, pixels.nbytes)
             size_px = pixels.copy_to(target)
+            # shared memory cannot be closed while a view of it exists
             target.release()
         return Drawn(
             request.sequence,

@@ -23,12 +23,13 @@ if TYPE_CHECKING:
     from armui.viewport.process.robot import Robot
 
 
+Array = NDArray[np.float64]
+Shares = NDArray[np.float32]
+
 _LOG = logging.getLogger(__name__)
 _OUTER_OPACITY: Final = 0.10
 _INNER_OPACITY: Final = 0.30
 _FLOOR_OPACITY: Final = 0.6
-Array = NDArray[np.float64]
-Shares = NDArray[np.float32]
 VOXEL_M: Final = 0.02
 _STEP_M: Final = 0.016
 """The distance between the places tried for joints 3 to 6."""
@@ -213,7 +214,7 @@ class _Grid:
         count = len(self.cells)
         first, last = (round(limit * count / 360.0) for limit in limits_deg)
         wide = min(last - first + 1, count)
-        # a cell is reached from each of the cells that lie such a turn before it
+        # a cell is reached from every cell that lies one of these turns before it
         begin = (np.arange(count) - (first + wide - 1)) % count
         cells = np.zeros_like(self.cells)
         for share in _SHARES:

@@ -234,8 +234,10 @@ def _joint(path: Path, joint: yourdfpy.Joint) -> Joint:
     origin = np.eye(4) if joint.origin is None else joint.origin
     length = float(np.linalg.norm(joint.axis))
     limit, mimic = joint.limit or yourdfpy.Limit(), joint.mimic
-    figures = [limit.lower or 0.0, limit.upper or 0.0]  # infinity: none
+    # an infinite limit is allowed: it means none
+    figures = [limit.lower or 0.0, limit.upper or 0.0]
     if mimic is not None:
+        # zero times infinity is NaN: other than the limits, these two must be finite
         figures += [0.0 * mimic.multiplier, 0.0 * mimic.offset]
     is_sound = len(joint.axis) == 3 and 0.0 < length < math.inf
     is_sound = is_sound and bool((np.abs(origin) <= _LARGEST_M).all())

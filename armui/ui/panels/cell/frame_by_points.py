@@ -86,7 +86,8 @@ class FrameByPoints(PointSearch):
         """Show which frame the result can be put in the place of."""
         self._chosen, self._why_not = chosen, why_not
         tool = self._controller.cartesian.tool
-        if tool != self._tool:  # places of another point give no frame with those of this one
+        # points taken with another tool give no frame together with new ones
+        if tool != self._tool:
             self._tool, self._points = tool, [None] * _POINTS
         self._show()
 

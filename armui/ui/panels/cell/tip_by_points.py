@@ -144,7 +144,8 @@ class TipByPoints(PointSearch):
         refusal = fit.refusal(self._limit.value or DEFAULT_LIMIT_MM)
         if refusal is not None:
             figure = refusal.params.get("pose")
-            if isinstance(figure, int):  # counted among those in use; the operator sees all
+            # the fit counts only the poses in use, while the operator sees the numbers of all
+            if isinstance(figure, int):
                 pose = self._used[figure - 1] + 1
                 return Refusal(refusal.reason, {**refusal.params, "pose": pose})
             return refusal

@@ -213,7 +213,7 @@ class JogBox(Translated, QFrame):
         self._speed = text_label("box_speed", rank="muted")
         self._frame = text_label("box_frame", rank="muted")
         full_px = self._speed.fontMetrics().horizontalAdvance("100 %")
-        self._speed.setMinimumWidth(full_px)  # another speed moves no button
+        self._speed.setMinimumWidth(full_px)  # room for three digits, so that no button moves
         self._cells = [JogCell(place) for place in range(len(AXES))]
         self.gripper = GripperLine(controller)
         self._lay_out(more)
@@ -277,7 +277,8 @@ class JogBox(Translated, QFrame):
         frame = self._controller.cartesian.frame
         none = words.refusal(FRAME_NOT_IN_FORCE()) if frame is None else ""
         enable_or_explain(self._choices[JogKind.USER], none, "" if frame is None else frame.name)
-        cell = self._controller.cell.cell  # also while it is to be confirmed: no button moves then
+        # a cell that is still to be confirmed counts, too, so that no button moves when it is
+        cell = self._controller.cell.cell
         has_frames = cell is not None and bool(cell.all_frames)
         self._choices[JogKind.USER].setVisible(has_frames or self.kind is JogKind.USER)
         self._frame.setVisible(has_frames)
@@ -286,12 +287,14 @@ class JogBox(Translated, QFrame):
             self._frame.setText("")
         else:
             self._frame.setText(text.format(name=fmt.short(frame.name)))
-        width_px = self._frame.sizeHint().width()  # a frame that goes by itself moves no button
+        # the room stays when the frame goes by itself, so that no button moves
+        width_px = self._frame.sizeHint().width()
         self._frame.setMinimumWidth(max(self._frame.minimumWidth(), width_px))
 
     @property
     def _motion_frame(self) -> MotionFrame:
-        if self.kind is JogKind.USER:  # one without a name, which is refused, if none is in force
+        # if no frame is in force, one without a name is given, which the controller refuses
+        if self.kind is JogKind.USER:
             return self._controller.cartesian.frame or UserFrame("")
         return _FRAMES[self.kind]
 
@@ -336,7 +339,7 @@ class JogBox(Translated, QFrame):
 
     def _on_held(self, place: int, direction: int) -> None:
         kind = self.kind
-        self._held = True  # whatever fails from here on: letting go ends the jog
+        self._held = True  # set first: if the start fails, letting go still ends the jog
         if kind is JogKind.JOINTS:
             answer = self._controller.jogging.start(JointJog(place + 1, direction))
         else:

@@ -445,7 +445,8 @@ class MotionPanel(JogPanel):
         for row in self._rows:
             if row.field.is_nonsense():
                 return self._why_no_figure(row)
-            # what the field follows is where the arm lies, which the line above tells
+            # a field that follows the arm may be beyond a limit as the arm itself is, which another
+            # line tells
             beyond = row.beyond_limits() if row.own else None
             if beyond is not None:
                 return beyond

@@ -77,7 +77,7 @@ class OwnHome(HasActs, Translated, QWidget):
         does=Motion.send_joints,
         key="motion.own_home",
         title=Text("OwnHome", "Own home"),
-        leads=True,  # whether one is kept, and where it is, stands on the page
+        leads=True,  # the page shows whether a home is stored, and where
         synonyms=also("home park rest 原位 停放 待机位"),
     )
 

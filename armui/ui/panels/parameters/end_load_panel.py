@@ -135,7 +135,9 @@ class MountingCard(HasActs, QFrame):
         node = "" if identity is None else identity.node_number
         arm = None if device is None else device.arm_key(node)
         if arm is not None and identity is not None and not node:
-            arm = self._arm or arm  # its answer to another's question was cut
+            # an identity without a number may be an incomplete answer to another host: the arm is
+            # the same
+            arm = self._arm or arm
         if arm != self._arm:
             self._arm = arm
             self._show_kept()

@@ -306,7 +306,7 @@ class ParameterPanel(Panel):
             self._stay()
         elif then is not None:
             self._then = None
-            # not from within a signal of what it may end
+            # later: it may delete the object whose signal is being handled
             QTimer.singleShot(0, self, then)
 
     def _stay(self) -> None:
@@ -418,7 +418,7 @@ class ParameterPanel(Panel):
 
     def _show_possible(self) -> None:
         """Show the button that ends editing, or the one that begins it; and what can be used."""
-        # the one that goes first: the row must never be wider than the panel
+        # hide before showing: with both buttons the row would be wider than the panel
         going, coming = ("edit", "cancel") if self._draft.editing else ("cancel", "edit")
         self.buttons[going].hide()
         self.buttons[coming].show()
