@@ -68,7 +68,7 @@ class Background(QObject):
     def _begin(
         self, executor: Executor, job: Job[Result], work: Callable[..., Result], *args: object
     ) -> None:
-        # the signal brings it here from whichever thread
+        # the callback runs in a thread of the executor; the signal brings the result into this one
         executor.submit(work, *args).add_done_callback(lambda done: self._arrived.emit(job, done))
 
     def warm_up(self, work: Callable[[], object]) -> None:

@@ -93,6 +93,7 @@ class PictureClient(QObject):
         self._is_rough = True
         self._clock = QTimer(self, singleShot=True)
         self._clock.timeout.connect(self._look_at_clock)
+        # queued: `_tell` emits in the link's thread, and everything here runs in the GUI thread
         self._told.connect(self._on_told, Qt.ConnectionType.QueuedConnection)
 
     @property

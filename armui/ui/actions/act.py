@@ -230,7 +230,8 @@ class Act:
         if button.text() != text:
             button.setText(text)
             if keys:
-                button.setShortcut(QKeySequence(keys))  # a new text has removed it
+                # Qt removes the shortcut of a button whenever its text is set
+                button.setShortcut(QKeySequence(keys))
         belongs = self._whose.text if isinstance(self._whose, Text) else owner.heading
         whose = self._ask(owner, "whose", belongs if self._whose else str)
         button.setAccessibleName(f"{whose}: {text}" if whose else text)

@@ -131,6 +131,7 @@ class ConfirmDialog(ArmDialog):
         self._controller = controller
         self._asked_for = controller.mark if concerns_arm else None
         self._still = still
+        # what the question is about may change while it is open: then it is withdrawn
         controller.state_changed.connect(self._look)
         controller.operating_state_changed.connect(self._look)
         self.set_title(title)
@@ -156,6 +157,7 @@ class ConfirmDialog(ArmDialog):
         self.cancel_button = push_button(on_enter=True)
         self.cancel_button.clicked.connect(self.reject)
         fill(self.footer, self._hint, STRETCH, self.action_button, self.cancel_button)
+        # with the focus on Cancel, neither Enter nor the space bar does what is asked about
         self.cancel_button.setFocus()
         self._recolor()
         self.retranslate_ui()
