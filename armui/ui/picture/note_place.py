@@ -1,4 +1,4 @@
-"""Where a note stands over the picture: where the arm is not."""
+"""Finds the place of a note over the picture, where it hides least of the arm."""
 
 from __future__ import annotations
 
