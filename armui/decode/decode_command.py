@@ -176,7 +176,7 @@ class _Layout:
         for channel, version in self._finder.versions.items():
             if self._told.get(channel) != version:
                 self._told[channel] = version
-                self._say(channel, version)
+                self._report_version(channel, version)
         before, self.firmware = self.firmware, self._finder.first or self.firmware
         if self.firmware is None and self._finder.has_mit and not self._warned:
             self._warned = True
@@ -187,7 +187,7 @@ class _Layout:
             )
         return before != self.firmware
 
-    def _say(self, channel: Channel, version: FirmwareVersion) -> None:
+    def _report_version(self, channel: Channel, version: FirmwareVersion) -> None:
         first = self._finder.first
         text = f"firmware {version}, as the log tells"
         if first is not None and quirks_of(first).mit_layout != quirks_of(version).mit_layout:

@@ -88,7 +88,7 @@ def run(options: argparse.Namespace, probes: Probes = Probes()) -> int:
     if options.trial is not None:
         TRIALS[options.trial]()
         return 0
-    facts = look(options, probes)
+    facts = gather_facts(options, probes)
     findings = judge(facts)
     answers = an_arm_answers(facts)
     language: Language = options.lang or language_of_system(settings_file())
@@ -97,13 +97,13 @@ def run(options: argparse.Namespace, probes: Probes = Probes()) -> int:
         render(findings, words, arm_answers=answers, asked=options.ask)
         for render in (as_text, as_json)
     )
-    _say(json_text if options.json else text)
+    _print_text(json_text if options.json else text)
     if options.report is not None and not _keep(options.report, text, json_text, words):
         return EXIT_NO_REPORT
     return EXIT_ARM_ANSWERS if answers else EXIT_NO_ARM
 
 
-def _say(text: str) -> None:
+def _print_text(text: str) -> None:
     try:
         sys.stdout.write(text)
     except UnicodeEncodeError:  # a terminal that knows no Chinese
@@ -125,7 +125,7 @@ def _keep(path: Path, text: str, json_text: str, words: Words) -> bool:
     return True
 
 
-def look(options: argparse.Namespace, probes: Probes) -> Facts:
+def gather_facts(options: argparse.Namespace, probes: Probes) -> Facts:
     """Return every fact that the options ask for."""
     program, screen, can = probes.program(), probes.screen(), probes.can()
     heard = () if options.no_listen else _listen(options, can, probes)

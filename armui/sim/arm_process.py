@@ -36,13 +36,13 @@ class LineHand:
 
     def lead_to(self, joints_deg: Sequence[float], speed_deg_s: float = 30.0) -> None:
         """Lead all joints to six angles; the joint with the longest way turns at this speed."""
-        self._tell(*joints_deg, speed_deg_s)
+        self._send_hand(*joints_deg, speed_deg_s)
 
     def let_go(self) -> None:
         """Release the arm, which stays where it is."""
-        self._tell(*LETS_GO)
+        self._send_hand(*LETS_GO)
 
-    def _tell(self, *figures: float) -> None:
+    def _send_hand(self, *figures: float) -> None:
         try:
             self._line.send(HAND.pack(*figures))
         except OSError:

@@ -173,7 +173,7 @@ class ArmRole:
             settings.accelerations_deg_s2,
         )
 
-    def told(self, gripper: SimulatedGripper) -> list[Frame]:
+    def leader_frames(self, gripper: SimulatedGripper) -> list[Frame]:
         """Return the frames that a leader now sends to its follower."""
         if self.leader is None or self._is_quiet:
             return []

@@ -381,9 +381,9 @@ class Firmware:
     def _periodic(self, names: list[str]) -> list[Frame]:
         """Return what is due under these names; a teaching input leads instead."""
         if not self.leads:
-            return self.bugs.told(names, self._feedback.frames(names))
+            return self.bugs.distorted(names, self._feedback.frames(names))
         drivers = [name for name in names if self.drivers_tell and name.startswith("Driver")]
-        told = self._linkage.told(self.gripper) if "ArmStatus" in names else []
+        told = self._linkage.leader_frames(self.gripper) if "ArmStatus" in names else []
         return told + self._feedback.frames(drivers)
 
     def _speak(self) -> None:

@@ -297,7 +297,7 @@ class LogPlayer:
                 if not is_wanted():
                     return False
                 for frame in frames:
-                    self._take(frame)
+                    self._process_frame(frame)
                 self._flush(until_s if len(frames) < _AT_ONCE else frames[-1].at_s)
             if len(frames) < _AT_ONCE:
                 return True
@@ -326,7 +326,9 @@ class LogPlayer:
         for row in folding.rows(frames).tolist():
             data = frames.payloads[row, : frames.lengths[row]].tobytes()
             frame = Frame(int(frames.ids[row]), data)
-            self._take(ReplayedFrame(frame, float(frames.times_s[row]), int(frames.flags[row])))
+            self._process_frame(
+                ReplayedFrame(frame, float(frames.times_s[row]), int(frames.flags[row]))
+            )
         self.played = before + len(frames)
 
     def step(self) -> ReplayedFrame | None:
@@ -336,7 +338,7 @@ class LogPlayer:
         frame = self._cursor.next_frame()
         if frame is not None:
             with self.lock:
-                self._take(frame)
+                self._process_frame(frame)
                 self._flush(max(frame.at_s, self._clock()))
         return frame
 
@@ -357,7 +359,7 @@ class LogPlayer:
                 return None
             width_s *= 8
 
-    def _take(self, timed: ReplayedFrame) -> None:
+    def _process_frame(self, timed: ReplayedFrame) -> None:
         self._take_codec()
         self._at_entry = False
         self.last = timed

@@ -304,7 +304,7 @@ class GripperControl(RequestingPart[str]):
         """
         figures = self.own_figures if uncalibrated else self.figures
         refusal = check(figures.travel, travel) or check(figures.effort, effort)
-        heard = self._heard()
+        heard = self._last_feedback()
         if refusal is not None or heard is None:
             return refusal or GRIPPER_SILENT()
         by_angle = self.tells_angle
@@ -349,7 +349,7 @@ class GripperControl(RequestingPart[str]):
     def enable(self, started: Started, effort: OfGripper) -> Refusal | None:
         """Enable the gripper at its present place."""
         refusal = check(self.figures.effort, effort)
-        heard = self._heard()
+        heard = self._last_feedback()
         if refusal is not None or heard is None:
             return refusal or GRIPPER_SILENT()
         # In the unit the gripper reports, opening or angle: a number in the other one would move
@@ -388,7 +388,7 @@ class GripperControl(RequestingPart[str]):
 
     # How it is carried out --------------------------------------------------------------------
 
-    def _heard(self) -> GripperState | None:
+    def _last_feedback(self) -> GripperState | None:
         heard = self._context.state().gripper
         return None if heard is None else heard.value
 
@@ -427,7 +427,7 @@ class GripperControl(RequestingPart[str]):
 
     def note_travel(self, target: float, effort: float) -> None:
         """Note the target that a run sent it to, so that the run's end knows whether it moves."""
-        heard = self._heard()
+        heard = self._last_feedback()
         if heard is not None:
             now_s = self._context.clock()
             self._travel = _Travel(target, heard.travel, now_s, now_s, heard.unit, effort)

@@ -112,7 +112,7 @@ def log_events(
     entries: list[EventEntry] = []
     if rows is not None:
         marks = [each for each in marks if each.entry.get("code") not in _STATUS]
-        entries = _heard(rows, channel, arm, wall)
+        entries = _events_heard(rows, channel, arm, wall)
     entries += [entry_of(each, wall) for each in marks]
     return LoggedEvents(_log_of(entries), found)
 
@@ -217,7 +217,7 @@ def _entry(
     )
 
 
-def _heard(
+def _events_heard(
     session: HasDataRows, channel: Channel, arm: RecordedArm, wall: Wall
 ) -> list[EventEntry]:
     """Return the events of the arm that a program connected at the time would have noted."""

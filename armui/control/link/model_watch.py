@@ -130,7 +130,7 @@ class ModelWatch(ControllerPart):
         self._look_for_zeros()
         if now_s - self._looked_s < _EVERY_S or not self._context.authority.at_rest:
             return
-        joints_deg, pose = _told(self._context.state(), now_s)
+        joints_deg, pose = _fresh_angles_and_pose(self._context.state(), now_s)
         if joints_deg is None or pose is None:
             return
         self._looked_s = now_s
@@ -138,7 +138,7 @@ class ModelWatch(ControllerPart):
         found = fitting_arms(joints_deg, pose, _version(self._context.state(), device))
         self._take_zeros(found)
         self._look_for_zeros()
-        self._take(frozenset(arm.model for arm in found))
+        self._note_fitting(frozenset(arm.model for arm in found))
 
     def forget_arm(self) -> None:
         """Forget the comparison, because another arm may be another model."""
@@ -168,7 +168,7 @@ class ModelWatch(ControllerPart):
         if len(zeros) == 1:
             self._pose_tells = zeros.pop()
 
-    def _take(self, found: Models) -> None:
+    def _note_fitting(self, found: Models) -> None:
         before = self.fitting
         if before is not None and len(found) > 1 and found & before:
             found &= before
@@ -195,7 +195,7 @@ def _version(state: ArmState, device: Device | None) -> str | None:
     return state.firmware or (recorded.firmware if recorded is not None else None) or None
 
 
-def _told(
+def _fresh_angles_and_pose(
     state: ArmState, now_s: float
 ) -> tuple[tuple[float, ...] | None, tuple[float, ...] | None]:
     """Return angles and pose of late, each whole or ``None``."""

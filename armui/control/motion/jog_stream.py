@@ -88,13 +88,13 @@ class JogStream:
             return self._way.why_no_further()
         before = self._gone
         way = min(self._way.speed(pace) * dt_s, room)
-        reason = self._go(way, measured_deg, dt_s, pace)
+        reason = self._advance_by(way, measured_deg, dt_s, pace)
         self._stalled_s = 0.0 if self._gone > before else self._stalled_s + dt_s
         if reason is None and self._stalled_s >= _STALLED_S:
             return JOG_NOT_FOLLOWING()
         return reason
 
-    def _go(
+    def _advance_by(
         self, way: float, measured_deg: Sequence[float], dt_s: float, pace: Pace
     ) -> Refusal | None:
         for _ in range(_TRIES):

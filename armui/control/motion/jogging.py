@@ -229,7 +229,7 @@ class Jogging(ControllerPart):
         if jog.rates != before.rates:
             hold.jog = jog
             if hold.stream is not None:
-                hold.stream.follow_path(self._way(jog, hold.stream.setpoint_deg))
+                hold.stream.follow_path(self._path_of(jog, hold.stream.setpoint_deg))
         return True
 
     def end_jog(self, reason: Refusal) -> None:
@@ -325,7 +325,9 @@ class Jogging(ControllerPart):
         if refusal is not None:
             self._end(refusal)
             return
-        hold.stream = JogStream(self._way(hold.jog, base_deg), base_deg, measured_deg, why_barred)
+        hold.stream = JogStream(
+            self._path_of(hold.jog, base_deg), base_deg, measured_deg, why_barred
+        )
 
     def _begins_at(
         self, jog: Jog, measured_deg: Sequence[float], limits: Sequence[JointLimits]
@@ -345,7 +347,7 @@ class Jogging(ControllerPart):
             return base_deg
         return (*base_deg[:place], inside, *base_deg[place + 1 :])
 
-    def _way(self, jog: Jog, base_deg: Sequence[float]) -> JogPath:
+    def _path_of(self, jog: Jog, base_deg: Sequence[float]) -> JogPath:
         limits = self._context.operating_state().limits
         if isinstance(jog, JointJog):
             return JointJogPath(jog.rates, base_deg, limits)

@@ -437,7 +437,7 @@ class Gate(ControllerPart):
         if refusal is None and pending.job is None:
             refusal = self._check_at_rest(pending)
         if refusal is None and pending.job is not None and pending.job.done():
-            return self._take(pending, pending.job)
+            return self._take_answer(pending, pending.job)
         if refusal is not None:
             self._pending = None
             return refusal
@@ -458,7 +458,7 @@ class Gate(ControllerPart):
         self._begin_check(pending, rules, way)
         return None
 
-    def _take(self, pending: _Pending, job: Future[tuple[Judgement, Way]]) -> Refusal | None:
+    def _take_answer(self, pending: _Pending, job: Future[tuple[Judgement, Way]]) -> Refusal | None:
         """Take the answer of a check: send, or return why not."""
         self._pending = None
         judged, way = job.result()

@@ -221,7 +221,7 @@ class Recovery(ControllerPart):
         self._context.refresh()
         if mark is not None and not mark.is_still(self._context.connection.mark):
             return self._context.refuse(ARM_CHANGED())
-        now = self._look()
+        now = self._find_step()
         wanted = step.action if action is None else action
         if now.kind is not step.kind or wanted is None or wanted not in now.actions:
             return self._context.refuse(STEP_GONE())
@@ -259,7 +259,7 @@ class Recovery(ControllerPart):
         if self._to_clear and not self._joint_errors.busy:
             with self._acting():
                 self._joint_errors.clear(self._to_clear.pop(0))
-        step = self._look()
+        step = self._find_step()
         # A step of another kind is another problem: attempts in vain count from 0 again. WORKING
         # only stands in between.
         if step.kind is not StepKind.WORKING:
@@ -277,7 +277,7 @@ class Recovery(ControllerPart):
         """Drop the action under way, because the arm is gone."""
         self._give_up()
 
-    def _look(self) -> Step:
+    def _find_step(self) -> Step:
         context = self._context
         return next_step(context.state(), context.operating_state(), context.clock(), self._in_vain)
 
@@ -307,7 +307,7 @@ class Recovery(ControllerPart):
             self._give_up()
             self._in_vain[step.kind] = self._in_vain.get(step.kind, 0) + 1
             self._context.close(started, Ending.FAILED, STEP_IN_VAIN_NOTICE)
-            return self._look()
+            return self._find_step()
         return replace(step, waiting=True)
 
     @property
@@ -383,11 +383,11 @@ class Recovery(ControllerPart):
     ) -> None:
         """Send until the arm is in another state, or time is up; ``shown`` tells of that state."""
         context = self._context
-        kind = self._look().kind
+        kind = self._find_step().kind
         request = Request(
             context,
             frames,
-            lambda _state: self._look().kind is not kind,
+            lambda _state: self._find_step().kind is not kind,
             passed=context.gate().ask_no_way(),
         )
         self._shown = shown

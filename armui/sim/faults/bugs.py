@@ -149,7 +149,7 @@ class FirmwareBugs:
         if FirmwareBug.SILENT_LEADER in self.present and role is LinkageRole.TEACHING_INPUT:
             self.silent = True
 
-    def told(self, names: list[str], frames: list[Frame]) -> list[Frame]:
+    def distorted(self, names: list[str], frames: list[Frame]) -> list[Frame]:
         """Return the feedback that the arm sends instead of these frames."""
         if FirmwareBug.ZERO_FEEDBACK not in self.present or self._handle_set:
             return frames
