@@ -16,6 +16,8 @@ from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.panels.cell.cell_panel import TABS as CELL_TABS
 from armui.ui.shell.pages import PLACES
 from armui.ui.trajectory.library.library_page import LibraryPage
+from armui.ui.widgets.hold_button import HoldButton
+from tests.accepted import accepted
 from tests.app_driver import PANELS
 from tests.operator.test_running import BACK, OUT, Operator, to
 
@@ -356,3 +358,29 @@ def test_the_next_step_of_a_run_that_waits_is_not_taken_unseen(app_driver):
     command(app_driver, "next step")
     assert app_driver.window.focusWidget() is app_driver.find("run_next")
     assert operator.progress.phase is RunPhase.WAITING
+
+
+def test_what_must_be_held_is_only_led_to(app_driver):
+    """Enter in the list is no finger on a button: a held motion never goes on by it (S11)."""
+    app_driver.ready()
+    app_driver.click("menu_teaching")
+    held = [each for each in palette_items(app_driver) if isinstance(each.target, HoldButton)]
+
+    assert {each.command.name for each in held} >= {"teaching.continue", "teaching.plan_continue"}
+    assert all(each.command.only_led_to for each in held)
+
+
+def test_a_motion_that_is_held_back_does_not_go_on_by_the_palette(app_driver):
+    app_driver.ready()
+    accepted(app_driver.controller.motion.send_joints((60.0, 30.0, -30.0, 0.0, 0.0, 0.0)))
+    app_driver.run(0.3)
+    app_driver.click("menu_teaching")
+    app_driver.click("plan_pause")
+    app_driver.run(1.0)
+    stands_deg = app_driver.firmware.joints_deg
+
+    command(app_driver, "continue the held motion")
+    app_driver.run(1.0)
+
+    assert app_driver.firmware.joints_deg == pytest.approx(stands_deg, abs=0.05)
+    assert app_driver.window.focusWidget() is app_driver.find("plan_continue")

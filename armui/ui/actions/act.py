@@ -160,6 +160,7 @@ class Act:
             *(self.key, title, self.operation, self.arguments),
             needs=self._needs,
             leads=self._leads,
+            presses=not self._held,
             risky=self._risky,
             synonyms=self._synonyms,
         )
@@ -201,8 +202,11 @@ class Act:
         return partial(method, *self._member) if self._member else method
 
     def press(self, owner: HasActs) -> None:
-        """Do what a press of the button does, if nothing stands against it."""
-        if self.reason(owner):
+        """Do what a press of the button does, if nothing stands against it.
+
+        Nothing but the operator's finger holds a button that must be held (S11).
+        """
+        if self._held or self.reason(owner):
             return
         if "pressed" in self._methods:
             self._handler(owner)()
