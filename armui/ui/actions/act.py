@@ -206,7 +206,7 @@ class Act:
 
         Nothing but the operator's finger holds a button that must be held (S11).
         """
-        if self._held or self.reason(owner):
+        if self._held or self.reason(owner) or not owner.isEnabled():
             return
         if "pressed" in self._methods:
             self._handler(owner)()
