@@ -65,7 +65,7 @@ def test_the_first_window_says_english_to_who_cannot_read_it(app_driver):
 
 def test_pressing_what_is_lit_moves_the_arm(app_driver):
     pressed = press_what_is_lit(app_driver)
-    assert pressed == ["recovery_button", "Connect", "recovery_button", "jog_plus_1"]
+    assert pressed == ["recovery_button", "connect_connect", "recovery_button", "jog_plus_1"]
     assert len(pressed) == PRESSES
     app_driver.run(1.0)
     assert lit(app_driver) is None, "it is known now"
