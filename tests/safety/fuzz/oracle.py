@@ -7,6 +7,7 @@ what another host's frame has begun.
 
 from __future__ import annotations
 
+import math
 import time
 from collections import deque
 from collections.abc import Collection, Iterator, Sequence
@@ -351,10 +352,14 @@ class Oracle:
         forward = self._world.firmware.kinematics.forward
         reached = forward(started.goal_deg)
         aside = False
+        # a turn about the tip swings the flange around it
+        length_mm = math.hypot(*self._world.controller.cartesian.tool[:3])
+        swing_mm = 2.0 * length_mm * math.sin(math.radians(abs(asked.delta)) / 2.0)
+        most_mm = max(abs(asked.delta), swing_mm if asked.along is None else 0.0) + _TOOL_MM
         for base in asked.bases:
             here = forward(base)
             way = [a - b for a, b in zip(reached[:3], here[:3], strict=True)]
-            if max(map(abs, way)) > abs(asked.delta) + _TOOL_MM:
+            if max(map(abs, way)) > most_mm:
                 continue
             wanted = way if asked.along is None else [asked.delta * each for each in asked.along]
             if max(abs(a - b) for a, b in zip(way, wanted, strict=True)) <= _ASIDE_MM:
