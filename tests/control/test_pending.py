@@ -33,7 +33,8 @@ def light(rig, seen, **how):
 
 
 def test_a_request_is_under_way_until_the_feedback_shows_it(rig, pending):
-    started, shown = Started("x.y"), []
+    started = Started("x.y")
+    shown: list[bool] = []
     request = light(rig, lambda _state: bool(shown))
     pending.begin("lit", started, request, ENDS, sent=(SENT, {}))
     rig.step()

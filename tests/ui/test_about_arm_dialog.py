@@ -20,7 +20,8 @@ from armui.protocol.addressing import Addressing
 from armui.protocol.generation import Generation, PiperModel
 from armui.ui.background import Background
 from armui.ui.dialogs import about_arm
-from armui.ui.dialogs.about_arm import AboutArmDialog, OnlineSince
+from armui.ui.dialogs.about_arm import AboutArmDialog
+from armui.ui.dialogs.online_since import OnlineSince
 from tests.app_driver import AtOnce
 from tests.family import FACTORY_LIMITS
 from tests.ui.arm_states import NOW_S, arm_state, operating_state
