@@ -165,10 +165,8 @@ def other_arm(app_driver: AppDriver) -> LibraryPage:
 
 def sunk(app_driver: AppDriver) -> LibraryPage:
     """The arm touches itself where it stands: the trajectory is not to blame."""
+    app_driver.lie(_SUNK_DEG)
     app_driver.ready()
-    app_driver.controller.motion.send_joints(_SUNK_DEG)
-    app_driver.run_until(lambda: app_driver.controller.operating_state.moving)
-    app_driver.run_until(lambda: not app_driver.controller.operating_state.moving, seconds=60.0)
     page = library(app_driver)
     app_driver.click(page.findChild(QWidget, "run_send"))
     app_driver.run(0.5)
