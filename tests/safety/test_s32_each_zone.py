@@ -87,6 +87,8 @@ def test_another_host_is_told_and_stopped_at_another_zone(rig, other_host, parki
     seen = MeshOracle(person())
     other_host.move_to(SWUNG_DEG, 20)
     rig.run_until(lambda: "person" in entered(rig), seconds=4.0)
+    (came,) = [each for each in rig.events if each.params.get("name") == "person"]
+    assert came.code == "area_entered"
     assert seen.nearest(rig.firmware.true_joints_deg).mm > 0.0
     assert gap_mm(rig.firmware.joints_deg, person()) > PARKED_MM  # while the parking is nearer
     rig.run(4.0)

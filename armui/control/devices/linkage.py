@@ -154,7 +154,7 @@ class LinkageControl(ControllerPart):
                 (LINKAGE_ANSWERED_INPUT if by_input else LINKAGE_ANSWERED, {}),
                 lambda refusal: (LINKAGE_FAILED, {"reason": refusal}),
                 Ending.ANSWERED,
-                self._is_in_use,
+                self._note_answer,
             ),
         )
         context.refresh()
@@ -163,7 +163,7 @@ class LinkageControl(ControllerPart):
         """Make the arm a motion output arm without offsets again (0xFC)."""
         return self.set(LinkageRole.MOTION_OUTPUT)
 
-    def _is_in_use(self) -> bool:
+    def _note_answer(self) -> bool:
         """Note the answer; return whether the offsets asked for are in use already."""
         offsets = self._context.connection.offsets
         offsets.answered(self._context.clock())

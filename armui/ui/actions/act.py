@@ -275,11 +275,6 @@ class ActFamily(Generic[_Key]):
         for act in self.acts.values():
             act.declared_in(owner.__name__)
 
-    def show(self, owner: HasActs) -> None:
-        """Show the texts of all, and whether they can be pressed."""
-        for act in self.acts.values():
-            act.show(owner)
-
     def pressed(self, method: _Method) -> _Method:
         """Mark the method that is called with the key when one is pressed."""
         return self._any.pressed(method)

@@ -437,7 +437,9 @@ class RecordingPage(Page):
     def _why_nothing_kept(self) -> str:
         if self._result is not None or self._job is not None:
             return ""
-        return self._kept.text() or self._state.text()
+        if self._recording is None:
+            return self.tr("Lead the arm by hand, or move it by anything, while it records.")
+        return self.tr("Nothing is left: correct the marked fields.")
 
     @_preview.pressed
     def preview(self) -> None:
