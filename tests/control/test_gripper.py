@@ -227,3 +227,17 @@ def test_no_stroke_limit_means_the_widest(rig):
     rig.run_until(lambda: not rig.controller.settings.busy)
     figures = gripper_figures(TWO, rig.controller.state)
     assert figures.travel.maximum == 100.0
+
+
+def test_an_enable_that_is_done_keeps_what_a_run_has_sent_the_gripper_to(arm2):
+    """Else the end of that run would not hold the gripper where it is (S23)."""
+    accepted(arm2.gripper.enable(1.0))
+    arm2.gripper.note_travel(60.0, 1.0)
+    arm2.run(0.3)
+    assert "gripper_act_done" in arm2.codes()
+
+    arm2.heard()
+    arm2.gripper.end_travel()
+    arm2.run(0.1)
+
+    assert [frame.arbitration_id for frame in arm2.heard()] == [0x159]
