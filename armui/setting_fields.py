@@ -153,9 +153,6 @@ class Settings:
     session_save_at_faults: Annotated[bool, Setting("Saving at faults and stops")] = False
     """True if the last minutes are saved automatically at a fault or a stop."""
 
-    has_jogged: Annotated[bool, Setting("First jog")] = False
-    """True if the operator has moved an arm before: the first step is not shown any more."""
-
     picture_direction: Annotated[PictureDirection, Setting("View of the 3D picture")] = "iso"
     """The first direction of the 3D picture."""
 

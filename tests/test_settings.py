@@ -54,7 +54,6 @@ def test_a_change_is_there_in_the_next_run(path: Path) -> None:
         "session_save_at_faults": False,
         "mountings": {},
         "home_poses": {},
-        "has_jogged": False,
         "picture_direction": "iso",
         "picture_orthographic": False,
         "picture_tool_frame": True,

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QRect, QSize
 from PySide6.QtGui import QCloseEvent, QContextMenuEvent, QShowEvent
-from PySide6.QtWidgets import QPushButton, QWidget
+from PySide6.QtWidgets import QWidget
 
 from armui.arm.state import ArmState
 from armui.control.devices.joint_monitor import JointMonitor
@@ -21,7 +21,6 @@ from armui.ui.gamepad.gamepad_strip import GamepadStrip
 from armui.ui.panels.jogging.motion_panel import MotionPanel
 from armui.ui.picture.picture_work import PictureWork
 from armui.ui.shell.drawer import Drawer
-from armui.ui.shell.first_steps import FirstSteps
 from armui.ui.shell.layout_keeper import LayoutKeeper
 from armui.ui.shell.leaving import (
     close_unless_moving,
@@ -198,7 +197,6 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         )
         parts = (top, self.window_actions, watch_menu, self._view_region, self._picture.bar)
         self._offer((*parts, self._preview_bar, self._menu))
-        FirstSteps(self, self._first_jog, self._controller, self._preferences)
         gamepad = GamepadStrip(self._controller, self._preferences)
         work = in_column(run, gamepad, (self._work_column, 1), spacing=0)
         middle = (in_row(self._menu, (work, 1), spacing=0), 1)
@@ -225,10 +223,6 @@ class MainWindow(Translated, KeepsFocus, QWidget):
             {**PLACES, **panels},
             lambda: ((self._page_area.current, self._drawer.current), self._panels.current_key),
         )
-
-    def _first_jog(self) -> QPushButton | None:
-        panel = self._panels.panel("motion")
-        return panel.first_jog if isinstance(panel, MotionPanel) else None
 
     def _connect(self) -> None:
         self._menu.chosen.connect(self._on_entry_chosen)
@@ -288,6 +282,8 @@ class MainWindow(Translated, KeepsFocus, QWidget):
     def _show_in_view(self, state: ArmState) -> None:
         if self.isVisible():
             controller = self._controller
+            seen = self._view.isVisible() and not self._view.has_given_up
+            self._panels.show_measured_figures(wanted=not seen)
             show_in_view(
                 *(self._view, state, controller.operating_state, controller.cartesian.tool),
                 calibrated=lambda gripper: controller.gripper.shown(gripper),  # noqa: PLW0108

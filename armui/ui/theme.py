@@ -147,8 +147,13 @@ DARK: Final = Colors(
 
 
 def colors_of(widget: QWidget) -> Colors:
-    """Return the colours of a widget's theme."""
-    return DARK if widget.palette().color(QPalette.ColorRole.Window).lightness() < 128 else LIGHT
+    """Return the colours of a widget's theme.
+
+    The application's palette tells it: a widget that the style sheet gives a transparent background
+    has that in its own.
+    """
+    window = QApplication.palette(widget).color(QPalette.ColorRole.Window)
+    return DARK if window.lightness() < 128 else LIGHT
 
 
 def curve_colors(widget: QWidget) -> tuple[str, ...]:

@@ -1377,10 +1377,6 @@
         <translation>法兰（未设置工具）</translation>
     </message>
     <message>
-        <source>Measured</source>
-        <translation>测量</translation>
-    </message>
-    <message>
         <source>Tool control</source>
         <translation>末端控制</translation>
     </message>
@@ -6061,12 +6057,12 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>关节 {joint} 的目标：{minimum} 至 {maximum}。按“发送”后才会发出。</translation>
     </message>
     <message>
-        <source>Limit read from the arm</source>
-        <translation>从机械臂读取的限位</translation>
+        <source>Limits read from the arm.</source>
+        <translation>限位读自机械臂。</translation>
     </message>
     <message>
-        <source>Factory limit: not read from the arm yet</source>
-        <translation>出厂限位：尚未从机械臂读取</translation>
+        <source>Factory limits: not read from the arm yet.</source>
+        <translation>出厂限位：尚未从机械臂读取。</translation>
     </message>
 </context>
 <context>
@@ -7122,14 +7118,6 @@ Lamps give no feedback: this is only what will be sent.</source>
     <message>
         <source>How far one press of − or + moves a joint</source>
         <translation>每按一次 − 或 + 关节转动的角度</translation>
-    </message>
-    <message>
-        <source>Target</source>
-        <translation>目标</translation>
-    </message>
-    <message>
-        <source>Measured</source>
-        <translation>测量</translation>
     </message>
     <message>
         <source>Home</source>
@@ -12776,10 +12764,6 @@ The other program must have ended.</source>
     <message>
         <source>Saving at faults and stops</source>
         <translation>故障或急停时自动保存</translation>
-    </message>
-    <message>
-        <source>First jog</source>
-        <translation>首次点动</translation>
     </message>
     <message>
         <source>View of the 3D picture</source>

@@ -6,7 +6,8 @@ import time
 from concurrent.futures import BrokenExecutor, CancelledError
 
 import pytest
-from PySide6.QtWidgets import QTableView, QToolButton
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QTableView
 
 from armui.arm.refusal import Refusal
 from armui.protocol.generation import Generation
@@ -260,8 +261,7 @@ def test_a_view_button_waits_for_no_disk(driver_of):
     slow = Slow()
     app_driver = driver_of(slow)
     app_driver.ready()
-    bar = app_driver.window.findChild(QToolButton, "view_front_button")
-    bar.click()
+    app_driver.window.findChild(QAction, "view_front").trigger()
     assert app_driver.store.settings.picture_direction == "front"
     assert not app_driver.store.path.exists()
     slow.work()

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QMouseEvent
+from PySide6.QtGui import QAction, QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QPushButton
 
@@ -171,7 +171,7 @@ def turned_by_keys(app_driver):
 
 
 def named_view(app_driver):
-    app_driver.click("view_side_button")
+    app_driver.window.findChild(QAction, "view_side").trigger()
 
 
 def zoom_and_pan(app_driver):

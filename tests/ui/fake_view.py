@@ -37,6 +37,7 @@ class FakeView(QWidget):
         self.mode = ViewMode.FIT
         self.looked_from: list[Any] = []
         self.is_current = False
+        self.has_given_up = False
         self.joint_range: tuple[Any, ...] | None = None
 
     def set_area(self, area: Any, base: Any = ()) -> None:

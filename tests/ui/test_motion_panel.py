@@ -298,12 +298,17 @@ def test_limits_of_the_arm_replace_the_factory_s(panel, controller, qtbot):
 
 def test_factory_limits_say_that_they_are(panel, controller):
     controller.be(operating_state(limits_read=(False,) * 6))
-    row = panel._rows[0]
-    assert row._minimum.is_stale()
-    assert "Factory" in row._minimum.toolTip()
+    assert "Factory limits" in slider(panel, 1).toolTip()
     controller.be(operating_state())
-    assert not row._minimum.is_stale()
-    assert "read from the arm" in row._minimum.toolTip()
+    assert "Limits read from the arm" in slider(panel, 1).toolTip()
+
+
+def test_the_measured_angles_stand_beside_the_targets_only_where_the_picture_has_none(panel):
+    assert not measured(panel, 1).isHidden()
+    panel.show_measured_figures(wanted=False)
+    assert measured(panel, 1).isHidden()
+    panel.show_measured_figures(wanted=True)
+    assert not measured(panel, 1).isHidden()
 
 
 def test_what_cannot_be_used_says_why(panel, controller):

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtGui import QColor, QFontMetricsF
-from PySide6.QtWidgets import QPushButton, QWidget
+from PySide6.QtWidgets import QLineEdit, QPushButton, QWidget
 
 import armui.ui
 from armui.ui import theme
@@ -103,7 +103,7 @@ def test_the_style_sheet_knows_every_token():
 
 
 def test_theme_changes_while_running(qapp, qtbot):
-    widget = QPushButton("x")
+    widget = QLineEdit("x")
     qtbot.addWidget(widget)
     widget.show()
     apply_theme(qapp, Theme.LIGHT)
@@ -113,6 +113,17 @@ def test_theme_changes_while_running(qapp, qtbot):
     assert colors_of(widget) is DARK
     dark = widget.grab().toImage().pixelColor(8, 8)
     assert light.lightness() > 200 > 100 > dark.lightness()
+    apply_theme(qapp, Theme.LIGHT)
+
+
+def test_a_button_without_a_background_of_its_own_knows_its_theme(qapp, qtbot):
+    button = QPushButton("x")
+    qtbot.addWidget(button)
+    button.show()
+    apply_theme(qapp, Theme.LIGHT)
+    assert colors_of(button) is LIGHT
+    apply_theme(qapp, Theme.DARK)
+    assert colors_of(button) is DARK
     apply_theme(qapp, Theme.LIGHT)
 
 

@@ -39,7 +39,6 @@ from armui.ui.widgets.track_slider import TrackSlider
 from armui.ui.words.arm import GRIPPER_ACTS
 from armui.ui.words.text import Text, Texts
 
-_TALLEST_CARD_PX: Final = 330
 _Kind = tuple[Generation, bool]
 """The generation, and whether angles are commanded in the second one."""
 _WIDEST: Final = "-000.000 rad/s"
@@ -354,7 +353,7 @@ class GripperPanel(Panel):
         for place, button in enumerate(self.power.values()):
             acts.addWidget(button, 0, place)
         ends = in_row(*((button, 1) for button in self.ends.values()), spacing=8)
-        self._stack(scrolled(card, _TALLEST_CARD_PX), ends, self.send, acts)
+        self._stack(scrolled(card), ends, self.send, acts)
 
     # -- actions ------------------------------------------------------------------------------
 

@@ -52,7 +52,6 @@ _PAGE: Final = 16
 _HEIGHT_PX: Final = 44
 _BRIGHT: Final = 0.45
 """From this luminance on black text is more readable than white."""
-_TALLEST_CARD_PX: Final = 270
 _FIELD_PX: Final = 74
 _PICKER: Final = (
     QColorDialog.ColorDialogOption.DontUseNativeDialog,
@@ -284,7 +283,7 @@ class LightPanel(Panel):
         grid.setColumnStretch(1, 1)
 
         effect = in_row(self._effect_label, (self._effect, 1), spacing=12)
-        self._stack(scrolled(card, _TALLEST_CARD_PX), effect, self.confirm, self._note)
+        self._stack(scrolled(card), effect, self.confirm, self._note)
 
     def _make_joint_buttons(self) -> QHBoxLayout:
         buttons = in_row(spacing=6)

@@ -28,7 +28,6 @@ from armui.ui.widgets.layouts import empty_grid, scrolled
 from armui.ui.widgets.text_label import text_label
 from armui.ui.words.text import Text
 
-_TALLEST_CARD_PX: Final = 400
 _BASES: Final = {"feedback": (0x2A1, 0x2A8), "control": (0x150, 0x15F), "target": (0x150, 0x15F)}
 
 
@@ -101,9 +100,7 @@ class LinkagePanel(Panel):
         grid.addWidget(self._in_use, 6, 0, 1, 2)
         grid.setColumnStretch(0, 1)
         grid.setRowStretch(7, 1)
-        self._stack(
-            self._teaching, self.back, scrolled(card, _TALLEST_CARD_PX), self.confirm, self._note
-        )
+        self._stack(self._teaching, self.back, scrolled(card), self.confirm, self._note)
 
     # -- actions ------------------------------------------------------------------------------
 

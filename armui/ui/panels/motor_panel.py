@@ -29,8 +29,6 @@ from armui.ui.panels.panel import Panel
 from armui.ui.widgets.layouts import STRETCH, fill, in_column, in_row, scrolled
 from armui.ui.words.text import Texts
 
-_TALLEST_CARD_PX: Final = 520
-
 
 class MotorAct(enum.Enum):
     """The commands to a motor (manual section 1.0.7.7)."""
@@ -105,7 +103,7 @@ class MotorPanel(Panel):
         fill(rows, heads, *self._rows, STRETCH)
 
         every = in_column(self._all_label, self._buttons_of(ALL_JOINTS), spacing=4)
-        self._stack(scrolled(card, _TALLEST_CARD_PX), every, gap_px=10)
+        self._stack(scrolled(card), every, gap_px=10)
 
     def _buttons_of(self, joint: int) -> QLayout:
         row = in_row(spacing=6)

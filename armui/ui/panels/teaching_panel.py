@@ -33,7 +33,6 @@ from armui.ui.words.text import Text, Texts
 
 _Key = TypeVar("_Key")
 
-_TALLEST_CARD_PX: Final = 620
 _BUTTON_PX: Final = 36
 _COLUMNS: Final = 6
 
@@ -233,7 +232,7 @@ class TeachingPanel(Panel):
         )
         in_column(*parts, on=card, spacing=8, margins=(16, 12, 16, 12))
         head = in_row((self._title, 1), self.assistance)
-        self._stack(scrolled(card, _TALLEST_CARD_PX), head=head)
+        self._stack(scrolled(card), head=head)
 
     # -- actions ------------------------------------------------------------------------------
 

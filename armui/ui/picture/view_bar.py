@@ -56,10 +56,11 @@ _HANDLES: Final = Texts("ViewBar") | {
     HandleKind.TOOL_FRAME: "Tool, along its own axes",
     HandleKind.JOINTS: "Joints",
 }
-_STRIP: Final = ("front", "side", "top", "iso", "fit", "follow")
+_ICONS: Final = ("front", "side", "top", "iso", "fit", "follow")
+"""The actions with an icon."""
 _VIEWS: Final = ("front", "side", "top", "iso", "below")
 _MENU: Final = (
-    ("orthographic", "tool_frame", "reach", "area", "frames", "trail"),
+    ("follow", "orthographic", "tool_frame", "reach", "area", "frames", "trail"),
     ("save", "copy"),
 )
 """What has no button of its own; with all of it the menu would open over the stop."""
@@ -107,23 +108,21 @@ class ViewBar(Translated, QFrame):
         self._view = view
         self._of_tool = any(preferences.settings.tool)
         self._preferences = preferences
-        self._buttons: list[QToolButton] = []
         self.view_actions = {name: self._action(name) for name in _TIPS}
         self._trail_menu = QMenu(self)
         self._trails = self._trail_actions()
         self._handles_menu = QMenu(self)
         self._handles = self._handle_actions()
-        self._handles_button = named("view_handles_button", QToolButton())
-        give_menu(self._handles_button, self._handles_menu)
-        self._handles_button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self._handles_button = _menu_button("view_handles_button", self._handles_menu)
         self._handles_button.setCheckable(True)
         self._last_handles = HandleKind.TOOL
         self._views_menu = QMenu(self)
+        self._views = _menu_button("view_from_button", self._views_menu)
+        self._fit = named("view_fit_button", QToolButton())
+        self._fit.setDefaultAction(self.view_actions["fit"])
         self._menu = QMenu(self)
         self._fill_menu()
-        self._more = named("view_more_button", QToolButton())
-        give_menu(self._more, self._menu)
-        self._more.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self._more = _menu_button("view_more_button", self._menu)
         self._lay_out()
         self._connect()
         self._take_settings()
@@ -189,7 +188,6 @@ class ViewBar(Translated, QFrame):
         self.choose_handles(self._last_handles if off else None)
 
     def _fill_menu(self) -> None:
-        self._menu.addMenu(self._views_menu)
         for name in _VIEWS:
             self._views_menu.addAction(self.view_actions[name])
         for names in _MENU:
@@ -201,16 +199,12 @@ class ViewBar(Translated, QFrame):
             self._menu.addSeparator()
 
     def _lay_out(self) -> None:
-        for name in _STRIP:
-            button = named(f"view_{name}_button", QToolButton())
-            button.setDefaultAction(self.view_actions[name])
-            self._buttons.append(button)
-        for button in (self._handles_button, *self._buttons, self._more):
+        buttons = (self._handles_button, self._views, self._fit, self._more)
+        for button in buttons:
             button.setAutoRaise(True)
             button.setFixedSize(_BUTTON_PX, _BUTTON_PX)
             button.setIconSize(QSize(20, 20))
             button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        buttons = (self._handles_button, *self._buttons, self._more)
         in_column(*buttons, on=self, spacing=2, margins=_MARGIN_PX)
 
     def _connect(self) -> None:
@@ -256,14 +250,13 @@ class ViewBar(Translated, QFrame):
             shortcut = SHORTCUTS[f"view.{name}"]
             action.setText(shortcut.title.text())
             action.setToolTip(f"{action.text()}: {_TIPS.text(name)} ({shortcut.text()})")
-        for button in self._buttons:
-            button.setAccessibleName(button.defaultAction().text())
+        self._fit.setAccessibleName(self._fit.defaultAction().text())
         for kind, action in self._handles.items():
             action.setText(_HANDLES.text(kind))
         name, keys = self.tr("Drag the target in the picture"), SHORTCUTS["view.handles"].text()
         self._toggle_handles.setText(name)
         self._handles_menu.setTitle(name)
-        self._views_menu.setTitle(self.tr("Look from"))
+        describe(self._views, self.tr("Look from"))
         tip = self.tr(
             "Drags the target, or the chosen point, in the picture; the arm does not move. "
             "Ctrl: coarse steps, Shift: fine steps, Esc: give up"
@@ -291,7 +284,16 @@ class ViewBar(Translated, QFrame):
 
     def _recolor(self) -> None:
         color = colors_of(self).muted
-        for name in _STRIP:
+        for name in _ICONS:
             self.view_actions[name].setIcon(icons.icon(f"view_{name}", color))
+        self._views.setIcon(icons.icon("view_iso", color))
         self._handles_button.setIcon(icons.icon("drag_target", color))
         self._more.setIcon(icons.icon("view_more", color))
+
+
+def _menu_button(name: str, menu: QMenu) -> QToolButton:
+    """Return a button that opens a menu at once."""
+    button = named(name, QToolButton())
+    give_menu(button, menu)
+    button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+    return button

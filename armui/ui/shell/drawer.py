@@ -56,8 +56,8 @@ class Drawer(Translated, QWidget):
             tab.clicked.connect(lambda _on=False, key=key: self._on_tab(key))
         for button in (self._take_out, self._fold):
             button.setIconSize(QSize(_ICON_PX, _ICON_PX))
-        head = in_row(*self._tabs.values(), STRETCH, self._take_out, self._fold, spacing=6)
-        in_column(head, (self._stack, 1), on=self, spacing=6, margins=(16, 6, 16, 8))
+        head = in_row(*self._tabs.values(), STRETCH, self._take_out, self._fold, spacing=2)
+        in_column(head, (self._stack, 1), on=self, spacing=4, margins=(16, 2, 16, 4))
         self._take_out.clicked.connect(self._on_take_out)
         self._fold.clicked.connect(self.fold)
         self.hide()

@@ -14,6 +14,7 @@ from armui.ui.actions.command import CommandSource, also
 from armui.ui.panels.cell.cell_panel import CellPanel
 from armui.ui.panels.gripper_panel import GripperPanel
 from armui.ui.panels.jogging.cartesian_panel import CartesianPanel
+from armui.ui.panels.jogging.jog_panel import JogPanel
 from armui.ui.panels.jogging.motion_panel import MotionPanel
 from armui.ui.panels.light_panel import LightPanel
 from armui.ui.panels.linkage_panel import LinkagePanel
@@ -136,6 +137,7 @@ class OperationArea(QStackedWidget):
         self.setObjectName("operation_area")
         self._entries = tuple(entries)
         self._made: dict[int, QWidget] = {}
+        self._with_measured = True
         self._empty = {place: QWidget() for place in range(len(self._entries))}
         for page in self._empty.values():
             self.addWidget(page)
@@ -178,6 +180,7 @@ class OperationArea(QStackedWidget):
         if place not in self._made:
             empty = self._empty.pop(place)
             panel = self._made[place] = self._entries[place].make_panel()
+            self._show_measured_in(panel)
             self.insertWidget(place, panel)
             self.removeWidget(empty)
             empty.deleteLater()
@@ -188,6 +191,17 @@ class OperationArea(QStackedWidget):
         if had and new and shown is not None:
             # Qt has focused the first control of the panel, and its frame would look like a choice
             shown.setFocus(Qt.FocusReason.OtherFocusReason)
+
+    def show_measured_figures(self, *, wanted: bool) -> None:
+        """Show the measured values in the panels that jog: the picture has none now."""
+        if wanted != self._with_measured:
+            self._with_measured = wanted
+            for panel in self._made.values():
+                self._show_measured_in(panel)
+
+    def _show_measured_in(self, panel: QWidget) -> None:
+        if isinstance(panel, JogPanel):
+            panel.show_measured_figures(wanted=self._with_measured)
 
     def focus_joint(self, joint: int) -> None:
         """Focus a joint in the visible panel, if it has controls for one."""

@@ -231,7 +231,7 @@ class EnableButton(Translated, QAbstractButton):
         painter = painting.begin(self)
         active = self.isEnabled() and (self.underMouse() or self.isDown())
         fill = colors.accent_pale if active else colors.surface
-        line = colors.accent if active or self.hasFocus() else colors.border
+        line = colors.accent if self.hasFocus() else fill
         ink = colors.text if self.isEnabled() else colors.muted
         if self._motion is not None:
             fill, line, ink = colors.warn_pale, colors.warn, colors.warn
@@ -370,7 +370,7 @@ class CommunicationButton(Translated, QAbstractButton):
         painter = painting.begin(self)
         active = self.underMouse() or self.isDown()
         fill = colors.accent_pale if active else colors.surface
-        line = colors.accent if active or self.hasFocus() else colors.border
+        line = colors.accent if self.hasFocus() else fill
         painting.panel(painter, QRectF(self.rect()), fill, line, 2 if self.hasFocus() else 1)
         _draw_sign(painter, colors, QPointF(12 + _SIGN_PX, self.height() / 2), self._link)
         half = self.height() / 2

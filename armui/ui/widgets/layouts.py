@@ -37,15 +37,12 @@ class CardArea(QScrollArea):
     repeat that for each parent that the area gets later.
 
     Args:
-        card: The card that scrolls.
-        tallest_px: The largest height, unless the card would scroll although there is free room.
+        card: The card that scrolls; the area is never higher than it.
     """
 
-    def __init__(self, card: QFrame, tallest_px: int) -> None:
+    def __init__(self, card: QFrame) -> None:
         super().__init__()
         self._card = card
-        self._tallest_px = tallest_px
-        self.setMaximumHeight(tallest_px)
 
     @property
     def wanted_px(self) -> int:
@@ -76,18 +73,13 @@ class CardArea(QScrollArea):
 
     def _fit(self) -> None:
         if self.widget() is not None:
-            self.setMaximumHeight(max(self._tallest_px, self.wanted_px))
+            self.setMaximumHeight(self.wanted_px)
 
 
-def scrolled(card: QFrame, tallest_px: int) -> QScrollArea:
-    """Return a scroll area for a card, so that the parts below it stay visible.
-
-    Args:
-        card: The card that scrolls.
-        tallest_px: The largest height, unless the card needs less.
-    """
+def scrolled(card: QFrame) -> QScrollArea:
+    """Return a scroll area for a card, so that the parts below it stay visible."""
     card.setProperty("card", True)
-    area = CardArea(card, tallest_px)
+    area = CardArea(card)
     area.setWidgetResizable(True)
     area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
     area.setMinimumHeight(_LOWEST_PX)

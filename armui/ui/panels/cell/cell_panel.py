@@ -50,7 +50,6 @@ TABS: Final[tuple[type[CellTab], ...]] = (
     BaseTab,
 )
 """The tabs from left to right."""
-_TALLEST_CARD_PX: Final = 560
 _NARROW_PX: Final = 60
 _MOST_SHOWN: Final = 14
 """The most differences that a question names."""
@@ -165,7 +164,7 @@ class CellPanel(Panel):
         self._group.idClicked.connect(self._show_tab)
         card = QFrame()
         in_column(self._stack_of_tabs, on=card, spacing=8, margins=(16, 12, 16, 12))
-        self._card = scrolled(card, _TALLEST_CARD_PX)
+        self._card = scrolled(card)
         self._stack(names, kept, choice, self._card, head=head, gap_px=8)
 
     def command_targets(self) -> Mapping[str, Target]:

@@ -76,7 +76,6 @@ _KEYS: Final = (
     ("RY", "W", "S"),
     ("RZ", "E", "D"),
 )
-_TALLEST_CARD_PX: Final = 640
 _WIDEST: Final = "-0000.000 mm"
 _NAME_PX: Final = 34
 _NARROW_PX: Final = 60
@@ -246,7 +245,6 @@ class CartesianPanel(JogPanel):
         self._shown_frame = named("shown_frame_box", QComboBox())
         self._shown_frame.setMinimumWidth(_NARROW_PX)
         self._point = text_label("point_label", rank="muted")
-        self._measured_head = text_label(rank="muted")
         self._rows: Sequence[PoseRow] = [
             PoseRow(place, name, "mm" if place < LINEAR_AXES else "°")
             for place, name in enumerate(AXES)
@@ -265,12 +263,12 @@ class CartesianPanel(JogPanel):
         card = QFrame()
         self._extras = PoseExtras(self._arc, self._tool)
         self._keys.toggled.connect(self._extras.setHidden)  # the keys need the room
-        head = in_row(self._point, (self._shown_frame, 1), self._measured_head, spacing=8)
+        head = in_row(self._point, (self._shown_frame, 1), spacing=8)
         rows = in_column(head, *self._rows, spacing=4)
         parts = (rows, self._extras, STRETCH)
         in_column(*parts, on=card, spacing=10, margins=(16, 8, 16, 10))
         buttons = (self.load, self.move_p, self.move_l)
-        self._finish(card, buttons, tallest_px=_TALLEST_CARD_PX, above=(self._frame,))
+        self._finish(card, buttons, above=(self._frame,))
 
     def _connect(self) -> None:
         self._follow_rows()
@@ -543,6 +541,5 @@ class CartesianPanel(JogPanel):
         self._name_point()
         self._list_frames()
         self._shown_frame.setAccessibleName(self.tr("Frame of the figures"))
-        self._measured_head.setText(self.tr("Measured"))
         self._title.setText(self.tr("Tool control"))
         super().retranslate_ui()

@@ -29,6 +29,8 @@ from armui.ui.widgets.text_label import ValueLabel, text_label
 from armui.ui.widgets.translated import Translated
 
 _BUTTON_PX: Final = 38
+_LAST_PX: Final = 130
+"""The width of the button that sends."""
 _FOLLOW_S: Final = 0.1
 DEAD_MAN_KEY: Final = Qt.Key.Key_Space
 """A key under the thumb of either hand, no letter, and none of the keys that stop the arm."""
@@ -389,6 +391,7 @@ class JogPanel(Panel):
         self._step_box = named(f"{name}_step", StepBox(write_step))
         self._step_label.setBuddy(self._step_box)
         self._keys = choice_button(f"{name}_keys_button")
+        self._with_measured = True
         self._key_pad = KeyPad(keys, f"{name}_key_pad")
         self._key_pad.hide()
 
@@ -406,25 +409,24 @@ class JogPanel(Panel):
         card: QFrame,
         buttons: Sequence[QWidget],
         *,
-        tallest_px: int,
         above: Sequence[QWidget] = (),
     ) -> None:
         """Lay the panel out around its card, and listen; the last step but the words.
 
         Args:
             card: Holds the rows.
-            buttons: Those below it, from left to right.
-            tallest_px: The card grows no higher.
+            buttons: Those below it, from left to right; the last is what the panel is for.
             above: What stands between the title and the card.
         """
         head = in_row(self._title, STRETCH, *(self._keys, self._step_label, self._step_box))
-        row = in_row(spacing=10)
+        *others, last = buttons
         for button in buttons:
             button.setMinimumHeight(_BUTTON_PX)
-            row.addWidget(button, 1)
+        last.setMinimumWidth(_LAST_PX)
+        row = in_row(*others, STRETCH, last, spacing=6)
         parts: list[QWidget | QLayout] = [
             *above,
-            scrolled(card, tallest_px),
+            scrolled(card),
             self._key_pad,
             row,
         ]
@@ -435,6 +437,13 @@ class JogPanel(Panel):
         self._key_pad.let_go.connect(self._on_let_go)
         self._key_pad.unattended.connect(self._on_unattended)
         self._listen()
+
+    def show_measured_figures(self, *, wanted: bool) -> None:
+        """Show the measured values beside the targets, or not: the picture has them, too."""
+        if wanted != self._with_measured:
+            self._with_measured = wanted
+            for row in self._rows:
+                row.measured.setVisible(wanted)
 
     # -- targets ------------------------------------------------------------------------------
 

@@ -33,24 +33,20 @@ from armui.ui.widgets.buttons import (
 )
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.figure_field import FigureField
-from armui.ui.widgets.jog_button import JogButton
-from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row
-from armui.ui.widgets.text_label import ValueLabel, text_label
+from armui.ui.widgets.layouts import empty_grid, in_column
+from armui.ui.widgets.text_label import ValueLabel
 from armui.ui.widgets.track_slider import TrackSlider
 from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
     from armui.settings import SettingsStore
 
-_FIELD_INDENT_PX: Final = 80
-_TALLEST_CARD_PX: Final = 600
 _KEYS: Final = tuple(
     (f"J{joint}", plus, minus)
     for joint, plus, minus in zip(JOINTS, "QWERTY", "ASDFGH", strict=True)
 )
 
 _WIDEST_ANGLE: Final = "-000.000°"
-_WIDEST_LIMIT: Final = "-000.00°"
 _ZERO: Final = also("zero zeros origin home 归零 零位 零点 原点 复位")
 _JOINTS: Final = also("movej joints 关节运动")
 _TARGET: Final = Text("Action", "Target of")
@@ -80,28 +76,21 @@ class JointRow(TargetRow):
         self.slider = named(f"target_slider_{joint}", TrackSlider(ANGLE_STEP_DEG, marked=True))
         self.slider.setSingleStep(round(1.0 / ANGLE_STEP_DEG))
         self.slider.setPageStep(round(10.0 / ANGLE_STEP_DEG))
-        self._minimum = ValueLabel(_WIDEST_LIMIT)
-        self._maximum = ValueLabel(_WIDEST_LIMIT, alignment=Qt.AlignmentFlag.AlignLeft)
-        for label in (self._minimum, self._maximum):
-            label.setFont(scaled_font(label, 0.88))
         self._lay_out()
+        self.slider.set_limits(limits.min_deg, limits.max_deg)
         self.slider.valueChanged.connect(self._on_slider_moved)
         self.show_target(None)
         self.retranslate_ui()
 
     def _lay_out(self) -> None:
-        top = Qt.AlignmentFlag.AlignTop
         grid = empty_grid(self, gaps=(8, 0), margins=0)
         grid.addWidget(self._name, 0, 0)
         grid.addWidget(self.minus, 0, 1)
         grid.addWidget(self.field, 0, 2)
         grid.addWidget(self.plus, 0, 3)
         grid.addWidget(self.measured, 0, 4, Qt.AlignmentFlag.AlignRight)
-        grid.addWidget(self._minimum, 1, 0, 1, 2, Qt.AlignmentFlag.AlignRight | top)
-        grid.addWidget(self.slider, 1, 2, 1, 2, top)
-        grid.addWidget(self._maximum, 1, 4, Qt.AlignmentFlag.AlignLeft | top)
+        grid.addWidget(self.slider, 1, 2)
         grid.setColumnMinimumWidth(0, 30)
-        grid.setColumnMinimumWidth(4, self.measured.sizeHint().width() + 6)
         grid.setColumnStretch(2, 1)
 
     # -- target -------------------------------------------------------------------------------
@@ -122,7 +111,6 @@ class JointRow(TargetRow):
         beyond = self.beyond_limits() is not None
         self.slider.show_requested(self.field.value, attention=beyond)
         self.field.show_attention(wanted=beyond or self.field.is_nonsense())
-        self._show_limits()
 
     # -- what the arm says --------------------------------------------------------------------
 
@@ -141,22 +129,9 @@ class JointRow(TargetRow):
         if (limits, read) == (self._limits, self._limits_read):
             return
         self._limits, self._limits_read = limits, read
+        self.slider.set_limits(limits.min_deg, limits.max_deg)
         self._after_target()
         self.retranslate_ui()
-
-    def _show_limits(self) -> None:
-        limits, target = self._limits, self.field.value
-        self.slider.set_limits(limits.min_deg, limits.max_deg)
-        beyond = self.beyond_limits() is not None
-        below = beyond and target is not None and target < limits.min_deg
-        above = beyond and not below
-        for label, bound_deg, sign, broken in (
-            (self._minimum, limits.min_deg, "≥ ", below),
-            (self._maximum, limits.max_deg, "≤ ", above),
-        ):
-            text = fmt.short_angle(bound_deg)
-            label.show_text(sign + text if broken else text, stale=not self._limits_read)
-            label.show_attention(wanted=broken)
 
     def _tips(self) -> tuple[str, str]:
         """Return what − and + do."""
@@ -188,16 +163,16 @@ class JointRow(TargetRow):
             minimum=fmt.short_angle(self._limits.min_deg),
             maximum=fmt.short_angle(self._limits.max_deg),
         )
-        self.field.setToolTip(target)
-        self.slider.setToolTip(target)
-        read = self.tr("Limit read from the arm")
-        origin = read if self._limits_read else self.tr("Factory limit: not read from the arm yet")
-        self._minimum.setToolTip(origin)
-        self._maximum.setToolTip(origin)
+        read = self.tr("Limits read from the arm.")
+        origin = (
+            read if self._limits_read else self.tr("Factory limits: not read from the arm yet.")
+        )
+        for widget in (self.field, self.slider):
+            widget.setToolTip(f"{target} {origin}")
 
 
 class MotionPanel(JogPanel):
-    """Targets on the left, measured angles on the right, and the reason if the arm can't move.
+    """Targets, with limits and measured angles on the sliders, and what is in the way of moving.
 
     The fields follow the arm until the operator types something else, so that sending them moves
     only the joints that were changed. 发送 is highlighted while there is something to send.
@@ -252,8 +227,6 @@ class MotionPanel(JogPanel):
             write_step=fmt.short_angle,
         )
         self._heard = False
-        self._target_head = text_label(rank="muted")
-        self._measured_head = text_label(rank="muted")
         limits = self._operating_state.limits
         self._rows: Sequence[JointRow] = [JointRow(j, limits[j - 1]) for j in JOINTS]
         self._own_home = OwnHome(controller, preferences, self.targets)
@@ -264,11 +237,9 @@ class MotionPanel(JogPanel):
 
     def _lay_out(self) -> None:
         card = QFrame()
-        heads = in_row(_FIELD_INDENT_PX, self._target_head, STRETCH, self._measured_head)
-        rows = ((row, 1) for row in self._rows)
-        in_column(heads, *rows, on=card, spacing=2, margins=(16, 6, 16, 6))
+        in_column(*self._rows, on=card, spacing=4, margins=(16, 10, 16, 8))
         buttons = (self.home, self._own_home, self.load, self.send)
-        self._finish(card, buttons, tallest_px=_TALLEST_CARD_PX)
+        self._finish(card, buttons)
 
     def _connect(self) -> None:
         self._follow_rows()
@@ -285,8 +256,8 @@ class MotionPanel(JogPanel):
             "motion.set_own_home_typed": self._own_home.set_typed,
             "motion.keys": self._keys,
             "motion.step": self._step_box,
-            "motion.jog_step": self.first_jog,
-            "motion.jog": self.first_jog,
+            "motion.jog_step": self._rows[0].plus,
+            "motion.jog": self._rows[0].plus,
             **{f"motion.target_{row.joint}": row.field for row in self._rows},
         }
 
@@ -296,11 +267,6 @@ class MotionPanel(JogPanel):
     def jog_step_deg(self) -> float:
         """The step of − and +."""
         return self._step_box.step
-
-    @property
-    def first_jog(self) -> JogButton:
-        """The button that jogs joint 1 upwards."""
-        return self._rows[0].plus
 
     def set_jog_step(self, step_deg: float) -> None:
         """Set the step of the settings; the usual ones can still be chosen."""
@@ -456,8 +422,6 @@ class MotionPanel(JogPanel):
         """Set all texts in the operator's language."""
         self._title.setText(self.tr("Motion control"))
         self._step_box.setToolTip(self.tr("How far one press of − or + moves a joint"))
-        self._target_head.setText(self.tr("Target"))
-        self._measured_head.setText(self.tr("Measured"))
         super().retranslate_ui()
 
 

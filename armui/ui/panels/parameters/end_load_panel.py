@@ -44,7 +44,6 @@ if TYPE_CHECKING:
 LOAD_NOT_CHOSEN = Reason("load_not_chosen", "No end load is chosen. Choose one first.")
 
 
-_TALLEST_CARD_PX: Final = 300
 _LOADS: Final = (EndLoad.EMPTY, EndLoad.HALF, EndLoad.FULL)
 _FIGURES: Final = (
     ("linear_speed_m_s", "m/s"),
@@ -320,7 +319,7 @@ class EndLoadPanel(Panel):
             grid.addWidget(QLabel(f"J{joint}"), joint + 2, 0)
             for place, (field, _unit) in enumerate(_FIGURES, start=1):
                 grid.addWidget(self._cells[joint, field], joint + 2, place, right)
-        self._stack(load_card, self._mounting, scrolled(motion_card, _TALLEST_CARD_PX))
+        self._stack(load_card, self._mounting, scrolled(motion_card))
 
     # -- actions ------------------------------------------------------------------------------
 

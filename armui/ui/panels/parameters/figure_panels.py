@@ -23,13 +23,11 @@ from armui.ui.words.parameters import parameter_name
 from armui.ui.words.text import listed
 
 _FIELD_PX: Final = 132
-_TALLEST_CARD_PX: Final = 260
 _COLUMNS: Final = ("max_angle_deg", "min_angle_deg", "max_speed_deg_s", "max_acceleration_deg_s2")
 
 _ENDS: Final = ("min_angle_deg", "max_angle_deg")
 _AT_LIMIT_DEG: Final = 0.5
 """A joint that stands this near beyond a limit stands at it: what is measured wavers."""
-_JOINTS_CARD_PX: Final = 420
 
 
 class JointSettingsPanel(ParameterPanel):
@@ -61,7 +59,7 @@ class JointSettingsPanel(ParameterPanel):
             label.setFixedHeight(cells[0].field.height())
             grid.addWidget(label, joint + 1, 0, Qt.AlignmentFlag.AlignTop)
         grid.setRowStretch(len(JOINTS) + 2, 1)
-        self.finish(card, tallest_px=_JOINTS_CARD_PX)
+        self.finish(card)
 
     def title(self) -> str:
         """Return 关节设置 in the operator's language."""
@@ -144,7 +142,7 @@ class ListedParameters(ParameterPanel):
             grid.addWidget(cell, row, 1)
         grid.setColumnStretch(0, 1)
         grid.setRowStretch(len(cells), 1)
-        self.finish(card, tallest_px=_TALLEST_CARD_PX)
+        self.finish(card)
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""

@@ -22,8 +22,6 @@ _LABEL_PX: Final = 30
 _GAP_PX: Final = 3
 _HEIGHT_PX: Final = 30
 _NO_DETECTION: Final = 0
-_COLLISION_CARD_PX: Final = 420
-_DRAG_ASSISTANCE_CARD_PX: Final = 470
 _DIALOG_WIDTH_PX: Final = 520
 _DIALOG_HEIGHT_PX: Final = 700
 
@@ -139,7 +137,6 @@ class LevelsPanel(ParameterPanel):
         controller: Reads and saves them.
         group: The group; the widgets below are named ``<group>_all`` and ``<group>_note``.
         open_backup: Opens the window in which parameters are backed up.
-        tallest_px: The largest height of the card.
     """
 
     def __init__(
@@ -147,8 +144,6 @@ class LevelsPanel(ParameterPanel):
         controller: ArmController,
         group: Group,
         open_backup: Callable[[], object],
-        *,
-        tallest_px: int,
     ) -> None:
         self._levels = [LevelCell(each) for each in Batch(group).parameters()]
         super().__init__(controller, group.value, self._levels, open_backup)
@@ -169,7 +164,7 @@ class LevelsPanel(ParameterPanel):
         grid.addWidget(self._note, last + 1, 0, 1, 2)
         grid.setColumnStretch(1, 1)
         grid.setRowStretch(last + 2, 1)
-        self.finish(card, tallest_px=tallest_px)
+        self.finish(card)
 
     def note(self) -> str:
         """Return the meaning of the levels, in the operator's language."""
@@ -198,7 +193,7 @@ class CollisionPanel(LevelsPanel):
     buttons = ParameterPanel.buttons_of("collision")
 
     def __init__(self, controller: ArmController, open_backup: Callable[[], object]) -> None:
-        super().__init__(controller, Group.COLLISION, open_backup, tallest_px=_COLLISION_CARD_PX)
+        super().__init__(controller, Group.COLLISION, open_backup)
 
     def title(self) -> str:
         """Return 碰撞等级 in the operator's language."""
@@ -249,7 +244,7 @@ class DragAssistancePanel(LevelsPanel):
 
     def __init__(self, controller: ArmController, open_backup: Callable[[], object]) -> None:
         group = Group.DRAG_ASSISTANCE
-        super().__init__(controller, group, open_backup, tallest_px=_DRAG_ASSISTANCE_CARD_PX)
+        super().__init__(controller, group, open_backup)
 
     def title(self) -> str:
         """Return 拖动助力 in the operator's language."""

@@ -141,16 +141,15 @@ class ParameterPanel(Panel):
         self._device: Device | None = None
         self._open_backup = open_backup
 
-    def finish(self, card: QFrame, *, tallest_px: int) -> None:
+    def finish(self, card: QFrame) -> None:
         """Lay the panel out around its card; the last step of the constructor.
 
         Args:
             card: Holds the cells.
-            tallest_px: The largest height of the card.
         """
         head = in_row((self._title, 1), self.buttons["backup"])
         row = ((button, 1) for act, button in self.buttons.items() if act != "backup")
-        self._stack(scrolled(card, tallest_px), in_row(*row, spacing=_GAP_PX), head=head)
+        self._stack(scrolled(card), in_row(*row, spacing=_GAP_PX), head=head)
         for before, after in pairwise(cell.focus_widget for cell in self._cells.values()):
             self.setTabOrder(before, after)
         self._connect()

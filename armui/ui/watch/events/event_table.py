@@ -155,7 +155,7 @@ def _outcome(entry: EventEntry, outcome: EventOutcome | None) -> str:
     return f"{sign} {_after_s(entry, outcome):.2f} s"
 
 
-_ROW_PX: Final = 28
+_ROW_PX: Final = 24
 _SAMPLES: Final = {
     EventColumn.BEGIN: "00:00:00.000",
     EventColumn.END: "00:00:00.000",

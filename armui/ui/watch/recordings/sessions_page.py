@@ -250,7 +250,7 @@ class SessionsModel(TableModel):
         return keys.get(column, self._text(entry, column).casefold())
 
 
-_ROW_PX: Final = 26
+_ROW_PX: Final = 24
 _LEAST_PX: Final = 58
 """The least height of the table: its titles and a row, while a message stands below."""
 _GAP_PX: Final = 6
