@@ -17,7 +17,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
+from PySide6.QtCore import QCoreApplication, QLocale, QObject, QTimer, Signal
 from PySide6.QtWidgets import QApplication
 
 from armui import __version__
@@ -42,6 +42,7 @@ from armui.system.exact_timers import keep_timers
 from armui.system.failures import Failure, FailureHandler
 from armui.system.helper_process import FileThread, HelperProcess
 from armui.system.log_file import log_to
+from armui.system.plain_words import language_of_system
 from armui.system.thread_priority import raise_in_background
 from armui.system.version_record import TakenOver, note_version
 from armui.telemetry.events import EventKind, Level
@@ -396,7 +397,8 @@ def _run(options: StartOptions) -> int:
     app = make_application(sys.argv[:1])
     GarbageSearch(app)  # before any other thread begins
     chosen = {} if options.language is None else {"language": options.language}
-    store = SettingsStore(default_path(), for_this_run=chosen)
+    spoken = language_of_system(interface=QLocale.system().uiLanguages())
+    store = SettingsStore(default_path(), for_this_run=chosen, first={"language": spoken})
     arms = SimulatedArms(options.sim_firmware, options.sim_joints_deg)
     device = _started_with(options, store)
     if device is not None and device.simulated:

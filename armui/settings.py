@@ -89,12 +89,18 @@ class SettingsStore:
     Args:
         path: The file; it need not exist.
         for_this_run: Settings that override those of the file, and are not saved.
+        first: Settings in the place of the defaults, where the file has none.
 
     Attributes:
         problems: The faults of the file when it was read.
     """
 
-    def __init__(self, path: Path, for_this_run: Mapping[str, Any] | None = None) -> None:
+    def __init__(
+        self,
+        path: Path,
+        for_this_run: Mapping[str, Any] | None = None,
+        first: Mapping[str, Any] | None = None,
+    ) -> None:
         self._path = path
         self._subscribers: list[Subscriber] = []
         self._files: Executor | None = None
@@ -107,7 +113,7 @@ class SettingsStore:
         self._look: Future[None] | None = None
         self._writes = 0
         entries, problems = _read(path)
-        self._kept, more = _from_entries(entries)
+        self._kept, more = _from_entries(entries, first or {})
         self._settings = replace(self._kept, **(for_this_run or {}))
         self._take_maps(entries)
         found = [setting_maps.problem_of(*each) for each in self._maps.items()]
@@ -410,9 +416,11 @@ def _read(path: Path) -> tuple[dict[str, Any], tuple[Refusal, ...]]:
         return {}, (_put_aside(path, SETTINGS_BROKEN),)
 
 
-def _from_entries(entries: Mapping[str, Any]) -> tuple[Settings, tuple[Refusal, ...]]:
+def _from_entries(
+    entries: Mapping[str, Any], first: Mapping[str, Any]
+) -> tuple[Settings, tuple[Refusal, ...]]:
     """The settings of a file but for the maps; what is not possible is left at its first value."""
-    good: dict[str, Any] = {}
+    good: dict[str, Any] = dict(first)
     problems = []
     for each in fields(Settings):
         if each.name not in entries or each.name in OF_EACH:

@@ -28,6 +28,13 @@ def written(path: Path, text: str) -> Path:
     return path
 
 
+def test_a_first_language_holds_until_the_file_has_one(tmp_path):
+    path = tmp_path / "settings.json"
+    assert SettingsStore(path, first={"language": "en"}).settings.language == "en"
+    path.write_text('{"language": "zh"}')
+    assert SettingsStore(path, first={"language": "en"}).settings.language == "zh"
+
+
 def test_first_run_has_the_first_settings_and_no_file(path: Path) -> None:
     store = SettingsStore(path)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import locale
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Final, Literal, get_args
 from xml.etree import ElementTree as ET
@@ -14,6 +14,8 @@ from armui.system.files import read_file
 
 Language = Literal["zh", "en"]
 LANGUAGES: Final[tuple[Language, ...]] = get_args(Language)
+_SAY_NOTHING: Final = frozenset({"", "c", "posix"})
+"""The locales of a system whose language was never chosen."""
 
 Translate = Callable[[str, str], str]
 """A function that translates a text of a context, as Qt's own does."""
@@ -58,8 +60,16 @@ def settings_file() -> Path | None:
     return known()
 
 
-def language_of_system(settings: Path | None = None) -> Language:
-    """Return the language chosen in the program, else the system's: Chinese or English."""
+def language_of_system(
+    settings: Path | None = None, interface: Sequence[str] | None = None
+) -> Language:
+    """Return the language chosen in the program, else the system's: Chinese or English.
+
+    Args:
+        settings: The file of the operator's settings; by default only the system is asked.
+        interface: The languages of the system's user interface, the preferred one first, where Qt
+            knows them; by default the environment is asked.
+    """
     if settings is not None:
         try:
             chosen = json.loads(read_file(settings)).get("language")
@@ -69,6 +79,17 @@ def language_of_system(settings: Path | None = None) -> Language:
             return "zh"
         if chosen == "en":
             return "en"
-    names = [os.environ.get(name, "") for name in ("LC_ALL", "LC_MESSAGES", "LANG")]
-    name = next((each for each in names if each), "") or (locale.getlocale()[0] or "")
-    return "zh" if name.lower().startswith(("zh", "chinese")) else "en"
+    names = (os.environ.get(name, "") for name in ("LC_ALL", "LC_MESSAGES", "LANG"))
+    spoken = next((name for name in (*names, *(interface or ())) if name), "")
+    return language_named(spoken or (locale.getlocale()[0] or ""))
+
+
+def language_named(name: str) -> Language:
+    """Return the language for a system's locale: Chinese for Chinese and where it says nothing.
+
+    Args:
+        name: Its name, as ``zh_CN.UTF-8``, ``en-US``, ``Chinese (Simplified)_China``, ``C``.
+    """
+    plain = name.partition(".")[0].lower()
+    silent = plain in _SAY_NOTHING
+    return "zh" if silent or plain.startswith(("zh", "chinese")) else "en"

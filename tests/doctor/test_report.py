@@ -46,7 +46,10 @@ def test_json_and_back():
     [
         ({"LANG": "zh_CN.UTF-8"}, None, "zh"),
         ({"LANG": "en_US.UTF-8"}, None, "en"),
-        ({"LC_ALL": "C", "LANG": "zh_CN.UTF-8"}, None, "en"),
+        ({"LC_ALL": "C", "LANG": "en_US.UTF-8"}, None, "zh"),
+        ({"LC_ALL": "C.UTF-8"}, None, "zh"),
+        ({"LANG": "POSIX"}, None, "zh"),
+        ({"LANG": "fr_FR.UTF-8"}, None, "en"),
         ({"LANG": "zh_CN.UTF-8"}, '{"language": "en"}', "en"),
         ({"LANG": "de_DE.UTF-8"}, '{"language": "zh"}', "zh"),
         ({"LANG": "zh_TW"}, "no json", "zh"),
@@ -64,3 +67,18 @@ def test_the_language_of_the_program_or_the_system(
     if content is not None:
         path.write_text(content)
     assert language_of_system(path) == expected
+
+
+@pytest.mark.parametrize(
+    ("interface", "expected"),
+    [
+        (["zh-Hans-CN", "zh"], "zh"),
+        (["en-Latn-US", "en"], "en"),
+        (["de-DE", "zh-CN"], "en"),
+        (["C"], "zh"),
+    ],
+)
+def test_where_the_environment_is_silent_the_system_is_asked(monkeypatch, interface, expected):
+    for name in ("LC_ALL", "LC_MESSAGES", "LANG"):
+        monkeypatch.delenv(name, raising=False)
+    assert language_of_system(interface=interface) == expected

@@ -136,7 +136,7 @@ def test_the_language_is_that_of_the_program_or_the_system(
     monkeypatch.setattr(command_line, "settings_file", lambda: settings)
     for name in ("LC_MESSAGES", "LANG"):
         monkeypatch.delenv(name, raising=False)
-    monkeypatch.setenv("LC_ALL", {"zh": "zh_CN.UTF-8", "en": "C.UTF-8"}[system])
+    monkeypatch.setenv("LC_ALL", {"zh": "zh_CN.UTF-8", "en": "en_US.UTF-8"}[system])
     monkeypatch.setattr(sys, "argv", ["armui", *words])
     monkeypatch.setattr(sys, "stdout", io.TextIOWrapper(io.BytesIO(), encoding=encoding))
     assert command_line._language() == expected

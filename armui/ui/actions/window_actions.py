@@ -100,20 +100,16 @@ class CommandsButton(Translated, QToolButton):
 
 
 class LanguageButton(Translated, QToolButton):
-    """A button in the status bar with the name of the other language, before a device is open.
+    """A button in the status bar with the name of the other language, for who cannot read this one.
 
-    The first window is Chinese whatever the system speaks: this word is for who cannot read it.
-
-    Args:
-        controller: Tells whether a device is open.
+    It stays there: a control that comes and goes is looked for in vain.
     """
 
-    def __init__(self, controller: ArmController) -> None:
+    def __init__(self) -> None:
         super().__init__()
         self.setObjectName("language_button")
         self.setMaximumHeight(_HIGHEST_PX)
         self.setProperty("quiet", True)
-        controller.operating_state_changed.connect(lambda now: self.setVisible(now.device is None))
         self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
@@ -132,7 +128,7 @@ class WindowActions(QObject):
 
     Attributes:
         button: Opens the command palette.
-        language_button: Switches the language, before a device is open.
+        language_button: Switches the language.
     """
 
     commands = _COMMANDS
@@ -152,7 +148,7 @@ class WindowActions(QObject):
         self._opened: dict[str, QDialog] = {}
         self.button = CommandsButton()
         self.button.clicked.connect(self.open_palette)
-        self.language_button = LanguageButton(controller)
+        self.language_button = LanguageButton()
         self.language_button.clicked.connect(self._switch_language)
         openers: dict[str, Callback] = {
             "palette": self.open_palette,

@@ -24,6 +24,8 @@ _GAP_PX: Final = 14
 _EDGE_PX: Final = 16
 FRAME: Final = QMargins(8, 36, 8, 8)
 """The frame that window systems draw around a window; its title must stay reachable."""
+_LEAST_FRAME: Final = QMargins(0, 20, 0, 0)
+"""The room below which a title could no longer be reached with the narrowest of these frames."""
 
 
 @runtime_checkable
@@ -80,7 +82,15 @@ def _rect_of(place: Place) -> QRect:
 
 
 def on_screen(place: Place) -> QRect:
-    """Return the rectangle for a window at a stored place, completely on an existing screen."""
+    """Return the rectangle for a window at a stored place, completely on an existing screen.
+
+    Where it already is, it stays to the pixel: most frames are narrower than `FRAME`, and a window
+    beside the edge would open lower than it was closed.
+    """
+    rect = _rect_of(place)
+    for screen in QGuiApplication.screens():
+        if screen.availableGeometry().marginsRemoved(_LEAST_FRAME).contains(rect):
+            return rect
     return _rect_of(fitted(place, screens()))
 
 

@@ -243,3 +243,12 @@ def test_no_file_keeps_the_program_from_starting(started, tmp_path, text):
     reopen(pages)
     pages.open_editor()
     assert pages.path() == "Trajectory library › one"
+
+
+@pytest.mark.parametrize(("top_px", "opens_at_px"), [(29, 29), (36, 36), (2, 36)])
+def test_a_window_opens_as_high_as_it_stood_if_its_title_can_be_reached(
+    started, tmp_path, top_px, opens_at_px
+):
+    """A frame may be narrower than the widest there is: the window must not sink at each start."""
+    file_of(tmp_path).write_text(json.dumps({"window": [20, top_px, 400, 300]}))
+    assert started().driver.window.geometry().y() == opens_at_px
