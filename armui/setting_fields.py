@@ -112,7 +112,7 @@ class Settings:
     """
 
     home_poses: Annotated[
-        Mapping[str, Sequence[float]], Setting("Home pose of each arm", OfEach(is_pose))
+        Mapping[str, Sequence[float]], Setting("Park position of each arm", OfEach(is_pose))
     ] = field(default_factory=dict)
     """The operator's own home pose of each arm, six angles in degrees, by the same key."""
 

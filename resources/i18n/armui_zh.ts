@@ -377,12 +377,12 @@
         <translation>运行速度</translation>
     </message>
     <message>
-        <source>Own home: the measured angles</source>
-        <translation>自定原位：当前测得的角度</translation>
+        <source>Park position: the measured angles</source>
+        <translation>停放位：当前测得的角度</translation>
     </message>
     <message>
-        <source>Own home: the targets</source>
-        <translation>自定原位：输入框中的目标</translation>
+        <source>Park position: the targets</source>
+        <translation>停放位：输入框中的目标</translation>
     </message>
 </context>
 <context>
@@ -1377,11 +1377,11 @@
         <translation>法兰（未设置工具）</translation>
     </message>
     <message>
-        <source>Tool control</source>
+        <source>Cartesian</source>
         <translation>末端控制</translation>
     </message>
     <message>
-        <source>Load</source>
+        <source>Take current</source>
         <translation>装载</translation>
     </message>
 </context>
@@ -4457,11 +4457,11 @@ Z points along {direction}</source>
 Z 轴指向 {direction}</translation>
     </message>
     <message>
-        <source>“{name}” is in force: jog along it in Tool control, by its button beside − and +.</source>
+        <source>“{name}” is in force: jog along it in Cartesian, by its button beside − and +.</source>
         <translation>“{name}”已生效：在“末端控制”中按“− / + 方向”旁它的按钮，即可沿它点动。</translation>
     </message>
     <message>
-        <source>Jog the tool&apos;s tip to what becomes the origin (Motion or Tool control, or lead the arm by hand), come back and press Origin.</source>
+        <source>Jog the tool&apos;s tip to what becomes the origin (Motion control or Cartesian, or the arm by hand), come back and press Origin.</source>
         <translation>把工具尖点动到将作为原点的位置（用“运动控制”或“末端控制”，也可用手拖动），回到此处按“原点”。</translation>
     </message>
     <message>
@@ -5951,7 +5951,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>− 与 + 的步长</translation>
     </message>
     <message>
-        <source>Keys</source>
+        <source>Keyboard</source>
         <translation>键盘</translation>
     </message>
     <message>
@@ -6430,7 +6430,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>创建</translation>
     </message>
     <message>
-        <source>Record</source>
+        <source>Record motion</source>
         <translation>录制</translation>
     </message>
     <message>
@@ -6629,7 +6629,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>! 未保存</translation>
     </message>
     <message>
-        <source>At 100 % of the speed below, so at the points&apos; own or as recorded, without the way to the first point. How long a run takes at its speed stands beside Send.</source>
+        <source>At 100 % of the speed below, so at the points&apos; own or as recorded, without the way to the first point. How long a run takes at its speed stands beside Run.</source>
         <translation>按下方速度 100 % 计，即各点自己的速度或录制的速度，不含到第一点的路程。实际运行速度下的时长显示在“发送”旁。</translation>
     </message>
     <message>
@@ -7124,7 +7124,7 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>回零</translation>
     </message>
     <message>
-        <source>Load</source>
+        <source>Take current</source>
         <translation>装载</translation>
     </message>
     <message>
@@ -7828,8 +7828,8 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>未完成的急停已撤销；机械臂尚未确认急停。</translation>
     </message>
     <message>
-        <source>Own home set: {angles}</source>
-        <translation>原位已设定：{angles}</translation>
+        <source>Park position set: {angles}</source>
+        <translation>停放位已设定：{angles}</translation>
     </message>
     <message>
         <source>“{name}” has finished.</source>
@@ -8498,20 +8498,20 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
 <context>
     <name>OwnHome</name>
     <message>
-        <source>Own home</source>
-        <translation>自定原位</translation>
+        <source>Park position</source>
+        <translation>停放位</translation>
     </message>
     <message>
         <source>Moves the joints to {angles}.</source>
         <translation>各关节运动到 {angles}。</translation>
     </message>
     <message>
-        <source>Sets your own home for this arm; nothing moves.</source>
-        <translation>为此机械臂设定原位，不运动。</translation>
+        <source>Sets the park position of this arm; nothing moves.</source>
+        <translation>为此机械臂设定停放位，不运动。</translation>
     </message>
     <message>
-        <source>Set own home</source>
-        <translation>设定原位</translation>
+        <source>Set park position</source>
+        <translation>设定停放位</translation>
     </message>
     <message>
         <source>Set to the measured angles</source>
@@ -9740,11 +9740,11 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>丢失 {count} 帧</translation>
     </message>
     <message>
-        <source>Stop recording</source>
+        <source>Stop log</source>
         <translation>停止记录</translation>
     </message>
     <message>
-        <source>Record</source>
+        <source>Start log</source>
         <translation>开始记录</translation>
     </message>
     <message>
@@ -9802,8 +9802,8 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>停止录制</translation>
     </message>
     <message>
-        <source>Record</source>
-        <translation>录制</translation>
+        <source>Start recording</source>
+        <translation>开始录制</translation>
     </message>
     <message>
         <source>“{name}” has not been saved. A new recording replaces it.</source>
@@ -10966,8 +10966,8 @@ The other program must have ended.</source>
         <translation>关节角度不属于任何坐标系，但该点写明了坐标系“{name}”。请改为 MOVE P、L 或 C，或去掉坐标系。</translation>
     </message>
     <message>
-        <source>No home of your own is kept for this arm. Set it with the arrow beside.</source>
-        <translation>尚未为此机械臂设定原位。请用旁边的箭头设定。</translation>
+        <source>No park position is kept for this arm. Set it with the arrow beside.</source>
+        <translation>尚未为此机械臂设定停放位。请用旁边的箭头设定。</translation>
     </message>
     <message>
         <source>These poses are of a tool, and none is in force. Choose that tool under Cell, then paste again.</source>
@@ -11086,11 +11086,11 @@ The other program must have ended.</source>
         <translation>程序未能完成这项工作：{text}。请重试。</translation>
     </message>
     <message>
-        <source>Not run: the arm has moved by {value}° since it was checked. Send again.</source>
+        <source>Not run: the arm has moved by {value}° since it was checked. Press Run again.</source>
         <translation>未运行：检查之后机械臂又移动了 {value}°。请再次点击发送。</translation>
     </message>
     <message>
-        <source>Not run: the arm&apos;s joint limits have changed since the check. Send again.</source>
+        <source>Not run: the arm&apos;s joint limits have changed since the check. Press Run again.</source>
         <translation>未运行：机械臂的关节限位与检查时不同。请再次点击发送。</translation>
     </message>
     <message>
@@ -11702,7 +11702,7 @@ The other program must have ended.</source>
         <translation>另一程序正以{other_mode}模式驱动机械臂：本程序的模式指令会使关节失力。请结束该程序、扶住机械臂，再按面板上方提示行给出的方式恢复。</translation>
     </message>
     <message>
-        <source>Not run: the arm&apos;s model or zeros have changed since the check. Send again.</source>
+        <source>Not run: the arm&apos;s model or zeros have changed since the check. Press Run again.</source>
         <translation>未运行：机械臂的型号或零点约定与检查时不同。请再次点击发送。</translation>
     </message>
     <message>
@@ -11898,7 +11898,7 @@ The other program must have ended.</source>
         <translation>已采集 {count} 个位姿，至少需要 {minimum} 个。请再采集一个。</translation>
     </message>
     <message>
-        <source>Not run: tool, load, cell, settings or choices have changed since the check. Send again.</source>
+        <source>Not run: tool, load, cell, settings or choices have changed since the check. Press Run again.</source>
         <translation>未运行：检查之后工具、负载、单元、设置或选项已改变。请重新发送。</translation>
     </message>
     <message>
@@ -12261,7 +12261,7 @@ The other program must have ended.</source>
         <translation>从第 {row} 行继续</translation>
     </message>
     <message>
-        <source>Send</source>
+        <source>Run</source>
         <translation>发送</translation>
     </message>
     <message>
@@ -12730,8 +12730,8 @@ The other program must have ended.</source>
         <translation>各机械臂的安装方式</translation>
     </message>
     <message>
-        <source>Home pose of each arm</source>
-        <translation>各机械臂的原位</translation>
+        <source>Park position of each arm</source>
+        <translation>各机械臂的停放位</translation>
     </message>
     <message>
         <source>Stop again if another host undoes an emergency stop</source>
@@ -12977,7 +12977,7 @@ The other program must have ended.</source>
         <translation>运动控制</translation>
     </message>
     <message>
-        <source>Tool control</source>
+        <source>Cartesian</source>
         <translation>末端控制</translation>
     </message>
     <message>
@@ -14262,6 +14262,10 @@ The other program must have ended.</source>
         <translation>姿态尚未采集。</translation>
     </message>
     <message>
+        <source>Fix a sharp point in front of the arm. Jog the tool&apos;s tip onto it (Motion control or Cartesian, or lead the arm by hand), come back and press Take pose.</source>
+        <translation>在机械臂前固定一个尖点。把工具尖端点动到它上面（“运动控制”、“末端控制”，或用手拖动），回到此处按“采集位姿”。</translation>
+    </message>
+    <message>
         <source>Compare what was found with what was, then press Apply the tip.</source>
         <translation>请比较求得的与原有的，再按“应用尖端”。</translation>
     </message>
@@ -14312,10 +14316,6 @@ The other program must have ended.</source>
     <message>
         <source>Touch the point with the shank behind the tip; press On the shank.</source>
         <translation>用尖端后方的杆部触碰该点；再按“杆部”。</translation>
-    </message>
-    <message>
-        <source>Fix a sharp point in front of the arm. Jog the tool&apos;s tip onto it (Motion or Tool control, or lead the arm by hand), come back and press Take pose.</source>
-        <translation>在机械臂前固定一个尖点。把工具尖端点动到它上面（“运动控制”、“末端控制”，或用手拖动），回到此处按“采集位姿”。</translation>
     </message>
     <message>
         <source>by two more points</source>
@@ -14977,8 +14977,8 @@ Before: {before}</source>
         <translation>CAN 总线上的每一帧：含义、频率以及由谁发送。</translation>
     </message>
     <message>
-        <source>Record</source>
-        <translation>会话</translation>
+        <source>Log</source>
+        <translation>日志</translation>
     </message>
     <message>
         <source>Record everything on the bus, save what just happened, replay what was recorded, here or by another program.</source>

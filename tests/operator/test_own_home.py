@@ -36,12 +36,12 @@ def choose(driver, name):
 
 def test_where_the_arm_is_measured_is_kept_and_reached_by_move_j(at_home):
     assert not at_home.find("own_home_button").isEnabled()
-    assert "No home of your own is kept" in at_home.find("own_home_button").toolTip()
+    assert "No park position is kept" in at_home.find("own_home_button").toolTip()
     choose(at_home, "set_own_home_measured")
     at_home.run(0.2)
     assert at_home.heard() == []
     assert "J3 -40.000°" in at_home.find("own_home_button").toolTip()
-    assert at_home.read("motion_message").startswith("Own home set: J1 10.0")
+    assert at_home.read("motion_message").startswith("Park position set: J1 10.0")
     assert "J3 -40.000°" in at_home.read("motion_message")
     move_to(at_home, AWAY)
     at_home.click("own_home_button")

@@ -181,7 +181,7 @@ def test_another_window_and_its_own_buttons(app_driver):
     library = app_driver.page(LibraryPage)
     palette = open_palette(app_driver, library)
     titles = {offer.title for offer in rows(palette) if offer.place == "Trajectory library"}
-    assert {"Import files", "Create", "Record"} <= titles
+    assert {"Import files", "Create", "Record motion"} <= titles
 
 
 def test_it_opens_from_a_dialog(app_driver):

@@ -75,7 +75,7 @@ def test_a_session_is_recorded_and_listed(sessions):
     driver.run(3.2)
     sessions.until(lambda: (sessions.recorder.progress() or window).frames > 1000)
     window._look()
-    assert window.recording.record_button.text().strip() == "Stop recording"
+    assert window.recording.record_button.text().strip() == "Stop log"
     assert window.recording.figures_label.text().startswith("0:03 · ")
     mark._show_time()
     assert mark.text().strip() == "0:03"

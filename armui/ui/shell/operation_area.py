@@ -63,9 +63,9 @@ class PanelEntry:
 PANELS: Final = (
     PanelEntry("motion", Text("SideMenu", "Motion control"), MotionPanel,
                lambda arm, store, _: MotionPanel(arm, store)),
-    PanelEntry("cartesian", Text("SideMenu", "Tool control"), CartesianPanel,
+    PanelEntry("cartesian", Text("SideMenu", "Cartesian"), CartesianPanel,
                lambda arm, store, _: CartesianPanel(arm, store),
-               also("tcp pose linear xyz 位姿 直线")),
+               also("tool control tcp pose linear xyz 位姿 直线")),
     PanelEntry("cell", Text("SideMenu", "Cell"), CellPanel,
                lambda arm, store, _: CellPanel(arm, store),
                also("tool tcp frame work area box 工具 坐标系 工作区")),

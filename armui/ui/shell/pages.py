@@ -175,7 +175,7 @@ PAGES: Final[Mapping[str, PageEntry[PageOpener]]] = {
         Text("WatchMenu",
              "Record everything on the bus, save what just happened, replay what was recorded, "
              "here or by another program."),
-        short_title=Text("WatchMenu", "Record"),
+        short_title=Text("WatchMenu", "Log"),
         command=Command("sessions.open", Text("SessionsPage", "Session recordings"),
                         synonyms=also("logs history 日志 录制")),
         beside_menu=True),

@@ -174,11 +174,11 @@ class FrameByPoints(PointSearch):
             return words.refusal(found)
         if self._is_taken(found):
             return self.tr(
-                "“{name}” is in force: jog along it in Tool control, by its button beside − and +."
+                "“{name}” is in force: jog along it in Cartesian, by its button beside − and +."
             ).format(name=self._chosen.name if self._chosen is not None else "")
         steps: tuple[Callable[[], str], ...] = (
             lambda: self.tr(
-                "Jog the tool's tip to what becomes the origin (Motion or Tool control, or lead "
+                "Jog the tool's tip to what becomes the origin (Motion control or Cartesian, or "
                 "the arm by hand), come back and press Origin."
             ),
             lambda: self.tr(

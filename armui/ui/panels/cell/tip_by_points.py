@@ -245,8 +245,8 @@ class TipByPoints(PointSearch):
             return words.refusal(CELL_NONE())
         if not poses:
             return self.tr(
-                "Fix a sharp point in front of the arm. Jog the tool's tip onto it (Motion or Tool "
-                "control, or lead the arm by hand), come back and press Take pose."
+                "Fix a sharp point in front of the arm. Jog the tool's tip onto it (Motion "
+                "control or Cartesian, or lead the arm by hand), come back and press Take pose."
             )
         if len(poses) < LEAST_POSES or not self._spread_is_enough:
             turn = self._which_turn(poses)

@@ -205,7 +205,7 @@ class CartesianPanel(JogPanel):
     )
 
     load = Act(
-        "Load",
+        "Take current",
         named="load_pose_button",
         tip="Fills the fields with the measured pose; nothing moves.",
         key="cartesian.load",
@@ -541,5 +541,5 @@ class CartesianPanel(JogPanel):
         self._name_point()
         self._list_frames()
         self._shown_frame.setAccessibleName(self.tr("Frame of the figures"))
-        self._title.setText(self.tr("Tool control"))
+        self._title.setText(self.tr("Cartesian"))
         super().retranslate_ui()

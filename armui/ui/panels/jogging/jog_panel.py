@@ -589,7 +589,7 @@ class JogPanel(Panel):
         """Set the texts of the head in the operator's language."""
         self._step_label.setText(self.tr("Step"))
         self._step_box.setAccessibleName(self.tr("Step of − and +"))
-        self._keys.setText(self.tr("Keys"))
+        self._keys.setText(self.tr("Keyboard"))
         tip = self.tr("Jog by keys, with the space bar held as dead-man key")
         describe(self._keys, self.tr("Keyboard jogging"), tip)
         self._show_possible()

@@ -184,8 +184,10 @@ class MotionPanel(JogPanel):
 
     commands = (
         *OwnHome.commands,
-        Command("motion.set_own_home_measured", Text("Action", "Own home: the measured angles")),
-        Command("motion.set_own_home_typed", Text("Action", "Own home: the targets")),
+        Command(
+            "motion.set_own_home_measured", Text("Action", "Park position: the measured angles")
+        ),
+        Command("motion.set_own_home_typed", Text("Action", "Park position: the targets")),
         Command("motion.keys", Text("JogPanel", "Keyboard jogging"), synonyms=_KEYBOARD),
         Command("motion.step", Text("JogPanel", "Step of − and +")),
         Command("motion.jog_step", operation=operation_of(Motion.jog), presses=False),
@@ -202,7 +204,7 @@ class MotionPanel(JogPanel):
         synonyms=_ZERO,
     )
     load = Act(
-        "Load",
+        "Take current",
         named="load_button",
         tip="Fills the fields with the measured angles; nothing moves.",
         key="motion.load",

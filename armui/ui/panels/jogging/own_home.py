@@ -1,4 +1,4 @@
-"""自定原位: a home pose of the operator's own, kept for each arm."""
+"""停放位: a park position of the operator's own, kept for each arm."""
 
 from __future__ import annotations
 
@@ -37,9 +37,9 @@ if TYPE_CHECKING:
     from armui.settings import SettingsStore
 
 NO_OWN_HOME = Reason(
-    "no_own_home", "No home of your own is kept for this arm. Set it with the arrow beside."
+    "no_own_home", "No park position is kept for this arm. Set it with the arrow beside."
 )
-OWN_HOME_KEPT = Notice("own_home_kept", "Own home set: {angles}", Level.DONE)
+OWN_HOME_KEPT = Notice("own_home_kept", "Park position set: {angles}", Level.DONE)
 
 
 _ARROW_PX: Final = 28
@@ -72,11 +72,11 @@ class OwnHome(HasActs, Translated, QWidget):
     kept = Signal(object)
 
     go = Act(
-        "Own home",
+        "Park position",
         named="own_home_button",
         does=Motion.send_joints,
         key="motion.own_home",
-        title=Text("OwnHome", "Own home"),
+        title=Text("OwnHome", "Park position"),
         leads=True,  # the page shows whether a home is stored, and where
         synonyms=also("home park rest 原位 停放 待机位"),
     )
@@ -181,7 +181,7 @@ class OwnHome(HasActs, Translated, QWidget):
     def show_possible(self) -> None:
         """Enable it, or show why not; the tooltip contains the pose."""
         self.show_acts()
-        kept = self.tr("Sets your own home for this arm; nothing moves.")
+        kept = self.tr("Sets the park position of this arm; nothing moves.")
         self._set.setToolTip("\n".join(filter(None, (kept, self._doubt()))))
 
     def _doubt(self) -> str:
@@ -195,7 +195,7 @@ class OwnHome(HasActs, Translated, QWidget):
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
-        self._set.setAccessibleName(self.tr("Set own home"))
+        self._set.setAccessibleName(self.tr("Set park position"))
         self.set_measured.setText(self.tr("Set to the measured angles"))
         self.set_typed.setText(self.tr("Set to the targets in the fields"))
         self.show_possible()

@@ -39,7 +39,7 @@ class LibraryBar(HasActs, QWidget):
         {
             "import": Act("Import files", named="library_import"),
             "create": Act("Create", named="library_create"),
-            "record": Act("Record", named="library_record"),
+            "record": Act("Record motion", named="library_record"),
             "delete": Act("Delete", named="library_delete"),
             "duplicate": Act("Duplicate", named="library_duplicate"),
             "rename": Act("Rename", named="library_rename"),

@@ -270,7 +270,7 @@ class LibraryModel(TableModel):
         if across and role == Qt.ItemDataRole.ToolTipRole and section == LibraryColumn.LENGTH:
             return self.tr(
                 "At 100 % of the speed below, so at the points' own or as recorded, without the "
-                "way to the first point. How long a run takes at its speed stands beside Send."
+                "way to the first point. How long a run takes at its speed stands beside Run."
             )
         return super().headerData(section, orientation, role)
 

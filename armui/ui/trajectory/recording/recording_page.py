@@ -150,10 +150,14 @@ class RecordingPage(Page):
     """
 
     commands = (
-        Command("recording.record", Text("RecordingPage", "Record"), operation_of(Recorder.start)),
+        Command(
+            "recording.record",
+            Text("RecordingPage", "Start recording"),
+            operation_of(Recorder.start),
+        ),
         Command("recording.stop", Text("RecordingPage", "Stop recording")),
     )
-    _record = Act("Record", named="record")
+    _record = Act("Start recording", named="record")
     _preview = Act(
         "Preview",
         named="record_preview",
@@ -284,7 +288,7 @@ class RecordingPage(Page):
             self._drop_work()
             self._recording = self._result = None
             self._is_kept = self._unsaved = False
-            self.set_title(self.tr("Record"))
+            self.set_title(self.tr("Recording"))
             self._curves.show_recording(None)
             self.cut_changed.emit()
             taught_on = self._controller.operating_state.model_fit.taught_on
@@ -549,7 +553,7 @@ class RecordingPage(Page):
     @_record.text
     def _record_text(self) -> str:
         recording = self._controller.recorder.recording
-        return self.tr("Stop recording") if recording else self.tr("Record")
+        return self.tr("Stop recording") if recording else self.tr("Start recording")
 
     def _told(self) -> str:
         """What it is: a file that names no arm was not recorded here, or of an unknown arm."""
@@ -586,7 +590,7 @@ class RecordingPage(Page):
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
-        self.set_title(self.tr("Trim samples") if self._is_kept else self.tr("Record"))
+        self.set_title(self.tr("Trim samples") if self._is_kept else self.tr("Recording"))
         texts = (self.tr("Name"), self.tr("From"), self.tr("To"), self.tr("Tolerance"))
         for label, text in zip(self._labels, texts, strict=True):
             label.setText(text)

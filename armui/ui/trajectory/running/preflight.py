@@ -31,18 +31,19 @@ if TYPE_CHECKING:
 
 LIMITS_CHANGED_SINCE_CHECK = Reason(
     "limits_changed_since_check",
-    "Not run: the arm's joint limits have changed since the check. Send again.",
+    "Not run: the arm's joint limits have changed since the check. Press Run again.",
 )
 MODEL_CHANGED_SINCE_CHECK = Reason(
     "model_changed_since_check",
-    "Not run: the arm's model or zeros have changed since the check. Send again.",
+    "Not run: the arm's model or zeros have changed since the check. Press Run again.",
 )
 CHANGED_SINCE_CHECK = Reason(
     "changed_since_check",
-    "Not run: tool, load, cell, settings or choices have changed since the check. Send again.",
+    "Not run: tool, load, cell, settings or choices have changed since the check. Press Run again.",
 )
 MOVED_SINCE_CHECK = Reason(
-    "moved_since_check", "Not run: the arm has moved by {value}° since it was checked. Send again."
+    "moved_since_check",
+    "Not run: the arm has moved by {value}° since it was checked. Press Run again.",
 )
 FINDINGS_AGAINST = Reason(
     "findings_against",

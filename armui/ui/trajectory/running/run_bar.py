@@ -29,7 +29,7 @@ from armui.trajectory.planning.timing import APPROACH_PERCENT
 from armui.trajectory.points.program import SpeedsFrom
 from armui.ui import format as fmt
 from armui.ui import words
-from armui.ui.actions.command import Command, Target, of_place
+from armui.ui.actions.command import Command, Target, also, of_place
 from armui.ui.actions.keys import key_text, keys_of, listen_for
 from armui.ui.dialogs.confirm_dialog import ASKED_OTHERWISE
 from armui.ui.trajectory.running.preflight import Checks
@@ -131,7 +131,9 @@ class RunChoices(QObject):
 def run_commands(place: str) -> tuple[Command, ...]:
     """Return the commands of the bar in a place."""
     commands = (
-        Command("send", Text("RunBar", "Send"), operation_of(Player.start)),
+        Command(
+            "send", Text("RunBar", "Run"), operation_of(Player.start), synonyms=also("send start")
+        ),
         Command("cycles", Text("RunBar", "Number of runs")),
         Command("speed", Text("Action", "Speed of the run")),
         Command("first", Text("RunBar", "From row")),
@@ -551,7 +553,7 @@ class RunBar(Translated, QWidget):
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
-        self._send.setText(self.tr("Send"))
+        self._send.setText(self.tr("Run"))
         self._call_off.setText(self.tr("Call off"))
         for place, text in enumerate((self.tr("Once"), self.tr("Times"), self.tr("Loop"))):
             self._cycles.setItemText(place, text)

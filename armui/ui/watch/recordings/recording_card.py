@@ -172,7 +172,7 @@ class RecordingCard(HasActs, Translated, QFrame):
         store: The settings of format, folder and size.
     """
 
-    record_button = Act("Record", named="session_record", key="sessions.record")
+    record_button = Act("Start log", named="session_record", key="sessions.record")
     folder_button = Act(
         "Choose…",
         named="session_choose_folder",
@@ -280,7 +280,7 @@ class RecordingCard(HasActs, Translated, QFrame):
     @record_button.text
     def _record_text(self) -> str:
         recording = self._sessions.recording
-        text = self.tr("Stop recording") if recording else self.tr("Record")
+        text = self.tr("Stop log") if recording else self.tr("Start log")
         return f" {text}"
 
     def _show_icon(self, *, recording: bool) -> None:
