@@ -113,7 +113,8 @@ class SettingsStore:
         self._look: Future[None] | None = None
         self._writes = 0
         entries, problems = _read(path)
-        self._kept, more = _from_entries(entries, first or {})
+        self._first = dict(first or {})
+        self._kept, more = _from_entries(entries, self._first)
         self._settings = replace(self._kept, **(for_this_run or {}))
         self._take_maps(entries)
         found = [setting_maps.problem_of(*each) for each in self._maps.items()]
@@ -321,7 +322,7 @@ class SettingsStore:
                     found = _entries(self._path)
                 except (ValueError, RecursionError):
                     return _put_aside(self._path, SETTINGS_PUT_ASIDE)
-                entries = kept if found is None else dict(found)
+                entries = self._chosen(kept) if found is None else dict(found)
                 for revision in unsaved:
                     revision(entries)
                 if found is None or _text(entries) != _text(found):
@@ -338,6 +339,14 @@ class SettingsStore:
             self._news = entries
             self._writes += 1
         return None
+
+    def _chosen(self, kept: Mapping[str, Any]) -> dict[str, Any]:
+        """Return the entries of a new file: what nobody chose goes on following the system."""
+        return {
+            name: value
+            for name, value in kept.items()
+            if name not in self._first or value != self._first[name]
+        }
 
     def _look_at_file(self) -> None:
         """Read the file if another program has written it since; waits for a disk."""

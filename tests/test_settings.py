@@ -35,6 +35,14 @@ def test_a_first_language_holds_until_the_file_has_one(tmp_path):
     assert SettingsStore(path, first={"language": "en"}).settings.language == "zh"
 
 
+def test_a_first_language_that_nobody_chose_is_not_saved(tmp_path):
+    path = tmp_path / "settings.json"
+    assert SettingsStore(path, first={"language": "en"}).change(theme="dark") is None
+    assert SettingsStore(path, first={"language": "zh"}).settings.language == "zh"
+    assert SettingsStore(path, first={"language": "zh"}).change(language="en") is None
+    assert SettingsStore(path, first={"language": "zh"}).settings.language == "en"
+
+
 def test_first_run_has_the_first_settings_and_no_file(path: Path) -> None:
     store = SettingsStore(path)
 
