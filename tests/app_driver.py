@@ -186,7 +186,16 @@ class AppDriver(ArmRig):
         """Press and release the left button over the middle of a widget, which must be there."""
         widget = self.find(name_or_widget) if isinstance(name_or_widget, str) else name_or_widget
         assert widget is not None
+        if isinstance(name_or_widget, str) and name_or_widget.startswith("menu_"):
+            self._unfold_menu_for(widget)
         QTest.mouseClick(widget, Qt.MouseButton.LeftButton, pos=_middle(widget))
+
+    def _unfold_menu_for(self, entry: QWidget) -> None:
+        """Unfold the group of the menu in which an entry is hidden, as an operator would."""
+        if not entry.isVisible():
+            fold = self.find("menu_fold")
+            QTest.mouseClick(fold, Qt.MouseButton.LeftButton, pos=_middle(fold))
+            assert entry.isVisible()
 
     def press(self, widget: QWidget) -> None:
         """Press the left button over a widget and keep it down."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
@@ -173,8 +174,14 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         watch_menu = WatchMenu({key: page for key, page in PAGES.items() if page.beside_menu})
         for tabs in (watch_menu, self._drawer):
             tabs.page_wanted.connect(self.pages.show)
-        below = (self._library_button, watch_menu, self._joint_status_button)
-        self._menu = SideMenu(self._entries, below)
+        self._menu = SideMenu(
+            self._entries,
+            library=self._library_button,
+            watch=watch_menu,
+            joint_status=self._joint_status_button,
+            folded=self._keeper.layout.menu_folded,
+        )
+        self._menu.folded_by_hand.connect(self._on_menu_folded)
         self._panels = OperationArea(self._entries)
         self._failure_line = FailureLine()
         picture = QWidget()
@@ -249,6 +256,10 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._show_where()
         left = [] if place == self._panels.currentIndex() else [self._panels.currentWidget()]
         leave_then(self, self._controller, left, lambda: self._show_panel(place))
+
+    def _on_menu_folded(self, folded: bool) -> None:
+        self._keeper.layout = replace(self._keeper.layout, menu_folded=folded)
+        self._keeper.note()
 
     def _show_panel(self, place: int) -> None:
         self._panels.show_panel(place)

@@ -5468,6 +5468,13 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
+    <name>GroupHeading</name>
+    <message>
+        <source>Folds this group away, or shows it.</source>
+        <translation>折叠或展开此组。</translation>
+    </message>
+</context>
+<context>
     <name>GuidePage</name>
     <message>
         <source>User guide</source>
@@ -13023,6 +13030,22 @@ The other program must have ended.</source>
     <message>
         <source>Cell</source>
         <translation>单元</translation>
+    </message>
+    <message>
+        <source>Operate</source>
+        <translation>操作</translation>
+    </message>
+    <message>
+        <source>Arm settings</source>
+        <translation>机械臂设置</translation>
+    </message>
+    <message>
+        <source>Work</source>
+        <translation>工作</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>观察</translation>
     </message>
 </context>
 <context>

@@ -28,7 +28,7 @@ from armui.ui.panels.parameters.figure_panels import (
 )
 from armui.ui.panels.parameters.levels_panel import CollisionPanel
 from armui.ui.panels.teaching_panel import TeachingPanel
-from armui.ui.shell.side_menu import MenuEntry
+from armui.ui.shell.side_menu import MenuEntry, MenuGroup
 from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
@@ -50,6 +50,7 @@ class PanelEntry:
         kind: The class, which declares its commands.
         make: Creates it.
         synonyms: Other names of it, for the command palette.
+        group: The heading of the menu under which it stands.
     """
 
     key: str
@@ -57,6 +58,7 @@ class PanelEntry:
     kind: type[Panel]
     make: MakePanel
     synonyms: tuple[str, ...] = ()
+    group: MenuGroup = MenuGroup.OPERATE
 
 
 # fmt: off
@@ -66,34 +68,44 @@ PANELS: Final = (
     PanelEntry("cartesian", Text("SideMenu", "Cartesian"), CartesianPanel,
                lambda arm, store, _: CartesianPanel(arm, store),
                also("tool control tcp pose linear xyz 位姿 直线")),
+    PanelEntry("gripper", Text("SideMenu", "Gripper control"), GripperPanel,
+               lambda arm, _store, _: GripperPanel(arm)),
+    PanelEntry("teaching", Text("SideMenu", "Drag teaching"), TeachingPanel,
+               lambda arm, _store, open_backup: TeachingPanel(arm, open_backup)),
     PanelEntry("cell", Text("SideMenu", "Cell"), CellPanel,
                lambda arm, store, _: CellPanel(arm, store),
                also("tool tcp frame work area box 工具 坐标系 工作区")),
     PanelEntry("light", Text("SideMenu", "Light control"), LightPanel,
-               lambda arm, _store, _: LightPanel(arm)),
+               lambda arm, _store, _: LightPanel(arm),
+               group=MenuGroup.SETTINGS),
     PanelEntry("linkage", Text("SideMenu", "Linkage control"), LinkagePanel,
-               lambda arm, _store, _: LinkagePanel(arm)),
+               lambda arm, _store, _: LinkagePanel(arm),
+               group=MenuGroup.SETTINGS),
     PanelEntry("joint_settings", Text("SideMenu", "Joint settings"), JointSettingsPanel,
                lambda arm, _store, open_backup: JointSettingsPanel(arm, open_backup),
-               also("limits maximum minimum 限位 极限")),
+               also("limits maximum minimum 限位 极限"),
+               group=MenuGroup.SETTINGS),
     PanelEntry("end_limits", Text("SideMenu", "End speed limits"), EndLimitsPanel,
-               lambda arm, _store, open_backup: EndLimitsPanel(arm, open_backup)),
+               lambda arm, _store, open_backup: EndLimitsPanel(arm, open_backup),
+               group=MenuGroup.SETTINGS),
     PanelEntry("collision", Text("SideMenu", "Collision level"), CollisionPanel,
                lambda arm, _store, open_backup: CollisionPanel(arm, open_backup),
-               also("protection crash 碰撞")),
+               also("protection crash 碰撞"),
+               group=MenuGroup.SETTINGS),
     PanelEntry("motor", Text("SideMenu", "Motor settings"), MotorPanel,
-               lambda arm, _store, _: MotorPanel(arm)),
-    PanelEntry("gripper", Text("SideMenu", "Gripper control"), GripperPanel,
-               lambda arm, _store, _: GripperPanel(arm)),
+               lambda arm, _store, _: MotorPanel(arm),
+               group=MenuGroup.SETTINGS),
     PanelEntry("gripper_settings", Text("SideMenu", "Gripper settings"), GripperSettingsPanel,
-               lambda arm, _store, open_backup: GripperSettingsPanel(arm, open_backup)),
+               lambda arm, _store, open_backup: GripperSettingsPanel(arm, open_backup),
+               group=MenuGroup.SETTINGS),
     PanelEntry("end_load", Text("SideMenu", "End load"), EndLoadPanel,
-               lambda arm, store, _: EndLoadPanel(arm, store)),
-    PanelEntry("teaching", Text("SideMenu", "Drag teaching"), TeachingPanel,
-               lambda arm, _store, open_backup: TeachingPanel(arm, open_backup)),
+               lambda arm, store, _: EndLoadPanel(arm, store),
+               group=MenuGroup.SETTINGS),
 )
 # fmt: on
-"""The panels from top to bottom of the menu, in the manual's order as far as it has them."""
+"""The panels from top to bottom of the menu, in each group in the manual's order as far as it has
+them.
+"""
 
 
 def menu_entries(
@@ -112,6 +124,7 @@ def menu_entries(
             make_panel=partial(panel.make, controller, preferences, open_backup),
             commands=panel.kind.commands,
             synonyms=panel.synonyms,
+            group=panel.group,
         )
         for panel in PANELS
     )

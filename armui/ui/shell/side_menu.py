@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import enum
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, TypeVar
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QFontMetrics, QPaintEvent
+from PySide6.QtGui import QColor, QFontMetrics, QPaintEvent, QPalette, QResizeEvent
 from PySide6.QtWidgets import QAbstractButton, QScrollArea, QSizePolicy, QToolButton, QWidget
 
 from armui.arm.joint_status import StatusVerdict
@@ -19,10 +20,11 @@ from armui.ui.actions.command import Command, Target
 from armui.ui.theme import colors_of, scaled_font
 from armui.ui.widgets import icons, painting, state_mark
 from armui.ui.widgets.buttons import named
-from armui.ui.widgets.layouts import empty_grid, in_column
+from armui.ui.widgets.layouts import STRETCH, CardArea, in_column
 from armui.ui.widgets.state_mark import Mark
+from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
-from armui.ui.words.text import Text
+from armui.ui.words.text import Text, Texts
 
 if TYPE_CHECKING:
     from armui.control.devices.joint_monitor import JointMonitor
@@ -31,13 +33,23 @@ if TYPE_CHECKING:
 
 
 _WIDTH_PX: Final = 176
-_COLUMNS: Final = 2
-_HEIGHT_PX: Final = 52
+_GAP_PX: Final = 1
+_ICON_PX: Final = 18
+_HEIGHT_PX: Final = 44
 _BUTTON_WIDTH_PX: Final = 150
 _MARK_PX: Final = 9.0
 _TEXT_LEFT_PX: Final = 12 + 2 * _MARK_PX + 10
 _TEXT_RIGHT_PX: Final = 8
 
+_FOLD_PX: Final = 10
+_AROUND_PX: Final = 14
+"""Above and below the menu, and between its two parts."""
+_HEADINGS: Final = Texts("SideMenu") | {
+    "operate": "Operate",
+    "settings": "Arm settings",
+    "work": "Work",
+    "watch": "Watch",
+}
 _MARKS: Final = {
     StatusVerdict.NORMAL: Mark.GOOD,
     StatusVerdict.DISABLED: Mark.OFF,
@@ -108,8 +120,7 @@ class JointStatusButton(Translated, QAbstractButton):
         active = self.underMouse() or self.isDown()
         ground = colors.stop_pale if fault else colors.surface
         fill = colors.accent_pale if active else ground
-        edge = colors.stop if fault else colors.border
-        line = colors.accent if active or self.hasFocus() else edge
+        line = colors.accent if self.hasFocus() else colors.stop if fault else fill
         painting.panel(painter, QRectF(self.rect()), fill, line, 2 if self.hasFocus() else 1)
         center = QPointF(12 + _MARK_PX, self.height() / 2)
         state_mark.draw(painter, colors, center, _MARK_PX, self.mark)
@@ -130,11 +141,11 @@ class JointStatusButton(Translated, QAbstractButton):
 
 
 class WatchMenu(Translated, QWidget):
-    """A button for each page, two in a row; a single one is as wide as the menu.
+    """A button for each page to watch.
 
     Args:
-        pages: The pages by their keys, row by row; the button of one is named ``<key>_button``, its
-            icon as the page.
+        pages: The pages by their keys, from top to bottom; the button of one is named
+            ``<key>_button``, its icon as the page.
 
     Signals:
         page_wanted: A page shall be shown, by its key.
@@ -146,17 +157,10 @@ class WatchMenu(Translated, QWidget):
         super().__init__()
         self.setObjectName("watch_menu")
         self._pages = pages
-        self._buttons = {key: named(f"{key}_button", QToolButton()) for key in pages}
-        layout = empty_grid(self, gaps=(4, 4), margins=0)
-        for place, (key, button) in enumerate(self._buttons.items()):
-            button.setProperty("half", True)
-            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-            button.setIconSize(QSize(18, 18))
-            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self._buttons = {key: _as_entry(named(f"{key}_button", QToolButton())) for key in pages}
+        in_column(*self._buttons.values(), on=self, spacing=_GAP_PX, margins=0)
+        for key, button in self._buttons.items():
             button.clicked.connect(lambda _on=False, key=key: self.page_wanted.emit(key))
-            row, column = divmod(place, _COLUMNS)
-            alone = column == 0 and place == len(pages) - 1
-            layout.addWidget(button, row, column, 1, _COLUMNS if alone else 1)
         self.commands = [page.command for page in pages.values() if page.command is not None]
         self._recolor()
         self.retranslate_ui()
@@ -176,7 +180,7 @@ class WatchMenu(Translated, QWidget):
 
     def _recolor(self) -> None:
         for key, button in self._buttons.items():
-            button.setIcon(icons.icon(key, colors_of(self).accent))
+            button.setIcon(icons.icon(key, colors_of(self).muted))
 
 
 class LibraryButton(Translated, QToolButton):
@@ -187,9 +191,7 @@ class LibraryButton(Translated, QToolButton):
         self.setObjectName("library_button")
         self._recording = False
         self.setCheckable(True)
-        self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        self.setIconSize(QSize(20, 20))
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        _as_entry(self)
         self._recolor()
         self.retranslate_ui()
 
@@ -209,8 +211,16 @@ class LibraryButton(Translated, QToolButton):
 
     def _recolor(self) -> None:
         colors = colors_of(self)
-        icon = ("record", colors.stop) if self._recording else ("library", colors.accent)
+        icon = ("record", colors.stop) if self._recording else ("library", colors.muted)
         self.setIcon(icons.icon(*icon))
+
+
+class MenuGroup(enum.Enum):
+    """The headings over the panels, in their order."""
+
+    OPERATE = "operate"
+    SETTINGS = "settings"
+    """The arm's own settings, which are rarely needed: the group can be folded."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -223,6 +233,7 @@ class MenuEntry:
         make_panel: Creates the panel.
         commands: The panel's commands for the command palette.
         synonyms: Other names of the panel, for the command palette.
+        group: The heading under which it stands.
     """
 
     key: str
@@ -230,53 +241,113 @@ class MenuEntry:
     make_panel: Callable[[], QWidget]
     commands: Sequence[Command] = ()
     synonyms: tuple[str, ...] = ()
+    group: MenuGroup = MenuGroup.OPERATE
+
+
+class GroupHeading(Translated, QToolButton):
+    """The heading of the group that folds; the number of its entries while it is folded."""
+
+    def __init__(self, entries: int) -> None:
+        super().__init__()
+        self.setObjectName("menu_fold")
+        self.setProperty("heading", True)
+        self.setCheckable(True)
+        self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.setLayoutDirection(Qt.LayoutDirection.RightToLeft)  # the sign behind the word
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setIconSize(QSize(_FOLD_PX, _FOLD_PX))
+        self._entries = entries
+        self.toggled.connect(self.retranslate_ui)
+        self.toggled.connect(self._recolor)
+        self.retranslate_ui()
+        self._recolor()
+
+    def retranslate_ui(self, *_: object) -> None:
+        """Set the text in the operator's language."""
+        name = _HEADINGS.text(MenuGroup.SETTINGS.value)
+        self.setText(name if self.isChecked() else f"{name}  {self._entries}")
+        self.setAccessibleName(name)
+        self.setToolTip(self.tr("Folds this group away, or shows it."))
+
+    def _recolor(self, *_: object) -> None:
+        sign = "fold" if self.isChecked() else "unfold"
+        self.setIcon(icons.icon(sign, colors_of(self).muted))
 
 
 class SideMenu(Translated, QWidget):
-    """One entry for each panel; the chosen one is on pale blue.
+    """The panels under two headings, then the library, what is watched, and the joint status.
 
-    It scrolls on a low screen.
+    The chosen entry is on pale blue. The group of the arm's settings is folded where all would not
+    fit, until the operator folds or unfolds it. The panels scroll on a low screen.
 
     Args:
-        entries: The entries from top to bottom.
-        at_bottom: A widget apart from them at the lower end.
+        entries: The panels, each group in its order.
+        library: Opens the library.
+        watch: Opens what is watched.
+        joint_status: Shows the state of the joints, always visible (manual 1.0.10).
+        folded: True or False as the operator left the group of the settings; None to fit.
 
     Signals:
         chosen: The index of the entry.
+        folded_by_hand: The operator has folded the group of the settings (``True``), or unfolded
+            it.
     """
 
     chosen = Signal(int)
+    folded_by_hand = Signal(bool)
 
-    def __init__(self, entries: Sequence[MenuEntry], at_bottom: Sequence[QWidget]) -> None:
+    def __init__(
+        self,
+        entries: Sequence[MenuEntry],
+        *,
+        library: QWidget,
+        watch: QWidget,
+        joint_status: QWidget,
+        folded: bool | None = None,
+    ) -> None:
         super().__init__()
         self.setObjectName("side_menu")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self._entries = tuple(entries)
+        self._folded = folded
         self.commands = [
             Command(f"{entry.key}.open", entry.title, synonyms=entry.synonyms)
             for entry in self._entries
         ]
         # no QButtonGroup: Tab would reach only the checked one of its buttons
-        self._buttons: list[QToolButton] = []
+        self._buttons = [self._button(place) for place in range(len(self._entries))]
         self._chosen: int | None = 0
         self.setFixedWidth(_WIDTH_PX)
-        column = QWidget()
-        layout = in_column(on=column, spacing=2, margins=0)
-        for place, entry in enumerate(self._entries):
-            button = named(f"menu_{entry.key}", QToolButton())
-            button.setProperty("entry", True)
-            button.setCheckable(True)
-            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-            button.setIconSize(QSize(20, 20))
-            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-            button.clicked.connect(partial(self._on_clicked, place))
-            self._buttons.append(button)
-            layout.addWidget(button)
-        layout.addStretch(1)
-        entries_area = (self._scrolled(column), 1)
-        in_column(entries_area, *at_bottom, on=self, spacing=6, margins=(8, 10, 8, 10))
+        self._headings = {name: text_label(rank="group") for name in ("operate", "work", "watch")}
+        self._settings = QWidget()
+        settings = self._of(MenuGroup.SETTINGS)
+        in_column(*settings, on=self._settings, spacing=_GAP_PX, margins=0)
+        self._fold = GroupHeading(len(settings))
+        self._column = QWidget()
+        operate = (self._headings["operate"], *self._of(MenuGroup.OPERATE))
+        panels = (*operate, self._fold, self._settings, STRETCH)
+        in_column(*panels, on=self._column, spacing=_GAP_PX, margins=0)
+        area = self._scrolled(self._column)
+        self._below = QWidget()
+        work = (self._headings["work"], library, self._headings["watch"], watch, joint_status)
+        in_column(*work, on=self._below, spacing=_GAP_PX, margins=0)
+        margins = (8, 6, 8, 6)
+        layout = in_column((area, 1), self._below, on=self, spacing=_GAP_PX, margins=margins)
+        layout.addStretch(0)  # for the room that is left where nothing scrolls
+        self._fold.clicked.connect(self._on_folded)
         self.retranslate_ui()
         self.choose(0)
+        self._show_group(shown=not folded)
+
+    def _button(self, place: int) -> QToolButton:
+        button = _as_entry(named(f"menu_{self._entries[place].key}", QToolButton()))
+        button.setCheckable(True)
+        button.clicked.connect(partial(self._on_clicked, place))
+        return button
+
+    def _of(self, group: MenuGroup) -> list[QToolButton]:
+        pairs = zip(self._entries, self._buttons, strict=True)
+        return [button for entry, button in pairs if entry.group is group]
 
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
@@ -299,18 +370,42 @@ class SideMenu(Translated, QWidget):
         self._chosen = place
         for number, button in enumerate(self._buttons):
             button.setChecked(number == place)
+        if self._chosen_is_a_setting():
+            self._show_group(shown=True)
         self._recolor()
 
+    def _chosen_is_a_setting(self) -> bool:
+        chosen = self._chosen
+        return chosen is not None and self._entries[chosen].group is MenuGroup.SETTINGS
+
+    # -- folding ------------------------------------------------------------------------------
+
+    def _on_folded(self) -> None:
+        self._folded = not self._fold.isChecked()
+        self._show_group(shown=not self._folded)
+        self.folded_by_hand.emit(self._folded)
+
+    def _show_group(self, *, shown: bool) -> None:
+        self._fold.setChecked(shown)
+        self._settings.setVisible(shown)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Fold or unfold the group by the new room, unless the operator has chosen."""
+        super().resizeEvent(event)
+        if self._folded is None and not self._chosen_is_a_setting():
+            whole_px = self._column.sizeHint().height()
+            if not self._fold.isChecked():
+                whole_px += self._settings.sizeHint().height() + _GAP_PX
+            room_px = self.height() - self._below.sizeHint().height() - _AROUND_PX
+            self._show_group(shown=whole_px <= room_px)
+
     def _scrolled(self, column: QWidget) -> QScrollArea:
-        area = QScrollArea()
+        area = CardArea(column)
         area.setViewport(QWidget())
         area.setObjectName("side_menu_entries")
-        area.setWidgetResizable(True)
         area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        area.setWidget(column)
         area.viewport().setAutoFillBackground(False)
-        column.setAutoFillBackground(False)
+        column.setBackgroundRole(QPalette.ColorRole.Base)  # a scroll area has its widget filled
         self._bar = area.verticalScrollBar()
         # queued: the area must not be resized while it lays out its contents
         queued = Qt.ConnectionType.QueuedConnection
@@ -321,8 +416,12 @@ class SideMenu(Translated, QWidget):
         """Make room for the scroll bar beside the entries, where they scroll."""
         self.setFixedWidth(_WIDTH_PX + (self._bar.sizeHint().width() if most else 0))
 
+    # -- appearance ---------------------------------------------------------------------------
+
     def retranslate_ui(self) -> None:
         """Set the entries in the operator's language."""
+        for name, heading in self._headings.items():
+            heading.setText(_HEADINGS.text(name))
         for place, entry in enumerate(self._entries):
             title = entry.title.text()
             self._buttons[place].setText(f" {title}")
@@ -333,3 +432,15 @@ class SideMenu(Translated, QWidget):
         for place, entry in enumerate(self._entries):
             color = colors.accent if place == self._chosen else colors.muted
             self._buttons[place].setIcon(icons.icon(entry.key, color))
+
+
+_Entry = TypeVar("_Entry", bound=QToolButton)
+
+
+def _as_entry(button: _Entry) -> _Entry:
+    """Give a button the look of an entry of the menu."""
+    button.setProperty("entry", True)
+    button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+    button.setIconSize(QSize(_ICON_PX, _ICON_PX))
+    button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+    return button

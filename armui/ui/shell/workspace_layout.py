@@ -72,6 +72,8 @@ class WorkspaceLayout:
         drawer: The key of the page that it showed when the program ended; "" if it was closed.
         taken_out: The place of each page's window, by the page's key.
         columns: The columns of each table by its name.
+        menu_folded: True or False as the operator has left the group of settings in the menu; None
+            before.
         open_windows: The pages that stood in windows of their own when the program ended.
     """
 
@@ -84,6 +86,7 @@ class WorkspaceLayout:
     taken_out: Mapping[str, Place] = field(default_factory=dict)
     columns: Mapping[str, ColumnLayout] = field(default_factory=dict)
     open_windows: tuple[OpenWindow, ...] = ()
+    menu_folded: bool | None = None
 
 
 def to_text(layout: WorkspaceLayout) -> str:
@@ -105,6 +108,7 @@ def to_text(layout: WorkspaceLayout) -> str:
             for name, columns in layout.columns.items()
         },
         "open_windows": [[each.key, each.subject] for each in layout.open_windows],
+        "menu_folded": layout.menu_folded,
     }
     return f"{json.dumps(entries, indent=2)}\n"
 
@@ -136,6 +140,7 @@ def from_text(text: str) -> WorkspaceLayout:
             if (columns := _columns(entry)) is not None
         },
         open_windows=_open_windows(found.get("open_windows")),
+        menu_folded=folded if isinstance(folded := found.get("menu_folded"), bool) else None,
     )
 
 

@@ -40,9 +40,11 @@ class CardArea(QScrollArea):
         card: The card that scrolls; the area is never higher than it.
     """
 
-    def __init__(self, card: QFrame) -> None:
+    def __init__(self, card: QWidget) -> None:
         super().__init__()
         self._card = card
+        self.setWidgetResizable(True)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
 
     @property
     def wanted_px(self) -> int:
@@ -80,8 +82,6 @@ def scrolled(card: QFrame) -> QScrollArea:
     """Return a scroll area for a card, so that the parts below it stay visible."""
     card.setProperty("card", True)
     area = CardArea(card)
-    area.setWidgetResizable(True)
-    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
     area.setMinimumHeight(_LOWEST_PX)
     return area
 
