@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Final, TypeVar
 
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QFontMetrics, QPaintEvent, QPalette, QResizeEvent
 from PySide6.QtWidgets import QAbstractButton, QScrollArea, QSizePolicy, QToolButton, QWidget
 
@@ -390,8 +390,19 @@ class SideMenu(Translated, QWidget):
         self._settings.setVisible(shown)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Fold or unfold the group by the new room, unless the operator has chosen."""
+        """Fit into the new room."""
         super().resizeEvent(event)
+        self._fold_to_fit()
+
+    def event(self, event: QEvent) -> bool:
+        """Fit again after a change of font, style or language."""
+        done = super().event(event)
+        if event.type() == QEvent.Type.LayoutRequest:
+            self._fold_to_fit()
+        return done
+
+    def _fold_to_fit(self) -> None:
+        """Fold or unfold the group by the room, unless the operator has chosen."""
         if self._folded is None and not self._chosen_is_a_setting():
             whole_px = self._column.sizeHint().height()
             if not self._fold.isChecked():

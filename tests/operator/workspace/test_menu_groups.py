@@ -1,10 +1,14 @@
 """The menu: panels under headings, of which that of the arm's settings folds."""
 
 import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
 
 from armui.protocol.generation import Generation
-from armui.ui.actions.palette import Palette
+from armui.ui.actions.palette import CommandPalette
 from tests.app_driver import AppDriver
+
+pytestmark = pytest.mark.styled  # what fits is a matter of the real sizes
 
 SETTINGS = (
     "light",
@@ -39,11 +43,11 @@ def test_the_settings_are_folded_where_they_would_not_fit(app_driver, size, fold
 def test_a_low_window_keeps_the_joint_status(app_driver):
     app_driver.window.resize(1024, 720)
     app_driver.click("menu_light")
+    app_driver.wait(lambda: app_driver.find("side_menu_entries").verticalScrollBar().maximum() > 0)
     status = app_driver.find("joint_status_button")
     menu = app_driver.find("side_menu")
     assert status.isVisible()
     assert menu.rect().contains(status.mapTo(menu, status.rect().bottomRight()))
-    assert app_driver.find("side_menu_entries").verticalScrollBar().maximum() > 0
 
 
 def test_as_the_operator_leaves_it_so_it_stays(qapp, request, tmp_path):
@@ -60,16 +64,17 @@ def test_as_the_operator_leaves_it_so_it_stays(qapp, request, tmp_path):
             app_driver.run(0.1)
             assert not is_folded(app_driver)
         finally:
+            app_driver.window.close()
             app_driver.close()
 
 
 def test_what_is_folded_is_found_and_then_shown(app_driver):
     assert is_folded(app_driver)
     app_driver.click("commands_button")
-    palette = app_driver.dialog(Palette)
-    palette.close()
-    app_driver.window._menu.open_entry("light")
-    assert app_driver.find("menu_light").isChecked()
+    palette = app_driver.dialog(CommandPalette)
+    palette.search.setText("collision level")
+    QTest.keyClick(palette.search, Qt.Key.Key_Return)
+    app_driver.wait(lambda: app_driver.find("menu_collision").isChecked())
     assert not is_folded(app_driver)
 
 

@@ -8,7 +8,7 @@ from typing import Final
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QFocusEvent, QHideEvent, QKeyEvent
-from PySide6.QtWidgets import QComboBox, QFrame, QLabel, QLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QFrame, QLabel, QLayout, QPushButton, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
@@ -29,7 +29,7 @@ from armui.ui.widgets.text_label import ValueLabel, text_label
 from armui.ui.widgets.translated import Translated
 
 _BUTTON_PX: Final = 38
-_LAST_PX: Final = 130
+_LAST_PX: Final = 110
 """The width of the button that sends."""
 _FOLLOW_S: Final = 0.1
 DEAD_MAN_KEY: Final = Qt.Key.Key_Space
@@ -422,8 +422,11 @@ class JogPanel(Panel):
         *others, last = buttons
         for button in buttons:
             button.setMinimumHeight(_BUTTON_PX)
+        for other in others:
+            for button in (other, *other.findChildren(QPushButton)):
+                button.setProperty("compact", True)
         last.setMinimumWidth(_LAST_PX)
-        row = in_row(*others, STRETCH, last, spacing=6)
+        row = in_row(*others, STRETCH, last, spacing=8)
         parts: list[QWidget | QLayout] = [
             *above,
             scrolled(card),
