@@ -1,9 +1,13 @@
-"""What every test may use; and what none may leave behind."""
+"""What every test may use; and what none may leave behind.
+
+``pytest --full`` runs all combinations of values of the tests that are thinned: tests/pairs.py.
+"""
 
 import gc
 import os
 import signal
 import threading
+from collections import defaultdict
 from functools import partial
 from itertools import count
 
@@ -18,6 +22,7 @@ from tests.app_driver import AppDriver, Slow
 from tests.arm_rig import ArmRig
 from tests.company import OtherHost
 from tests.examples import load_profile
+from tests.pairs import SIZES, few_of
 from tests.translations import modules
 
 _ENDING_S = 2.0
@@ -26,6 +31,43 @@ _YOUNG_SEARCHES = 10
 _SEARCHES = count(1)
 
 load_profile()
+
+
+def pytest_addoption(parser):
+    parser.addoption(
+        "--full", action="store_true", help="all combinations of values, not few that show each"
+    )
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_collection_modifyitems(config, items):
+    """Of what was asked for, leave out the combinations that only `--full` runs."""
+    if config.getoption("full"):
+        return
+    thinned = defaultdict(list)
+    for item in items:
+        for name, together in SIZES.items():
+            if item.get_closest_marker(name) is not None:
+                thinned[item.nodeid.partition("[")[0], together].append(item)
+    left = set()
+    for (_, together), each in thinned.items():
+        few = few_of([_values(item) for item in each], together)
+        left |= set(each) - {each[place] for place in few}
+    config.hook.pytest_deselected(items=[item for item in items if item in left])
+    items[:] = [item for item in items if item not in left]
+
+
+def _values(item):
+    """What the item is run with; a list, say, is told from another by being another."""
+    return {name: _hashable(value) for name, value in item.callspec.params.items()}
+
+
+def _hashable(value):
+    try:
+        hash(value)
+    except TypeError:
+        return id(value)
+    return value
 
 
 def pytest_configure():

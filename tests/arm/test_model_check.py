@@ -40,6 +40,7 @@ def told(model, version, joints_deg):
     return angles, pose
 
 
+@pytest.mark.each_value(full="each model in both versions")
 @pytest.mark.parametrize("version", [NEWER, OLDER])
 @pytest.mark.parametrize("model", MODELS)
 def test_the_right_model_is_said_from_100_poses(model, version):
@@ -48,6 +49,7 @@ def test_the_right_model_is_said_from_100_poses(model, version):
         assert fitting_models(angles, pose, version) == {model}, joints_deg
 
 
+@pytest.mark.each_value(full="each model in both versions")
 @pytest.mark.parametrize("version", [NEWER, OLDER])
 @pytest.mark.parametrize("model", MODELS)
 def test_an_arm_that_tells_no_version_is_never_taken_for_another_alone(model, version):

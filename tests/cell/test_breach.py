@@ -58,6 +58,7 @@ def random_zones(random, planes, boxes):
     )
 
 
+@pytest.mark.each_value(full="five times as many random zones")
 @pytest.mark.parametrize("kind", [turn, step, whole, dense, corners])
 @pytest.mark.parametrize("seed", range(5))
 def test_what_is_told_agrees_with_places_tried_one_by_one(kind, seed):

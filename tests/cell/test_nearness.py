@@ -72,6 +72,7 @@ def test_capsules_are_where_the_links_are(model):
     assert placed[:, :, 1] == pytest.approx(expected.ends)
 
 
+@pytest.mark.each_value(full="each model on each base")
 @pytest.mark.parametrize("model", PiperModel)
 @pytest.mark.parametrize("base", [0, 2, 3])
 def test_seen_from_a_link_capsules_are_moved_by_what_is_between(model, base):

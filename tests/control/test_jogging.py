@@ -57,6 +57,7 @@ LOST = {  # what is jogged, and how fast, is no matter of the generation
 }
 
 
+@pytest.mark.each_pair(full="each loss in each sort of jog")
 @pytest.mark.parametrize(
     ("generation", "job", "percent"), LOST.values(), ids=LOST, indirect=["generation"]
 )
@@ -212,6 +213,7 @@ def test_at_a_singular_pose_the_tool_does_not_go_sideways(rig):
     assert angles(rig) == pytest.approx(before, abs=0.2)
 
 
+@pytest.mark.each_value(full="each axis in both frames")
 @pytest.mark.parametrize("axis", range(6))
 @pytest.mark.parametrize("frame", JogFrame)
 def test_the_tool_goes_along_one_axis_alone(rig, axis, frame):

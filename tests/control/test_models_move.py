@@ -54,6 +54,7 @@ def arrived(rig):
     rig.run_until(lambda: not rig.controller.operating_state.moving)
 
 
+@pytest.mark.each_pair(full="each step of each model in both versions")
 @pytest.mark.parametrize(("axis", "amount"), [(0, 25.0), (1, -20.0), (2, -30.0), (5, 8.0)])
 def test_a_step_of_the_tool_goes_where_it_was_asked(standing, model, axis, amount):
     before = place(standing, model)
@@ -70,6 +71,7 @@ def test_a_step_of_the_tool_goes_where_it_was_asked(standing, model, axis, amoun
     assert apart(after, before)[1] == pytest.approx(amount if axis == 5 else 0.0, abs=0.02)
 
 
+@pytest.mark.each_value(full="each model in both versions")
 def test_a_pose_a_line_and_an_arc(standing, model):
     cartesian = standing.controller.cartesian
     x, y, z, rx, ry, rz = place(standing, model)
@@ -90,6 +92,7 @@ def test_a_pose_a_line_and_an_arc(standing, model):
     assert math.dist(place(standing, model)[:3], end[:3]) < 0.05
 
 
+@pytest.mark.each_value(full="each model in both versions")
 def test_a_held_axis_moves_the_tool_straight(standing, model):
     before = place(standing, model)
     jogging = standing.controller.jogging

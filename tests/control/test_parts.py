@@ -15,6 +15,7 @@ def fail(*_args, **_kwargs):
     raise RuntimeError("on purpose")
 
 
+@pytest.mark.each_value(full="each part with both ends")
 @pytest.mark.parametrize("act", ["halt", "follow_arm"])
 @pytest.mark.parametrize(
     "part", ["motors", "motion", "gripper", "recorder", "transactions", "settings"]

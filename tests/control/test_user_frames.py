@@ -51,6 +51,7 @@ def settle(rig):
     rig.run(0.4)
 
 
+@pytest.mark.each_value(full="each axis there and back")
 @pytest.mark.parametrize("axis", range(6))
 @pytest.mark.parametrize("amount", [10.0, -4.0])
 def test_a_step_goes_along_or_about_an_axis_of_the_frame(rig, axis, amount):

@@ -248,6 +248,7 @@ class TestNoLog:
         log.touch()
         assert_one_line_and_exit_2(log, capsys, "", *options)
 
+    @pytest.mark.each_pair(full="all three together")
     @pytest.mark.parametrize("garbage", [bytes(range(256)) * 40, b"hello\nworld\n" * 3000, b"\0"])
     def test_garbage(self, tmp_path, capsys, suffix, options, garbage):
         log = tmp_path / f"garbage{suffix}"

@@ -41,6 +41,7 @@ def payload(length: int) -> str:
     return some(length).hex().upper()
 
 
+@pytest.mark.each_value(full="both outputs in both generations")
 @pytest.mark.parametrize("as_json", [False, True])
 @pytest.mark.parametrize("generation", Generation)
 def test_every_message_with_any_content_in_any_order(tmp_path, generation, as_json):

@@ -62,6 +62,7 @@ def heard_from_the_bus(model, version, joints_deg):
     return tracker.snapshot()
 
 
+@pytest.mark.each_value(full="each model in both versions")
 @pytest.mark.timeout(240)
 def test_one_answer_along_the_whole_chain(model, version, joints):
     data = model_data(model)

@@ -90,6 +90,7 @@ def flange_by_urdf(urdf: yourdfpy.URDF, angles_deg: np.ndarray) -> np.ndarray:
     return pose
 
 
+@pytest.mark.each_value(full="each model with both zeros")
 def test_flange_agrees_with_the_table_over_random_angles(model, older_zeros, urdf, limits_deg):
     data = model_data(model)
     rows = (data.older_geometry if older_zeros else data.geometry).rows
@@ -102,6 +103,7 @@ def test_flange_agrees_with_the_table_over_random_angles(model, older_zeros, urd
         assert angle_between_deg(expected[:3, :3], found[:3, :3]) < 1e-6, angles_deg
 
 
+@pytest.mark.each_value(full="each model with both zeros")
 def test_our_own_kinematics_of_the_picture_agree_with_yourdfpy(description, urdf):
     robot = load_robot(description)
     random = np.random.default_rng(7)

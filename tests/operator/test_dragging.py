@@ -57,6 +57,7 @@ def fill_fields(app_driver, angles_deg):
         app_driver.type_into(f"target_field_{joint}", f"{angle_deg}")
 
 
+@pytest.mark.each_value(full="each axis there and back")
 @pytest.mark.parametrize("number", [0, 1, 2])
 @pytest.mark.parametrize("by_px", [(40.0, -25.0), (-30.0, 20.0)])
 def test_the_ghost_s_tool_goes_along_the_axis_with_the_pointer(hand, no_motion, number, by_px):
@@ -113,6 +114,7 @@ def test_a_drag_and_send_move_the_arm_to_where_the_ghost_stands(hand, no_motion)
     assert hand.ghost is None  # it would be one with the arm
 
 
+@pytest.mark.each_value(full="each joint from each direction")
 @pytest.mark.parametrize("direction", [None, ViewDirection.FRONT, ViewDirection.SIDE])
 @pytest.mark.parametrize("number", range(1, 7))
 def test_an_arc_turns_its_joint_and_no_other(hand, number, direction):

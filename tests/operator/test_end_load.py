@@ -31,6 +31,7 @@ def message(app_driver):
     return app_driver.read("end_load_message")
 
 
+@pytest.mark.each_value(full="each load in both generations")
 @pytest.mark.parametrize(("name", "code"), [("empty", 0), ("half", 1), ("full", 2)])
 def test_a_load_is_told_and_answered(load, name, code):
     load.click(f"load_{name}")

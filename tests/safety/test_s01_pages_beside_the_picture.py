@@ -187,6 +187,7 @@ def in_a_window(app_driver):
     app_driver.window.page_actions._take_out("joint_status")
 
 
+@pytest.mark.each_value(full="each page, held by mouse and keys")
 @pytest.mark.parametrize("opens", [by_f1, joint_status, sessions, in_a_window])
 @pytest.mark.parametrize("hold_it", [press_jog, press_keys])
 def test_a_page_that_opens_during_a_held_jog_keeps_no_release(ready, hold_it, opens):

@@ -51,6 +51,7 @@ NOWHERE = {
 }
 
 
+@pytest.mark.each_value(full="each motion in both generations")
 @pytest.mark.parametrize("motion", MOTIONS.values(), ids=MOTIONS)
 def test_it_is_said_of_an_arm_that_listens_elsewhere(any_rig, motion):
     rig = any_rig
@@ -80,6 +81,7 @@ def test_a_held_jog_that_moves_nothing_is_said_to_move_nothing(rig):
     assert rig.codes().count("motion_unheeded") == 1
 
 
+@pytest.mark.each_value(full="each motion in both generations")
 @pytest.mark.parametrize("motion", MOTIONS.values(), ids=MOTIONS)
 def test_nothing_is_said_of_a_motion_that_is_taken(any_rig, motion):
     controller = ready(any_rig, 0x00)

@@ -35,6 +35,7 @@ def off_mm(controller, pose):
     return apart(Pose(*controller.state.end_pose()), pose)[0]
 
 
+@pytest.mark.each_value(full="each model in both versions")
 @pytest.mark.parametrize("version", [OLDER, NEWER])
 @pytest.mark.parametrize("model", MODELS)
 def test_picture_and_kinematics_have_the_flange_where_the_arm_says(app_driver, model, version):

@@ -20,6 +20,7 @@ def ready(any_rig):
     return any_rig
 
 
+@pytest.mark.each_value(full="each silence in both generations")
 @pytest.mark.parametrize("silent", [0x2A1, 0x2A5, 0x2A6, 0x2A7])
 def test_nothing_moves_an_arm_that_is_not_heard(ready, silent):
     rig, controller = ready, ready.controller

@@ -66,6 +66,7 @@ def test_the_wrong_model_is_warned_of_once_and_never_changed(rig, true):
     assert rig.controller.cartesian.kinematics().geometry == model_data(PiperModel.PIPER).geometry
 
 
+@pytest.mark.each_value(full="each model in both versions")
 @pytest.mark.parametrize("model", MODELS)
 @pytest.mark.parametrize("version", ["S-V1.8-9", "S-V1.5-2"])
 def test_the_right_model_is_confirmed_without_a_word(rig, model, version):

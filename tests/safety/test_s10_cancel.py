@@ -21,6 +21,7 @@ def moving(any_rig):
     return any_rig
 
 
+@pytest.mark.each_pair(full="each command after each pause, both generations")
 @pytest.mark.parametrize(
     "later",
     [
@@ -68,6 +69,7 @@ def test_an_arm_that_heeds_it_is_not_complained_of(moving):
     assert "cancel_unheeded" not in rig.codes()
 
 
+@pytest.mark.each_value(full="each end in both generations")
 @pytest.mark.parametrize("how", ["terminate", "halt", "failure"])
 def test_an_end_that_was_lost_is_told_once_more(moving, how):
     rig, controller = moving, moving.controller
@@ -89,6 +91,7 @@ def test_an_end_that_was_lost_is_told_once_more(moving, how):
     assert len(ends) == 2
 
 
+@pytest.mark.each_value(full="each command in both generations")
 @pytest.mark.parametrize("after", ["stop", "another host's motion", "a motion of ours", "a hand"])
 def test_an_end_is_not_told_again_after_what_came_since(moving, after):
     rig, controller = moving, moving.controller

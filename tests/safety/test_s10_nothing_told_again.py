@@ -135,6 +135,7 @@ def under_way(any_rig):
     return begin
 
 
+@pytest.mark.each_value(full="each telling in both generations")
 @pytest.mark.parametrize("what", TOLD)
 def test_it_is_told_once_more_after_0_1_s(under_way, what):
     start, tell, identifier = TOLD[what]
@@ -149,6 +150,7 @@ def test_it_is_told_once_more_after_0_1_s(under_way, what):
     assert told(rig) == []
 
 
+@pytest.mark.each_pair(full="each end after each telling, both generations")
 @pytest.mark.parametrize("what", TOLD)
 @pytest.mark.parametrize("end", ENDS)
 def test_nothing_is_told_again_after_an_end(under_way, what, end):

@@ -44,6 +44,7 @@ EVERY_END = {
 }
 
 
+@pytest.mark.each_value(full="each end in both generations")
 @pytest.mark.parametrize("end", EVERY_END.values(), ids=EVERY_END)
 def test_it_ends_and_does_not_come_back(taught, end):
     replay(taught)
@@ -56,6 +57,7 @@ def test_it_ends_and_does_not_come_back(taught, end):
     assert "teaching_unanswered" not in taught.codes()
 
 
+@pytest.mark.each_value(full="each end in both generations")
 @pytest.mark.parametrize("end", EVERY_END.values(), ids=EVERY_END)
 def test_it_ends_as_it_begins_before_the_arm_has_said_so(taught, end):
     accepted(taught.controller.teaching.command(TeachingState.RUN_RECORDING))

@@ -151,6 +151,7 @@ def record_a_hand(controller):
     return controller.teaching.command(TeachingState.START_RECORDING)
 
 
+@pytest.mark.each_value(full="each press in both generations")
 @pytest.mark.parametrize("press", [disable, gripper_enable, record_a_hand])
 def test_what_no_driver_took_within_a_second_is_dropped_and_said(arm, press):
     arm.controller.motors.enable()

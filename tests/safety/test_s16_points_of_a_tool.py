@@ -32,6 +32,7 @@ def poses_heard(driver):
     return told
 
 
+@pytest.mark.each_value(full="each tool, both ways")
 @pytest.mark.parametrize("other", OTHERS)
 @pytest.mark.parametrize("way", ["go_to", "run"])
 def test_a_tool_chosen_just_before_the_press_changes_nothing_that_is_sent(app_driver, way, other):

@@ -41,6 +41,7 @@ def recorded_s(replayer, recording):
     return replayer.progress.done * recording.duration_s
 
 
+@pytest.mark.each_value(full="each time in both generations")
 @pytest.mark.parametrize("pause_s", [0.1, 0.2, 0.4])
 def test_the_recorded_time_stands_still_while_the_program_does(ready, pause_s):
     recording = ramp()
@@ -77,6 +78,7 @@ def test_the_arm_is_never_faster_than_recorded_after_a_pause(ready):
     assert max(speeds) < 1.0
 
 
+@pytest.mark.each_value(full="each time in both generations")
 @pytest.mark.parametrize("pause_s", [0.6, 3.0, 7200.0])
 def test_a_long_pause_ends_the_replay_and_says_why(ready, pause_s):
     replayer = replaying(ready, wave(seconds=20.0))
@@ -93,6 +95,7 @@ def test_a_long_pause_ends_the_replay_and_says_why(ready, pause_s):
     assert ready.firmware.joints_deg == at
 
 
+@pytest.mark.each_value(full="each time in both generations")
 @pytest.mark.parametrize("held_s", [0.1, 0.3, 0.4])
 def test_the_recorded_time_stands_still_while_the_driver_holds_a_target(ready, held_s):
     """What had waited went out at once: joint 1 caught up 3° at the arm's own speed."""

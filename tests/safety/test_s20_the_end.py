@@ -147,6 +147,7 @@ def lose_aborts(rig, most):
     return lost
 
 
+@pytest.mark.each_value(full="each loss in both generations")
 @pytest.mark.parametrize("missed", [0, 1, 3])
 def test_an_end_that_the_arm_did_not_hear_is_told_again(any_rig, missed):
     rig = any_rig

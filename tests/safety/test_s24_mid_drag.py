@@ -201,6 +201,7 @@ def hand(app_driver, shape, qtbot):
     return hand
 
 
+@pytest.mark.each_value(full="each event with both handles")
 @pytest.mark.parametrize("kind", [HandleKind.TOOL, HandleKind.JOINTS])
 @pytest.mark.parametrize("what", [*EVERYWHERE, other_panel], ids=lambda what: what.__name__)
 def test_a_handle_held_as_it_happens_is_let_go_and_all_stands_as_before(hand, what, kind):
@@ -226,6 +227,7 @@ def test_a_handle_held_as_it_happens_is_let_go_and_all_stands_as_before(hand, wh
         assert press_stop(app_driver) == STOP
 
 
+@pytest.mark.each_value(full="each event with both buttons")
 @pytest.mark.parametrize(
     "what",
     [picture_lost, picture_given_up, picture_hidden, window_minimised, button_came_up_elsewhere],
@@ -387,6 +389,7 @@ class Drawn(Hand):
         self.bar = app_driver.find("view_bar")
 
 
+@pytest.mark.each_value(full="each handle, killed and standing still")
 @pytest.mark.skipif(sys.platform == "win32", reason="signals")
 @pytest.mark.timeout(300)
 @pytest.mark.parametrize("harm", [kill, stand_still])

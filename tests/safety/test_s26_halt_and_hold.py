@@ -53,6 +53,7 @@ MOTIONS = {
 }
 
 
+@pytest.mark.each_value(full="each motion in both generations")
 @pytest.mark.parametrize("begin", MOTIONS.values(), ids=MOTIONS)
 def test_it_ends_whatever_is_under_way_and_nothing_comes_back(any_rig, begin):
     rig = any_rig
@@ -74,6 +75,7 @@ def test_it_ends_whatever_is_under_way_and_nothing_comes_back(any_rig, begin):
     assert "halt_at_rest" in rig.codes()
 
 
+@pytest.mark.each_value(full="each end in both generations")
 @pytest.mark.parametrize("end", ["halt", "stop"])
 def test_a_pause_of_the_arms_own_recording_is_not_told_again_after_it(any_rig, end):
     """The arm misses the pause (0x150 byte 2 = 4), which is repeated after 0.5 s else."""
@@ -280,6 +282,7 @@ def test_chinese(app_driver):
     app_driver.wait(lambda: app_driver.find("halt_button").text() == "停住")
 
 
+@pytest.mark.each_value(full="each way in both generations")
 @pytest.mark.parametrize("way", ["move", "close"])
 def test_a_gripper_under_way_ends_where_it_is(any_rig, way):
     """It closes on whatever lies between its fingers: who halts the arm means it, too."""

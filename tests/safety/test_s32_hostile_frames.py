@@ -43,6 +43,7 @@ def arm_repeats():
     return False
 
 
+@pytest.mark.each_value(full="each sort of frame during both jogs")
 @pytest.mark.parametrize("lines", SAID.values(), ids=SAID)
 @pytest.mark.parametrize("jog", ["tool", "joint"])
 def test_a_jog_towards_a_wall_never_enters(rig, other_host, lines, jog):

@@ -269,6 +269,7 @@ def lower(rig, mode):
     return rig.controller.cartesian.move((x, y, z - 0.8, *turn), mode)
 
 
+@pytest.mark.each_value(full="each motion on both bases")
 @pytest.mark.parametrize("placement", [Placement(), ASLANT], ids=["upright", "aslant"])
 @pytest.mark.parametrize("name", DOWN)
 def test_the_lowest_height_is_kept_by_small_motions(bent, name, placement):

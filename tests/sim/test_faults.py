@@ -43,6 +43,7 @@ IN_BYTES = [
 ]
 
 
+@pytest.mark.each_value(full="each fault in both generations")
 @pytest.mark.parametrize("generation", BOTH)
 @pytest.mark.parametrize(("name", "status", "one", "two"), IN_BYTES)
 def test_a_joint_fault_shows_and_stops_the_motion(
@@ -287,6 +288,7 @@ def test_faults_that_cannot_be_say_why(text: str, reason: str) -> None:
     assert reason in str(caught.value)
 
 
+@pytest.mark.each_value(full="each fault in both generations")
 @pytest.mark.parametrize("generation", BOTH)
 @pytest.mark.parametrize("name", FAULTS)
 def test_every_fault_leaves_no_trace_when_it_has_ended_and_errors_are_cleared(

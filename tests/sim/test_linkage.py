@@ -50,6 +50,7 @@ def test_generation_1_leads_with_an_angle_and_a_speed_and_sets_it_with_four_byte
     assert heard(arm.step(0.02), 0x159) == ["000000000C460100"]
 
 
+@pytest.mark.each_value(full="each offset in both generations")
 @pytest.mark.parametrize("offset", [0x00, 0x10, 0x20])
 @pytest.mark.parametrize("generation", BOTH)
 def test_leader_and_follower_move_together(generation: Generation, offset: int) -> None:

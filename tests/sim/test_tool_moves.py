@@ -93,6 +93,7 @@ def check_joint_limits(track: Sequence[Sequence[float]], dt_s: float) -> None:
     assert np.abs(np.diff(speeds, axis=0) / dt_s).max() <= ACCELERATION * (1 + 1e-4)
 
 
+@pytest.mark.each_pair(full="all three together")
 @pytest.mark.parametrize("dt_s", [0.001, 0.005])
 @pytest.mark.parametrize("generation", BOTH)
 @pytest.mark.parametrize("percent", [100, 30])
@@ -156,6 +157,7 @@ def test_the_points_of_an_arc_are_no_targets_of_their_own() -> None:
     assert KINEMATICS.forward(arm.joints_deg) == pytest.approx(THERE, abs=1e-5)
 
 
+@pytest.mark.each_pair(full="all three together")
 @pytest.mark.parametrize("generation", BOTH)
 @pytest.mark.parametrize("move", [P, L])
 @pytest.mark.parametrize(

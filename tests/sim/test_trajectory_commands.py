@@ -78,6 +78,7 @@ def to_the_track(joints: list[tuple[float, ...]], track: list[tuple[float, ...]]
     return float(np.linalg.norm(ours[:, None] - nearest, axis=2).min(axis=1).max())
 
 
+@pytest.mark.each_value(full="each move in both generations")
 @pytest.mark.parametrize("generation", BOTH)
 @pytest.mark.parametrize("move", [P, J, L, C])
 def test_a_pause_brakes_and_continuing_goes_on_to_the_target(

@@ -43,6 +43,7 @@ def extent(camera, groups, room):
     return Box(min(xs), min(ys), max(xs), max(ys))
 
 
+@pytest.mark.each_pair(full="all directions, poses and sizes together")
 @pytest.mark.parametrize("size", SIZES)
 @pytest.mark.parametrize("pose", [REST, UPRIGHT, STRETCHED])
 @pytest.mark.parametrize("direction", ViewDirection)

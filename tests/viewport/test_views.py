@@ -51,6 +51,7 @@ def arm_pixels(view, qtbot, angles):
     return np.abs(with_arm - faded).max(axis=2) > 8
 
 
+@pytest.mark.each_value(full="each size with both poses")
 @pytest.mark.parametrize("size", [(450, 350), (380, 640), (900, 420)])
 @pytest.mark.parametrize("angles", [RAISED, UPRIGHT])
 def test_the_arm_fills_the_picture_and_stands_beside_the_figures(view, qtbot, size, angles):

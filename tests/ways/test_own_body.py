@@ -37,6 +37,7 @@ def body_of(model, *, tool=None, held=None):
     return OwnBody(data.geometry, gripper.reach_mm, gripper.turned_deg, tool, held)
 
 
+@pytest.mark.each_value(full="each model with each load")
 @pytest.mark.parametrize("model", PiperModel)
 @pytest.mark.parametrize("carried", [{}, {"tool": PEN}, {"held": held_shape(PARCEL)}])
 def test_gaps_are_those_of_the_parts_at_each_pose(model, carried):
@@ -78,6 +79,7 @@ def test_at_rest_hand_and_base_touch():
     assert min(gaps.values()) > 0.0
 
 
+@pytest.mark.each_value(full="each sort of way with each load")
 @pytest.mark.parametrize("kind", [turn, step, folded])
 @pytest.mark.parametrize("carried", [{}, {"tool": PEN}, {"held": held_shape(ROD)}])
 def test_what_is_told_agrees_with_places_tried_one_by_one(kind, carried):

@@ -74,6 +74,7 @@ def told(entries):
     ]  # fmt: skip
 
 
+@pytest.mark.each_value(full="each fault in both generations")
 @GENERATIONS
 @pytest.mark.parametrize("fault", ["", *EACH_FAULT])
 def test_every_change_is_noted_as_it_is_live(tmp_path, fault, generation):
@@ -85,6 +86,7 @@ def test_every_change_is_noted_as_it_is_live(tmp_path, fault, generation):
     session.close()
 
 
+@pytest.mark.each_value(full="each fault in both generations")
 @GENERATIONS
 @pytest.mark.parametrize("fault", EACH_FAULT)
 def test_faults_and_changes_of_status_come_in_the_same_order_as_live(tmp_path, fault, generation):

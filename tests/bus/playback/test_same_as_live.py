@@ -124,6 +124,7 @@ def test_every_answer_is_delivered_also_when_played_fast(tmp_path, generation):
     session.close()
 
 
+@pytest.mark.each_value(full="each fault in both generations")
 @GENERATIONS
 @pytest.mark.parametrize("fault", ["", "overcurrent", "garbage"])
 def test_curves_are_the_same_whichever_way_they_are_filled(tmp_path, fault, generation):

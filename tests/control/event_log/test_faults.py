@@ -123,6 +123,7 @@ def mend(rig, name):
         accepted(rig.controller.settings.save(changes))
 
 
+@pytest.mark.each_value(full="each fault in both generations")
 @pytest.mark.parametrize("name", SEEN)
 def test_it_begins_and_ends_in_the_events(any_rig, name):
     rig = any_rig

@@ -98,6 +98,7 @@ def test_limits_that_leave_the_arm_outside_are_asked_about(joints):
     assert note(joints, "min_angle_deg_2") == "saved"
 
 
+@pytest.mark.each_value(full="each setting in both generations")
 @pytest.mark.parametrize(
     ("field", "value", "note_", "said"),
     [

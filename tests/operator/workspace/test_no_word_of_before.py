@@ -101,6 +101,7 @@ SCENES = {
 }
 
 
+@pytest.mark.each_value(full="each scene, to both languages")
 @pytest.mark.parametrize("languages", [("zh", "en"), ("en", "zh")])
 @pytest.mark.parametrize("scene", SCENES)
 def test_what_is_seen_is_in_the_language_chosen(app_driver, scene, languages):

@@ -14,7 +14,7 @@ from tests.operator.workspace.actions import rect_in_window
 
 pytestmark = [pytest.mark.styled, pytest.mark.timeout(240)]
 
-LOOKS = [(size, language) for size in ((1280, 800), (1440, 900)) for language in ("en", "zh")]
+SIZES = ((1280, 800), (1440, 900))
 PANELS = ("motion", "cartesian", "gripper")
 MOVES = re.compile(
     "jog_|box_|pose_|home_|own_home|load_|send_|move_|arc_|gripper_|capture_|run_send|run_resume"
@@ -25,9 +25,8 @@ LONG = (HOLD_UNATTENDED(seconds=60.0), JOG_SINGULAR(joint=3))
 class Places:
     """The places of the buttons that move the arm, in the panel or page that is seen."""
 
-    def __init__(self, driver, look):
+    def __init__(self, driver, size, language):
         self.driver = driver
-        size, language = look
         driver.ready()
         driver.store.change(language=language)
         driver.window.resize(*size)
@@ -119,9 +118,11 @@ class Places:
         assert player.progress.count
 
 
-@pytest.mark.parametrize("look", LOOKS)
-def test_in_the_panels(pages, look):
-    places = Places(pages.driver, look)
+@pytest.mark.each_value(full="each size in both languages")
+@pytest.mark.parametrize("language", ["en", "zh"])
+@pytest.mark.parametrize("size", SIZES)
+def test_in_the_panels(pages, size, language):
+    places = Places(pages.driver, size, language)
     for key in PANELS:
         pages.driver.click(f"menu_{key}")
         panel = pages.driver.find("operation_area").currentWidget()
@@ -135,9 +136,11 @@ def test_in_the_panels(pages, look):
     assert not places.slid
 
 
-@pytest.mark.parametrize("look", LOOKS)
-def test_in_the_editor(pages, look):
-    places = Places(pages.driver, look)
+@pytest.mark.each_value(full="each size in both languages")
+@pytest.mark.parametrize("language", ["en", "zh"])
+@pytest.mark.parametrize("size", SIZES)
+def test_in_the_editor(pages, size, language):
+    places = Places(pages.driver, size, language)
     editor = pages.open_editor()
     pages.driver.click("editor_jog")
     places.of_the_arm("editor")

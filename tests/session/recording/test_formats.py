@@ -105,6 +105,7 @@ def test_the_frames_of_a_stretch_and_their_numbers(tmp_path, kind):
         assert everything[batch.first] == batch.frame(0)
 
 
+@pytest.mark.each_value(full="each moment in each format")
 @pytest.mark.parametrize("after_s", [-1.0, 0.0, 0.2, 1.0, 1.7, 1.9999, 60.0])
 def test_the_bus_as_it_stood_at_a_moment(tmp_path, kind, after_s):
     frames = taken(6000)
