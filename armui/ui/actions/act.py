@@ -9,14 +9,20 @@ from itertools import chain
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
 
 from PySide6.QtGui import QKeySequence
-from PySide6.QtWidgets import QAbstractButton, QToolButton
+from PySide6.QtWidgets import QAbstractButton, QCheckBox, QPushButton, QToolButton
 
 from armui.arm.refusal import Refusal
 from armui.control.operations.operation import Operation, operation_of
 from armui.ui import words
 from armui.ui.actions.command import Command, Needs, Target, no_reason
 from armui.ui.actions.keys import SHORTCUTS, keys_of
-from armui.ui.widgets.buttons import enable_or_explain, named, push_button, show_primary
+from armui.ui.widgets.buttons import (
+    bar_button,
+    enable_or_explain,
+    named,
+    push_button,
+    show_primary,
+)
 from armui.ui.widgets.hold_button import HoldButton
 from armui.ui.words.text import Text
 
@@ -56,7 +62,8 @@ class Act:
         whose: What a screen reader says before its text, as that belongs to it; True for the
             heading of its owner, see :meth:`HasActs.heading`.
         key: The name of its command in the palette, which its shortcut has as well; "" for none.
-        shortcut: The name of its shortcut, where that has another one.
+        shortcut: The name of its shortcut, where that has another one; "" if its keys are none of
+            the button, as they count in a list alone.
         title: The title in the palette; without it that of the shortcut or of the operation, or
             its text.
         needs: As in :class:`Command`.
@@ -66,6 +73,8 @@ class Act:
         primary: True for the main button; see :meth:`lit`.
         held: True if it must be held for a second.
         flat: True for a button without a frame, as in the head of a panel.
+        kind: Makes a button with a state from its object name, as :func:`toggle_button` and
+            :func:`check_box` do; its state has changed when :meth:`pressed` is called.
         on_enter: True if Enter presses it anywhere in its dialog.
         least_height_px: Its least height.
     """
@@ -80,7 +89,7 @@ class Act:
         tip: str | Text = "",
         whose: bool | Text = False,
         key: str = "",
-        shortcut: str = "",
+        shortcut: str | None = None,
         title: Text | None = None,
         needs: Needs = no_reason,
         leads: bool = False,
@@ -89,6 +98,7 @@ class Act:
         primary: bool = False,
         held: bool = False,
         flat: bool = False,
+        kind: Callable[[str], QAbstractButton] | None = None,
         on_enter: bool = False,
         least_height_px: int = 0,
     ) -> None:
@@ -97,11 +107,11 @@ class Act:
         self.operation: Operation | None = None if does is None else operation_of(does)
         self.arguments = dict(arguments or {})
         self._label, self._use = text, tip
-        self._shortcut = shortcut or key
+        self._shortcut = key if shortcut is None else shortcut
         self._whose = whose
         self._title, self._needs = title, needs
         self._leads, self._risky, self._synonyms = leads, risky, synonyms
-        self._primary, self._held, self._flat = primary, held, flat
+        self._primary, self._held, self._flat, self._kind = primary, held, flat, kind
         self._on_enter = on_enter
         self._least_height_px = least_height_px
         self._context = ""
@@ -187,7 +197,9 @@ class Act:
             hold.held.connect(self._handler(owner))
             button = hold
         else:
-            if self._flat:
+            if self._kind is not None:
+                button = self._kind(self.named)
+            elif self._flat:
                 button = named(self.named, QToolButton())
             else:
                 button = push_button(self.named, primary=self._primary, on_enter=self._on_enter)
@@ -208,10 +220,11 @@ class Act:
         """
         if self._held or self.reason(owner) or not owner.isEnabled():
             return
-        if "pressed" in self._methods:
+        button = self.button(owner)
+        if "pressed" in self._methods and not button.isCheckable():
             self._handler(owner)()
         else:
-            self.button(owner).click()  # it opens its menu
+            button.click()  # it changes its state, or opens its menu
 
     def reason(self, owner: HasActs) -> str:
         """Return in words why it cannot be pressed now; "" if it can."""
@@ -391,6 +404,16 @@ class BoundAct:
         """Do what a press of the button does, if nothing stands against it."""
         self.owner.window().activateWindow()
         self.act.press(self.owner)
+
+
+def toggle_button(name: str) -> QPushButton:
+    """Return a button of a bar that stays down until it is pressed again."""
+    return bar_button(name, toggles=True)
+
+
+def check_box(name: str) -> QCheckBox:
+    """Return a box that can be ticked."""
+    return named(name, QCheckBox())
 
 
 def _acts_of(declared: Act | ActFamily[Any]) -> Iterable[Act]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
@@ -18,16 +18,18 @@ from armui.telemetry.event_json import to_json
 from armui.telemetry.events import Asker, EventEntry, EventKind, Level
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.actions.act import Act, ActFamily, HasActs, toggle_button
+from armui.ui.actions.command import Target
 from armui.ui.background import Job
 from armui.ui.dialogs.files import FileExport
 from armui.ui.watch.events.event_filter import EventFilter, gravity
 from armui.ui.watch.events.event_table import EventColumn, cell_text, column_title
-from armui.ui.watch.save_button import SaveButton
-from armui.ui.widgets.buttons import bar_button, drop_down, named
+from armui.ui.watch.save_button import SaveButton, save_commands
+from armui.ui.widgets.buttons import drop_down, named
 from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
-from armui.ui.words.event_log import asker, event_kind, event_level
+from armui.ui.words.event_log import EVENT_KINDS, asker, event_kind, event_level
 from armui.ui.words.text import Texts
 
 if TYPE_CHECKING:
@@ -120,7 +122,7 @@ def _harmless(text: str) -> str:
     return f"'{text}" if text[:1] in {"=", "+", "-", "@"} else text
 
 
-class EventBar(Translated, QWidget):
+class EventBar(HasActs, Translated, QWidget):
     """The controls of the filter.
 
     Signals:
@@ -132,6 +134,20 @@ class EventBar(Translated, QWidget):
     filter_changed = Signal(object)
     follow_changed = Signal(bool)
     save_wanted = Signal(str)
+    commands = save_commands("events", SAVES)
+    follow = Act("Follow", named="event_follow", key="events.follow", kind=toggle_button)
+    kinds = ActFamily(
+        {
+            kind: Act(
+                EVENT_KINDS.entry(kind),
+                named=f"event_kind_{kind}",
+                tip="Click: show or hide. Double-click: only this kind.",
+                key=f"events.kind_{kind}",
+                kind=toggle_button,
+            )
+            for kind in EventKind
+        }
+    )
 
     def __init__(self) -> None:
         super().__init__()
@@ -139,9 +155,7 @@ class EventBar(Translated, QWidget):
         self.search.setClearButtonEnabled(True)
         self.levels = drop_down("event_levels")
         self.askers = drop_down("event_askers")
-        self.follow = bar_button("event_follow", toggles=True)
         self.follow.setChecked(True)
-        self.kinds = {kind: bar_button(f"event_kind_{kind}", toggles=True) for kind in EventKind}
         self.count = text_label("event_count", rank="muted")
         self.save = SaveButton("event", SAVES)
         self.save.wanted.connect(self.save_wanted)
@@ -149,7 +163,6 @@ class EventBar(Translated, QWidget):
         self._lay_out()
         for kind, button in self.kinds.items():
             button.setChecked(True)
-            button.toggled.connect(self._tell)
             button.installEventFilter(self)
             button.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
             button.customContextMenuRequested.connect(partial(self._open_menu, kind))
@@ -157,7 +170,6 @@ class EventBar(Translated, QWidget):
         self.levels.activated.connect(self._tell)
         self.askers.activated.connect(self._tell)
         self.follow.toggled.connect(self.follow_changed)
-        self._quiet = False
         self.retranslate_ui()
 
     def _lay_out(self) -> None:
@@ -170,6 +182,10 @@ class EventBar(Translated, QWidget):
         second.addStretch(1)
         second.addWidget(self.count)
         in_column(first, second, on=self, spacing=8, margins=0)
+
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return the target of each command, by the command's name."""
+        return {**super().command_targets(), **self.save.command_targets("events")}
 
     def _fit_toggles(self) -> None:
         """Wide enough for their names in bold, as they are when they are on."""
@@ -191,22 +207,15 @@ class EventBar(Translated, QWidget):
 
     def show_all(self) -> None:
         """Show all events again."""
-        self._quiet = True
-        self.search.clear()
         self.levels.setCurrentIndex(0)
-        self.askers.setCurrentIndex(0)
-        for button in self.kinds.values():
-            button.setChecked(True)
-        self._quiet = False
-        self._tell()
+        self.search.clear()
+        self.show_only()
 
     def show_only(self, kind: EventKind | None = None, who: Asker | None = None) -> None:
         """Show one kind, or one source, alone."""
-        self._quiet = True
         for each, button in self.kinds.items():
             button.setChecked(kind in {None, each})
         self.askers.setCurrentIndex(max(0, self.askers.findData(who)))
-        self._quiet = False
         self._tell()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
@@ -238,9 +247,9 @@ class EventBar(Translated, QWidget):
         if self.count.text() != text:
             self.count.setText(text)
 
-    def _tell(self) -> None:
-        if not self._quiet:
-            self.filter_changed.emit(self.wanted)
+    @kinds.pressed
+    def _tell(self, *_: object) -> None:
+        self.filter_changed.emit(self.wanted)
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
@@ -263,9 +272,13 @@ class EventBar(Translated, QWidget):
             self.askers.addItem(asker(each), each)
         self.askers.setCurrentIndex(max(0, who))
         self.askers.setAccessibleName(self.tr("Who asked, or says it"))
-        self.follow.setText(self.tr("Follow"))
-        self.follow.setToolTip(self.tr("Keep the newest event in sight"))
-        for kind, button in self.kinds.items():
-            button.setText(event_kind(kind))
-            button.setToolTip(self.tr("Click: show or hide. Double-click: only this kind."))
+        self.show_acts()
         self._fit_toggles()
+
+    @follow.text
+    def _follow_text(self) -> str:
+        return self.tr("Follow")
+
+    @follow.tip
+    def _follow_tip(self) -> str:
+        return self.tr("Keep the newest event in sight")

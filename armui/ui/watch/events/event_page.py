@@ -2,24 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QItemSelectionModel, QModelIndex, QPoint, Qt, QTimer, Signal
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QMenu
 
-from armui.ui.actions.command import Command, Target
+from armui.ui.actions.act import HasActs
 from armui.ui.actions.keys import listen_for
 from armui.ui.theme import colors_of
-from armui.ui.watch.events.event_bar import SAVES, EventBar, EventExport
+from armui.ui.watch.events.event_bar import EventBar, EventExport
 from armui.ui.watch.events.event_table import EventModel, EventTable, details
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.page import Page
 from armui.ui.widgets.seen_timer import SeenTimer
 from armui.ui.widgets.text_label import text_label
-from armui.ui.words.event_log import EVENT_KINDS
-from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
     from PySide6.QtGui import QShowEvent
@@ -46,15 +44,7 @@ class EventPage(Page):
         moment_wanted: The same for one to be shown in the curves, even if they are closed.
     """
 
-    commands = (
-        Command("events.follow", Text("EventBar", "Follow")),
-        Command("events.save", Text("EventBar", "Save")),
-        *(Command(f"events.{kind}", Text("EventBar", source)) for kind, source in SAVES.items()),
-        *(
-            Command(f"events.kind_{kind}", Text("EventKind", source))
-            for kind, source in EVENT_KINDS.items()
-        ),
-    )
+    commands = EventBar.commands
     moment_chosen = Signal(float)
     moment_wanted = Signal(float)
 
@@ -81,14 +71,9 @@ class EventPage(Page):
         self._connect()
         self.retranslate_ui()
 
-    def command_targets(self) -> Mapping[str, Target]:
-        """Return the target of each command, by the command's name."""
-        return {
-            "events.follow": self.bar.follow,
-            "events.save": self.bar.save,
-            **{f"events.{kind}": action for kind, action in self.bar.saves.items()},
-            **{f"events.kind_{kind}": button for kind, button in self.bar.kinds.items()},
-        }
+    def act_parts(self) -> Iterable[HasActs]:
+        """Return the bar, whose acts the page offers."""
+        return (self.bar,)
 
     def _connect(self) -> None:
         self.bar.filter_changed.connect(self._on_filter)

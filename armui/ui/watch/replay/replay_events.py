@@ -34,12 +34,11 @@ _DETAIL_LINES: Final = 4
 class ReplayEventBar(EventBar):
     """An event bar that follows the replay instead of the newest event."""
 
-    def retranslate_ui(self) -> None:
-        """Set all texts in the operator's language."""
-        super().retranslate_ui()
-        self.follow.setText(self.tr("Follow the replay"))
-        self._fit_toggles()
-        self.follow.setToolTip(self.tr("Keep the event of the moment that is shown in sight"))
+    def _follow_text(self) -> str:
+        return self.tr("Follow the replay")
+
+    def _follow_tip(self) -> str:
+        return self.tr("Keep the event of the moment that is shown in sight")
 
 
 class ReplayEvents(Translated, QWidget):
