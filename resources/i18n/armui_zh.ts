@@ -3451,10 +3451,6 @@
         <translation>始终显示最新的事件</translation>
     </message>
     <message>
-        <source>Save</source>
-        <translation>保存</translation>
-    </message>
-    <message>
         <source>Shown events as CSV…</source>
         <translation>所示事件存为 CSV…</translation>
     </message>
@@ -4027,8 +4023,8 @@
         <translation>仅未知或异常的</translation>
     </message>
     <message>
-        <source>Freezes the figures; frames that come meanwhile are still counted (Ctrl+P)</source>
-        <translation>数值停在当前；期间到达的帧仍会统计（Ctrl+P）</translation>
+        <source>Freezes the figures; frames that come meanwhile are still counted</source>
+        <translation>数值停在当前；期间到达的帧仍会统计</translation>
     </message>
     <message>
         <source>Clear</source>
@@ -8918,10 +8914,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Two vertical lines to drag; the table below shows the values there</source>
         <translation>两条可拖动的竖线；下方表格显示该处的数值</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>保存</translation>
     </message>
     <message>
         <source>Values as CSV…</source>

@@ -27,11 +27,7 @@ from armui.ui.widgets.hold_button import HoldButton
 from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
-    from PySide6.QtWidgets import QWidget as _Base
-
     from armui.control.arm_controller import ArmController
-else:
-    _Base = object
 
 _Key = TypeVar("_Key")
 _Method = TypeVar("_Method", bound=Callable[..., object])
@@ -218,13 +214,10 @@ class Act:
 
         Nothing but the operator's finger holds a button that must be held (S11).
         """
-        if self._held or self.reason(owner) or not owner.isEnabled():
+        if self._held or self.reason(owner):
             return
-        button = self.button(owner)
-        if "pressed" in self._methods and not button.isCheckable():
-            self._handler(owner)()
-        else:
-            button.click()  # it changes its state, or opens its menu
+        self.show(owner)  # a button that is off by what was known before takes no click
+        self.button(owner).click()
 
     def reason(self, owner: HasActs) -> str:
         """Return in words why it cannot be pressed now; "" if it can."""
@@ -325,8 +318,8 @@ class ActFamily(Generic[_Key]):
         return {key: act.button(owner) for key, act in self.acts.items()}
 
 
-class HasActs(_Base):
-    """A mixin, placed before a widget's Qt class, for widgets whose class declares acts.
+class HasActs:
+    """A mixin, placed before the Qt class, for widgets and their helpers whose class declares acts.
 
     Attributes:
         acts: The acts of the class, with those of its families.
@@ -402,7 +395,7 @@ class BoundAct:
 
     def press(self) -> None:
         """Do what a press of the button does, if nothing stands against it."""
-        self.owner.window().activateWindow()
+        self.act.button(self.owner).window().activateWindow()
         self.act.press(self.owner)
 
 

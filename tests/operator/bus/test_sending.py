@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QMenu
 
 from armui.ui.watch.bus.bus_page import BusPage
 from tests.operator.bus.actions import LEFT, BusMonitor
+from tests.operator.test_palette import command
 
 
 @pytest.fixture
@@ -48,6 +49,15 @@ def test_a_question_goes_out_on_a_press(monitor, box):
     assert heard(monitor) == ["121#0101FF1010100005"]
     assert "Sent: 0x121" in box.message.text()
     assert monitor.driver.codes()[-1] == "frame_sent_by_hand"
+
+
+def test_the_palette_sends_what_is_typed(monitor, box):
+    monitor.unlock()
+    monitor.write("121", "01 01 FF 10 10 10 00 05")
+    command(monitor.driver, "send bus")
+
+    assert heard(monitor) == ["121#0101FF1010100005"]
+    assert "Sent: 0x121" in box.message.text()
 
 
 def test_what_is_typed_is_read_while_it_is_typed(monitor, box):

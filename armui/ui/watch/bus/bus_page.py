@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from datetime import datetime, timedelta
 from functools import partial
 from typing import TYPE_CHECKING, Final
@@ -19,7 +18,7 @@ from armui.telemetry.bus_statistics import BusStatistics
 from armui.telemetry.bus_trace import TRACE_FRAMES, TraceSnapshot
 from armui.ui import format as fmt
 from armui.ui import words
-from armui.ui.actions.command import Command, Target
+from armui.ui.actions.act import HasActs
 from armui.ui.actions.keys import listen_for
 from armui.ui.theme import colors_of
 from armui.ui.watch.bus import frame_model, trace_model
@@ -38,10 +37,9 @@ from armui.ui.widgets.seen_timer import SeenTimer
 from armui.ui.widgets.table_model import Index, chosen_rows
 from armui.ui.widgets.text_label import ElidedLabel, text_label
 from armui.ui.widgets.translated import Translated
-from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Iterable, Mapping, Sequence
 
     from PySide6.QtGui import (
         QContextMenuEvent,
@@ -337,17 +335,7 @@ class BusPage(Page):
         send_box: The box that sends a frame by hand.
     """
 
-    commands = (
-        Command("bus.by_id", Text("FilterBar", "By ID")),
-        Command("bus.in_order", Text("FilterBar", "By time")),
-        Command("bus.pause", Text("FilterBar", "Pause")),
-        Command("bus.clear", Text("FilterBar", "Clear")),
-        Command("bus.only_changed", Text("FilterBar", "Only changed")),
-        Command("bus.only_unknown", Text("FilterBar", "Only unknown")),
-        Command("bus.unlock", Text("SendBox", "Hold to send frames by hand"), risky=True),
-        Command("bus.send", Text("SendBox", "Send"), leads=True),
-        Command("bus.lock", Text("SendBox", "Lock")),
-    )
+    commands = (*FilterBar.commands, *SendBox.commands)
 
     def __init__(self, controller: ArmController) -> None:
         super().__init__("bus")
@@ -376,20 +364,9 @@ class BusPage(Page):
         self._connect()
         self.retranslate_ui()
 
-    def command_targets(self) -> Mapping[str, Target]:
-        """Return the target of each command, by the command's name."""
-        bar, box = self.filter_bar, self.send_box
-        return {
-            "bus.by_id": bar.by_id,
-            "bus.in_order": bar.in_order,
-            "bus.pause": bar.pause,
-            "bus.clear": bar.clear,
-            "bus.only_changed": bar.only_changed,
-            "bus.only_unknown": bar.only_unknown,
-            "bus.unlock": box.unlock,
-            "bus.send": box.send,
-            "bus.lock": box.lock,
-        }
+    def act_parts(self) -> Iterable[HasActs]:
+        """Return the bar and the box, whose acts the page offers."""
+        return self.filter_bar, self.send_box
 
     def _lay_out(self) -> None:
         self.body.setSpacing(6)

@@ -6,24 +6,18 @@ from collections.abc import Callable
 from typing import Final
 
 from PySide6.QtCore import QSignalBlocker, Signal
-from PySide6.QtGui import QKeySequence
-from PySide6.QtWidgets import (
-    QButtonGroup,
-    QCheckBox,
-    QLineEdit,
-    QWidget,
-)
+from PySide6.QtWidgets import QLineEdit, QWidget
 
 from armui.telemetry.bus_senders import Sender
-from armui.ui.actions.act import Act, HasActs
-from armui.ui.actions.keys import keys_of
+from armui.ui.actions.act import Act, HasActs, check_box, toggle_button
 from armui.ui.watch.bus.frame_filter import FrameFilter, IdFilter, parse_ids
-from armui.ui.widgets.buttons import bar_button, drop_down, named
+from armui.ui.widgets.buttons import drop_down, named
 from armui.ui.widgets.flow import in_flow
 from armui.ui.widgets.layouts import in_column
 from armui.ui.widgets.painting import repolish
 from armui.ui.widgets.translated import Translated
 from armui.ui.words import frames
+from armui.ui.words.text import Text
 
 _IDS_PX: Final = 140
 _TEXT_PX: Final = 130
@@ -47,20 +41,40 @@ class FilterBar(HasActs, Translated, QWidget):
     trace_wanted = Signal(bool)
     pause_wanted = Signal(bool)
     clear_wanted = Signal()
-    clear = Act("Clear", named="bus_clear", tip="Starts counting from zero")
+    by_id = Act("By ID", named="bus_by_id", key="bus.by_id", kind=toggle_button)
+    in_order = Act("By time", named="bus_in_order", key="bus.in_order", kind=toggle_button)
+    pause = Act(
+        "Pause",
+        named="bus_pause",
+        tip="Freezes the figures; frames that come meanwhile are still counted",
+        key="bus.pause",
+        title=Text("FilterBar", "Pause"),
+        kind=toggle_button,
+    )
+    clear = Act("Clear", named="bus_clear", tip="Starts counting from zero", key="bus.clear")
+    only_changed = Act(
+        "Only changed",
+        named="bus_only_changed",
+        tip="Frames of which a byte has changed since this was ticked",
+        key="bus.only_changed",
+        kind=check_box,
+    )
+    only_unknown = Act(
+        "Only unknown",
+        named="bus_only_unknown",
+        tip="Frames that are not known, or not as they should be",
+        key="bus.only_unknown",
+        kind=check_box,
+    )
 
     def __init__(self, now_s: Callable[[], float]) -> None:
         super().__init__()
         self._now_s = now_s
         self._ids = IdFilter()
         self._changed_since_s: float | None = None
-        self.by_id = bar_button("bus_by_id", toggles=True)
-        self.in_order = bar_button("bus_in_order", toggles=True)
-        self._views = QButtonGroup(self)
-        self._views.addButton(self.by_id, 0)
-        self._views.addButton(self.in_order, 1)
+        for button in (self.by_id, self.in_order):
+            button.setAutoExclusive(True)
         self.by_id.setChecked(True)
-        self.pause = bar_button("bus_pause", toggles=True)
         self.text = named("bus_text", QLineEdit())
         self.text.setClearButtonEnabled(True)
         self.text.setMinimumWidth(_TEXT_PX)
@@ -68,16 +82,11 @@ class FilterBar(HasActs, Translated, QWidget):
         self.ids.setClearButtonEnabled(True)
         self.ids.setFixedWidth(_IDS_PX)
         self.senders = drop_down("bus_senders")
-        self.only_changed = named("bus_only_changed", QCheckBox())
-        self.only_unknown = named("bus_only_unknown", QCheckBox())
         self._lay_out()
-        self._views.idClicked.connect(lambda place: self.trace_wanted.emit(place == 1))
         self.pause.toggled.connect(self._on_pause)
         self.text.textChanged.connect(self.changed)
         self.ids.textChanged.connect(self._on_ids)
         self.senders.currentIndexChanged.connect(self.changed)
-        self.only_changed.toggled.connect(self._on_only_changed)
-        self.only_unknown.toggled.connect(self.changed)
         self.retranslate_ui()
 
     def _lay_out(self) -> None:
@@ -116,8 +125,18 @@ class FilterBar(HasActs, Translated, QWidget):
         wrong = self.tr("“{value}” is not an identifier; the filter is unchanged.")
         self.ids.setToolTip(f"{wrong.format(value=bad)} {use}" if bad else use)
 
-    def _on_only_changed(self, wanted: bool) -> None:
-        self._changed_since_s = self._now_s() if wanted else None
+    @by_id.pressed
+    @in_order.pressed
+    def _on_view(self) -> None:
+        self.trace_wanted.emit(self.in_order.isChecked())
+
+    @only_changed.pressed
+    def _on_only_changed(self) -> None:
+        self._changed_since_s = self._now_s() if self.only_changed.isChecked() else None
+        self.changed.emit()
+
+    @only_unknown.pressed
+    def _on_only_unknown(self) -> None:
         self.changed.emit()
 
     @clear.pressed
@@ -128,35 +147,22 @@ class FilterBar(HasActs, Translated, QWidget):
 
     def _on_pause(self, wanted: bool) -> None:
         self.pause_wanted.emit(wanted)
-        self._name_pause()
+        self.show_acts()
 
-    def _name_pause(self) -> None:
-        going = not self.pause.isChecked()
-        self.pause.setText(self.tr("Pause") if going else self.tr("Live"))
-        self.pause.setShortcut(QKeySequence(keys_of("bus.pause")))  # other text takes it away
+    @pause.text
+    def _pause_text(self) -> str:
+        return self.tr("Live") if self.pause.isChecked() else self.tr("Pause")
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
-        self.by_id.setText(self.tr("By ID"))
-        self.in_order.setText(self.tr("By time"))
+        self.show_acts()
         for button in (self.by_id, self.in_order):  # the chosen one is written bolder
             button.setMinimumWidth(round(_BOLDER * button.sizeHint().width()))
-        self.pause.setToolTip(
-            self.tr("Freezes the figures; frames that come meanwhile are still counted (Ctrl+P)")
-        )
-        self._name_pause()
-        self.show_acts()
         self.text.setPlaceholderText(self.tr("Name or identifier"))
         self.text.setAccessibleName(self.text.placeholderText())
         self.ids.setPlaceholderText("2A1-2A8, 150/7F0")
         self.ids.setAccessibleName(self.tr("Identifiers"))
         self._tip_ids("")
-        self.only_changed.setText(self.tr("Only changed"))
-        self.only_changed.setToolTip(
-            self.tr("Frames of which a byte has changed since this was ticked")
-        )
-        self.only_unknown.setText(self.tr("Only unknown"))
-        self.only_unknown.setToolTip(self.tr("Frames that are not known, or not as they should be"))
         chosen = max(0, self.senders.currentIndex())
         with QSignalBlocker(self.senders):
             self.senders.clear()

@@ -47,12 +47,21 @@ class SendBox(HasActs, Translated, QWidget):
         texts: Formats the typed frame.
     """
 
-    unlock = Act("Hold to send frames by hand", named="bus_unlock", held=True)
-    lock = Act(
-        "Lock", named="bus_lock", tip="Send nothing more; it also locks by itself after a minute"
+    unlock = Act(
+        "Hold to send frames by hand",
+        named="bus_unlock",
+        key="bus.unlock",
+        held=True,
+        risky=True,
     )
-    send = Act("Send", named="bus_send")
+    send = Act("Send", named="bus_send", key="bus.send", leads=True)
     hold = Act("Hold to send", named="bus_hold_to_send", held=True)
+    lock = Act(
+        "Lock",
+        named="bus_lock",
+        tip="Send nothing more; it also locks by itself after a minute",
+        key="bus.lock",
+    )
 
     def __init__(self, controller: ArmController, texts: FrameTexts) -> None:
         super().__init__()
