@@ -2,27 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Final
 
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QComboBox, QMenu, QPushButton
+from PySide6.QtWidgets import QComboBox, QMenu
 
 from armui.arm.refusal import Refusal
 from armui.control.events import Level
 from armui.trajectory.library.file_names import folded
 from armui.trajectory.library.folders import FOLDER_TAKEN, check_folder_name, shown_folder
 from armui.trajectory.library.store import IndexEntry, Listing
+from armui.ui.actions.act import Act, HasActs
 from armui.ui.trajectory.library.library_actions import LibraryActions
 from armui.ui.trajectory.library.name_bar import NameBar, NameQuestion
-from armui.ui.widgets.buttons import enable_or_explain, give_menu, named, push_button
+from armui.ui.widgets.buttons import give_menu, named
 
 _CHOICE_PX: Final = 110
 
 
-class FolderBar(QObject):
+class FolderBar(HasActs, QObject):
     """Shows the choice of the folder that is listed, and two menus, beside the search.
 
     Args:
@@ -43,6 +44,18 @@ class FolderBar(QObject):
 
     shown_changed = Signal()
     said = Signal(object, object)
+    menu_button = Act(
+        "Folder",
+        named="library_folder_menu",
+        tip="New folder; rename or delete the one that is listed",
+        key="library.folder_menu",
+    )
+    move_button = Act(
+        "Move to…",
+        named="library_move",
+        tip="Moves what is chosen to a folder",
+        key="library.move",
+    )
 
     def __init__(
         self,
@@ -61,8 +74,6 @@ class FolderBar(QObject):
         self.choice = named("library_folder", QComboBox())
         self.choice.setMinimumWidth(_CHOICE_PX)
         self.choice.activated.connect(self._on_activated)
-        self.menu_button = push_button("library_folder_menu", on_enter=False)
-        self.move_button = push_button("library_move", on_enter=False)
         for button in (self.menu_button, self.move_button):
             button.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the list
         self._menu = QMenu(self.menu_button)
@@ -79,10 +90,6 @@ class FolderBar(QObject):
     def shown(self) -> str:
         """The sub-folder that is listed; "" if all trajectories are."""
         return self._shown
-
-    def command_targets(self) -> Mapping[str, QPushButton]:
-        """Return the target of each command, by the command's name."""
-        return {"library.folder_menu": self.menu_button, "library.move": self.move_button}
 
     def show_listing(self, listing: Listing) -> None:
         """Offer the folders there are now; if the one listed is gone, that is said."""
@@ -106,15 +113,16 @@ class FolderBar(QObject):
 
     def show_chosen(self) -> None:
         """Enable “Move to…” only for entries that can be moved; say why not otherwise."""
+        self.show_acts()
+
+    @move_button.why_not
+    def _why_not_move(self) -> str:
         entries = self._chosen()
-        reason = ""
         if not entries:
-            reason = self.tr("Choose a trajectory in the list first")
-        elif any(entry.kind == "draft" for entry in entries):
-            reason = self.tr("Not saved yet. Open it and save it first")
-        elif not self._folders:
-            reason = self.tr("There is no folder yet. Make one first")
-        enable_or_explain(self.move_button, reason, self.tr("Moves what is chosen to a folder"))
+            return self.tr("Choose a trajectory in the list first")
+        if any(entry.kind == "draft" for entry in entries):
+            return self.tr("Not saved yet. Open it and save it first")
+        return "" if self._folders else self.tr("There is no folder yet. Make one first")
 
     def show_all(self) -> None:
         """List the trajectories of all folders."""
@@ -192,9 +200,6 @@ class FolderBar(QObject):
         self.choice.setCurrentIndex(("", *self._folders).index(self._shown))
         self.choice.setAccessibleName(self.tr("Folder"))
         self.choice.setToolTip(self.tr("The folder whose trajectories are listed"))
-        self.menu_button.setText(self.tr("Folder"))
-        self.menu_button.setToolTip(self.tr("New folder; rename or delete the one that is listed"))
-        self.move_button.setText(self.tr("Move to…"))
         self._acts["create"].setText(self.tr("New folder…"))
         self._acts["rename"].setText(self.tr("Rename the folder…"))
         self._acts["delete"].setText(self.tr("Delete the folder"))
@@ -205,7 +210,7 @@ class FolderBar(QObject):
             action = QAction(self._target_text(folder), self._targets)
             action.triggered.connect(partial(self._on_target, folder))
             self._targets.addAction(action)
-        self.show_chosen()
+        self.show_acts()
 
     def _target_text(self, folder: str) -> str:
         """Return a folder's name for a menu, in which “&” would mark a key."""

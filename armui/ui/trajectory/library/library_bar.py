@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QAbstractButton, QLineEdit, QMenu, QPushButton, QT
 from armui.trajectory.files import SUFFIXES
 from armui.trajectory.library.store import IndexEntry
 from armui.ui.actions.act import Act, ActFamily, HasActs
-from armui.ui.actions.keys import key_text, keys_of, listen_for
+from armui.ui.actions.keys import SHORTCUTS, key_text, keys_of, listen_for
 from armui.ui.widgets.buttons import give_menu, named
 from armui.ui.widgets.flow import Flow
 
@@ -37,15 +37,16 @@ class LibraryBar(HasActs, QWidget):
     # a key of the list alone is no shortcut of a button: those count in the whole window
     _buttons = ActFamily(
         {
-            "import": Act("Import files", named="library_import"),
-            "create": Act("Create", named="library_create"),
-            "record": Act("Record motion", named="library_record"),
-            "delete": Act("Delete", named="library_delete"),
-            "duplicate": Act("Duplicate", named="library_duplicate"),
-            "rename": Act("Rename", named="library_rename"),
+            name: Act(
+                SHORTCUTS[f"library.{name}"].title,
+                named=f"library_{name}",
+                key=f"library.{name}",
+                shortcut="",
+            )
+            for name in ("import", "create", "record", "delete", "duplicate", "rename")
         }
     )
-    _export = Act("Export files", named="library_export")
+    _export = Act("Export files", named="library_export", key="library.export")
 
     def __init__(self) -> None:
         super().__init__()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Final
@@ -29,6 +29,7 @@ from armui.trajectory.library.store import (
 )
 from armui.trajectory.points.program import Trajectory, check_name
 from armui.ui import words
+from armui.ui.actions.act import HasActs
 from armui.ui.actions.command import Command, Target
 from armui.ui.background import Background
 from armui.ui.trajectory.editor.findings_pane import FindingsPane
@@ -85,12 +86,9 @@ class LibraryPage(Page):
 
     leaves_at_escape = False
     commands = (
-        *(Command(f"library.{act}") for act in ("import", "create", "record", "delete")),
-        *(Command(f"library.{act}") for act in ("duplicate", "rename")),
-        Command("library.export", Text("LibraryBar", "Export files")),
+        *LibraryBar.commands,
         Command("library.bin", Text("BinButton", "Recently deleted…")),
-        Command("library.folder_menu", Text("FolderBar", "Folder")),
-        Command("library.move", Text("FolderBar", "Move to…")),
+        *FolderBar.commands,
         Command("library.find"),
         Command("library.undo"),
         Command("library.by_columns", Text("ColumnsOffer", "Import by columns…")),
@@ -148,15 +146,18 @@ class LibraryPage(Page):
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
         return {
-            **{f"library.{name}": button for name, button in self._bar.buttons.items()},
+            **super().command_targets(),
             "library.bin": self._bin_button,
-            **self._folder_bar.command_targets(),
             "library.find": self._bar.search,
             "library.undo": self._undo_button,
             "library.by_columns": self._exchange.by_columns,
             "library.report": self._exchange.report,
             **self._run_bar.command_targets("library"),
         }
+
+    def act_parts(self) -> Iterable[HasActs]:
+        """Return the bars, whose acts the page offers."""
+        return self._bar, self._folder_bar
 
     # Layout -----------------------------------------------------------------------------------
 

@@ -13,7 +13,8 @@ from PySide6.QtWidgets import QLabel, QLineEdit, QWidget
 from armui.arm.refusal import Refusal
 from armui.control.events import Level
 from armui.ui import words
-from armui.ui.widgets.buttons import enable_or_explain, named, push_button
+from armui.ui.actions.act import Act, HasActs
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.flow import in_flow
 from armui.ui.widgets.message_line import MessageLine, Words
 from armui.ui.widgets.translated import Translated
@@ -40,7 +41,7 @@ class NameQuestion:
     give: Callable[[str], object]
 
 
-class NameBar(Translated, QWidget):
+class NameBar(HasActs, Translated, QWidget):
     """Asks for a name in a line that is hidden otherwise; Enter gives it, Escape cancels.
 
     The line stays until :meth:`put_away`: whoever gets the name may refuse it, and says so here.
@@ -50,6 +51,8 @@ class NameBar(Translated, QWidget):
     """
 
     closed = Signal()
+    _give = Act("", named="library_name_give", primary=True)
+    _cancel = Act("Cancel", named="library_name_cancel")
 
     def __init__(self) -> None:
         super().__init__()
@@ -59,14 +62,10 @@ class NameBar(Translated, QWidget):
         self._field = named("library_name", QLineEdit())
         self._field.setMinimumWidth(_NAME_PX)
         self._label.setBuddy(self._field)
-        self._give = push_button("library_name_give", primary=True, on_enter=False)
-        self._cancel = push_button("library_name_cancel", on_enter=False)
         self._message = named("library_name_message", MessageLine(keeps_room=False))
         in_flow(self._label, self._field, self._give, self._cancel, self._message, on=self)
         self._field.textChanged.connect(self._show_usable)
         self._field.returnPressed.connect(self._on_given)
-        self._give.clicked.connect(lambda _checked=False: self._on_given())
-        self._cancel.clicked.connect(lambda _checked=False: self.put_away())
         self.hide()
         self.retranslate_ui()
 
@@ -97,6 +96,7 @@ class NameBar(Translated, QWidget):
         self._message.show_message(text, Level.WARNING)
         self._field.setFocus()
 
+    @_cancel.pressed
     def put_away(self) -> None:
         """Hide the line; the name typed is dropped."""
         if self._question is None:
@@ -105,6 +105,7 @@ class NameBar(Translated, QWidget):
         self.hide()
         self.closed.emit()
 
+    @_give.pressed
     def _on_given(self) -> None:
         question = self._question
         if question is None or self._given or question.why_not(self._name()) is not None:
@@ -117,16 +118,20 @@ class NameBar(Translated, QWidget):
         return self._field.text().strip()
 
     def _show_usable(self) -> None:
-        question = self._question
-        if question is None:
-            return
-        why_not = words.why_not(question.why_not(self._name()))
+        self.show_acts()
         begun = bool(self._name()) or self._field.isModified()  # an empty field is no mistake yet
-        self._message.show_message(why_not if begun else "", Level.WARNING)
-        enable_or_explain(self._give, why_not)
+        self._message.show_message(self._why_not_give() if begun else "", Level.WARNING)
         self._field.setReadOnly(self._given)
         if self._given:
             self._give.setEnabled(False)
+
+    @_give.text
+    def _what_gives(self) -> str:
+        return "" if self._question is None else self._question.act()
+
+    @_give.why_not
+    def _why_not_give(self) -> str:
+        return "" if self._question is None else words.why_not(self._question.why_not(self._name()))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Hide the line at Escape, and do nothing else; the field handles Enter."""
@@ -145,9 +150,7 @@ class NameBar(Translated, QWidget):
 
     def retranslate_ui(self) -> None:
         """Put every word into the operator's language."""
-        self._cancel.setText(self.tr("Cancel"))
         if self._question is not None:
             self._label.setText(self._question.label())
             self._field.setAccessibleName(self._question.label())
-            self._give.setText(self._question.act())
-            self._show_usable()
+        self._show_usable()
