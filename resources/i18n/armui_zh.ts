@@ -3256,6 +3256,18 @@
         <translation>已按{tool}的位姿粘贴，与表中一致。如果它们是法兰或其他工具的位姿，请撤销。</translation>
     </message>
     <message>
+        <source>All is saved.</source>
+        <translation>已全部保存。</translation>
+    </message>
+    <message>
+        <source>There is nothing to undo.</source>
+        <translation>没有可撤销的操作。</translation>
+    </message>
+    <message>
+        <source>There is nothing to redo.</source>
+        <translation>没有可重做的操作。</translation>
+    </message>
+    <message>
         <source>What this trajectory is for</source>
         <translation>该轨迹的用途</translation>
     </message>
@@ -14251,10 +14263,6 @@ The other program must have ended.</source>
     <message>
         <source>On the X side</source>
         <translation>X 侧</translation>
-    </message>
-    <message>
-        <source>Take pose {number} again</source>
-        <translation>重新采集位姿 {number}</translation>
     </message>
     <message>
         <source>Again</source>

@@ -39,10 +39,12 @@ def test_each_sentence_leads_to_the_next_and_the_last_press_applies(search):
 
 
 def test_a_pose_is_not_taken_while_the_arm_moves_or_is_not_heard(search):
+    search.click("tip_take")
     accepted(search.controller.jogging.start(JointJog(1, 1)))
     search.run(0.3)
-    assert not search.find("tip_take").isEnabled()
-    assert "not at rest" in search.find("tip_take").toolTip()
+    for name in ("tip_take", "tip_again_1"):
+        assert not search.find(name).isEnabled()
+        assert "not at rest" in search.find(name).toolTip()
     assert search.controller.cell.capture().code == "capture_moving"
     search.controller.jogging.stop()
     search.run_until(search.find("tip_take").isEnabled)

@@ -32,6 +32,7 @@ def test_rows_are_inserted_duplicated_moved_and_deleted(editor):
         editor.click("editor_undo")
     assert notes(editor) == ["out", "back", "up"]
     assert not editor.child("editor_undo").isEnabled()
+    assert editor.child("editor_undo").toolTip() == "There is nothing to undo."
 
 
 def test_the_right_button_on_a_rows_number_acts_on_that_row(editor):

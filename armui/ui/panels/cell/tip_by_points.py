@@ -27,14 +27,7 @@ from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.panels.cell.cell_tab import NARROW_PX, Answered
 from armui.ui.panels.cell.point_search import PointSearch, Pose
-from armui.ui.widgets.buttons import (
-    caption,
-    describe,
-    enable_or_explain,
-    named,
-    push_button,
-    show_primary,
-)
+from armui.ui.widgets.buttons import caption, enable_or_explain, named, push_button, show_primary
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row
 from armui.ui.widgets.text_label import text_label
@@ -185,10 +178,9 @@ class TipByPoints(PointSearch):
             why_not = why_not or full.format(count=MOST_POSES)
         use = self.tr("Takes the measured pose; nothing moves.")
         enable_or_explain(self.take, why_not, use)
-        for place, (_used, _residual, again) in enumerate(self._rows[: len(self._poses)]):
-            use = self.tr("Puts the measured pose in the place of this one.")
-            enable_or_explain(again, words.why_not(refusal), use)
-            describe(again, self.tr("Take pose {number} again").format(number=place + 1))
+        anew = self.tr("Puts the measured pose in the place of this one.")
+        for _used, _residual, again in self._rows[: len(self._poses)]:
+            enable_or_explain(again, words.why_not(refusal), anew)
         for button in self._turn_takes:
             enable_or_explain(button, words.why_not(refusal), use)
         self._live.setText(self._live_text(refusal))

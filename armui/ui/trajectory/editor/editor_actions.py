@@ -107,27 +107,19 @@ class EditorActions:
         """Return the target of each action by its name: a button if the bar has one."""
         return {**self._actions, **self._buttons}
 
-    def allow(self, name: str, reason: str) -> None:
+    def allow(self, name: str, reason: str, what: str = "") -> None:
         """Enable an action, or disable it with the reason in its tooltip.
 
         Args:
             name: The name of the action.
             reason: The reason; empty to enable it.
+            what: The edit that it undoes or redoes.
         """
         action = self._actions[name]
         action.setEnabled(not reason)
-        action.setToolTip(reason or f"{action.text()} ({SHORTCUTS[f'editor.{name}'].text()})")
-
-    def show_step(self, name: str, what: str) -> None:
-        """Show in a tooltip which edit an action undoes or redoes.
-
-        Args:
-            name: The name of the action.
-            what: The edit; "" if there is none.
-        """
-        action = self._actions[name]
         quoted = f" “{what}”" if what else ""
-        action.setToolTip(f"{action.text()}{quoted} ({SHORTCUTS[f'editor.{name}'].text()})")
+        keys = SHORTCUTS[f"editor.{name}"].text()
+        action.setToolTip(reason or f"{action.text()}{quoted} ({keys})")
 
     def retranslate(self) -> None:
         """Set all texts in the operator's language; tooltips name the keys."""

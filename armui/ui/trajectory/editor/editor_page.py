@@ -237,12 +237,8 @@ class EditorPage(Page):
 
     def _connect(self) -> None:
         stack = self.document.stack
-        stack.canUndoChanged.connect(self._actions["undo"].setEnabled)
-        stack.canRedoChanged.connect(self._actions["redo"].setEnabled)
-        stack.undoTextChanged.connect(partial(self._actions.show_step, "undo"))
-        stack.redoTextChanged.connect(partial(self._actions.show_step, "redo"))
-        self._actions["undo"].setEnabled(False)
-        self._actions["redo"].setEnabled(False)
+        stack.undoTextChanged.connect(self._show_steps)
+        stack.redoTextChanged.connect(self._show_steps)
         self.document.saved_changed.connect(self._on_saved_changed)
         self.document.note_changed.connect(lambda: self._note.setText(self.document.note))
         self._note.editingFinished.connect(self._on_note)
@@ -642,13 +638,18 @@ class EditorPage(Page):
         star = "" if self.document.saved else " *"
         folder = f"{shown_folder(self._folder)} › " if self._folder else ""
         self.set_title(f"{folder}{self.document.name}{star}")
-        self._actions["save"].setEnabled(not self.document.saved)
+        self._actions.allow("save", self.tr("All is saved.") if self.document.saved else "")
+
+    def _show_steps(self) -> None:
+        undone, redone = self.document.stack.undoText(), self.document.stack.redoText()
+        nothing = self.tr("There is nothing to undo."), self.tr("There is nothing to redo.")
+        self._actions.allow("undo", "" if undone else nothing[0], undone)
+        self._actions.allow("redo", "" if redone else nothing[1], redone)
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
         self._actions.retranslate()
-        self._actions.show_step("undo", self.document.stack.undoText())
-        self._actions.show_step("redo", self.document.stack.redoText())
+        self._show_steps()
         self._show_count()
         self.model.retranslate()
         self._note.setPlaceholderText(self.tr("What this trajectory is for"))
