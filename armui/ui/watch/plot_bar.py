@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QCoreApplication, Signal
 from PySide6.QtWidgets import QWidget
 
-from armui.ui.actions.act import Act, HasActs, toggle_button
-from armui.ui.actions.command import Target
 from armui.ui.watch.plot_layout import SETS
-from armui.ui.watch.save_button import SaveButton, save_commands
+from armui.ui.watch.save_button import SaveButton
 from armui.ui.watch.time_frame import SPANS_S
-from armui.ui.widgets.buttons import drop_down
+from armui.ui.widgets.buttons import bar_button, drop_down
 from armui.ui.widgets.flow import in_flow
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Texts
@@ -37,7 +34,7 @@ SAVES: Final = Texts("PlotBar") | {
 }
 
 
-class PlotBar(HasActs, Translated, QWidget):
+class PlotBar(Translated, QWidget):
     """Controls a board, and shows its state.
 
     Args:
@@ -48,23 +45,15 @@ class PlotBar(HasActs, Translated, QWidget):
     """
 
     save_wanted = Signal(str)
-    commands = save_commands("plots", SAVES)
-    pause = Act("Pause", named="plot_pause", key="plots.pause", kind=toggle_button)
-    # beside the plots its key is for what is edited there, so it is no key of the button
-    undo = Act("Undo zoom", named="plot_undo", key="plots.undo", shortcut="")
-    cursors = Act(
-        "Cursors",
-        named="plot_cursors",
-        tip="Two vertical lines to drag; the table below shows the values there",
-        key="plots.cursors",
-        kind=toggle_button,
-    )
 
     def __init__(self, board: PlotBoard, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._board = board
         self.sets = drop_down("plot_sets")
         self.spans = drop_down("plot_span")
+        self.pause = bar_button("plot_pause", toggles=True)
+        self.undo = bar_button("plot_undo")
+        self.cursors = bar_button("plot_cursors", toggles=True)
         self.save = SaveButton("plot", SAVES)
         self.save.wanted.connect(self.save_wanted)
         self.saves = self.save.saves
@@ -72,38 +61,13 @@ class PlotBar(HasActs, Translated, QWidget):
         in_flow(*left, on=self, spacing_px=8).push(self.save)
         self.sets.activated.connect(self._on_set)
         self.spans.activated.connect(self._on_span)
+        self.pause.clicked.connect(lambda on: board.pause(wanted=on))
+        self.undo.clicked.connect(board.undo)
+        self.cursors.clicked.connect(lambda on: board.show_cursors(wanted=on))
         board.plots_changed.connect(self.refresh)
         board.frame_changed.connect(self.refresh)
         board.cursors_changed.connect(self.refresh)
         self.retranslate_ui()
-
-    def command_targets(self) -> Mapping[str, Target]:
-        """Return the target of each command, by the command's name."""
-        return {**super().command_targets(), **self.save.command_targets("plots")}
-
-    @pause.pressed
-    def _on_pause(self) -> None:
-        self._board.pause(wanted=self.pause.isChecked())
-
-    @pause.text
-    def _pause_text(self) -> str:
-        return self.tr("Pause") if self._board.frame.live else self.tr("Live")
-
-    @undo.pressed
-    def _on_undo(self) -> None:
-        self._board.undo()
-
-    @undo.why_not
-    def _why_not_undo(self) -> str:
-        return "" if self._board.frame.can_undo else self._what_undoes()
-
-    @undo.tip
-    def _what_undoes(self) -> str:
-        return self.tr("Drag a box in a plot to zoom in. Back: Ctrl+Z")
-
-    @cursors.pressed
-    def _on_cursors(self) -> None:
-        self._board.show_cursors(wanted=self.cursors.isChecked())
 
     def _on_set(self, _place: int) -> None:
         name = self.sets.currentData()
@@ -126,8 +90,9 @@ class PlotBar(HasActs, Translated, QWidget):
         self.sets.setCurrentIndex(self.sets.findData(name or ""))
         self._show_span(frame.shown.span_s)
         self.pause.setChecked(not frame.live)
+        self.pause.setText(self.tr("Pause") if frame.live else self.tr("Live"))
+        self.undo.setEnabled(frame.can_undo)
         self.cursors.setChecked(self._board.has_cursors)
-        self.show_acts()
 
     def _show_span(self, span_s: float) -> None:
         """One of the choices, or what the mouse has made of it."""
@@ -153,6 +118,12 @@ class PlotBar(HasActs, Translated, QWidget):
             self.spans.addItem(_span_text(span_s), span_s)
         self.spans.setToolTip(self.tr("The time span shown; the mouse wheel changes it, too"))
         self.spans.setAccessibleName(self.tr("Time shown"))
+        self.undo.setText(self.tr("Undo zoom"))
+        self.undo.setToolTip(self.tr("Drag a box in a plot to zoom in. Back: Ctrl+Z"))
+        self.cursors.setText(self.tr("Cursors"))
+        self.cursors.setToolTip(
+            self.tr("Two vertical lines to drag; the table below shows the values there")
+        )
         self.refresh()
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
@@ -11,12 +11,12 @@ from PySide6.QtWidgets import QMenu, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.control.events import Level
-from armui.ui.actions.act import HasActs
+from armui.ui.actions.command import Command, Target
 from armui.ui.actions.keys import listen_for
 from armui.ui.background import Job
 from armui.ui.watch import layout_file
 from armui.ui.watch.cursor_table import CursorTable
-from armui.ui.watch.plot_bar import PlotBar
+from armui.ui.watch.plot_bar import SAVES, PlotBar
 from armui.ui.watch.plot_board import PlotBoard
 from armui.ui.watch.plot_export import PlotExport
 from armui.ui.watch.plot_layout import MOST_CURVES, MOST_PLOTS, from_text, to_text
@@ -25,6 +25,7 @@ from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.page import Page
+from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
     from PySide6.QtGui import QHideEvent
@@ -142,7 +143,13 @@ class PlotPage(Page):
         board: The plots.
     """
 
-    commands = PlotBar.commands
+    commands = (
+        Command("plots.pause", Text("PlotBar", "Pause")),
+        Command("plots.undo"),
+        Command("plots.cursors", Text("PlotBar", "Cursors")),
+        Command("plots.save", Text("SaveButton", "Save")),
+        *(Command(f"plots.{kind}", Text("PlotBar", source)) for kind, source in SAVES.items()),
+    )
     layout_read = Signal()
 
     def __init__(self, controller: ArmController, background: Background, settings: Path) -> None:
@@ -164,9 +171,15 @@ class PlotPage(Page):
         self.retranslate_ui()
         self._read()
 
-    def act_parts(self) -> Iterable[HasActs]:
-        """Return the bar, whose acts the page offers."""
-        return (self.bar,)
+    def command_targets(self) -> Mapping[str, Target]:
+        """Return the target of each command, by the command's name."""
+        return {
+            "plots.pause": self.bar.pause,
+            "plots.undo": self.bar.undo,
+            "plots.cursors": self.bar.cursors,
+            "plots.save": self.bar.save,
+            **{f"plots.{kind}": action for kind, action in self.bar.saves.items()},
+        }
 
     # What others ask for ----------------------------------------------------------------------
 

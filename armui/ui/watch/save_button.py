@@ -2,22 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QToolButton
 
-from armui.ui.actions.command import Command, Target
 from armui.ui.widgets.buttons import give_menu
 from armui.ui.widgets.translated import Translated
-from armui.ui.words.text import Text, Texts
-
-
-def save_commands(place: str, kinds: Texts[str]) -> tuple[Command, ...]:
-    """Return the commands of such a button in a place: itself, and the ways to save."""
-    ways = (Command(f"{place}.{name}", kinds.entry(name)) for name in kinds)
-    return Command(f"{place}.save", Text("SaveButton", "Save")), *ways
+from armui.ui.words.text import Texts
 
 
 class SaveButton(Translated, QToolButton):
@@ -49,11 +40,6 @@ class SaveButton(Translated, QToolButton):
             menu.addAction(action)
         give_menu(self, menu)
         self.retranslate_ui()
-
-    def command_targets(self, place: str) -> Mapping[str, Target]:
-        """Return the target of each command, by the command's name; see :func:`save_commands`."""
-        targets: dict[str, Target] = {"save": self, **self.saves}
-        return {f"{place}.{name}": target for name, target in targets.items()}
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""

@@ -19,18 +19,18 @@ from armui.telemetry.events import Asker, EventEntry, EventKind, Level
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.act import Act, ActFamily, HasActs, toggle_button
-from armui.ui.actions.command import Target
+from armui.ui.actions.command import Command, Target
 from armui.ui.background import Job
 from armui.ui.dialogs.files import FileExport
 from armui.ui.watch.events.event_filter import EventFilter, gravity
 from armui.ui.watch.events.event_table import EventColumn, cell_text, column_title
-from armui.ui.watch.save_button import SaveButton, save_commands
+from armui.ui.watch.save_button import SaveButton
 from armui.ui.widgets.buttons import drop_down, named
 from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.event_log import EVENT_KINDS, asker, event_kind, event_level
-from armui.ui.words.text import Texts
+from armui.ui.words.text import Text, Texts
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -134,7 +134,10 @@ class EventBar(HasActs, Translated, QWidget):
     filter_changed = Signal(object)
     follow_changed = Signal(bool)
     save_wanted = Signal(str)
-    commands = save_commands("events", SAVES)
+    commands = (
+        Command("events.save", Text("SaveButton", "Save")),
+        *(Command(f"events.{name}", SAVES.entry(name)) for name in SAVES),
+    )
     follow = Act("Follow", named="event_follow", key="events.follow", kind=toggle_button)
     kinds = ActFamily(
         {
@@ -185,7 +188,8 @@ class EventBar(HasActs, Translated, QWidget):
 
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
-        return {**super().command_targets(), **self.save.command_targets("events")}
+        saves = {f"events.{name}": action for name, action in self.saves.items()}
+        return {**super().command_targets(), "events.save": self.save, **saves}
 
     def _fit_toggles(self) -> None:
         """Wide enough for their names in bold, as they are when they are on."""
