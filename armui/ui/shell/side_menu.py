@@ -9,7 +9,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Final, TypeVar
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QFontMetrics, QPaintEvent, QPalette, QResizeEvent
+from PySide6.QtGui import QAction, QColor, QFontMetrics, QPaintEvent, QPalette, QResizeEvent
 from PySide6.QtWidgets import QAbstractButton, QScrollArea, QSizePolicy, QToolButton, QWidget
 
 from armui.arm.joint_status import StatusVerdict
@@ -316,6 +316,9 @@ class SideMenu(Translated, QWidget):
         ]
         # no QButtonGroup: Tab would reach only the checked one of its buttons
         self._buttons = [self._button(place) for place in range(len(self._entries))]
+        self._actions = [QAction(self) for _ in self._entries]
+        for place, action in enumerate(self._actions):
+            action.triggered.connect(partial(self._on_clicked, place))
         self._chosen: int | None = 0
         self.setFixedWidth(_WIDTH_PX)
         self._headings = {name: text_label(rank="group") for name in ("operate", "work", "watch")}
@@ -350,9 +353,12 @@ class SideMenu(Translated, QWidget):
         return [button for entry, button in pairs if entry.group is group]
 
     def command_targets(self) -> Mapping[str, Target]:
-        """Return the target of each command, by the command's name."""
-        names = (command.name for command in self.commands)
-        return dict(zip(names, self._buttons, strict=True))
+        """Return the target of each command, by the command's name: of a folded one an action."""
+        targets: dict[str, Target] = {}
+        parts = zip(self.commands, self._buttons, self._actions, strict=True)
+        for command, button, action in parts:
+            targets[command.name] = button if button.isVisibleTo(self) else action
+        return targets
 
     def _on_clicked(self, place: int, _on: bool = False) -> None:
         self.choose(place)
