@@ -79,7 +79,7 @@ MODEL_OTHER = OfArm(
 REFERENCE_LOST = OfArm(
     "reference_lost",
     "With {firmware} a joint may lose its reference without a fault: angles look right, the arm "
-    "stands elsewhere. Compare the 3D picture with the arm; only stop and resume (the arm drops) "
+    "stands elsewhere. Compare the 3D picture with the arm; only stop and release (the arm drops) "
     "or a power cycle mends it.",
     DiagnosisLevel.NOTE,
 )
@@ -111,7 +111,7 @@ STATUS_SILENT = OfArm(
 )
 STOPPED = OfArm(
     "stopped",
-    "The arm is in emergency stop. Resume drops the arm: hold it.",
+    "The arm is in emergency stop. Release drops the arm: hold it.",
     DiagnosisLevel.WARNING,
 )
 STATUS = OfArm("status", "The arm reports {status}.", DiagnosisLevel.WARNING)

@@ -196,7 +196,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         run = self._run = StepRow(self._controller, recovery)
         self._trajectory_pages.run_asks.connect(recovery.show_asking)
         self.window_actions.link(
-            *(top.ask_to_resume, recovery, run, self.pages),
+            *(recovery, run, self.pages),
             buttons={
                 "library.open": self._library_button,
                 "window.joint_status": self._joint_status_button,

@@ -2815,8 +2815,8 @@
         <translation>连接时选择的型号是 {chosen}，但其反馈的位姿属于 {fits}。请按 {fits} 重新连接：否则末端运动和检查会出错。</translation>
     </message>
     <message>
-        <source>With {firmware} a joint may lose its reference without a fault: angles look right, the arm stands elsewhere. Compare the 3D picture with the arm; only stop and resume (the arm drops) or a power cycle mends it.</source>
-        <translation>{firmware} 的关节可能在没有报错的情况下丢失基准：角度看似正常，实际位置不同。请对照 3D 画面与机械臂；只有急停后恢复（机械臂会下落）或重新上电才能修复。</translation>
+        <source>With {firmware} a joint may lose its reference without a fault: angles look right, the arm stands elsewhere. Compare the 3D picture with the arm; only stop and release (the arm drops) or a power cycle mends it.</source>
+        <translation>{firmware} 的关节可能在没有报错的情况下丢失基准：角度看似正常，实际位置不同。请对照 3D 画面与机械臂；只有急停后解除（机械臂会下落）或重新上电才能修复。</translation>
     </message>
     <message>
         <source>The arm&apos;s feedback is shifted by {offset} (0x470): the program follows it by itself.</source>
@@ -2831,16 +2831,16 @@
         <translation>{device}：该机械臂为示教输入臂（主臂），不接受运动指令（{ids}）。请重新设为运动输出臂（0x470，0xFC），然后断电重启。</translation>
     </message>
     <message>
-        <source>The arm is in emergency stop. Resume drops the arm: hold it.</source>
-        <translation>机械臂处于急停状态。恢复时机械臂会下落：请扶住机械臂。</translation>
-    </message>
-    <message>
         <source>{device}: another program or host commands the arm: {frames}. End it before you move the arm from here.</source>
         <translation>{device}：另一程序或主机正在控制机械臂：{frames}。从本机控制之前请先停止它。</translation>
     </message>
     <message>
         <source>The arm&apos;s status (0x2A1) is not heard, though other feedback is.</source>
         <translation>收到了其他反馈，但没有收到机械臂状态（0x2A1）。</translation>
+    </message>
+    <message>
+        <source>The arm is in emergency stop. Release drops the arm: hold it.</source>
+        <translation>机械臂处于急停状态。解除急停时机械臂会下落：请扶住机械臂。</translation>
     </message>
     <message>
         <source>The arm reports {status}.</source>
@@ -7447,20 +7447,12 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>急停已发送。电机失去力矩，机械臂会缓慢下沉，请扶住机械臂。</translation>
     </message>
     <message>
-        <source>The arm has confirmed the emergency stop.</source>
-        <translation>机械臂已确认急停。</translation>
-    </message>
-    <message>
         <source>The arm has NOT confirmed the emergency stop; it is sent again and again. Cut the arm&apos;s power if it moves.</source>
         <translation>机械臂尚未确认急停，正在反复发送。若机械臂仍在运动，请切断其电源。</translation>
     </message>
     <message>
         <source>The emergency stop is over. Enable the motors to go on.</source>
-        <translation>急停已恢复。使能电机后可继续使用。</translation>
-    </message>
-    <message>
-        <source>Resume sent. The motors lose power and the arm drops: hold the arm.</source>
-        <translation>恢复已发送。电机断电，机械臂会下落，请扶住机械臂。</translation>
+        <translation>急停已解除。使能电机后可继续使用。</translation>
     </message>
     <message>
         <source>Jogging J{joint} {sign}</source>
@@ -7529,10 +7521,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Sent to all lamps of joint {joint}: {color}</source>
         <translation>已发送关节 {joint} 全部灯珠：{color}</translation>
-    </message>
-    <message>
-        <source>The arm stays in emergency stop. Check it, then press Resume again.</source>
-        <translation>机械臂仍处于急停状态。请检查机械臂，然后再按“恢复”。</translation>
     </message>
     <message>
         <source>Enable sent to all six motors</source>
@@ -7699,6 +7687,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>夹爪：{act}没有生效。请检查其错误、供电和线缆后重试。</translation>
     </message>
     <message>
+        <source>Release sent. The motors lose power and the arm drops: hold the arm.</source>
+        <translation>解除急停已发送。电机断电，机械臂会下落，请扶住机械臂。</translation>
+    </message>
+    <message>
         <source>Zero setting sent to all six joints</source>
         <translation>已发送全部 6 个关节的零点设置</translation>
     </message>
@@ -7769,6 +7761,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>The arm has confirmed its factory values; the fields show what is read back.</source>
         <translation>机械臂已应答恢复出厂值，输入框中为回读的数值。</translation>
+    </message>
+    <message>
+        <source>The arm stays in emergency stop. Check it, then hold Release again.</source>
+        <translation>机械臂仍处于急停状态。请检查机械臂，然后再按住“解除急停”。</translation>
     </message>
     <message>
         <source>The arm is offline: nothing is heard from it, and it may still be moving. Check its power, the CAN cable and the bit rate.</source>
@@ -7845,6 +7841,14 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Park position set: {angles}</source>
         <translation>停放位已设定：{angles}</translation>
+    </message>
+    <message>
+        <source>The emergency stop was undone, and not by this program: another host has released the arm, or it was switched off and on. Press the emergency stop again if it must stay.</source>
+        <translation>急停被解除，但不是本程序所为：另一个程序解除了急停，或机械臂断电后重新上电。若必须保持停止，请再按急停。</translation>
+    </message>
+    <message>
+        <source>The arm has confirmed the emergency stop. Release stands in the line of the next step.</source>
+        <translation>机械臂已确认急停。解除急停的按钮在面板上方的下一步提示行中。</translation>
     </message>
     <message>
         <source>“{name}” has finished.</source>
@@ -7973,10 +7977,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>The arm on {device} has never confirmed its emergency stop, and another device is connected now. Cut that arm&apos;s power if it moves.</source>
         <translation>{device} 上的机械臂一直没有确认急停，而现在连接的是另一设备。若那台机械臂在运动，请切断其电源。</translation>
-    </message>
-    <message>
-        <source>The emergency stop was undone, and not by this program: another host has resumed the arm, or it was switched off and on. Press the emergency stop again if it must stay.</source>
-        <translation>急停被解除，但不是本程序所为：另一个程序恢复了机械臂，或机械臂断电后重新上电。若必须保持停止，请再按急停。</translation>
     </message>
     <message>
         <source>Halt sent: the motion ends, the motors keep their power.</source>
@@ -8222,6 +8222,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>未运动到终点：{end}</translation>
     </message>
     <message>
+        <source>Release sent</source>
+        <translation>已发送解除急停</translation>
+    </message>
+    <message>
         <source>Answered with 0x476 (setting {index})</source>
         <translation>已用 0x476 应答（设置 {index}）</translation>
     </message>
@@ -8236,10 +8240,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Emergency stop sent</source>
         <translation>已发送急停</translation>
-    </message>
-    <message>
-        <source>Resume sent</source>
-        <translation>已发送恢复</translation>
     </message>
     <message>
         <source>Motors: enable sent</source>
@@ -8311,10 +8311,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Disable motors</source>
         <translation>失能电机</translation>
-    </message>
-    <message>
-        <source>Resume after the emergency stop</source>
-        <translation>急停后恢复</translation>
     </message>
     <message>
         <source>Set the mounting</source>
@@ -8435,6 +8431,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Say what the hand holds</source>
         <translation>标记夹爪夹持的工件</translation>
+    </message>
+    <message>
+        <source>Release the emergency stop</source>
+        <translation>解除急停</translation>
     </message>
     <message>
         <source>Set the speed override of runs</source>
@@ -9900,8 +9900,14 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>运动输出臂</translation>
     </message>
     <message>
-        <source>Resume…</source>
-        <translation>恢复…</translation>
+        <source>Release the emergency stop</source>
+        <translation>解除急停</translation>
+    </message>
+    <message>
+        <source>Release cuts the power of the motors: the arm will drop. Hold the arm.
+Afterwards the motors must be enabled again.</source>
+        <translation>解除急停会切断电机电源：机械臂会下落，请扶住机械臂。
+之后须重新使能电机。</translation>
     </message>
     <message>
         <source>Enable</source>
@@ -9914,6 +9920,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Reset…</source>
         <translation>复位…</translation>
+    </message>
+    <message>
+        <source>First the emergency stop: the motors go limp and the arm sinks. Then Release cuts their power: the arm will drop. Hold the arm from now on.</source>
+        <translation>先急停：电机失去保持力，机械臂会缓慢下沉；随后解除急停会断电：机械臂会下落，请扶住机械臂。</translation>
     </message>
     <message>
         <source>Stop recording</source>
@@ -9936,6 +9946,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>急停</translation>
     </message>
     <message>
+        <source>Release (the arm drops)</source>
+        <translation>解除急停（机械臂会下落）</translation>
+    </message>
+    <message>
         <source>Continue</source>
         <translation>继续</translation>
     </message>
@@ -9956,22 +9970,8 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>收回控制…</translation>
     </message>
     <message>
-        <source>Resume after the emergency stop</source>
-        <translation>从急停恢复</translation>
-    </message>
-    <message>
-        <source>Resuming cuts the power of the motors: the arm will drop. Hold the arm.
-Afterwards the motors must be enabled again.</source>
-        <translation>恢复时会切断电机电源：机械臂会下落，请扶住机械臂。
-之后需要重新使能电机。</translation>
-    </message>
-    <message>
         <source>Reset the arm</source>
         <translation>复位机械臂</translation>
-    </message>
-    <message>
-        <source>First the emergency stop: the motors go limp and the arm sinks. Then Resume cuts their power: the arm will drop. Hold the arm from now on.</source>
-        <translation>先急停：电机失去保持力，机械臂会缓慢下沉；随后恢复会断电：机械臂会下落，请扶住机械臂。</translation>
     </message>
     <message>
         <source>Lead the arm by hand</source>
@@ -10102,10 +10102,6 @@ The other program must have ended.</source>
     <message>
         <source>Waiting for the arm: {what}.</source>
         <translation>等待机械臂：{what}。</translation>
-    </message>
-    <message>
-        <source>Emergency stop. Support the arm: resuming cuts the power and it drops.</source>
-        <translation>急停中。请扶住机械臂：恢复时会断电，机械臂会下落。扶稳后恢复。</translation>
     </message>
     <message>
         <source>The arm is being asked for its protocol.</source>
@@ -10258,6 +10254,10 @@ The other program must have ended.</source>
     <message>
         <source>No arm is connected. Connect one, or the simulated arm to try everything out.</source>
         <translation>未连接机械臂。请连接机械臂，或先用仿真机械臂试用全部功能。</translation>
+    </message>
+    <message>
+        <source>Emergency stop. Support the arm: its release cuts the power and it drops.</source>
+        <translation>急停中。请扶住机械臂：解除急停时会断电，机械臂会下落。扶稳后再解除。</translation>
     </message>
     <message>
         <source>Another program drives the arm in {other_mode} mode. Nothing is sent by itself: a new mode leaves the joints limp. Stop that program first.</source>
@@ -10486,6 +10486,10 @@ The other program must have ended.</source>
         <translation>刻线</translation>
     </message>
     <message>
+        <source>What can be done: (1) Reset with the arm held. Emergency stop, hold the arm, Release: its motors lose their power and the arm drops; the arm then finds its reference again. Enable, and check once more. (2) Set the joint&apos;s zero, only if a reset does not help and the joint stands at its mark: nothing moves, but every angle, limit and saved point counts from there. Neither ends the doubt: only this check does.</source>
+        <translation>可采取的措施：(1) 扶住机械臂后复位。急停，扶住机械臂，解除急停：电机断电，机械臂下落，随后重新找到零位基准。使能后再检查一次。(2) 设置该关节的零点，仅当复位无效且关节对准刻线时：机械臂不动，但此后所有角度、限位和已保存的点都从这里计算。两者都不会消除存疑：只有本检查可以。</translation>
+    </message>
+    <message>
         <source>The photo cannot be read.</source>
         <translation>照片无法读取。</translation>
     </message>
@@ -10496,10 +10500,6 @@ The other program must have ended.</source>
     <message>
         <source>Switch off the motor of joint {joint}</source>
         <translation>关闭关节 {joint} 的电机</translation>
-    </message>
-    <message>
-        <source>What can be done: (1) Reset with the arm held. Emergency stop, hold the arm, Resume: its motors lose their power and the arm drops; the arm then finds its reference again. Enable, and check once more. (2) Set the joint&apos;s zero, only if a reset does not help and the joint stands at its mark: nothing moves, but every angle, limit and saved point counts from there. Neither ends the doubt: only this check does.</source>
-        <translation>可采取的措施：(1) 扶住机械臂后复位。急停，扶住机械臂，恢复：电机断电，机械臂下落，随后重新找到零位基准。使能后再检查一次。(2) 设置该关节的零点，仅当复位无效且关节对准刻线时：机械臂不动，但此后所有角度、限位和已保存的点都从这里计算。两者都不会消除存疑：只有本检查可以。</translation>
     </message>
     <message>
         <source>Photo of the arm in its reference pose</source>
@@ -10591,14 +10591,6 @@ The other program must have ended.</source>
     <message>
         <source>The arm takes its commands from elsewhere: {mode}. Leave that mode first.</source>
         <translation>机械臂当前不由本程序控制：{mode}。请先退出该模式。</translation>
-    </message>
-    <message>
-        <source>The arm is in emergency stop. Hold the arm, press Resume, then enable the motors.</source>
-        <translation>机械臂处于急停状态。请扶住机械臂，按“恢复”，然后使能电机。</translation>
-    </message>
-    <message>
-        <source>The arm is not in emergency stop: there is nothing to resume from.</source>
-        <translation>机械臂不在急停状态，无需恢复。</translation>
     </message>
     <message>
         <source>The arm&apos;s state has changed: nothing was sent. Look at the step that is shown now.</source>
@@ -10789,10 +10781,6 @@ The other program must have ended.</source>
         <translation>急停在先，该指令不会重发。请查看机械臂的状态后再操作。</translation>
     </message>
     <message>
-        <source>The arm reports: {status}. Remove the cause. If the report stays: emergency stop, hold the arm, Resume.</source>
-        <translation>机械臂状态：{status}。请先排除原因；若状态仍在，请按“急停”，扶住机械臂，再按“恢复”。</translation>
-    </message>
-    <message>
         <source>{device} is not there. Check that it is plugged in and its cable is sound.</source>
         <translation>找不到设备 {device}。请检查设备是否插好、线缆是否完好。</translation>
     </message>
@@ -10889,6 +10877,14 @@ The other program must have ended.</source>
         <translation>机械臂其间没有反馈或被更换，可能已是另一台：之前记录的点已丢弃。请重新记录。</translation>
     </message>
     <message>
+        <source>The arm is not in emergency stop: there is nothing to release.</source>
+        <translation>机械臂不在急停状态，无需解除。</translation>
+    </message>
+    <message>
+        <source>It was the emergency stop: hold the arm, release it, enable the motors; then the run can go on from this row.</source>
+        <translation>原因是急停：请扶住机械臂，解除急停并重新使能电机，之后可从本行继续。</translation>
+    </message>
+    <message>
         <source>No user frame is in force, or another one than at the press. Choose one under Cell, then press again; or move along base or tool.</source>
         <translation>没有生效的用户坐标系，或已不是按下时的那个。请在“单元”中选择坐标系后再按，或沿基坐标系、工具坐标系移动。</translation>
     </message>
@@ -10907,6 +10903,18 @@ The other program must have ended.</source>
     <message>
         <source>Nothing was sent: while its way was checked the arm moved, or what it was checked against has changed. Press again.</source>
         <translation>未发送：检查路径期间机械臂移动了，或检查所依据的内容已改变。请再按一次。</translation>
+    </message>
+    <message>
+        <source>This frame ends an emergency stop and lets the arm drop. Use Release in the main window, once the arm is supported.</source>
+        <translation>该帧会解除急停并使机械臂坠落。请先托住机械臂，再使用主窗口中的“解除急停”。</translation>
+    </message>
+    <message>
+        <source>The arm is in emergency stop. Support it, hold Release above the panel, then enable the motors.</source>
+        <translation>机械臂处于急停状态。请扶住机械臂，按住面板上方的“解除急停”，然后使能电机。</translation>
+    </message>
+    <message>
+        <source>The arm reports: {status}. Remove the cause. If the report stays: emergency stop, hold the arm, Release.</source>
+        <translation>机械臂状态：{status}。请先排除原因；若状态仍在，请按“急停”，扶住机械臂，再解除急停。</translation>
     </message>
     <message>
         <source>{name} is an MF4 file, and those are not read. Convert it to .asc or .blf with other software, for example asammdf, and open what that has written.</source>
@@ -11135,10 +11143,6 @@ The other program must have ended.</source>
     <message>
         <source>There is no row {row}: the last one is {maximum}. Choose another row.</source>
         <translation>没有第 {row} 行，最后一行是第 {maximum} 行，请另选一行。</translation>
-    </message>
-    <message>
-        <source>It was the emergency stop: hold the arm, press Resume, enable the motors; then the run can go on from this row.</source>
-        <translation>原因是急停：请扶住机械臂，按恢复并重新使能电机，之后可从本行继续。</translation>
     </message>
     <message>
         <source>A trajectory or recording is under way, be it paused or dwelling. Wait until it is done, or end the run first.</source>
@@ -11543,10 +11547,6 @@ The other program must have ended.</source>
     <message>
         <source>{frame} is kept for firmware upgrades: what it does is not public, and it may leave the arm without firmware. Use the maker&apos;s upgrade program.</source>
         <translation>{frame} 保留用于固件升级：其作用没有公开资料，可能使机械臂失去固件。请使用厂家的升级程序。</translation>
-    </message>
-    <message>
-        <source>This frame ends an emergency stop and lets the arm drop. Use Resume in the main window, once the arm is supported.</source>
-        <translation>该帧会解除急停并使机械臂坠落。请先托住机械臂，再使用主窗口中的恢复。</translation>
     </message>
     <message>
         <source>This frame acts on the arm: hold the button for a second to send it.</source>
@@ -12424,6 +12424,10 @@ The other program must have ended.</source>
     <message>
         <source>Next step</source>
         <translation>下一步</translation>
+    </message>
+    <message>
+        <source>The run waits until it is continued. The Pause key of the keyboard stays the emergency stop.</source>
+        <translation>轨迹暂停，直到按住“继续”。键盘上的 Pause 键仍是急停。</translation>
     </message>
     <message>
         <source>Continue</source>
@@ -13986,14 +13990,6 @@ The other program must have ended.</source>
 <context>
     <name>StopButton</name>
     <message>
-        <source>Resume</source>
-        <translation>恢复</translation>
-    </message>
-    <message>
-        <source>Resuming…</source>
-        <translation>恢复中…</translation>
-    </message>
-    <message>
         <source>Stop unconfirmed</source>
         <translation>急停未确认</translation>
     </message>
@@ -14018,8 +14014,8 @@ The other program must have ended.</source>
         <translation>急停未完成</translation>
     </message>
     <message>
-        <source>The arm has taken the emergency stop. Press to resume: it will drop, so hold it first.</source>
-        <translation>机械臂已执行急停。点击恢复：机械臂会下落，请先扶住机械臂。</translation>
+        <source>The arm has taken the emergency stop; a press sends it again. Release stands in the line of the next step above the panel: hold the arm before.</source>
+        <translation>机械臂已执行急停；再按会再次发送急停。解除急停的按钮在面板上方的下一步提示行中：请先扶住机械臂。</translation>
     </message>
     <message>
         <source>Ends at once whatever drives the arm, and takes the power from its joints: they are only damped, and the arm sinks. Hold it. Key: {key}</source>
@@ -14153,8 +14149,8 @@ The other program must have ended.</source>
         <translation>请扶住机械臂。急停：电机失去保持力，机械臂会下沉。</translation>
     </message>
     <message>
-        <source>Resume: the arm will drop, keep holding it.</source>
-        <translation>恢复：机械臂会下落，请扶住机械臂。</translation>
+        <source>Release: the arm will drop, keep holding it.</source>
+        <translation>解除急停：机械臂会下落，请扶住机械臂。</translation>
     </message>
     <message>
         <source>Enable the motors.</source>
@@ -14508,14 +14504,6 @@ Before: {before}</source>
         <translation>6 个电机全部使能。</translation>
     </message>
     <message>
-        <source>Resume after the emergency stop</source>
-        <translation>急停恢复</translation>
-    </message>
-    <message>
-        <source>Resume</source>
-        <translation>恢复</translation>
-    </message>
-    <message>
         <source>Disable the motors</source>
         <translation>失能电机</translation>
     </message>
@@ -14702,8 +14690,8 @@ Before: {before}</source>
         <translation>失能电机</translation>
     </message>
     <message>
-        <source>resuming after the emergency stop</source>
-        <translation>急停恢复</translation>
+        <source>releasing the emergency stop</source>
+        <translation>解除急停</translation>
     </message>
     <message>
         <source>recording</source>

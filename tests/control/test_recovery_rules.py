@@ -397,4 +397,5 @@ def test_the_operator_is_asked_before_what_may_surprise() -> None:
 def test_danger_is_said_before_power_is_cut(qapp):
     for action in (Action.RESUME, Action.RESET):
         assert "the arm will drop. Hold the arm" in words.step_danger(action)
-        assert words.step_action(action).endswith("…")
+    assert words.step_action(Action.RESET).endswith("…")
+    assert "drops" in words.step_action(Action.RESUME)

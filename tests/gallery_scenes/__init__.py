@@ -166,5 +166,4 @@ DIALOG_SCENES = (
     DialogScene("confirm-unsaved", "collision-levels", arm_settings.confirm_unsaved),
     DialogScene("confirm-end-run", "run", dialogs.confirm_close),
     DialogScene("confirm-close", "moving", dialogs.confirm_close),
-    DialogScene("confirm-resume", "stopped", dialogs.confirm_resume),
 )

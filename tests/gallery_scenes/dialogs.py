@@ -121,11 +121,6 @@ def confirm_disable(app_driver: AppDriver) -> QDialog:
     return app_driver.dialog(ConfirmDialog)
 
 
-def confirm_resume(app_driver: AppDriver) -> QDialog:
-    app_driver.click("stop_button")
-    return app_driver.dialog(ConfirmDialog)
-
-
 def confirm_close(app_driver: AppDriver) -> QDialog:
     app_driver.window.close()
     return app_driver.dialog(ConfirmDialog)

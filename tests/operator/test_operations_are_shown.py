@@ -41,7 +41,7 @@ class Shown(NamedTuple):
 SHOWN = {
     "motors.enable": Shown("motor", "enable_motor_7", "motor", "enable,", "使能、"),
     "motors.disable": Shown("motor", "disable_motor_7", "motor", "disable,", "失能、"),
-    "motors.resume": Shown("window", "stop_button", "stop", "resume", "恢复"),
+    "motors.resume": Shown("stopped", "recovery_hold_button", "stop", "release", "解除急停"),
     "joints.set_zero": Shown("motor", "zero_motor_1", "motor", "set zero", "零点设置"),
     "joints.clear_error": Shown("motor", "clear_motor_1", "motor", "clear error", "清除错误"),
     "lamps.set": Shown("light", "light_confirm_button", "light", "“Confirm” sends", "“确认”发送"),
@@ -188,6 +188,13 @@ DIALOG = ("in_doubt", "reference", "checking", "answered")
 """The window of the reference check, at each of its stages."""
 BESIDES = ("run", "run_paused", "replay_run", "replay_paused")
 """The run strip, which is seen from every panel."""
+
+
+def stopped(driver):
+    driver.controller.emergency_stop()
+    driver.run(1.0)
+
+
 OPEN = {
     "editing": edit,
     "window": lambda _driver: None,
@@ -197,6 +204,7 @@ OPEN = {
     **{panel: lambda driver, panel=panel: driver.click(f"menu_{panel}") for panel in PANELS},
     **{place: under_way(place) for place in BESIDES},
     "outside": outside_limits,
+    "stopped": stopped,
     **{stage: lambda driver, stage=stage: open_reference(driver, stage) for stage in DIALOG},
 }
 
@@ -208,6 +216,7 @@ def test_each_has_a_place(rig):
         "editing",
         "cell_held",
         "outside",
+        "stopped",
         *BESIDES,
         *DIALOG,
     } - {

@@ -21,6 +21,10 @@ from tests.accepted import accepted
 from tests.app_driver import PANELS
 from tests.operator.test_running import BACK, OUT, Operator, to
 
+RELEASE = "window.resume"
+ONLY_AT_TIMES = {"view.close_preview", RELEASE, "window.come_inside"}
+"""Commands whose button is seen only while there is something for it to do."""
+
 
 def open_palette(app_driver, window=None):
     window = window or app_driver.window
@@ -276,7 +280,7 @@ def test_every_command_of_a_panel_has_its_button(app_driver):
         seen = targets(app_driver)
         for each in commands(app_driver):
             if each.place in {panel, "window", "view"}:
-                assert each.name in seen or each.name == "view.close_preview", each.name
+                assert each.name in seen or each.name in ONLY_AT_TIMES, each.name
 
 
 def test_names_are_used_once(app_driver):
@@ -331,6 +335,30 @@ def test_tooltips_name_the_keys_of_the_table(app_driver):
     for each in commands(app_driver):
         if each.place in ("motion", "window") and each.keys:
             assert f"({each.keys})" in seen[each.name].toolTip()
+
+
+def test_release_is_found_with_its_reason_and_once_stopped_only_led_to(app_driver):
+    app_driver.ready()
+
+    def release():
+        found = (each for each in palette_items(app_driver) if each.command.name == RELEASE)
+        return next(found)
+
+    assert release().reason == "The arm is not in emergency stop: there is nothing to release."
+    app_driver.controller.emergency_stop()
+    app_driver.run_until(lambda: app_driver.controller.recovery.step.kind is StepKind.STOPPED)
+    app_driver.heard()
+    assert not release().reason
+    palette = command(app_driver, "release the emergency stop")
+    held = app_driver.find("recovery_hold_button")
+    assert not palette.isVisible()
+    assert app_driver.window.focusWidget() is held
+    app_driver.run(1.5)
+    assert app_driver.firmware.stopped, "it is to be held by hand"
+    assert app_driver.heard() == []
+    app_driver.hold_button(held)
+    app_driver.run_until(lambda: not app_driver.firmware.stopped)
+    assert release().reason
 
 
 def test_the_next_step_of_a_run_that_is_paused_leads_to_its_button(app_driver):

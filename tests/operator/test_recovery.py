@@ -70,14 +70,10 @@ def test_an_arm_that_moves_is_not_called_ready(ready):
 
 def test_from_the_stop_back_to_ready(ready):
     ready.click("stop_button")
-    reads(ready, "resuming cuts the power and it drops")
+    reads(ready, "its release cuts the power and it drops")
     ready.heard()
-    press(ready, "Resume…")
-    question = ready.dialog(ConfirmDialog)
-    assert "the arm will drop. Hold the arm" in question.text()
-    ready.run(0.3)
-    assert ready.heard() == []
-    ready.confirm()
+    assert "the arm will drop. Hold the arm" in ready.find("recovery_hold_button").toolTip()
+    ready.hold_button("recovery_hold_button")
     reads(ready, "motors are off")
     press(ready, "Enable")
     reads(ready, "Ready")
@@ -85,46 +81,11 @@ def test_from_the_stop_back_to_ready(ready):
     assert ready.controller.operating_state.cannot_move is None
 
 
-def test_a_question_answered_too_late_does_nothing(ready):
-    ready.click("stop_button")
-    reads(ready, "resuming cuts the power")
-    press(ready, "Resume…")
-    ready.firmware.on_frame(RESUME)  # another host was quicker
-    reads(ready, "motors are off")
-    ready.heard()
-    with pytest.raises(AssertionError):
-        ready.dialog(ConfirmDialog)
-    ready.run(0.3)
-    assert ready.heard() == []
-    assert "was withdrawn. What the question was about has changed" in ready.read("notice_label")
-
-
 @ONE_IS_ENOUGH
-def test_the_question_about_the_stop_is_one_however_it_was_asked(ready):
-    ready.store.change(language="zh")
-    ready.click("stop_button")
-    ready.run_until(lambda: ready.controller.operating_state.stop is StopState.STOPPED)
-    ready.click("stop_button")
-    asked = ready.dialog(ConfirmDialog)
-    ready.click("recovery_button")
-    assert ready.dialog(ConfirmDialog) is not asked
-    ready.click("stop_button")
-    ready.dialog(ConfirmDialog)
-
-
-@ONE_IS_ENOUGH
-@pytest.mark.parametrize("word", ["Resume", "Disable"])
-def test_a_question_of_the_top_bar_goes_when_it_no_longer_holds(ready, word):
-    if word == "Resume":
-        ready.click("stop_button")
-        reads(ready, "resuming cuts the power")
-        ready.click("stop_button")
-        beforehand = RESUME
-    else:
-        ready.click("enable_button")
-        beforehand = STOP
-    assert ready.dialog(ConfirmDialog).action_button.text() == word
-    ready.firmware.on_frame(beforehand)  # another host was quicker
+def test_the_question_about_disabling_goes_when_it_no_longer_holds(ready):
+    ready.click("enable_button")
+    assert ready.dialog(ConfirmDialog).action_button.text() == "Disable"
+    ready.firmware.on_frame(STOP)  # another host was quicker
     ready.run(0.5)
     with pytest.raises(AssertionError):
         ready.dialog(ConfirmDialog)
@@ -175,11 +136,10 @@ def test_a_reset_is_asked_about_and_then_led_to_its_end(ready):
     assert "the arm will drop" in ready.dialog(ConfirmDialog).text()
     ready.heard()
     ready.confirm()
-    reads(ready, "resuming cuts the power")
+    reads(ready, "its release cuts the power")
     assert STOP in ready.heard()
     ready.firmware.condition.communication_fault[3] = False
-    press(ready, "Resume…")
-    ready.confirm()
+    ready.hold_button("recovery_hold_button")
     reads(ready, "motors are off")
     press(ready, "Enable")
     reads(ready, "Ready")
@@ -226,9 +186,8 @@ def test_left_over_drag_teaching_is_left_step_by_step(ready):
     reads(ready, "near the rest pose")
     press(ready, "Reset…")
     ready.confirm()
-    reads(ready, "resuming cuts the power")
-    press(ready, "Resume…")
-    ready.confirm()
+    reads(ready, "its release cuts the power")
+    ready.hold_button("recovery_hold_button")
     reads(ready, "motors are off")
     press(ready, "Enable")
     reads(ready, "Ready")
@@ -260,7 +219,7 @@ def test_nothing_moves_in_the_window_when_a_fault_comes_and_goes(ready):
         for name in ("recovery_line", "operation_area", "stop_button", "menu_light")
     }
     ready.click("stop_button")
-    reads(ready, "resuming cuts the power")
+    reads(ready, "its release cuts the power")
     assert ready.controller.operating_state.stop is StopState.STOPPED
     for name, place in places.items():
         assert ready.find(name).mapTo(ready.window, ready.find(name).rect().center()) == place

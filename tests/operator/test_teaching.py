@@ -249,8 +249,7 @@ def test_teaching_is_left_one_step_at_a_time(taught):
     app_driver.confirm()
     app_driver.run_until(lambda: due(app_driver) == 3)
     assert app_driver.firmware.status is ArmStatusCode.EMERGENCY_STOP
-    app_driver.click("recovery_button")
-    app_driver.confirm()
+    app_driver.hold_button("recovery_hold_button")
     app_driver.run_until(lambda: due(app_driver) == 4)
     assert app_driver.firmware.control_mode is ControlMode.STANDBY
     app_driver.click("recovery_button")

@@ -42,7 +42,7 @@ ASKING = {
     "ui/panels/teaching_panel.py": {"HoldButton": 2, "confirm": 1},
     "ui/shell/leaving.py": {"CloseQuestion": 1, "UnsavedQuestion": 1, "confirm": 2},
     "ui/shell/recovery_line.py": {"HoldButton": 1, "confirm": 1},
-    "ui/shell/top_bar.py": {"confirm": 2},
+    "ui/shell/top_bar.py": {"confirm": 1},
     "ui/trajectory/editor/editor_page.py": {"LeaveQuestion": 1},
     "ui/trajectory/library/library_exchange.py": {
         "FileDialog": 2,
@@ -122,12 +122,6 @@ def panel(menu, *buttons):
     return ask
 
 
-def resume(driver):
-    driver.controller.emergency_stop()
-    driver.run(1.0)
-    driver.click("stop_button")
-
-
 def move(driver):
     driver.controller.motion.set_speed_percent(5)
     accepted(driver.controller.motion.send_joints((60.0, 40.0, -40.0, 0.0, 20.0, 0.0)))
@@ -178,7 +172,7 @@ def restore(driver):
 
 
 def dangerous_step(driver):
-    driver.controller.emergency_stop()
+    driver.firmware.condition.communication_fault[3] = True
     driver.run(1.0)
     driver.click("recovery_button")
 
@@ -224,7 +218,6 @@ QUESTIONS = {
     "zero of all": panel("motor", "zero_motor_7"),
     "disable a motor": panel("motor", "disable_motor_2"),
     "disable all": lambda driver: driver.click("enable_button"),
-    "resume": resume,
     "linkage": panel("linkage", "linkage_input", "linkage_confirm_button"),
     "factory values of the end": panel("end_limits", "end_limits_reset_button"),
     "factory values of the joints": panel("joint_settings", "joint_settings_reset_button"),

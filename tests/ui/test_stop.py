@@ -4,17 +4,18 @@ from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialog, QLineEdit, QVBoxLayout, QWidget
 
 from armui.control.operating_state import OperatingState, StopState
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.shell.top_bar import TopBar
+from armui.ui.theme import colors_of
 from armui.ui.widgets.halt_button import HaltButton
 from armui.ui.widgets.stop_button import StopButton
 from armui.ui.widgets.stop_shortcut import StopShortcut
 from tests.ui.arm_states import operating_state
-from tests.ui.dialog_reading import hold
 
 LEFT = Qt.MouseButton.LeftButton
 
@@ -99,10 +100,11 @@ def test_stops_by_space(button, controller, qtbot):
         operating_state(stop=StopState.RUNNING),
         operating_state(stop=StopState.REQUESTED),
         operating_state(stop=StopState.REQUESTED, stop_unconfirmed=True),
+        operating_state(stop=StopState.STOPPED),
         operating_state(stop=StopState.RESUMING),
     ],
 )
-def test_always_enabled_and_stops_unless_the_arm_is_stopped(button, controller, host, qtbot, now):
+def test_always_enabled_and_always_stops(button, controller, host, qtbot, now):
     controller.be(now)
     assert button.isEnabled()
     qtbot.mouseClick(button, LEFT)
@@ -121,29 +123,23 @@ def test_every_state_has_its_word(button, controller):
     ):
         controller.be(now)
         words.append(button.text())
-    assert words == ["Emergency stop", "Stopping…", "Stop unconfirmed", "Resume", "Resuming…"]
+    assert words == [
+        "Emergency stop",
+        "Stopping…",
+        "Stop unconfirmed",
+        "Emergency stop",
+        "Emergency stop",
+    ]
 
 
-def test_recovery_is_asked_about_and_says_that_the_arm_drops(button, controller, host, qtbot):
+def test_a_press_while_stopped_stops_again_and_says_where_release_is(
+    button, controller, host, qtbot
+):
     controller.be(operating_state(stop=StopState.STOPPED))
     qtbot.mouseClick(button, LEFT)
-    (question,) = questions(host)
-    assert controller.calls == []
-    assert "drop" in question.text()
-    assert "Hold the arm" in question.text()
-    qtbot.mouseClick(question.action_button, LEFT)
-    assert controller.calls == []
-    hold(question.action_button)
-    assert controller.calls == [("resume",)]
-
-
-def test_recovery_can_be_declined(button, controller, host, qtbot):
-    controller.be(operating_state(stop=StopState.STOPPED))
-    qtbot.mouseClick(button, LEFT)
-    (question,) = questions(host)
-    qtbot.keyClick(question, Qt.Key.Key_Escape)
-    assert controller.calls == []
+    assert controller.calls == [("emergency_stop",)]
     assert not questions(host)
+    assert "Release stands in the line of the next step" in button.toolTip()
 
 
 def test_quick_presses_all_mean_stop(button, controller, host):
@@ -173,15 +169,31 @@ def test_the_bar_stands_still(button, controller):
     assert len(sizes) == 1
 
 
-def test_stopped_looks_different(button, controller):
-    def middle():
-        return button.grab().toImage().pixelColor(6, button.height() // 2)
+@pytest.mark.parametrize("slim", [False, True])
+def test_halt_wears_a_full_square(host, controller, slim):
+    """Two bars, as before, would promise that the motion goes on."""
+    halt = HaltButton(controller, slim=slim)
+    host.layout().addWidget(halt)
+    host.show()
+    image = halt.grab().toImage()
+    ink = QColor(colors_of(halt).stop_ink)
+    middle = image.height() // 2
+    inked = [x for x in range(4, image.width() - 4) if image.pixelColor(x, middle) == ink]
+    first = inked[0]
+    side = next(at for at in range(1, image.width()) if first + at not in inked)
+    assert 7 <= side <= 14
+    square = [(x, y) for x in range(side) for y in range(side)]
+    top = middle - side // 2
+    for x, y in square:
+        assert image.pixelColor(first + x, top + y) == ink, (x, y)
 
-    red = middle()
-    controller.be(operating_state(stop=StopState.STOPPED))
-    assert red.red() > 180
-    assert red.green() < 80
-    assert middle().green() > 200
+
+def test_the_red_place_stays_red(button, controller):
+    for stop in StopState:
+        controller.be(operating_state(stop=stop))
+        ground = button.grab().toImage().pixelColor(6, button.height() // 2)
+        assert ground.red() > 180, stop
+        assert ground.green() < 80, stop
 
 
 @pytest.fixture

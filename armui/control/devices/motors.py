@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from armui.control.motion.motion_context import MotionContext
 
 NOT_STOPPED = Reason(
-    "not_stopped", "The arm is not in emergency stop: there is nothing to resume from."
+    "not_stopped", "The arm is not in emergency stop: there is nothing to release."
 )
 RUN_DISABLED = Reason(
     "run_disabled",
@@ -38,7 +38,7 @@ RUN_DISABLED = Reason(
 )
 RESUME_SENT = Notice(
     "resume_sent",
-    "Resume sent. The motors lose power and the arm drops: hold the arm.",
+    "Release sent. The motors lose power and the arm drops: hold the arm.",
     Level.INFO,
     EventKind.COMMAND,
 )
@@ -106,9 +106,7 @@ class Motors(RequestingPart[Busy]):
         """
         self._switch(started, joint, on=False)
 
-    @operation(
-        "motors.resume", "Resume after the emergency stop", why_not_resume, consent=Consent.PRESS
-    )
+    @operation("motors.resume", "Release the emergency stop", why_not_resume, consent=Consent.HELD)
     def resume(self, started: Started) -> None:
         """End the emergency stop: power is cut at once, the arm DROPS; then it must be enabled."""
         context = self._context

@@ -38,7 +38,7 @@ if TYPE_CHECKING:
     from armui.session.session import Session, SessionMark
 
 LOGGED_STOP = Observed("logged_stop", "Emergency stop sent")
-LOGGED_RESUME = Observed("logged_resume", "Resume sent")
+LOGGED_RESUME = Observed("logged_resume", "Release sent")
 LOGGED_ENABLE = Observed("logged_enable", "Motors: enable sent")
 LOGGED_DISABLE = Observed("logged_disable", "Motors: disable sent")
 LOGGED_MOTION_COMMAND = Observed(

@@ -25,8 +25,8 @@ if TYPE_CHECKING:
 
 RUN_STOPPED = Reason(
     "run_stopped",
-    "It was the emergency stop: hold the arm, press Resume, enable the motors; then the run can "
-    "go on from this row.",
+    "It was the emergency stop: hold the arm, release it, enable the motors; then the run can go "
+    "on from this row.",
 )
 
 

@@ -20,7 +20,7 @@ RESUMED = Notice(
 )
 RESUME_FAILED = Notice(
     "resume_failed",
-    "The arm stays in emergency stop. Check it, then press Resume again.",
+    "The arm stays in emergency stop. Check it, then hold Release again.",
     Level.FAULT,
     EventKind.RESULT,
 )

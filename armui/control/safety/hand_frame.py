@@ -48,7 +48,7 @@ FRAME_OF_UPGRADE = Reason(
 )
 FRAME_RESUMES = Reason(
     "frame_resumes",
-    "This frame ends an emergency stop and lets the arm drop. Use Resume in the main window, "
+    "This frame ends an emergency stop and lets the arm drop. Use Release in the main window, "
     "once the arm is supported.",
 )
 

@@ -15,7 +15,9 @@ STOP_REQUESTED = Reason(
     "confirmation.",
 )
 STOPPED = Reason(
-    "stopped", "The arm is in emergency stop. Hold the arm, press Resume, then enable the motors."
+    "stopped",
+    "The arm is in emergency stop. Support it, hold Release above the panel, then enable the "
+    "motors.",
 )
 NOT_ENABLED = Reason(
     "not_enabled", "The motors of these joints are not enabled: {joints}. Press Enable first."
@@ -35,7 +37,7 @@ OTHER_CONTROL = Reason(
 ARM_FAULT = Reason(
     "arm_fault",
     "The arm reports: {status}. Remove the cause. If the report stays: emergency stop, hold "
-    "the arm, Resume.",
+    "the arm, Release.",
 )
 CONTROL_OFFSET_UNKNOWN = Reason(
     "control_offset_unknown",

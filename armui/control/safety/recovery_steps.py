@@ -22,7 +22,7 @@ class ActionText(Sentence):
 
     Attributes:
         question: The title of the question before an action that may surprise.
-        danger: The physical effect to expect; without one the operator is not asked.
+        danger: The physical effect to expect; with one the operator is asked, or holds the button.
         held: True if its button is held for a second: the arm moves, or another host loses it.
     """
 
@@ -39,21 +39,23 @@ class Action(enum.Enum):
     LEAVE_TEACHING_INPUT = ActionText("leave_teaching_input", "Motion output")
     RESUME = ActionText(
         "resume",
-        "Resume…",
-        "Resume after the emergency stop",
-        "Resuming cuts the power of the motors: the arm will drop. Hold the arm.\nAfterwards the "
-        "motors must be enabled again.",
+        "Release (the arm drops)",
+        "Release the emergency stop",
+        "Release cuts the power of the motors: the arm will drop. Hold the arm.\n"
+        "Afterwards the motors must be enabled again.",
+        held=True,
     )
+    """The emergency stop is ended."""
     ENABLE = ActionText("enable", "Enable")
     CLEAR_ERRORS = ActionText("clear_errors", "Clear error")
     RESET = ActionText(
         "reset",
         "Reset…",
         "Reset the arm",
-        "First the emergency stop: the motors go limp and the arm sinks. Then Resume cuts their "
+        "First the emergency stop: the motors go limp and the arm sinks. Then Release cuts their "
         "power: the arm will drop. Hold the arm from now on.",
     )
-    """The arm gets an emergency stop; the resume is the next step."""
+    """The arm gets an emergency stop; its release is the next step."""
     STOP_RECORDING = ActionText("stop_recording", "Stop recording")
     ABORT_REPLAY = ActionText("abort_replay", "Terminate")
     LEAD_BY_HAND = ActionText(
@@ -177,7 +179,7 @@ class StepKind(enum.Enum):
     LISTEN_ONLY = StepText("listen_only", "Only listening: nothing is sent but the emergency stop.")
     WORKING = StepText("working", "Waiting for the arm: {what}.")
     STOPPED = StepText(
-        "stopped", "Emergency stop. Support the arm: resuming cuts the power and it drops."
+        "stopped", "Emergency stop. Support the arm: its release cuts the power and it drops."
     )
     HANDSHAKE = StepText("handshake", "The arm is being asked for its protocol.")
     STATUS_UNKNOWN = StepText(
@@ -425,7 +427,7 @@ class Step:
 
     @property
     def dangerous(self) -> bool:
-        """True if the operator is asked before the action is taken."""
+        """True if the action has a physical effect that is said before it is taken."""
         return self.action is not None and bool(self.action.value.danger)
 
 

@@ -72,7 +72,7 @@ STOP_ABANDONED = Notice(
 )
 STOP_UNDONE = Notice(
     "stop_undone",
-    "The emergency stop was undone, and not by this program: another host has resumed the "
+    "The emergency stop was undone, and not by this program: another host has released the "
     "arm, or it was switched off and on. Press the emergency stop again if it must stay.",
     Level.FAULT,
     EventKind.RESULT,
@@ -94,7 +94,10 @@ HALT_AT_REST = Notice(
     "halt_at_rest", "The arm stands still and holds.", Level.DONE, EventKind.RESULT
 )
 STOP_CONFIRMED = Notice(
-    "stop_confirmed", "The arm has confirmed the emergency stop.", Level.WARNING, EventKind.RESULT
+    "stop_confirmed",
+    "The arm has confirmed the emergency stop. Release stands in the line of the next step.",
+    Level.WARNING,
+    EventKind.RESULT,
 )
 STOP_UNCONFIRMED = Notice(
     "stop_unconfirmed",

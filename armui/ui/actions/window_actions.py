@@ -13,7 +13,7 @@ from armui.control.devices.motors import Motors
 from armui.control.motion.joint_motion import Motion
 from armui.control.operations.operation import operation_of
 from armui.control.run.speed_override import STEP_PERCENT
-from armui.control.safety.recovery_steps import StepKind
+from armui.control.safety.recovery_steps import Action, StepKind
 from armui.ui.actions.command import Command, CommandSource, Target, allow, also, new_action
 from armui.ui.actions.keys import key_text, listen_for
 from armui.ui.actions.palette import CommandPalette
@@ -45,6 +45,11 @@ _HIGHEST_PX: Final = 20
 _IN_THE_RUN_STRIP: Final = frozenset({StepKind.RUN_PAUSED, StepKind.RUN_WAITS})
 """The steps for which the line above the panels has no button."""
 _NEXT_STEP: Final = "window.next_step"
+_HELD_IN_THE_LINE: Final = {
+    "window.resume": Action.RESUME,
+    "window.come_inside": Action.COME_INSIDE,
+}
+"""The commands whose button is that of the next step, while it is theirs."""
 
 
 # fmt: off
@@ -55,8 +60,8 @@ _COMMANDS: Final = (
             synonyms=also("hold freeze brake 停下 保持 刹车")),
     Command("everywhere.slower", synonyms=also("override speed reduce 倍率 降速 慢")),
     Command("everywhere.faster", synonyms=also("override speed increase 倍率 提速 快")),
-    Command("window.resume", Text("TopBar", "Resume after the emergency stop"),
-            operation_of(Motors.resume), synonyms=also("recover restart release 恢复 解除 复位")),
+    Command("window.resume", operation=operation_of(Motors.resume), risky=True,
+            synonyms=also("recover restart resume 恢复 复位")),
     Command(_NEXT_STEP, Text("RecoveryLine", "Next step"),
             synonyms=also("fix help recover 怎么办")),
     Command("window.come_inside", operation=operation_of(Motion.come_inside),
@@ -162,7 +167,6 @@ class WindowActions(QObject):
 
     def link(
         self,
-        ask_to_resume: Callback,
         recovery: RecoveryLine,
         run: StepRow,
         pages: PageOpener,
@@ -172,7 +176,6 @@ class WindowActions(QObject):
         """Connect the actions to the parts of the window.
 
         Args:
-            ask_to_resume: Asks whether to end the emergency stop.
             recovery: Takes the next step.
             run: Goes on with a run that pauses or waits.
             pages: Opens pages and windows.
@@ -189,9 +192,7 @@ class WindowActions(QObject):
             "everywhere.halt": self._halt,
             "everywhere.slower": self._go_slower,
             "everywhere.faster": self._go_faster,
-            "window.resume": ask_to_resume,
             _NEXT_STEP: self._take_step,
-            "window.come_inside": self._take_step,
             **opening,
             "window.language": self._switch_language,
             "window.theme": self._switch_theme,
@@ -221,7 +222,9 @@ class WindowActions(QObject):
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each of its commands, by the command's name."""
         allow(self._next_step, self._why_no_step())
-        return self._targets
+        button, now = self._recovery.step_button, self._controller.recovery.step.action
+        held = {name for name, action in _HELD_IN_THE_LINE.items() if action is now}
+        return self._targets if button is None else {**self._targets, **dict.fromkeys(held, button)}
 
     def palette_items(self) -> PaletteItems:
         """Return the items of the palette."""

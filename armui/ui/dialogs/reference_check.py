@@ -423,7 +423,7 @@ class ReferenceDialog(ArmDialog):
                 "hand; the others are driven slowly, each by a held button."
             )
         return self.tr(
-            "What can be done: (1) Reset with the arm held. Emergency stop, hold the arm, Resume: "
+            "What can be done: (1) Reset with the arm held. Emergency stop, hold the arm, Release: "
             "its motors lose their power and the arm drops; the arm then finds its reference "
             "again. Enable, and check once more. (2) Set the joint's zero, only if a reset does "
             "not help and the joint stands at its mark: nothing moves, but every angle, limit and "

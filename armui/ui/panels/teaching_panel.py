@@ -138,7 +138,7 @@ class TeachingExitSteps(QFrame):
         return (
             self.tr("End what is under way; lead every joint near its zero by hand."),
             self.tr("Hold the arm. Emergency stop: the motors go limp, the arm sinks."),
-            self.tr("Resume: the arm will drop, keep holding it."),
+            self.tr("Release: the arm will drop, keep holding it."),
             self.tr("Enable the motors."),
         )
 

@@ -184,7 +184,7 @@ class RecoveryLine(Translated, QWidget):
                 on_confirmed=lambda: self._controller.recovery.act(step, action),
                 hold=True,
                 still=lambda: self._controller.recovery.step.kind is step.kind,
-                sinks=action in {Action.RESUME, Action.RESET, Action.LEAVE_MODE},
+                sinks=action in {Action.RESET, Action.LEAVE_MODE},
             )
         else:
             self._act(action)
@@ -205,8 +205,8 @@ class RecoveryLine(Translated, QWidget):
 
     def _show_step(self) -> None:
         step = self._step
-        text = words.step(step)
-        self._texts = words.step_texts(step)
+        self._texts = tuple(f"{text}{self._below()}" for text in words.step_texts(step))
+        text = self._texts[0]
         if self._asks:
             text = self.tr(
                 "“{name}” has not started: the check has warnings. Answer them on its page."
@@ -226,6 +226,13 @@ class RecoveryLine(Translated, QWidget):
         self._recolor()
         self.update()
         self.step_shown.emit()
+
+    def _below(self) -> str:
+        """Return what an arm that is released drops on, as a sentence of its own (S32)."""
+        if self._step.action is not Action.RESUME:
+            return ""
+        names = self._controller.area_guard.below()
+        return f" {self.tr('Below the arm: {names}.').format(names=names)}" if names else ""
 
     def _fit_text(self) -> None:
         """Show as much of the text as there is room for, where a shorter one says enough."""
@@ -265,6 +272,7 @@ class RecoveryLine(Translated, QWidget):
             button.setText(label)
             button.setAccessibleName(label)
             use = words.step_danger(action) if step.dangerous else words.step(step)
+            use = f"{use}{self._below()}"
             use = use if blocked is None else words.refusal(blocked)
             button.setToolTip(self.tr("Waiting for the arm") if step.waiting else use)
         self._other_button.setVisible(step.alternative is not None)

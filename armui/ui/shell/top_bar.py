@@ -17,7 +17,6 @@ from armui.control.link.link_state import LinkState
 from armui.control.motion.joint_motion import Motion
 from armui.control.operating_state import RUN_UNDER_WAY, Busy, OperatingState, StopState
 from armui.control.operations.operation import operation_of
-from armui.control.safety.recovery_steps import Action
 from armui.control.safety.uncommanded_motion import MotionKind, UncommandedMotion
 from armui.protocol.addressing import Addressing
 from armui.protocol.generation import Generation
@@ -463,8 +462,7 @@ class TopBar(Translated, QWidget):
         left = (self._communication, (self._speed, 1))
         layout = in_row(*left, on=self, spacing=12, margins=(8, 6, 8, 6))
         layout.addStretch(0)
-        stop = StopButton(controller, ask_to_resume=self.ask_to_resume)
-        fill(layout, self._enable, HaltButton(controller), stop)
+        fill(layout, self._enable, HaltButton(controller), StopButton(controller))
         self._communication.clicked.connect(open_connection)
         self._enable.clicked.connect(self._on_enable)
         controller.operating_state_changed.connect(self._show_operating_state)
@@ -494,20 +492,6 @@ class TopBar(Translated, QWidget):
         else:
             tip = self.tr("Enables all six motors.")
         self._enable.setToolTip(tip)
-
-    def ask_to_resume(self) -> None:
-        """Ask whether to end the emergency stop: the arm drops."""
-        confirm(
-            self.window(),
-            self._controller,
-            title=words.step_question(Action.RESUME),
-            text=words.step_danger(Action.RESUME),
-            action_label=self.tr("Resume"),
-            on_confirmed=self._controller.motors.resume,
-            hold=True,
-            still=lambda: self._controller.operating_state.stop is StopState.STOPPED,
-            sinks=True,
-        )
 
     def _on_enable(self) -> None:
         if not self._enable.turns_off:

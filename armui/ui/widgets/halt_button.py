@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import QColor, QFontMetrics, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
 from armui.control.arm_controller import ArmController
@@ -18,6 +18,8 @@ from armui.ui.widgets.translated import Translated
 _LARGE: Final = Face(52, 0, 8.0, 9.0, 14.0, 8.0, 1.15, has_caption=True)
 _SLIM: Final = Face(30, 0, 6.0, 7.0, 12.0, 8.0, 1.0, has_caption=False)
 _CAPTION_SCALE: Final = 0.82
+_SQUARE: Final = 1.5
+"""The side of the stop square, by the sign's radius. Two bars would promise that it goes on."""
 
 
 class HaltButton(Translated, PressButton):
@@ -40,11 +42,6 @@ class HaltButton(Translated, PressButton):
     def act(self) -> None:
         """End the motion."""
         self._controller.halt_and_hold()
-
-    def press_behind_popup(self) -> bool:
-        """Halt the arm behind any popup, and return true."""
-        self.act()
-        return True
 
     def retranslate_ui(self) -> None:
         """Set the text in the operator's language."""
@@ -82,7 +79,7 @@ class HaltButton(Translated, PressButton):
         return max(word.horizontalAdvance(self.text()), caption.horizontalAdvance(self._caption()))
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Draw two bars, the word, and the key below it."""
+        """Draw the stop square, the word, and the key below it."""
         colors = colors_of(self)
         painter = painting.begin(self)
         pressed = self.isDown() or self.underMouse()
@@ -97,7 +94,10 @@ class HaltButton(Translated, PressButton):
         word, caption = QFontMetrics(word_font), QFontMetrics(caption_font)
         face = self._face
         left = (self.width() - (2 * face.sign_px + face.gap_px + self._text_width())) / 2
-        self._draw_bars(painter, QPointF(left + face.sign_px, self.height() / 2), colors.stop_ink)
+        side_px = _SQUARE * face.sign_px
+        square = QRectF(0.0, 0.0, side_px, side_px)
+        square.moveCenter(QPointF(left + face.sign_px, self.height() / 2))
+        painter.fillRect(square, QColor(colors.stop_ink))
         text_left = left + 2 * face.sign_px + face.gap_px
         below_px = caption.height() if face.has_caption else 0
         top = (self.height() - word.height() - below_px) / 2
@@ -109,10 +109,3 @@ class HaltButton(Translated, PressButton):
         baseline = top + word.height() + caption.ascent()
         painter.drawText(QPointF(text_left, baseline), self._caption())
         painter.end()
-
-    def _draw_bars(self, painter: QPainter, center: QPointF, ink: str) -> None:
-        half_px = self._face.sign_px
-        painter.setPen(QPen(QColor(ink), 0.55 * half_px, c=Qt.PenCapStyle.FlatCap))
-        for side in (-1, 1):
-            x = side * half_px * 0.5
-            painter.drawLine(center + QPointF(x, -half_px), center + QPointF(x, half_px))

@@ -62,7 +62,3 @@ class PressButton(QPushButton):
         """Act on a press by keyboard or assistive program; one by the mouse has acted already."""
         if not self._has_acted:
             self.act()
-
-    def press_behind_popup(self) -> bool:
-        """Act as if pressed while a popup is open; return false to leave the press to it."""
-        raise NotImplementedError

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Final
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QFontMetrics, QMouseEvent, QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QWidget
 
 from armui.control.arm_controller import ArmController
 from armui.control.operating_state import OperatingState, StopState
@@ -24,65 +23,31 @@ _CAPTION_SCALE: Final = 0.82
 
 
 class StopButton(Translated, PressButton):
-    """Stops the arm when pressed down; pressed again once the arm has stopped, it recovers it.
+    """Stops the arm when pressed down, at every press: also an arm that has stopped, once more.
 
-    Only a press while the arm reports that it is stopped leads to recovery, after a question,
-    because the arm drops. Quick presses in succession all mean stop.
+    It never releases the arm, which is the held button in the line of the next step.
 
     Args:
         controller: The controller of the arm.
-        ask_to_resume: Asks the operator whether to recover an arm that has stopped; without it the
-            button only ever stops, as in the dialogs.
         slim: True for one line, as in the windows beside the main one.
     """
 
     def __init__(
-        self,
-        controller: ArmController,
-        parent: QWidget | None = None,
-        *,
-        ask_to_resume: Callable[[], None] | None = None,
-        slim: bool = False,
+        self, controller: ArmController, parent: QWidget | None = None, *, slim: bool = False
     ) -> None:
         super().__init__(parent)
         self.setObjectName("stop_button")
         self._controller = controller
         self._face = _SLIM if slim else _LARGE
-        self._ask_to_resume = ask_to_resume
         self._operating_state = controller.operating_state
-        self._last_press_ms: int | None = None
-        self._hurried = False
         controller.operating_state_changed.connect(self._on_operating_state_changed)
         self.retranslate_ui()
 
     # -- behaviour ----------------------------------------------------------------------------
 
-    def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Distinguish a deliberate second press from the quick presses of an alarmed operator."""
-        before, now = self._last_press_ms, event.timestamp()
-        interval = QApplication.styleHints().mouseDoubleClickInterval()
-        self._hurried = before is not None and now - before <= interval
-        self._last_press_ms = now
-        super().mousePressEvent(event)
-        self._hurried = False
-
-    def press_behind_popup(self) -> bool:
-        """Stop the arm behind any popup; return false if the press would ask about recovery."""
-        if self._offers_recovery():
-            return False
-        self._controller.emergency_stop()
-        return True
-
     def act(self) -> None:
-        """Stop, or ask about recovery if the arm reports that it is stopped."""
-        # quick presses all mean stop, even if the arm confirms its stop between two of them
-        if self._ask_to_resume is not None and self._offers_recovery() and not self._hurried:
-            self._ask_to_resume()
-        else:
-            self._controller.emergency_stop()
-
-    def _offers_recovery(self) -> bool:
-        return self._ask_to_resume is not None and self._operating_state.stop is StopState.STOPPED
+        """Stop the arm."""
+        self._controller.emergency_stop()
 
     # -- appearance ---------------------------------------------------------------------------
 
@@ -95,10 +60,10 @@ class StopButton(Translated, PressButton):
         """Set the present text in the operator's language."""
         self.setText(self._words())
         self.setAccessibleName(self.text())
-        if self._offers_recovery():
+        if self._operating_state.stop is StopState.STOPPED:
             tip = self.tr(
-                "The arm has taken the emergency stop. Press to resume: it will drop, so hold it "
-                "first."
+                "The arm has taken the emergency stop; a press sends it again. Release stands in "
+                "the line of the next step above the panel: hold the arm before."
             )
         else:
             tip = self.tr(
@@ -110,12 +75,7 @@ class StopButton(Translated, PressButton):
         self.update()
 
     def _words(self) -> str:
-        stop = self._operating_state.stop
-        if stop is StopState.RESUMING:
-            return self.tr("Resuming…")
-        if self._offers_recovery():
-            return self.tr("Resume")
-        if stop is StopState.REQUESTED:
+        if self._operating_state.stop is StopState.REQUESTED:
             if self._operating_state.stop_lapsed:
                 return self.tr("Stop outstanding")
             if self._operating_state.stop_unconfirmed:
@@ -125,7 +85,8 @@ class StopButton(Translated, PressButton):
 
     def _caption(self) -> str:
         """Return what stands below the word, smaller."""
-        if self._offers_recovery():
+        stop = self._operating_state.stop
+        if stop is StopState.STOPPED:
             motion = self._operating_state.uncommanded
             if motion is not None:
                 return words.uncommanded_motion_short(motion) or STOP_KEY_NAME
@@ -135,7 +96,7 @@ class StopButton(Translated, PressButton):
         return {
             StopState.REQUESTED: self.tr("Waiting for the arm"),
             StopState.RESUMING: self.tr("Hold the arm"),
-        }.get(self._operating_state.stop, STOP_KEY_NAME)
+        }.get(stop, STOP_KEY_NAME)
 
     def _all_words(self) -> list[str]:
         return [
@@ -143,8 +104,6 @@ class StopButton(Translated, PressButton):
             self.tr("Stopping…"),
             self.tr("Stop unconfirmed"),
             self.tr("Stop outstanding"),
-            self.tr("Resume"),
-            self.tr("Resuming…"),
         ]
 
     def sizeHint(self) -> QSize:
@@ -166,22 +125,17 @@ class StopButton(Translated, PressButton):
         """Draw the button."""
         colors = colors_of(self)
         painter = painting.begin(self)
-        stopped = self._offers_recovery() or self._operating_state.stop is StopState.RESUMING
-        if stopped:
-            painting.panel(painter, QRectF(self.rect()), colors.warn_pale, colors.warn, 2)
-            ink = colors.warn
-        else:
-            fill = colors.stop_strong if self.isDown() or self.underMouse() else colors.stop
-            painting.panel(painter, QRectF(self.rect()), fill, fill)
-            ink = colors.on_stop
+        fill = colors.stop_strong if self.isDown() or self.underMouse() else colors.stop
+        painting.panel(painter, QRectF(self.rect()), fill, fill)
+        ink = colors.on_stop
         if self.hasFocus():
             painter.setPen(QPen(QColor(ink), 1.5))
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.drawRoundedRect(QRectF(self.rect()).adjusted(4, 4, -4, -4), 5, 5)
-        self._draw_face(painter, colors, ink, stopped=stopped)
+        self._draw_face(painter, colors, ink)
         painter.end()
 
-    def _draw_face(self, painter: QPainter, colors: Colors, ink: str, *, stopped: bool) -> None:
+    def _draw_face(self, painter: QPainter, colors: Colors, ink: str) -> None:
         """Draw sign, word and caption, centred; the sign tells the state without its colour."""
         face = self._face
         word_font = scaled_font(self, face.word_scale, bold=True)
@@ -191,10 +145,7 @@ class StopButton(Translated, PressButton):
         text_width = max(word.horizontalAdvance(self.text()), caption.horizontalAdvance(below))
         left = (self.width() - (2 * face.sign_px + face.gap_px + text_width)) / 2
         center = QPointF(left + face.sign_px, self.height() / 2)
-        if stopped:
-            self._draw_recovery_sign(painter, center, face.sign_px, ink)
-        else:
-            self._draw_stop_sign(painter, center, ink, colors.stop)
+        self._draw_stop_sign(painter, center, ink, colors.stop)
         text_left = left + 2 * face.sign_px + face.gap_px
         top = (self.height() - word.height() - (caption.height() if below else 0)) / 2
         painter.setPen(QColor(ink))
@@ -216,18 +167,6 @@ class StopButton(Translated, PressButton):
             painter.drawPoint(center + QPointF(0, unit))
         else:
             painter.drawLine(center + QPointF(-0.92 * unit, 0), center + QPointF(0.92 * unit, 0))
-
-    @staticmethod
-    def _draw_recovery_sign(painter: QPainter, center: QPointF, sign_px: float, ink: str) -> None:
-        """Draw an arrow that goes round; only the large button offers recovery."""
-        radius = sign_px - 3
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.setPen(QPen(QColor(ink), 2.6, c=Qt.PenCapStyle.RoundCap))
-        box = QRectF(center.x() - radius, center.y() - radius, 2 * radius, 2 * radius)
-        painter.drawArc(box, 60 * 16, 285 * 16)
-        tip = center + QPointF(radius * 0.55, -radius * 0.85)
-        painter.drawLine(tip, tip + QPointF(-5.5, -1.0))
-        painter.drawLine(tip, tip + QPointF(-1.5, 5.2))
 
 
 def _shown(operating_state: OperatingState) -> tuple[object, ...]:

@@ -35,8 +35,8 @@ _PRESSES: Final = frozenset({QEvent.Type.MouseButtonPress, QEvent.Type.MouseButt
 class StopShortcut(QObject):
     """Filters events of the whole application, even while a dialog takes the other keys.
 
-    A key only ever stops, halts or slows; recovery needs the button and its question. A press that
-    would only close a popup (of a combo box, a menu) reaches the stop button under it.
+    A key only ever stops, halts or slows; it never releases. A press that would only close a popup
+    (of a combo box, a menu) reaches the stop button under it.
 
     Args:
         app: The application, which is the filter's parent.
@@ -119,12 +119,13 @@ class _FirstPicture(QObject):
 
 
 def _press_behind_popup(event: QMouseEvent) -> bool:
-    """Have the button under the pointer act, and close the popups, if that is to be."""
+    """Have the stop button under the pointer act, and close the popups."""
     if QApplication.activePopupWidget() is None or event.button() != Qt.MouseButton.LeftButton:
         return False
     button = _button_at(event.globalPosition().toPoint())
-    if button is None or not button.press_behind_popup():
+    if button is None:
         return False
+    button.act()
     # a menu and its submenus are one popup each; one that does not close must not keep us here
     while (popup := QApplication.activePopupWidget()) is not None:
         if not popup.close():

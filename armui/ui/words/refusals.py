@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 _UNDER_WAY: Final = Texts("UnderWay") | {
     "enabling": "enabling the motors",
     "disabling": "disabling the motors",
-    "resuming": "resuming after the emergency stop",
+    "resuming": "releasing the emergency stop",
     "recording": "recording",
     "settings": "reading or saving the arm's settings",
     "end_reports": "the setting before",

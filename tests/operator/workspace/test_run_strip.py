@@ -54,6 +54,11 @@ def test_it_is_seen_from_every_panel(running, panel):
     assert not line.intersects(rect_in_window(running.driver.find("operation_area")))
 
 
+def test_its_pause_is_not_taken_for_the_pause_key(running):
+    tip = running.driver.find("run_pause").toolTip()
+    assert "The Pause key of the keyboard stays the emergency stop." in tip
+
+
 def test_it_is_seen_when_the_page_is_taken_out_and_ends_the_run(running):
     window = running.take_out()
     assert window.isVisible()
@@ -94,7 +99,7 @@ def test_an_obstacle_stands_beside_it_and_its_end_is_told_as_long(running, width
     running.driver.click("stop_button")
     running.driver.run_until(lambda: not running.driver.controller.player.running)
     running.driver.run(1.0)
-    button = running.driver.find("recovery_button")
+    button = running.driver.find("recovery_hold_button")
     assert button.isVisible()
     assert running.driver.read("run_text") == "ended by the emergency stop"
     parts = [running.driver.find(name) for name in ("recovery_text", "run_name", "run_text")]
@@ -102,8 +107,7 @@ def test_an_obstacle_stands_beside_it_and_its_end_is_told_as_long(running, width
     assert not rect_in_window(button).intersects(rect_in_window(strip(running)))
     # put away, it would slide the button of the obstacle under the pointer
     assert not running.driver.find("run_close").isVisible()
-    running.driver.click(button)
-    running.driver.confirm()
+    running.driver.hold_button(button)
     running.driver.run(1.0)
     running.driver.click("recovery_button")
     running.driver.run(2.0)

@@ -135,6 +135,8 @@ class RunStrip(HasActs, Translated, QWidget):
         does=Player.pause,
         key="run.pause",
         title=Text("RunStrip", "Pause"),
+        tip="The run waits until it is continued. The Pause key of the keyboard stays the "
+        "emergency stop.",
     )
     # a motion that was held back is never set going by a slip
     _continue = Act("Continue", named="run_continue", held=True)
