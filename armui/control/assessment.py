@@ -65,7 +65,6 @@ class AssessmentInputs:
     authority: Authority
     other_host: OtherHostReport | None = None
     tasks: ActiveTasks = field(default_factory=ActiveTasks)
-    override_percent: int = 100
     stop_lapsed: bool = False
     model_fit: ModelFit = field(default_factory=ModelFit)
     below_base_mm: int | None = None
@@ -139,7 +138,6 @@ def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> Operating
         limits=limits,
         limits_read=(r1, r2, r3, r4, r5, r6),
         speed_percent=around.speed_percent,
-        override_percent=around.override_percent,
         moving=around.link is LinkState.ONLINE
         and around.stop is StopState.RUNNING
         and (bool(authority.holds) or _on_its_way(state, authority)),

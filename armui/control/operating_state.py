@@ -98,8 +98,7 @@ class OperatingState:
         gripper_heard: The gripper is heard.
         limits: The limits of each joint, as read from the arm if ``limits_read``, else the
             factory's.
-        speed_percent: The speed percentage of motions.
-        override_percent: The share of their own speed at which runs and replays go.
+        speed_percent: The operator's speed: of motions, or the share of a run's own pace.
         cannot_send_motion: Why no motion frame at all may be sent: the arm is not heard, or
             somebody else moves it.
         mover: The party that moves the arm.
@@ -141,7 +140,6 @@ class OperatingState:
     limits: tuple[JointLimits, ...] = field(default_factory=lambda: model_data().limits)
     limits_read: Six[bool] = (False, False, False, False, False, False)
     speed_percent: int = 0
-    override_percent: int = 100
     moving: bool = False
     running: bool = False
     run_phase: RunPhase = RunPhase.IDLE

@@ -373,10 +373,6 @@
         <translation>关节手柄</translation>
     </message>
     <message>
-        <source>Speed of the run</source>
-        <translation>运行速度</translation>
-    </message>
-    <message>
         <source>Park position: the measured angles</source>
         <translation>停放位：当前测得的角度</translation>
     </message>
@@ -4164,6 +4160,10 @@
         <translation>途中关节 {joint} 将到 {value}°，超出限位 {minimum}° 至 {maximum}°。请在中间增加一点，或改用 MOVE J。</translation>
     </message>
     <message>
+        <source>Joint {joint} would have to turn at {value}°/s; its limit is {maximum}°/s. The replay goes at {percent} % at most.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>After {gone} % of the way the tool would be out of reach. Put another point between, or use MOVE J.</source>
         <translation>走完 {gone} % 后末端将超出工作范围。请在中间增加一点，或改用 MOVE J。</translation>
     </message>
@@ -4194,10 +4194,6 @@
     <message>
         <source>Its first {seconds} s lie outside the limits, as an arm does at rest: it is replayed from here on.</source>
         <translation>开头 {seconds} s 位于限位之外，如同静置的机械臂：将从此处开始回放。</translation>
-    </message>
-    <message>
-        <source>Joint {joint} would have to turn at {value}°/s; its limit is {maximum}°/s. Replay at {percent} % of this speed at most.</source>
-        <translation>关节 {joint} 需要以 {value}°/s 转动，上限为 {maximum}°/s。请以当前速度的 {percent} % 以下复现。</translation>
     </message>
     <message>
         <source>The gripper would have to open {value} mm; it opens {maximum} mm at most. Enter less.</source>
@@ -5904,6 +5900,10 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>关节</translation>
     </message>
     <message>
+        <source>The speed in the top bar: it counts for every jog and step, also while one goes on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Step of − and +</source>
         <translation>− 和 + 的步长</translation>
     </message>
@@ -5934,10 +5934,6 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>Speed</source>
         <translation>速度</translation>
-    </message>
-    <message>
-        <source>The speed in the top bar: it counts for every jog and step, also while one goes on. The override of a run does not.</source>
-        <translation>顶栏的速度：对每次点动和步进都有效，进行中也立即生效。运行的倍率对点动无效。</translation>
     </message>
 </context>
 <context>
@@ -7791,6 +7787,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>回放暂停</translation>
     </message>
     <message>
+        <source>The run goes at {percent} %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Checking the way…</source>
         <translation>正在检查路径…</translation>
     </message>
@@ -8341,10 +8341,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>点动</translation>
     </message>
     <message>
-        <source>Set the motion speed</source>
-        <translation>设置运动速度</translation>
-    </message>
-    <message>
         <source>Move a joint by a step</source>
         <translation>关节步进</translation>
     </message>
@@ -8437,10 +8433,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>解除急停</translation>
     </message>
     <message>
-        <source>Set the speed override of runs</source>
-        <translation>设置运行倍率</translation>
-    </message>
-    <message>
         <source>Teach the reference pose</source>
         <translation>示教基准位姿</translation>
     </message>
@@ -8459,6 +8451,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Change the cell</source>
         <translation>更改单元</translation>
+    </message>
+    <message>
+        <source>Set the speed</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Move with the reference in doubt</source>
@@ -8493,21 +8489,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>high-follow</source>
         <translation>高跟随</translation>
-    </message>
-</context>
-<context>
-    <name>OverrideControl</name>
-    <message>
-        <source>Override</source>
-        <translation>倍率</translation>
-    </message>
-    <message>
-        <source>Share of the run&apos;s own speed; can be changed while it runs, 0 % pauses it. Slower {slower}, faster {faster}.</source>
-        <translation>相对于本次运行自身速度的比例，运行中可随时调整；0 % 即暂停。减速 {slower}，加速 {faster}。</translation>
-    </message>
-    <message>
-        <source>Speed override of the run</source>
-        <translation>运行倍率</translation>
     </message>
 </context>
 <context>
@@ -10897,6 +10878,14 @@ The other program must have ended.</source>
         <translation>按下后 1 秒内 CAN 设备没有发出任何帧。请检查 CAN 线缆和机械臂电源，然后重试。</translation>
     </message>
     <message>
+        <source>The speed is 0 %: raise it at the top, then hold “Continue” for 1 s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the recorded pace joint {joint} would turn at {value}°/s; its limit is {maximum}°/s. This replay goes at {percent} % at most.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Nothing was sent: a second after the press the arm did not rest yet, or its way was still being checked. Press again.</source>
         <translation>未发送：按下一秒后机械臂仍未静止，或路径仍在检查。请再按一次。</translation>
     </message>
@@ -11183,10 +11172,6 @@ The other program must have ended.</source>
     <message>
         <source>The arm was told to end its motion and still moves. Press the emergency stop if it must not.</source>
         <translation>已发送终止指令，但机械臂仍在运动；如有危险请按急停。</translation>
-    </message>
-    <message>
-        <source>Joint {joint} would have to turn at {value}°/s; its limit is {maximum}°/s. Replay at {percent} % of the recorded speed at most.</source>
-        <translation>关节 {joint} 需要 {value}°/s，超过其上限 {maximum}°/s，请以不高于录制速度 {percent} % 的倍率回放。</translation>
     </message>
     <message>
         <source>Joint {joint} does not follow: it is {away}° behind. See what keeps it, or replay more slowly.</source>
@@ -12296,14 +12281,6 @@ The other program must have ended.</source>
         <translation>运行次数</translation>
     </message>
     <message>
-        <source>Speed</source>
-        <translation>速度</translation>
-    </message>
-    <message>
-        <source>Of each point&apos;s own speed</source>
-        <translation>相对于各点自身速度的百分比</translation>
-    </message>
-    <message>
         <source>From row</source>
         <translation>起始行</translation>
     </message>
@@ -12312,56 +12289,36 @@ The other program must have ended.</source>
         <translation>单步运行</translation>
     </message>
     <message>
+        <source>The recorded pace × the speed at the top, here {percent} %.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The speed of each row × that at the top: {percent} from row {row} on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>first run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“{name}” is not known to have run: the speed at the top is lowered to {percent} % as it begins.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>without its unsaved changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at {percent} % ≈ {time}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Checks it and runs it</source>
         <translation>检查后运行</translation>
     </message>
     <message>
-        <source>Effective: {percent} % of the recorded speed</source>
-        <translation>实际速度：录制速度的 {percent} %</translation>
-    </message>
-    <message>
         <source>The first sample is approached at {percent} %.</source>
         <translation>先以 {percent} % 运动到第一个采样点。</translation>
-    </message>
-    <message>
-        <source>Effective speed {percent}</source>
-        <translation>实际速度 {percent}</translation>
-    </message>
-    <message>
-        <source>The speed in the top bar does not change a run.</source>
-        <translation>顶栏的速度不影响运行。</translation>
-    </message>
-    <message>
-        <source>{text} · override {percent} %</source>
-        <translation>{text} · 倍率 {percent} %</translation>
-    </message>
-    <message>
-        <source>The override was chosen in a run and stays; it can be raised once something runs (key {key}).</source>
-        <translation>倍率是在运行中设定的，保持有效；开始运行后可调高（按键 {key}）。</translation>
-    </message>
-    <message>
-        <source>{text} · first run</source>
-        <translation>{text} · 首次运行</translation>
-    </message>
-    <message>
-        <source>“{name}” is not known to have run: its speed begins at {percent} %. Watch it once before you choose more.</source>
-        <translation>未见“{name}”运行过：速度从 {percent} % 开始。先看它运行一次，再选择更高速度。</translation>
-    </message>
-    <message>
-        <source>The speed of each row × that of the run, 1–100 %; of all rows that run.</source>
-        <translation>各行速度 × 运行速度，1–100 %；为所有要运行的行。</translation>
-    </message>
-    <message>
-        <source>The speed of each row × that of the run, 1–100 %; from row {row} on.</source>
-        <translation>各行速度 × 运行速度，1–100 %；从第 {row} 行起。</translation>
-    </message>
-    <message>
-        <source>{text} · without its unsaved changes</source>
-        <translation>{text} · 不含未保存的修改</translation>
-    </message>
-    <message>
-        <source>{text} · {time}</source>
-        <translation>{text} · {time}</translation>
     </message>
     <message>
         <source>≈ {time} a run</source>
@@ -13933,16 +13890,16 @@ The other program must have ended.</source>
         <translation>机械臂反馈的速度百分比</translation>
     </message>
     <message>
-        <source>Speed of motions, 0–100 % of the arm&apos;s highest; 0 % means no motion. A motion that is measured to be more than 1.5 times as fast as it was told is ended.</source>
-        <translation>运动速度：机械臂最高速度的 0–100 %；0 % 即不动。实测速度超过下达速度 1.5 倍时，运动会被结束。</translation>
-    </message>
-    <message>
         <source>Speed</source>
         <translation>速度</translation>
     </message>
     <message>
         <source>Arm</source>
         <translation>机械臂</translation>
+    </message>
+    <message>
+        <source>The speed of everything, 0–100 %: of the arm&apos;s highest, and in a run of each point&apos;s or the recorded one. 0 % holds a run back. Slower {slower}, faster {faster}. A motion measured to be more than 1.5 times as fast as it was told is ended.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Speed percentage</source>

@@ -192,10 +192,10 @@ def test_a_run_may_begin_further_on(ready):
     assert _near(ready.firmware.joints_deg, BACK)
 
 
-def test_the_speed_of_a_point_is_changed_by_the_runs_factor(ready):
+def test_the_speed_of_a_point_is_slowed_by_the_operators(ready):
     ear = HardOfHearing(ready.firmware)
     point = replace(to(OUT), speed_percent=40)
-    ready.controller.player.start(run_of(point, speed_factor=0.5))
+    ready.controller.player.start(run_of(point, speed_percent=50))
     ready.run_until(over(ready))
     assert {frame.data[2] for frame in ear.heard if frame.arbitration_id == 0x151} == {20}
 

@@ -307,7 +307,7 @@ def test_the_time_left_is_that_which_short_ways_take(app_driver, percent, overri
     operator.child("run_speed", QSpinBox).setValue(percent)
     operator.send()
     operator.until(lambda: operator.progress.index == 1)
-    app_driver.controller.speed_override.set_percent(override)
+    app_driver.controller.motion.set_speed_percent(override)
     app_driver.step()
     told_s, begun_s = operator.progress.remaining_s, app_driver.time_s
     operator.until_over()

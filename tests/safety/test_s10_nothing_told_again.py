@@ -46,7 +46,7 @@ def speed(percent):
 
 
 def override(percent):
-    return lambda rig: accepted(rig.controller.speed_override.set_percent(percent))
+    return lambda rig: accepted(rig.controller.motion.set_speed_percent(percent))
 
 
 def planned_pause(rig):

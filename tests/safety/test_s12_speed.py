@@ -267,7 +267,7 @@ def test_a_way_at_its_own_speed_is_left_alone(seed):
     way = Ways(seed).way()
     driver = Driver(way.start_deg, way.model, way.generation, STREAM_S)
     request = CheckRequest(
-        way.content, driver.arm_model(), way.start_deg, way.speed_factor, way.first, 1
+        way.content, driver.arm_model(), way.start_deg, way.first, 1
     )
     checked = check(request)
     assert not [each for each in checked.findings if each.severity is Severity.ERROR]

@@ -9,7 +9,7 @@ import pytest
 from armui.arm.figures import FIGURE_NOT_A_NUMBER, FIGURE_OUT_OF_RANGE
 from armui.control.motion.jog_path import JointJog
 from armui.control.motion.motion_command import Hold
-from armui.control.run.player import NOT_RUNNING, OVERRIDE_ZERO
+from armui.control.run.player import NOT_RUNNING, RUN_SPEED_ZERO
 from armui.control.run.progress import Run, RunPhase
 from armui.control.run.replay import Replay
 from armui.protocol.codes import MoveMode
@@ -81,7 +81,7 @@ def mode_words(rig):
 
 
 def override(rig, percent):
-    return rig.controller.speed_override.set_percent(percent)
+    return rig.controller.motion.set_speed_percent(percent)
 
 
 # Lowered at once --------------------------------------------------------------------------------
@@ -222,7 +222,7 @@ def test_0_percent_holds_back_and_only_continue_goes_on(ready, what):
     assert ready.controller.operating_state.running
     ready.run(1.5)
     stood_deg = ready.firmware.joints_deg
-    assert part.go_on().reason == OVERRIDE_ZERO
+    assert part.go_on().reason == RUN_SPEED_ZERO
     override(ready, 60)
     ready.run(1.0)
     ready.controller.motion.jog(6, 1.0)
@@ -280,7 +280,7 @@ def test_step_by_step_does_not_go_on_at_0_percent(ready):
     ready.run_until(lambda: player.phase is RunPhase.WAITING)
     override(ready, 0)
     ready.heard()
-    assert player.go_on().reason == OVERRIDE_ZERO
+    assert player.go_on().reason == RUN_SPEED_ZERO
     ready.step()
     assert ready.heard() == []
     override(ready, 50)
@@ -295,7 +295,7 @@ def test_it_is_there_for_a_run_and_stays_for_the_next(ready):
     player.stop()
     ready.run_until(lambda: not player.running)
     ready.run(0.1)
-    assert ready.controller.operating_state.override_percent == 30
+    assert ready.controller.operating_state.speed_percent == 30
     ready.heard()
     started(ready, HERE)
     ready.step()
@@ -460,7 +460,7 @@ def test_a_lower_speed_that_the_driver_keeps_ends_the_run_and_nothing_late_follo
     assert player.phase is RunPhase.FAILED
     ready.run(1.0)
     assert "bus_blocked" in ready.codes()
-    accepted(ready.controller.speed_override.set_percent(10))
+    accepted(ready.controller.motion.set_speed_percent(10))
     ready.run(2.0)
     assert sent(ready) == []
 

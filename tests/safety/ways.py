@@ -223,7 +223,7 @@ class Driver:
         part: Player | Replayer = self.player
         if isinstance(content, Recording):
             part = self.replayer
-            replay = Replay(content, way.speed_factor, way.cycles, checked.profile)
+            replay = Replay(content, way.speed_percent, way.cycles, checked.profile)
             accepted(self.replayer.start(replay))
         else:
             run = Run(
@@ -232,7 +232,7 @@ class Driver:
                 checked.expected_s,
                 way.cycles,
                 way.first,
-                way.speed_factor,
+                way.speed_percent,
                 way.step_by_step,
             )
             accepted(self.player.start(run))
@@ -257,7 +257,7 @@ class Way:
     generation: Generation
     cycles: int = 1
     first: int = 0
-    speed_factor: float = 1.0
+    speed_percent: int = 100
     step_by_step: bool = False
 
 
@@ -294,7 +294,7 @@ def judge(way: Way) -> Judged:
     assert start_deg is not None
     arm = driver.arm_model()
     checked = check(
-        CheckRequest(way.content, arm, start_deg, way.speed_factor, way.first, way.cycles)
+        CheckRequest(way.content, arm, start_deg, way.first, way.cycles)
     )
     findings, path = checked.findings, checked.path
     cycles = int(path.cycles.max(initial=1))
@@ -362,7 +362,7 @@ class Ways:
                 self._model,
                 self._generation,
                 cycles=draw.choice((1, 2, 3)),
-                speed_factor=draw.choice((0.5, 1.0, 1.2)),
+                speed_percent=draw.choice((50, 100, 75)),
             )
         points: tuple[Waypoint, ...] = ()
         here = start_deg
@@ -378,7 +378,7 @@ class Ways:
             self._generation,
             cycles=draw.choice((1, 2, 2, 3, ENDLESS)),
             first=draw.choice((0, 0, draw.randrange(max(1, len(points))))),
-            speed_factor=draw.choice((0.5, 1.0, 1.0, 2.0)),
+            speed_percent=draw.choice((50, 100, 100, 25)),
             step_by_step=draw.random() < 0.2,
         )
 

@@ -8,7 +8,7 @@ import pytest
 from armui.protocol.codes import MoveMode
 from armui.trajectory.library.run_options import RunOptions
 from armui.trajectory.planning.check import CheckRequest, check
-from armui.trajectory.planning.estimate import MOST_POINTS, estimate_s
+from armui.trajectory.planning.estimate import MOST_POINTS, estimate_s, estimates_s
 from armui.trajectory.points.program import Trajectory, Waypoint
 from tests.sample_trajectories import SAMPLES
 from tests.trajectory.arms import ARM
@@ -20,9 +20,7 @@ BOTH = Trajectory("both", points=(ONE, TWO))
 
 
 def checked_s(content, start_deg, options):
-    order = CheckRequest(
-        content, ARM, start_deg, options.speed_factor, options.first, options.cycles
-    )
+    order = CheckRequest(content, ARM, start_deg, options.first, options.cycles)
     return check(order).path.duration_s
 
 
@@ -30,15 +28,14 @@ def checked_s(content, start_deg, options):
     "options",
     [
         RunOptions(),
-        RunOptions(speed_factor=0.2),
         RunOptions(first=1),
-        RunOptions(cycles=2, speed_factor=0.5),
+        RunOptions(cycles=2),
         RunOptions(cycles=3, first=1),
     ],
 )
 def test_it_is_what_a_check_finds_for_an_arm_that_stands_at_the_first_point(options):
     start = (BEGIN, OTHER)[options.first]
-    cycle_s = checked_s(BOTH, OTHER, RunOptions(speed_factor=options.speed_factor))
+    cycle_s = checked_s(BOTH, OTHER, RunOptions())
     whole = replace(options, cycles=1)
     expected = checked_s(BOTH, start, whole) + (options.cycles - 1) * cycle_s
     assert estimate_s(BOTH, ARM, options) == pytest.approx(expected, rel=0.01)
@@ -69,9 +66,14 @@ def test_what_is_not_known_is_told_so():
 
 def test_a_recording_takes_its_own_time():
     recording = next(each for each in SAMPLES if not isinstance(each, Trajectory))
-    assert estimate_s(recording, ARM, RunOptions(speed_factor=0.5, cycles=2)) == pytest.approx(
-        4 * recording.duration_s
+    assert estimates_s(recording, ARM, RunOptions(cycles=2), (100, 50)) == pytest.approx(
+        (2 * recording.duration_s, 4 * recording.duration_s)
     )
+
+
+def test_points_take_longer_at_a_lower_speed_but_for_their_dwells():
+    (full_s, slow_s) = estimates_s(BOTH, ARM, RunOptions(), (100, 20))
+    assert full_s + 0.2 < slow_s < 5 * (full_s - 2.0) + 2.0 + 0.01
 
 
 def test_the_way_from_where_the_arm_stands_counts_where_that_is_known():

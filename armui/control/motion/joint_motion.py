@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated, Final
 
@@ -15,7 +15,7 @@ from armui.control.motion.jog_path import JOG_AT_LIMIT
 from armui.control.motion.motion_context import MotionContext, drop_waiting
 from armui.control.motion.requests import joint_request
 from armui.control.motion.retransmission import Retransmission
-from armui.control.operating_state import RUN_UNDER_WAY, OperatingState
+from armui.control.operating_state import OperatingState
 from armui.control.operations.operation import Consent, operation, record_start
 from armui.control.operations.started import Ending, Started
 from armui.control.requests import reports
@@ -80,9 +80,9 @@ def why_not_move(now: OperatingState) -> Refusal | None:
     return now.cannot_move
 
 
-def why_no_speed(now: OperatingState) -> Refusal | None:
-    """Return why the speed of motions may not be set; without an arm it waits for one."""
-    return RUN_UNDER_WAY() if now.running else None
+def why_no_speed(_now: OperatingState) -> Refusal | None:
+    """Return ``None``: the speed may be set at any time; without an arm it waits for one."""
+    return None
 
 
 def _why_no_step(
@@ -111,11 +111,13 @@ class Motion(ControllerPart):
 
     Attributes:
         speed_percent: The speed of motions, in percent of the arm's maximum.
+        set_speed_of_run: Sets the speed while something runs; records it.
     """
 
     def __init__(self, context: MotionContext) -> None:
         self._context = context
         self.speed_percent = _FIRST_SPEED_PERCENT
+        self.set_speed_of_run: Callable[[Started, int], Refusal | None] = lambda *_: None
         self._lower_speed = Retransmission(context)
         self._next_deg: tuple[tuple[float, ...], ...] = ()
         self._next_after = 0
@@ -126,9 +128,12 @@ class Motion(ControllerPart):
         command = self._context.authority.command
         return None if command is None else command.joints_deg
 
-    @operation("motion.set_speed", "Set the motion speed", why_no_speed)
+    @operation("motion.set_speed", "Set the speed", why_no_speed)
     def set_speed_percent(self, started: Started, percent: Percent) -> Refusal | None:
-        """Set the speed of motions, of the arm's maximum (0x151 byte 2).
+        """Set the speed of everything: of motions, of the arm's maximum (0x151 byte 2).
+
+        In a run it is the share of the run's own pace, from this moment on; at 0 % the run is held
+        back until a held press on 继续.
 
         The arm is told at once, in its present mode. Only the next motion brings the speed to the
         arm during a jog, while its identifiers are uncertain, while somebody else moves it and
@@ -136,6 +141,8 @@ class Motion(ControllerPart):
         """
         context = self._context
         operating_state = context.operating_state()
+        if operating_state.running:
+            return self.set_speed_of_run(started, round(percent))
         # slowing down is allowed while a joint's reference is in doubt
         slows = context.authority.lowers_speed(round(percent))
         if operating_state.moving and not slows:

@@ -43,6 +43,9 @@ class Execution(QObject, ControllerPart):
     Args:
         context: The context that the controller's parts share.
 
+    Attributes:
+        speed_percent: The operator's speed, of this run or the last: the share of its own pace.
+
     Signals:
         progressed: A :class:`Progress`, when it differs.
         gripper_sent: The gripper was sent to a target, with an effort.
@@ -59,7 +62,7 @@ class Execution(QObject, ControllerPart):
         self._rest = RestWatch()
         self._since_s = 0.0
         self._started: Started | None = None
-        self._override_percent = 100
+        self.speed_percent = 100
         self._untold = False
         """The speed of now could not be told the arm yet."""
         self._hold = PauseCommand(context)
@@ -96,7 +99,11 @@ class Execution(QObject, ControllerPart):
 
     # What each of the two does its own way ----------------------------------------------------
 
-    def set_override(self, percent: int) -> None:
+    def why_not_at(self, _percent: int) -> Refusal | None:
+        """Return why the run under way may not go at a speed, or ``None``."""
+        raise NotImplementedError
+
+    def set_speed(self, percent: int) -> None:
         """Continue at another share of the run's own speed; 0 % pauses it.
 
         This does not continue a paused run.
@@ -168,8 +175,8 @@ class Execution(QObject, ControllerPart):
 
     @property
     def _share(self) -> float:
-        """The operator's override as a share of the run's own speed, 0 to 1."""
-        return self._override_percent / 100.0
+        """The operator's speed as a share of the run's own, 0 to 1."""
+        return self.speed_percent / 100.0
 
     def _let_go_on(self, percent: int) -> Refusal | None:
         """Have the arm go on with what it holds back (0x150 byte 1 = 2), no faster than shown.

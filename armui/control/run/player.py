@@ -33,12 +33,13 @@ from armui.control.run.progress import (
     Run,
     RunPhase,
     RunSchedule,
+    capped_percent,
     sent_percent,
 )
 from armui.control.run.replay import RUN_EMPTY
 from armui.control.safety.feedback_freshness import FEEDBACK_SILENT
 from armui.control.safety.gate import MotionRequest
-from armui.control.safety.interlocks import ENABLED_UNKNOWN, JOINTS_UNKNOWN
+from armui.control.safety.interlocks import ENABLED_UNKNOWN, JOINTS_UNKNOWN, SPEED_ZERO
 from armui.protocol.codes import MoveMode
 from armui.telemetry.events import Asker, EventKind, Level
 from armui.trajectory.points.program import GripperAction, Waypoint
@@ -46,8 +47,8 @@ from armui.trajectory.points.program import GripperAction, Waypoint
 if TYPE_CHECKING:
     from armui.arm.models import ArmModel
 
-OVERRIDE_ZERO = Reason(
-    "override_zero", "The speed override is 0 %: raise it, then hold “Continue” for 1 s."
+RUN_SPEED_ZERO = Reason(
+    "run_speed_zero", "The speed is 0 %: raise it at the top, then hold “Continue” for 1 s."
 )
 NOT_PAUSED = Reason("not_paused", "No trajectory is paused: nothing to continue.")
 NOT_RUNNING = Reason("not_running", "No trajectory is running: nothing to pause.")
@@ -96,13 +97,14 @@ _PASSING: Final = frozenset({ENABLED_UNKNOWN, JOINTS_UNKNOWN, FEEDBACK_SILENT})
 
 def why_not_run(now: OperatingState) -> Refusal | None:
     """Return why no trajectory may be run now, whichever it is, or ``None``."""
-    return now.occupied or now.cannot_run or now.model_fit.wrong
+    zero = SPEED_ZERO() if now.speed_percent == 0 else None
+    return now.occupied or now.cannot_run or now.model_fit.wrong or zero
 
 
 def why_not_go_on(now: OperatingState) -> Refusal | None:
     """Return why the run that is paused cannot go on, or ``None``."""
-    if now.running and now.override_percent == 0:
-        return OVERRIDE_ZERO()
+    if now.running and now.speed_percent == 0:
+        return RUN_SPEED_ZERO()
     return now.cannot_run if now.running else NOT_PAUSED()
 
 
@@ -157,6 +159,7 @@ class Player(Execution):
         # Determined once, because it is needed at every tick and a run may have 10,000 points.
         self._has_lights = any(point.light for point in run.points)
         self._index, self._cycle = run.first, 1
+        self.speed_percent = run.speed_percent
         self._way_in = [
             Waypoint(MoveMode.MOVE_J, target_deg, speed_percent=COME_INSIDE_PERCENT)
             for target_deg in context.gate().ways_inside()
@@ -190,7 +193,7 @@ class Player(Execution):
         if not waits and self._phase is not RunPhase.PAUSED:
             return self._context.refuse(NOT_PAUSED())
         refusal = why_not_go_on(self._context.refresh())
-        if waits and (refusal is None or refusal.reason != OVERRIDE_ZERO):
+        if waits and (refusal is None or refusal.reason != RUN_SPEED_ZERO):
             self._next_point()
             return None
         if refusal is not None:
@@ -208,10 +211,14 @@ class Player(Execution):
         self._publish()
         return started
 
-    def set_override(self, percent: int) -> None:
+    def why_not_at(self, _percent: int) -> Refusal | None:
+        """Return ``None``: a run was checked at 100 %."""
+        return None
+
+    def set_speed(self, percent: int) -> None:
         """Set the share of the points' speeds; the arm is told at once, even in mid-motion."""
         self._keep_time()
-        self._override_percent = percent
+        self.speed_percent = percent
         if percent == 0 and self._phase in {RunPhase.MOVING, RunPhase.DWELLING}:
             self.pause()
         elif self._phase is RunPhase.MOVING:
@@ -230,8 +237,9 @@ class Player(Execution):
         run = self._run
         if run is None:
             return 0
-        factor = self._share if self._way_in else run.speed_factor * self._share
-        return sent_percent(self._point(run).speed_percent, factor)
+        if self._way_in:
+            return capped_percent(COME_INSIDE_PERCENT, self.speed_percent)
+        return sent_percent(self._point(run).speed_percent, self.speed_percent)
 
     def _point(self, run: Run) -> Waypoint:
         """Return where the arm is sent now: first the way inside, if it lay outside its limits."""

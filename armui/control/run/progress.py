@@ -39,9 +39,14 @@ OVER = frozenset({RunPhase.IDLE, RunPhase.DONE, RunPhase.STOPPED, RunPhase.FAILE
 """The phases in which the run does not control the arm."""
 
 
-def sent_percent(own_percent: int, speed_factor: float) -> int:
-    """Return the speed percentage of a point: its own times the run's factor, 1–100."""
-    return min(100, max(1, round(own_percent * speed_factor)))
+def sent_percent(own_percent: int, speed_percent: int) -> int:
+    """Return the speed percentage of a point: its own times the operator's, 1–100."""
+    return min(100, max(1, round(own_percent * speed_percent / 100.0)))
+
+
+def capped_percent(cap_percent: int, speed_percent: int) -> int:
+    """Return the speed percentage of a way with a cap of its own: the lesser, from 1 on."""
+    return max(1, min(cap_percent, speed_percent))
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,11 +56,11 @@ class Run:
     Attributes:
         name: The name of the trajectory.
         points: All points.
-        expected_s: The time of each from the one before at the factor below, dwell included.
+        expected_s: The time of each from the one before at its own speed, dwell included.
         even_s: The same without dwells and without ramps; empty if it is not known.
         cycles: The number of cycles, or :data:`ENDLESS`.
         first: The index of the point to begin with, in the first cycle.
-        speed_factor: The factor on each point's own speed.
+        speed_percent: The operator's speed as it begins: the share of each point's own.
         step_by_step: True to wait for the operator after each point.
     """
 
@@ -64,7 +69,7 @@ class Run:
     expected_s: Sequence[float]
     cycles: int = 1
     first: int = 0
-    speed_factor: float = 1.0
+    speed_percent: int = 100
     step_by_step: bool = False
     even_s: Sequence[float] = ()
 
@@ -80,7 +85,7 @@ class Progress:
         count: The number of points in a cycle.
         cycle, cycles: The cycle, from 1, and the number of cycles, 0 for endless.
         done: The share of the cycle that is done, 0–1.
-        remaining_s: The time left of the whole run at the present override; ``None`` if it has no
+        remaining_s: The time left of the whole run at the present speed; ``None`` if it has no
             end, or is held back at 0 %.
         refusal: The reason of its failure.
         percent: The speed that the arm was told for the point under way; ``None``: none.

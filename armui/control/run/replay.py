@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 RUN_EMPTY = Reason("run_empty", "“{name}” has no points. Add points, or choose another trajectory.")
 REPLAY_TOO_FAST = Reason(
     "replay_too_fast",
-    "Joint {joint} would have to turn at {value}°/s; its limit is {maximum}°/s. Replay at "
-    "{percent} % of the recorded speed at most.",
+    "At the recorded pace joint {joint} would turn at {value}°/s; its limit is {maximum}°/s. This "
+    "replay goes at {percent} % at most.",
 )
 REPLAY_LAGGING = Reason(
     "replay_lagging",
@@ -33,6 +33,8 @@ REPLAY_LAGGING = Reason(
 )
 
 
+FULL_PERCENT: Final = 100
+"""The recorded pace: no replay is faster."""
 _SPEED_SLACK: Final = 1.02
 _LAG_SLACK_DEG: Final = 5.0
 _LAG_S: Final = 0.15
@@ -47,20 +49,20 @@ class Replay:
 
     Attributes:
         recording: The samples.
-        factor: The factor on the recorded speed.
+        speed_percent: The operator's speed as it begins: the share of the recorded pace.
         cycles: The number of cycles, or :data:`armui.control.run.progress.ENDLESS`.
         profile: The profile, if it was computed before; for a long recording that takes long.
     """
 
     recording: Recording
-    factor: float = 1.0
+    speed_percent: int = FULL_PERCENT
     cycles: int = 1
     profile: ReplayProfile | None = None
 
     @property
     def duration_s(self) -> float:
         """The duration of a cycle, without the approach."""
-        return self.recording.duration_s / self.factor
+        return self.recording.duration_s
 
     @property
     def first_deg(self) -> tuple[float, ...]:
@@ -70,7 +72,8 @@ class Replay:
     def way(self, begin_deg: Sequence[float]) -> Way:
         """Return the way from six angles to the first sample, along all, and back for a cycle.
 
-        The faster it is replayed, the further the arm may be off where it has to change its speed.
+        The faster it is replayed, the further the arm may be off where it has to change its speed:
+        it is checked for the recorded pace, the fastest.
         """
         from armui.ways.way import Way  # noqa: PLC0415 - numpy
 
@@ -78,7 +81,7 @@ class Replay:
         back = samples[:1] if self.cycles != 1 else samples[:0]
         there = np.vstack((np.array([begin_deg], dtype=float), samples, back))
         beside = np.zeros_like(there)
-        beside[1 : len(samples) + 1] = self.known.astray_deg * self.factor**2
+        beside[1 : len(samples) + 1] = self.known.astray_deg
         return Way(there, beside_deg=beside)
 
     @cached_property
@@ -97,11 +100,11 @@ class Replay:
 
     def joints_deg_at(self, at_s: float) -> tuple[float, ...]:
         """Return the target angles, this long after the first sample of a cycle."""
-        return self._cursor.joints_deg_at(at_s * self.factor)
+        return self._cursor.joints_deg_at(at_s)
 
     def gripper_mm_at(self, at_s: float) -> float | None:
         """Return the target opening of the gripper, or ``None`` if none was recorded."""
-        opening_mm = self._cursor.gripper_mm_at(at_s * self.factor)
+        opening_mm = self._cursor.gripper_mm_at(at_s)
         return None if math.isnan(opening_mm) else opening_mm
 
     def braking_s(self, at_s: float, state: ArmState) -> float:
@@ -114,10 +117,10 @@ class Replay:
 
     def _speeds_deg_s(self, at_s: float) -> list[float]:
         """Return the fastest of each joint in the last second."""
-        last = self._cursor.index_at(at_s * self.factor)
-        first = self._cursor_behind.index_at((at_s - _LAG_MEMORY_S) * self.factor)
+        last = self._cursor.index_at(at_s)
+        first = self._cursor_behind.index_at(at_s - _LAG_MEMORY_S)
         highest = self.known.speeds_deg_s[first : last + 1].max(axis=0)
-        return [float(speed) for speed in self.factor * highest]
+        return [float(speed) for speed in highest]
 
     def lag_allowed_deg(self, at_s: float, state: ArmState) -> tuple[float, ...]:
         """Return the lag that the arm's braking explains, in degrees, with a small margin.
@@ -133,25 +136,32 @@ class Replay:
         )
 
 
-def why_not(replay: Replay, operating_state: OperatingState) -> Refusal | None:
-    """Return why a replay is refused beside its way: too short, too fast; or ``None``."""
+def why_not(replay: Replay) -> Refusal | None:
+    """Return why a recording is no replay at all: it is too short; or ``None``."""
     recording = replay.recording
     if len(recording.samples) < 2 or recording.duration_s <= 0.0:
         return RUN_EMPTY(name=recording.name)
-    known = replay.known
-    for joint, limits, recorded_deg_s in zip(
-        JOINTS, operating_state.limits, known.fastest_deg_s, strict=True
+    return None
+
+
+def most_percent(replay: Replay, operating_state: OperatingState) -> tuple[int, Refusal | None]:
+    """Return the highest speed that every joint's limit allows, and why not a higher one."""
+    most, why = FULL_PERCENT, None
+    for joint, limits, fastest in zip(
+        JOINTS, operating_state.limits, replay.known.fastest_deg_s, strict=True
     ):
-        fastest = recorded_deg_s * replay.factor
-        if fastest > limits.max_speed_deg_s * _SPEED_SLACK:
-            best = replay.factor * limits.max_speed_deg_s / fastest
-            return REPLAY_TOO_FAST(
+        if fastest <= limits.max_speed_deg_s * _SPEED_SLACK:
+            continue
+        percent = math.floor(100.0 * limits.max_speed_deg_s / fastest)
+        if percent < most:
+            most = percent
+            why = REPLAY_TOO_FAST(
                 joint=joint,
                 value=round(fastest, 1),
                 maximum=round(limits.max_speed_deg_s, 1),
-                percent=math.floor(best * 100.0),
+                percent=percent,
             )
-    return None
+    return most, why
 
 
 def why_behind(replay: Replay, at_s: float, state: ArmState) -> Refusal | None:

@@ -27,8 +27,8 @@ from armui.control.run.player import (
     why_not_pause,
     why_not_run,
 )
-from armui.control.run.progress import ENDLESS, Progress, RunPhase, sent_percent
-from armui.control.run.replay import Replay, why_behind, why_not
+from armui.control.run.progress import ENDLESS, Progress, RunPhase, capped_percent
+from armui.control.run.replay import FULL_PERCENT, Replay, most_percent, why_behind, why_not
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode
 from armui.telemetry.events import Asker, EventKind, Level
@@ -59,10 +59,10 @@ PERIOD_MS: Final = 20
 
 _APPROACH_PERCENT: Final = 15
 """The speed of the way to the first sample, unless the arm must come inside its limits first."""
-_FULL_PERCENT: Final = 100
+_SAMPLES_PERCENT: Final = 100
 """The speed sent with the samples: the pace is set by when they are sent."""
 _APPROACH_WITHIN_S: Final = 90.0
-"""An approach that takes longer fails; time counts at the share of the override."""
+"""An approach that takes longer fails; time counts as slowly as the arm goes."""
 _REST_WITHIN_S: Final = 3.0
 _GRIPPER_STEP_MM: Final = 0.5
 """The gripper gets a new target only when the recorded opening has changed by this much."""
@@ -80,8 +80,8 @@ class Replayer(Execution):
     """Carries out one replay at a time.
 
     If the program stops sending, for whatever reason, the arm ends in the target sent last, which
-    is never more than a period ahead of what was recorded. An override slows the recorded time: the
-    path stays as checked.
+    is never more than a period ahead of what was recorded. The operator's speed
+    slows the recorded time: the path stays as checked.
 
     Args:
         context: The context that the controller's parts share.
@@ -100,6 +100,8 @@ class Replayer(Execution):
         self._cycle = 1
         self._looked_s = self._waited_s = 0.0
         self._gripper_mm: float | None = None
+        self._most_percent = FULL_PERCENT
+        self._too_fast: Refusal | None = None
         self._timer = QTimer(self)
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
         self._timer.setInterval(PERIOD_MS)
@@ -111,9 +113,12 @@ class Replayer(Execution):
     def start(self, started: Started, replay: Replay) -> Refusal | None:
         """Begin a replay with the approach to its first angles, or return why not."""
         context = self._context
-        refusal = why_not(replay, context.operating_state())
+        refusal = why_not(replay)
+        most, self._too_fast = most_percent(replay, context.operating_state())
+        refusal = refusal or (self._too_fast if most < 1 else None)
         if refusal is not None:
             return refusal
+        self._most_percent, self.speed_percent = most, min(most, replay.speed_percent)
         self._replay, self._cycle, self._at_s = replay, 1, 0.0
         self._way_in = list(context.gate().ways_inside())
         self._gripper_mm = None
@@ -164,9 +169,13 @@ class Replayer(Execution):
         self._publish()
         return None
 
-    def set_override(self, percent: int) -> None:
+    def why_not_at(self, _percent: int) -> Refusal | None:
+        """Return that a joint would have to turn faster than it may, or ``None``."""
+        return self._too_fast if _percent > self._most_percent else None
+
+    def set_speed(self, percent: int) -> None:
         """Let the recorded time pass at another pace; 0 % brings it to a stop, as a pause."""
-        self._override_percent = percent
+        self.speed_percent = percent
         if percent == 0 and self._phase is RunPhase.MOVING:
             self._pause(record_start(self.pause))
         elif self._watch is not None:
@@ -181,8 +190,11 @@ class Replayer(Execution):
 
     @property
     def _approach_percent(self) -> int:
-        percent = COME_INSIDE_PERCENT if self._way_in else _APPROACH_PERCENT
-        return sent_percent(percent, self._share)
+        return capped_percent(self._approach_cap, self.speed_percent)
+
+    @property
+    def _approach_cap(self) -> int:
+        return COME_INSIDE_PERCENT if self._way_in else _APPROACH_PERCENT
 
     def stop(self) -> None:
         """End the replay: the arm comes to rest and stays powered."""
@@ -261,9 +273,9 @@ class Replayer(Execution):
 
     def _follow_approach(self, watch: ArrivalWatch) -> None:
         now_s = self._context.clock()
-        # The time counts at the share of the override: an arm slowed to a half may take twice as
-        # long.
-        self._waited_s += (now_s - self._looked_s) * self._share
+        # An arm slowed to a half may take twice as long.
+        slowed = self._approach_percent / self._approach_cap
+        self._waited_s += (now_s - self._looked_s) * slowed
         self._looked_s = now_s
         if self._untold:
             self.tell_speed()
@@ -299,11 +311,11 @@ class Replayer(Execution):
             return passed
         return self._context.send_motion(
             CommandKind.REPLAY,
-            commands.move_joints(self._codec, replay.first_deg, speed_percent=_FULL_PERCENT),
+            commands.move_joints(self._codec, replay.first_deg, speed_percent=_SAMPLES_PERCENT),
             passed=passed,
             started=record_start(self.start),
             move_mode=MoveMode.MOVE_J,
-            speed_percent=_FULL_PERCENT,
+            speed_percent=_SAMPLES_PERCENT,
             joints_deg=replay.first_deg,
         )
 
@@ -341,9 +353,9 @@ class Replayer(Execution):
             self._end_cycle(replay)
 
     def _change_pace(self, replay: Replay, gone_s: float) -> None:
-        """Let the recorded time go over to the override, as fast as the joints can follow.
+        """Let the recorded time go over to the operator's speed, as fast as the joints can follow.
 
-        What was paused comes to a stand, also when the override was raised again meanwhile.
+        What was paused comes to a stand, also when the speed was raised again meanwhile.
         """
         wanted = 0.0 if self._phase is RunPhase.PAUSED else self._share
         if self._pace == wanted:
@@ -420,7 +432,7 @@ class Replayer(Execution):
         done = 1.0 if self._phase is RunPhase.DONE else self._at_s / replay.duration_s
         cycles_left = replay.cycles - self._cycle
         rest_s = replay.duration_s * (1.0 - done + cycles_left)
-        endless = replay.cycles == ENDLESS or not self._override_percent
+        endless = replay.cycles == ENDLESS or not self.speed_percent
         return Progress(
             phase=self._phase,
             name=replay.recording.name,

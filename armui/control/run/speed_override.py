@@ -1,58 +1,40 @@
-"""The speed override: the share of their own speed at which runs and replays go."""
+"""The operator's one speed while a run is under way: the share of its own pace."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.figures import PERCENT, Percent, check_figure
-from armui.arm.refusal import Refusal
 from armui.control.context import Context, ControllerPart
 from armui.control.events import Notice
 from armui.control.motion.retransmission import Retransmission
-from armui.control.operations.operation import declare, record_start
 from armui.control.operations.started import Ending, Started
-from armui.control.run.player import NOT_RUNNING
 from armui.telemetry.events import EventKind, Level
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from armui.arm.refusal import Refusal
     from armui.control.motion.joint_motion import Motion
-    from armui.control.operating_state import OperatingState
     from armui.control.run.execution import Execution
 
-OVERRIDE_SET = Notice(
-    "override_set", "Speed override {percent} %", Level.INFO, EventKind.COMMAND, streams=True
+RUN_SPEED_SET = Notice(
+    "run_speed_set", "The run goes at {percent} %", Level.INFO, EventKind.COMMAND, streams=True
 )
 
-FULL_PERCENT: Final = 100
-"""The override at which everything goes at its own speed."""
 STEP_PERCENT: Final = 10
-"""The change of a speed by one press of a key."""
-
-
-def why_no_override(now: OperatingState, percent: float) -> Refusal | None:
-    """Return why the override may not be set: 0 % is a pause, so there must be a run to pause."""
-    if (refusal := check_figure("percent", percent, PERCENT)) is not None:
-        return refusal
-    if percent < 1 and not now.running:
-        return NOT_RUNNING()
-    return None
+"""The change of the speed by one press of a key."""
 
 
 class SpeedOverride(ControllerPart):
-    """Keeps the override and passes it on to runs and replays.
+    """Passes the operator's speed on to the run or replay under way.
 
-    It keeps the operator's choice from one run to the next. After a run held back at 0 % the choice
-    before that holds again.
+    A run begins at the operator's speed. When it is over, the speed is again what it was before,
+    unless it was lowered meanwhile: it is never raised but by the operator.
 
     Args:
         context: The context that the controller's parts share.
-        motion: Owns the speed of every other motion.
+        motion: Owns the speed while nothing runs.
         runs: The executions that it slows.
-
-    Attributes:
-        percent: The share of a run's or replay's own speed, 0–100.
     """
 
     def __init__(self, context: Context, motion: Motion, runs: Sequence[Execution]) -> None:
@@ -60,61 +42,60 @@ class SpeedOverride(ControllerPart):
         self._motion = motion
         self._runs = runs
         self._lower_speed = Retransmission(context)
-        self._before_zero = self.percent = FULL_PERCENT
+        self._under_way: Execution | None = None
+        motion.set_speed_of_run = self._set
+        for run in runs:
+            run.progressed.connect(self._on_progressed)
 
-    @declare("run.override", "Set the speed override of runs", why_no_override)
-    def set_percent(self, percent: Percent) -> Started | Refusal | None:
-        """Set the share of their own speed for runs and replays, from this moment on.
+    @property
+    def percent(self) -> int:
+        """The operator's speed: of the run under way, else of every other motion, 0–100."""
+        run = self._running
+        return self._motion.speed_percent if run is None else run.speed_percent
 
-        It may be lowered at once. At 0 % a run is held back until a held press on 继续.
+    @property
+    def _running(self) -> Execution | None:
+        return next((run for run in self._runs if run.running), None)
 
-        Args:
-            percent: The share.
-
-        Returns:
-            The record of the command, or why nothing was sent; ``None`` where it is so already.
-        """
-        context = self._context
-        refusal = why_no_override(context.refresh(), percent)
-        if refusal is not None:
-            return context.refuse(refusal)
-        wanted, before = round(percent), self.percent
-        if wanted == before:
+    def _set(self, started: Started, wanted: int) -> Refusal | None:
+        """Let the run under way go at another speed; lowered at once, 0 % holds it back."""
+        run = self._running
+        if run is None:
             return None
-        if wanted > 0:
-            self._before_zero = wanted
-        self.percent = wanted
+        refusal = run.why_not_at(wanted)
+        if refusal is not None:
+            return refusal
+        before = run.speed_percent
         self._lower_speed.drop()
         if 0 < wanted < before:
             self._lower_speed.schedule()
-        started = record_start(self.set_percent)
         started.close(Ending.SENT)
-        context.tell(OVERRIDE_SET, started, percent=wanted)
-        for run in self._runs:
-            run.set_override(wanted)
-        context.refresh()
-        return started
+        if wanted != before:
+            self._context.tell(RUN_SPEED_SET, started, percent=wanted)
+            run.set_speed(wanted)
+        self._context.refresh()
+        return None
 
     def step(self, by_percent: int) -> Started | Refusal | None:
-        """Change the present speed: of the run under way, else of every other motion.
+        """Change the operator's speed.
 
         Args:
             by_percent: The change; the result is limited to 0–100 %.
         """
-        running = self._context.refresh().running
-        now = self.percent if running else self._motion.speed_percent
+        self._context.refresh()
+        now = self.percent
         wanted = min(max(now + by_percent, 0), 100)
-        if wanted == now:
-            return None
-        return self.set_percent(wanted) if running else self._motion.set_speed_percent(wanted)
+        return None if wanted == now else self._motion.set_speed_percent(wanted)
+
+    def _on_progressed(self, _progress: object) -> None:
+        """Keep the lower of the speeds before and in a run, as soon as it is over."""
+        running, ended = self._running, self._under_way
+        if running is None and ended is not None:
+            self._motion.speed_percent = min(self._motion.speed_percent, ended.speed_percent)
+        self._under_way = running
 
     def follow_arm(self) -> None:
-        """Send a lower speed once more; forget 0 % when nothing is left to hold back."""
-        running = any(run.running for run in self._runs)
-        if self.percent == 0 and not running:
-            self.percent = self._before_zero
-            for run in self._runs:
-                run.set_override(self.percent)
+        """Send a lower speed once more."""
         if self._lower_speed.take_due():
             for run in self._runs:
                 run.tell_speed()

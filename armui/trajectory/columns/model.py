@@ -151,7 +151,7 @@ class ColumnMapping:
 
     columns: tuple[TableColumn | None, ...]
     move: MoveMode | None = None
-    speed_percent: int = 30
+    speed_percent: int = 100
     tool: Values = NO_TOOL
     frame: str = ""
 

@@ -93,6 +93,7 @@ TITLES: Final = (
     *(*_OPENING, *_ANGLE, *_LIGHT, _LAMP, "note"),
 )
 _WHOLE_DEFAULT: Final = 30
+"""The speed in percent of a row of a file that tells none."""
 
 _COUNTS: Final = (GRIPPER, COLUMN_COUNT)
 _STEP_DIGITS: Final = 6

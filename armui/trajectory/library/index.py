@@ -35,6 +35,8 @@ Check = Literal["ok", "warnings", "errors"]
 """The result of the check before a run."""
 
 _VERSION: Final = 3
+_FULL_SPEED: Final = {"speed_factor": 1}
+"""A run once had a speed of its own; older programs read it."""
 
 _MOST_BYTES: Final = 64_000_000
 """More than a hundred thousand entries need; a larger file is ignored."""
@@ -233,7 +235,7 @@ def _pack(entry: IndexEntry) -> dict[str, Any]:
         "check": entry.check,
         "note": entry.note,
         "checked_for": entry.checked_for,
-        "ran_with": None if entry.ran_with is None else asdict(entry.ran_with),
+        "ran_with": None if entry.ran_with is None else {**asdict(entry.ran_with), **_FULL_SPEED},
         "speeds": entry.speeds,
         "taught_on": entry.taught_on,
         "estimated_s": entry.estimated_s,
@@ -261,7 +263,7 @@ def _unpack(data: dict[str, Any]) -> dict[str, tuple[Stamp, IndexEntry]]:
         frames = tuple(fields.pop("frames"))
         entry = IndexEntry(
             **fields,
-            ran_with=None if ran_with is None else RunOptions(**ran_with),
+            ran_with=None if ran_with is None else _options(ran_with),
             speeds=tuple(starmap(SpeedsFrom, speeds)),
             frames=frames,
         )
@@ -274,6 +276,11 @@ def _unpack(data: dict[str, Any]) -> dict[str, tuple[Stamp, IndexEntry]]:
         _require(_is_sound(entry))
         entries[file] = Stamp(size, time_ns, number), entry
     return entries
+
+
+def _options(ran_with: dict[str, Any]) -> RunOptions:
+    """Return the options of a run; the speed of its own that it once had counts no more."""
+    return RunOptions(**{name: ran_with[name] for name in ran_with if name not in _FULL_SPEED})
 
 
 def _is_sound(entry: IndexEntry) -> bool:

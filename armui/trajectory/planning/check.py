@@ -112,9 +112,9 @@ BEGINS_OUTSIDE = FindingKind(
 )
 JOINT_TOO_FAST = FindingKind(
     "joint_too_fast",
-    "Joint {joint} would have to turn at {value}°/s; its limit is {maximum}°/s. Replay at "
-    "{percent} % of this speed at most.",
-    Severity.ERROR,
+    "Joint {joint} would have to turn at {value}°/s; its limit is {maximum}°/s. The replay goes at "
+    "{percent} % at most.",
+    Severity.WARNING,
 )
 GRIPPER_BEYOND_STROKE = FindingKind(
     "gripper_beyond_stroke",
@@ -204,7 +204,6 @@ class CheckRequest:
         content: The trajectory or recording to be run.
         arm: The arm that will run it.
         start_deg: The joint angles at the start.
-        speed_factor: The factor on each point's speed, or on the recorded speed.
         first: The index of the point to begin with, in the first cycle.
         cycles: The number of cycles; 0 runs until it is ended.
         area: The work area of this arm with what it carries; ``None`` if it may go anywhere.
@@ -215,7 +214,6 @@ class CheckRequest:
     content: Content
     arm: ArmModel
     start_deg: Sequence[float]
-    speed_factor: float = 1.0
     first: int = 0
     cycles: int = 1
     area: AreaCheck | None = None
@@ -229,7 +227,7 @@ class CheckOutcome:
 
     Attributes:
         path: The path of the arm.
-        expected_s: The duration of each point at the speed of the run; empty for a recording.
+        expected_s: The duration of each point at its own speed; empty for a recording.
         findings: The findings, errors first, then by row.
         profile: The replay profile of a recording; ``None`` for points.
         as_checked: The content as it was checked, and will be run: all points in the base, a
@@ -272,7 +270,6 @@ def check(request: CheckRequest) -> CheckOutcome:
         *(content, arm, start_deg),
         first=request.first,
         cycles=request.cycles,
-        speed_factor=request.speed_factor,
     )
     profile = replay_profile(content) if isinstance(content, Recording) else None
     found = _findings(content, path, request, profile)
@@ -416,7 +413,7 @@ def _broken(
     rules = rules_of(arm, carried.area, request.lowest_mm)
     ways = [rules.ramped(leg.way(path)) for leg in legs]
     if profile is not None:
-        astray = profile.astray_deg.astype(float) * request.speed_factor**2
+        astray = profile.astray_deg.astype(float)
         rows = [path.rows[leg.begin : leg.end + 1] for leg in legs]
         ways[1:] = [
             replace(way, beside_deg=astray[row])

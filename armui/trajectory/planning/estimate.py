@@ -26,6 +26,7 @@ def estimate_s(
     arm: ArmModel,
     options: RunOptions = _ONCE,
     start_deg: Sequence[float] | None = None,
+    speed_percent: int = 100,
 ) -> float | None:
     """Return the seconds that a content takes.
 
@@ -35,12 +36,14 @@ def estimate_s(
         options: The options of the run. For an endless run the time of one cycle is returned.
         start_deg: The six joint angles from which the arm goes to the first point; ``None`` to
             leave that way out. The way to a recording is always left out.
+        speed_percent: The operator's speed, from 1.
 
     Returns:
         The seconds; ``None`` for no points, for more than `MOST_POINTS`, for a point in a frame
         that the cell has not, and for a point or a way that the arm cannot reach.
     """
-    further, first, speed_factor = max(options.cycles, 1) - 1, options.first, options.speed_factor
+    further, first = max(options.cycles, 1) - 1, options.first
+    speed_factor = speed_percent / 100.0
     if isinstance(content, Recording):
         return content.duration_s / speed_factor * (1 + further)
     points, frames = content.points, dict(arm.frames)
@@ -61,6 +64,17 @@ def estimate_s(
         return None if failed else sum(path.expected_s) + whole_s
     lasting_s = _lasting_s(points[first:], arm, speed_factor)
     return None if lasting_s is None else lasting_s + points[first].dwell_s + whole_s
+
+
+def estimates_s(
+    content: Trajectory | Recording,
+    arm: ArmModel,
+    options: RunOptions,
+    percents: Sequence[int],
+    start_deg: Sequence[float] | None = None,
+) -> tuple[float | None, ...]:
+    """Return what `estimate_s` does, at each of some speeds in percent."""
+    return tuple(estimate_s(content, arm, options, start_deg, percent) for percent in percents)
 
 
 def _lasting_s(points: tuple[Waypoint, ...], arm: ArmModel, speed_factor: float) -> float | None:

@@ -145,7 +145,7 @@ class Waypoint:
     move: MoveMode
     target: Values
     middle: Values | None = None
-    speed_percent: int = 30
+    speed_percent: int = 100
     dwell_s: float = 0.0
     gripper: GripperAction | None = None
     light: LightAction | None = None

@@ -129,7 +129,7 @@ def to_points(recording: Recording, limits: Sequence[JointLimits]) -> Trajectory
     speeds = [min(100, max(1, math.ceil(100.0 * share))) for share in fastest.tolist()]
     points = tuple(
         Waypoint(MoveMode.MOVE_J, tuple(round(angle, 3) for angle in row), speed_percent=speed)
-        for row, speed in zip(angles.tolist(), [30, *speeds], strict=False)
+        for row, speed in zip(angles.tolist(), [100, *speeds], strict=False)
     )
     return Trajectory(
         recording.name,

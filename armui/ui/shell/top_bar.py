@@ -15,7 +15,7 @@ from armui.arm.state import ArmState
 from armui.control.devices.motors import why_not_disable, why_not_enable
 from armui.control.link.link_state import LinkState
 from armui.control.motion.joint_motion import Motion
-from armui.control.operating_state import RUN_UNDER_WAY, Busy, OperatingState, StopState
+from armui.control.operating_state import Busy, OperatingState, StopState
 from armui.control.operations.operation import operation_of
 from armui.control.safety.uncommanded_motion import MotionKind, UncommandedMotion
 from armui.protocol.addressing import Addressing
@@ -23,11 +23,12 @@ from armui.protocol.generation import Generation
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.command import Command, Target, also
+from armui.ui.actions.keys import key_text
 from armui.ui.dialogs.confirm_dialog import confirm
 from armui.ui.freshness import is_stale
 from armui.ui.theme import Colors, colors_of, scaled_font
 from armui.ui.widgets import painting
-from armui.ui.widgets.buttons import named
+from armui.ui.widgets.buttons import describe, named
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.halt_button import HaltButton
 from armui.ui.widgets.layouts import fill, in_row
@@ -70,7 +71,7 @@ _CONNECT: Final = also("open port device adapter can 设备 端口 打开")
 
 
 class SpeedControl(Translated, QWidget):
-    """Slider and field for 0–100 % of the arm's highest speed (manual 1.0.3, 0x151 byte 2).
+    """Slider and field for the one speed, 0–100 % of the arm's highest, or of a run's own.
 
     While dragging, a lower speed is sent at once, a higher one when the handle is released; keys,
     clicks and the field send at once.
@@ -106,20 +107,8 @@ class SpeedControl(Translated, QWidget):
 
     def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
         self._input.follow_value()
-        self._allow(operating_state)
         self._show_what_is_told(operating_state.generation)
         self._on_state_changed(self._controller.state)
-
-    def _allow(self, operating_state: OperatingState) -> None:
-        """Lock the speed during a run, as it would silently change the speed of its points."""
-        reason = words.refusal(RUN_UNDER_WAY()) if operating_state.running else ""
-        use = self.tr(
-            "Speed of motions, 0–100 % of the arm's highest; 0 % means no motion. A motion that is "
-            "measured to be more than 1.5 times as fast as it was told is ended."
-        )
-        for widget in (self._slider, self.field):
-            widget.setEnabled(not reason)
-            widget.setToolTip(reason or use)
 
     def _on_state_changed(self, state: ArmState) -> None:
         if not self.isVisible():
@@ -139,9 +128,13 @@ class SpeedControl(Translated, QWidget):
         """Set all texts in the operator's language."""
         self._label.setText(self.tr("Speed"))
         self._arm_label.setText(self.tr("Arm"))
+        tip = self.tr(
+            "The speed of everything, 0–100 %: of the arm's highest, and in a run of each point's "
+            "or the recorded one. 0 % holds a run back. Slower {slower}, faster {faster}. A motion "
+            "measured to be more than 1.5 times as fast as it was told is ended."
+        ).format(slower=key_text("everywhere.slower"), faster=key_text("everywhere.faster"))
         for widget in (self._slider, self.field):
-            widget.setAccessibleName(self.tr("Speed percentage"))
-        self._allow(self._controller.operating_state)
+            describe(widget, self.tr("Speed percentage"), tip)
         self._arm_value.setAccessibleName(self.tr("Speed percentage reported by the arm"))
         self._show_what_is_told(self._controller.operating_state.generation)
 

@@ -27,7 +27,6 @@ class PercentInput(QObject):
         value: Returns the percentage in force.
         choose: Called with the operator's new choice.
         parent: The widget that lays both out.
-        warns: True to highlight less than 100 %.
 
     Attributes:
         slider: Shows the percentage in force, and optionally a measured one.
@@ -40,13 +39,10 @@ class PercentInput(QObject):
         value: Callable[[], int],
         choose: Callable[[int], object],
         parent: QWidget,
-        *,
-        warns: bool = False,
     ) -> None:
         super().__init__(parent)
         self._value = value
         self._choose = choose
-        self._warns = warns
         self.slider = named(f"{name}_slider", TrackSlider(1.0, origin=0.0, jumps=False))
         self.slider.setRange(0, _FULL_PERCENT)
         self.slider.setPageStep(_STEP_PERCENT)
@@ -96,8 +92,7 @@ class PercentInput(QObject):
         self._show_in_field()
 
     def _show_in_slider(self) -> None:
-        percent = self._value()
-        self.slider.show_requested(percent, attention=self._warns and percent < _FULL_PERCENT)
+        self.slider.show_requested(self._value())
 
     def _show_in_field(self) -> None:
         with QSignalBlocker(self.field):

@@ -152,7 +152,7 @@ def test_the_override_counts(driver):
     driver.window.findChild(QSpinBox, "run_speed").setValue(100)
     driver.app_driver.wait(lambda: told(driver.window).startswith("≈"))
     whole_s = seconds(told(driver.window))
-    driver.app_driver.controller.speed_override.set_percent(50)
+    driver.app_driver.controller.motion.set_speed_percent(50)
     driver.app_driver.step()
     assert told(driver.window) == "", "what was told is of the whole speed"
     driver.app_driver.wait(lambda: told(driver.window).startswith("≈"))

@@ -155,7 +155,7 @@ def test_in_the_editor(pages, size, language):
             pages.driver.click(editor.findChild(QWidget, "editor_check"))
             editor._on_jogged(LONG[0])
             editor._other_arm.show_arms("another arm", fit)
-            controller.speed_override.set_percent(50)
+            controller.motion.set_speed_percent(50)
             controller.motion.set_speed_percent(100)
 
         def nothing():
@@ -163,7 +163,7 @@ def test_in_the_editor(pages, size, language):
             editor._findings.clear()
             editor._on_jogged(None)
             editor._other_arm.show_arms("", fit)
-            controller.speed_override.set_percent(100)
+            controller.motion.set_speed_percent(100)
             controller.motion.set_speed_percent(5)
 
         places.while_it_is_so(f"everything at once, {kind}", everything, nothing)

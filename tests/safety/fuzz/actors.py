@@ -137,7 +137,7 @@ class Actors:
         self._controller.motion.set_speed_percent(percent)
 
     def override(self, percent: int) -> None:
-        self._controller.speed_override.set_percent(percent)
+        self._controller.motion.set_speed_percent(percent)
 
     def dip_override(self, percent: int) -> None:
         """Down to 0 % and up again with one drag of the slider."""
@@ -180,12 +180,12 @@ class Actors:
         first: tuple[float, ...],
         second: tuple[float, ...],
         cycles: int,
-        factor: float = 1.0,
+        percent: int = 100,
         by_step: bool = False,
     ) -> None:
         points = [Waypoint(MoveMode.MOVE_J, each, speed_percent=50) for each in (first, second)]
         run = Run(
-            "fuzz", points, [2.0, 2.0], cycles=cycles, speed_factor=factor, step_by_step=by_step
+            "fuzz", points, [2.0, 2.0], cycles=cycles, speed_percent=percent, step_by_step=by_step
         )
         self._ask(Kind.RUN, self._controller.player.start(run))
 

@@ -180,10 +180,10 @@ def test_an_arm_that_refuses_to_set_out(press: Press) -> None:
 
 def test_choices_turned_during_the_check_are_checked_anew(press: Press) -> None:
     press.to("CHECKING")
-    press.options = RunOptions(speed_factor=0.05)
+    press.options = RunOptions(step_by_step=True)
     press.checked(errors=1)  # of what is not asked for any more
     press.read()
-    assert press.checks.begin.call_args.args[1] == RunOptions(speed_factor=0.05)
+    assert press.checks.begin.call_args.args[1] == RunOptions(step_by_step=True)
     press.checked()
     assert press.states == [*TO_CHECK, *TO_RUN]
 

@@ -423,7 +423,7 @@ class JogBox(Translated, QFrame):
         self._speed.setToolTip(
             self.tr(
                 "The speed in the top bar: it counts for every jog and step, also while one goes "
-                "on. The override of a run does not."
+                "on."
             )
         )
         for box in (self._degrees, self._lengths):

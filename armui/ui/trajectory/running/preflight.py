@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Final
 
@@ -12,7 +12,7 @@ from armui.cell.parts import part_named
 from armui.control.operations.started import ARM_CHANGED
 from armui.control.parameters.arm_model import arm_model, start_deg
 from armui.trajectory.planning.check import Carried, CheckOutcome, CheckRequest, check, warm_up
-from armui.trajectory.planning.estimate import estimate_s
+from armui.trajectory.planning.estimate import estimates_s
 from armui.trajectory.planning.findings import Finding, Severity
 from armui.trajectory.points.program import frames_in
 from armui.trajectory.samples.recording import Recording
@@ -148,8 +148,8 @@ class Preflight:
 
     @property
     def length_s(self) -> float | None:
-        """How long a cycle takes at the points' own speed; ``None`` if another one was checked."""
-        return self.path.first_cycle_s if self.order.speed_factor == 1.0 else None
+        """How long a cycle takes at the points' own speed."""
+        return self.path.first_cycle_s
 
     @property
     def mark(self) -> Check:
@@ -212,7 +212,6 @@ class Checks:
             content,
             basis.arm,
             start_deg(self._controller),
-            options.speed_factor,
             options.first,
             options.cycles,
             self._controller.area_guard.check(),
@@ -244,13 +243,17 @@ class Checks:
         self,
         content: Content,
         options: RunOptions,
-        then: Callable[[float | Refusal | None], object],
-    ) -> Job[float | None]:
-        """Work out how long something will take, see `estimate_s`; told in this thread.
+        percents: Sequence[int],
+        then: Callable[[tuple[float | None, ...] | Refusal], object],
+    ) -> Job[tuple[float | None, ...]]:
+        """Work out how long something takes at some speeds, see `estimates_s`.
+
+        It is told in this thread.
 
         Returns:
             What is waited for; it may not be wanted any more.
         """
-        job: Job[float | None] = Job(then)
-        self.background.begin(job, estimate_s, content, self.arm, options, self.stands_at_deg)
+        job: Job[tuple[float | None, ...]] = Job(then)
+        arm, here = self.arm, self.stands_at_deg
+        self.background.begin(job, estimates_s, content, arm, options, percents, here)
         return job

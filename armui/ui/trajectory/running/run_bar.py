@@ -14,13 +14,12 @@ from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
 from armui.control.operating_state import OperatingState, StopState
 from armui.control.operations.operation import operation_of
-from armui.control.run.player import Player
-from armui.control.run.progress import ENDLESS, Progress, sent_percent
-from armui.control.run.speed_override import FULL_PERCENT
+from armui.control.run.player import Player, why_not_run
+from armui.control.run.progress import ENDLESS, Progress, capped_percent, sent_percent
+from armui.control.run.replay import FULL_PERCENT
 from armui.trajectory.files import Content
 from armui.trajectory.library.run_options import (
-    FASTEST_FACTOR,
-    FIRST_RUN_FACTOR,
+    FIRST_RUN_PERCENT,
     MOST_CYCLES,
     RunOptions,
 )
@@ -30,7 +29,7 @@ from armui.trajectory.points.program import SpeedsFrom
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.command import Command, Target, also, of_place
-from armui.ui.actions.keys import key_text, keys_of, listen_for
+from armui.ui.actions.keys import keys_of, listen_for
 from armui.ui.dialogs.confirm_dialog import ASKED_OTHERWISE
 from armui.ui.trajectory.running.preflight import Checks
 from armui.ui.trajectory.running.run_estimate import RunEstimate, estimate_tip
@@ -90,8 +89,8 @@ class RunChoices(QObject):
             self.asking.emit("")
 
     def of(self, name: str) -> RunOptions:
-        """Return the options of a trajectory; slow ones if it is not known to have run."""
-        return self._options.get(name, RunOptions(speed_factor=FIRST_RUN_FACTOR))
+        """Return the options of a trajectory."""
+        return self._options.get(name, RunOptions())
 
     def has_run(self, name: str) -> bool:
         """Return whether a trajectory is known to have run."""
@@ -135,7 +134,6 @@ def run_commands(place: str) -> tuple[Command, ...]:
             "send", Text("RunBar", "Run"), operation_of(Player.start), synonyms=also("send start")
         ),
         Command("cycles", Text("RunBar", "Number of runs")),
-        Command("speed", Text("Action", "Speed of the run")),
         Command("first", Text("RunBar", "From row")),
         Command("steps", Text("RunBar", "Step by step")),
     )
@@ -178,7 +176,7 @@ class RunBar(Translated, QWidget):
     ) -> None:
         super().__init__()
         self._controller = controller
-        self._estimate = RunEstimate(checks, quietly, self._slowed_options, self)
+        self._estimate = RunEstimate(checks, quietly, self._options, self._begins_at, self)
         self._what: object = None
         self._checks = checks
         self._shared = choices
@@ -197,7 +195,7 @@ class RunBar(Translated, QWidget):
         self._call_off.clicked.connect(lambda _checked=False: self.drop_check())
         self._resume.clicked.connect(self.resume)
         self._cycles.currentIndexChanged.connect(self._on_chosen)
-        for spin in (self._times, self._speed, self._first):
+        for spin in (self._times, self._first):
             spin.valueChanged.connect(self._on_chosen)
         self._steps.toggled.connect(self._on_chosen)
         choices.changed.connect(self._on_shared)
@@ -215,21 +213,18 @@ class RunBar(Translated, QWidget):
         self._cycles = drop_down("run_cycles")
         self._cycles.addItems(["", "", ""])
         self._times = _spin("run_times", MOST_CYCLES, 3)
-        self._speed = _spin("run_speed", round(100 * FASTEST_FACTOR), round(100 * FIRST_RUN_FACTOR))
-        self._speed.setSuffix(" %")
         self._first = _spin("run_first", 1, 1)
-        self._speed_label, self._first_label = QLabel(), QLabel()
+        self._first_label = QLabel()
         self._steps = named("run_steps", QCheckBox())
         self._effective = named("run_effective", ElidedLabel())
         self._effective.setProperty("rank", "muted")
         self._effective.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        self._choices = (self._cycles, self._times, self._speed, self._first, self._steps)
+        self._choices = (self._cycles, self._times, self._first, self._steps)
 
     def _lay_out(self) -> None:
         self._from_row = pair(self._first_label, self._first)
         options = in_flow(
-            *(self._cycles, self._times, pair(self._speed_label, self._speed)),
-            *(self._from_row, self._steps),
+            *(self._cycles, self._times, self._from_row, self._steps),
             spacing_px=8,
         )
         # in one line whatever is told: 发送, and the jog buttons above, stay in their places
@@ -242,7 +237,6 @@ class RunBar(Translated, QWidget):
         return {
             f"{place}.send": self._send,
             f"{place}.cycles": self._cycles,
-            f"{place}.speed": self._speed,
             f"{place}.first": self._first,
             f"{place}.steps": self._steps,
         }
@@ -293,7 +287,7 @@ class RunBar(Translated, QWidget):
     def _follow_estimate(self) -> None:
         wanted = self.isVisible() and bool(self._name) and self._nothing is None
         wanted = wanted and not self._steps.isChecked()
-        wanted = wanted and self._controller.operating_state.override_percent > 0
+        wanted = wanted and self._controller.operating_state.speed_percent > 0
         self._estimate.follow(self._what, wanted=wanted)
 
     def _options(self) -> RunOptions:
@@ -301,15 +295,16 @@ class RunBar(Translated, QWidget):
         cycles = {_ONCE: 1, _TIMES: self._times.value(), _LOOP: ENDLESS}
         return RunOptions(
             cycles[self._cycles.currentIndex()],
-            self._speed.value() / 100.0,
             0 if recording else self._first.value() - 1,
             not recording and self._steps.isChecked(),
         )
 
-    def _slowed_options(self) -> RunOptions:
-        """Return the options as the arm is told them: slowed by the override."""
-        options, override = self._options(), self._controller.operating_state.override_percent
-        return replace(options, speed_factor=options.speed_factor * (override / FULL_PERCENT))
+    def _begins_at(self) -> int:
+        """Return the speed at which a run would begin that was asked for now."""
+        percent = self._controller.operating_state.speed_percent
+        if self._runner.running or self._shared.has_run(self._name):
+            return percent
+        return min(percent, FIRST_RUN_PERCENT)
 
     def _on_chosen(self, *_: object) -> None:
         self._shared.choose(self._name, self._options())
@@ -326,69 +321,58 @@ class RunBar(Translated, QWidget):
             self._cycles.setCurrentIndex(often)
             if often == _TIMES:
                 self._times.setValue(wanted.cycles)
-            self._speed.setValue(round(100 * wanted.speed_factor))
             self._first.setValue(wanted.first + 1)
             self._steps.setChecked(wanted.step_by_step)
             del blocked
         self._show_usable()
 
     def _show_effective(self) -> None:
-        """Say how fast the arm is told to go: of all speeds on the window, the one that counts."""
-        override = self._controller.operating_state.override_percent
-        factor = self._speed.value() / 100.0 * override / 100.0
+        """Tell how long it takes, at 100 % and at the operator's speed."""
+        percent = self._begins_at()
+        texts = self._times_texts(percent)
         if self._recording:
-            text = self.tr("Effective: {percent} % of the recorded speed")
-            text = text.format(percent=f"{100.0 * factor:.3g}")
+            tip = self.tr("The recorded pace × the speed at the top, here {percent} %.")
+            lines = [tip.format(percent=percent)]
             tip = self.tr("The first sample is approached at {percent} %.")
-            tip = tip.format(percent=sent_percent(APPROACH_PERCENT, override / 100.0))
+            lines.append(tip.format(percent=capped_percent(APPROACH_PERCENT, percent)))
         else:
             # further cycles begin with the first row
             row = self._first.value() if self._cycles.currentIndex() == _ONCE else 1
-            low, high = (sent_percent(one, factor) for one in self._range_from(row))
+            low, high = (sent_percent(one, percent) for one in self._range_from(row))
             figures = f"{low} %" if low == high else f"{low}–{high} %"
-            text = self.tr("Effective speed {percent}").format(percent=figures)
-            tip = self.tr("The speed of each row × that of the run, 1–100 %; of all rows that run.")
-            if row > 1:
-                tip = self.tr(
-                    "The speed of each row × that of the run, 1–100 %; from row {row} on."
-                ).format(row=row)
-        lines = [tip, self.tr("The speed in the top bar does not change a run.")]
-        if override != FULL_PERCENT:
-            text = self.tr("{text} · override {percent} %").format(text=text, percent=override)
-            stays = self.tr(
-                "The override was chosen in a run and stays; it can be raised once something runs "
-                "(key {key})."
-            )
-            lines.append(stays.format(key=key_text("everywhere.faster")))
+            tip = self.tr("The speed of each row × that at the top: {percent} from row {row} on.")
+            lines = [tip.format(percent=figures, row=row)]
         if not self._shared.has_run(self._name):
-            text = self.tr("{text} · first run").format(text=text)
+            texts.append(self.tr("first run"))
             begin = self.tr(
-                "“{name}” is not known to have run: its speed begins at {percent} %. Watch it once "
-                "before you choose more."
+                "“{name}” is not known to have run: the speed at the top is lowered to {percent} % "
+                "as it begins."
             )
-            lines.append(begin.format(name=self._name, percent=round(100 * FIRST_RUN_FACTOR)))
+            lines.append(begin.format(name=self._name, percent=FIRST_RUN_PERCENT))
         if self._unsaved:
-            text = self.tr("{text} · without its unsaved changes").format(text=text)
-        if time := self._time_text():
-            text = self.tr("{text} · {time}").format(text=text, time=time)
+            texts.append(self.tr("without its unsaved changes"))
         lines.append(self._time_tip())
         known = bool(self._name) and (self._recording or bool(self._speeds))
         tip = "\n".join(filter(None, lines))
-        self._effective.show_text(text if known else "", tip if known else "")
+        self._effective.show_text(" · ".join(texts) if known else "", tip if known else "")
 
-    def _time_text(self) -> str:
-        """Return how long it takes: an estimate, or as it was checked; "" if it is not known."""
+    def _times_texts(self, percent: int) -> list[str]:
+        """Return how long it takes: estimates, or as it was checked; empty if it is not known."""
         estimate = self._estimate
-        if estimate.seconds is None or self._steps.isChecked():
-            return ""
-        if self._controller.operating_state.override_percent == 0:  # held back: without end
-            return ""
-        time = fmt.duration(estimate.seconds)
+        if estimate.seconds is None or estimate.slowed_s is None or self._steps.isChecked():
+            return []
+        if percent == 0:  # held back: without end
+            return []
+        full, slowed = fmt.duration(estimate.seconds), fmt.duration(estimate.slowed_s)
         if estimate.is_checked:
-            return time
+            return [full]
+        texts = [f"≈ {full}"]
         if self._cycles.currentIndex() == _LOOP:
-            return self.tr("≈ {time} a run").format(time=time)
-        return f"≈ {time}"
+            texts = [self.tr("≈ {time} a run").format(time=full)]
+        if percent != FULL_PERCENT:
+            text = self.tr("at {percent} % ≈ {time}")
+            texts.append(text.format(percent=percent, time=slowed))
+        return texts
 
     def _time_tip(self) -> str:
         estimate = self._estimate
@@ -417,7 +401,10 @@ class RunBar(Translated, QWidget):
         self._begin(self._options, runs=False)
 
     def send(self) -> None:
-        """Check the content, then run it."""
+        """Check the content, then run it; what nobody has seen run begins slowly."""
+        begins_at = self._begins_at()
+        if not self._why_not() and begins_at < self._controller.motion.speed_percent:
+            self._controller.motion.set_speed_percent(begins_at)
         self._begin(self._options)
 
     def resume(self) -> None:
@@ -528,7 +515,7 @@ class RunBar(Translated, QWidget):
             return words.refusal(self._nothing)
         if self._runner.running:
             return self.tr("A run is under way.")
-        return words.why_not(self._controller.operating_state.cannot_run)
+        return words.why_not(why_not_run(self._controller.operating_state))
 
     def _show_usable(self, *_: object) -> None:
         progress, checking = self._runner.progress, self.is_checking
@@ -559,9 +546,6 @@ class RunBar(Translated, QWidget):
             self._cycles.setItemText(place, text)
         self._cycles.setAccessibleName(self.tr("Number of runs"))
         self._times.setAccessibleName(self.tr("Number of runs"))
-        self._speed_label.setText(self.tr("Speed"))
-        self._speed.setAccessibleName(self._speed_label.text())
-        self._speed.setToolTip(self.tr("Of each point's own speed"))
         self._first_label.setText(self.tr("From row"))
         self._first.setAccessibleName(self._first_label.text())
         self._steps.setText(self.tr("Step by step"))

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
 
 from armui.arm.refusal import Refusal
+from armui.control.run.replay import FULL_PERCENT
 from armui.trajectory.samples.recording import Recording
 
 if TYPE_CHECKING:
@@ -50,14 +51,16 @@ class RunEstimate(QObject):
         checks: Works the time out.
         content: Hands on the content that would be run now, once it is read, or ``None``. It
             tells the operator nothing.
-        options: Returns the options of a run that began now, slowed by the override.
+        options: Returns the options of a run that began now.
+        percent: Returns the speed at which it would begin.
         parent: Its owner.
 
     Signals:
         changed: Another time is known, or none.
 
     Attributes:
-        seconds: The time of the run; ``None`` where it is not known.
+        seconds: The time of the run at 100 %; ``None`` where it is not known.
+        slowed_s: Its time at the operator's speed.
         is_checked: True if a check worked the time out, from where the arm stood then.
         from_here: True if it counts the way from where the arm stands to the first point.
         is_asked: True while the time is being worked out.
@@ -70,15 +73,18 @@ class RunEstimate(QObject):
         checks: Checks,
         content: Callable[[Callable[[Content | None], object]], object],
         options: Callable[[], RunOptions],
+        percent: Callable[[], int],
         parent: QObject,
     ) -> None:
         super().__init__(parent)
         self._checks = checks
         self._content = content
         self._options = options
+        self._percent = percent
         self._of: tuple[object, object] | None = None
-        self._job: Job[float | None] | None = None
+        self._job: Job[tuple[float | None, ...]] | None = None
         self.seconds: float | None = None
+        self.slowed_s: float | None = None
         self.is_checked = False
         self.is_asked = False
         self.from_here = False
@@ -97,7 +103,7 @@ class RunEstimate(QObject):
                 self.renew()
             return  # what is known holds while a list is made anew, and nothing is chosen
         here = self._checks.stands_at_deg
-        chosen = (what, self._options(), self._checks.arm.fingerprint)
+        chosen = (what, self._options(), self._percent(), self._checks.arm.fingerprint)
         if here is None and self._of is not None and self._of[0] == chosen:
             return  # the arm is on its way or silent: what was known holds until it rests
         of = (chosen, here)
@@ -114,13 +120,14 @@ class RunEstimate(QObject):
     def take(self, checked: Preflight) -> None:
         """Take over the time that a check of this run found, once from where the arm stands.
 
-        The time of a check at another speed is not taken over.
+        A check counts no slower speed of the operator's.
         """
-        if self._of is None or checked.order.speed_factor != self._options().speed_factor:
-            return  # the override slows the run; a check does not count it
+        if self._of is None or self._percent() != FULL_PERCENT:
+            return
         if checked.order.cycles == 1 and not checked.errors:
             self._forget()
-            self.seconds, self.is_checked = checked.path.first_cycle_s, True
+            self.seconds = self.slowed_s = checked.path.first_cycle_s
+            self.is_checked = True
             self.changed.emit()
 
     def _forget(self) -> None:
@@ -128,7 +135,8 @@ class RunEstimate(QObject):
         if self._job is not None:
             self._job.wanted = False
             self._job = None
-        self.seconds, self.is_checked, self.is_asked = None, False, False
+        self.seconds = self.slowed_s = None
+        self.is_checked = self.is_asked = False
 
     def _begin(self) -> None:
         asked = self._of
@@ -137,11 +145,14 @@ class RunEstimate(QObject):
             if self._of is asked and asked is not None and content is not None:
                 here = self._checks.stands_at_deg is not None
                 self.from_here = here and not isinstance(content, Recording)
-                self._job = self._checks.estimate(content, self._options(), self._on_known)
+                percents = (FULL_PERCENT, self._percent())
+                self._job = self._checks.estimate(
+                    content, self._options(), percents, self._on_known
+                )
 
         self._content(read)
 
-    def _on_known(self, seconds: float | Refusal | None) -> None:
+    def _on_known(self, known: tuple[float | None, ...] | Refusal) -> None:
         self._job, self.is_asked = None, False
-        self.seconds = None if isinstance(seconds, Refusal) else seconds
+        self.seconds, self.slowed_s = (None, None) if isinstance(known, Refusal) else known
         self.changed.emit()

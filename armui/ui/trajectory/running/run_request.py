@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Refusal
 from armui.control.operations.started import ARM_CHANGED
+from armui.control.run.player import why_not_run
 from armui.system.clock import steady_s
 
 if TYPE_CHECKING:
@@ -125,7 +126,7 @@ class RunRequest:
 
     def begin(self) -> None:
         """Begin to read the content."""
-        refusal = self._controller.operating_state.cannot_run if self.runs else None
+        refusal = why_not_run(self._controller.operating_state) if self.runs else None
         if refusal is not None:
             self._refuse(refusal)
             return

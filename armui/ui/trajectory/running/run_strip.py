@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QRectF, QSize, Qt, Signal
 from PySide6.QtWidgets import (
-    QLabel,
     QProgressBar,
     QSizePolicy,
     QWidget,
@@ -18,18 +17,15 @@ from armui.control.motion.abort import RUN_STOPPED
 from armui.control.operations.operation import operation_of
 from armui.control.run.player import NOT_RUNNING, Player
 from armui.control.run.progress import ENDLESS, OVER, Progress, RunPhase
-from armui.control.run.speed_override import STEP_PERCENT, SpeedOverride
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.act import Act, HasActs
-from armui.ui.actions.command import Command, Target, also
-from armui.ui.actions.keys import key_text
+from armui.ui.actions.command import Command, Target
 from armui.ui.theme import colors_of
 from armui.ui.trajectory.running.runner import Runner, can_pause
 from armui.ui.widgets import icons, painting
-from armui.ui.widgets.buttons import describe, named
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import fill, in_column, in_row
-from armui.ui.widgets.percent_input import PercentInput
 from armui.ui.widgets.text_label import ElidedLabel
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Text
@@ -39,69 +35,17 @@ if TYPE_CHECKING:
 
     from armui.arm.refusal import Refusal
     from armui.control.arm_controller import ArmController
-    from armui.control.operating_state import OperatingState
 
 _STEPS: Final = 1000
 """The steps of the progress bar."""
 _BAR_PX: Final = 100
 _ICON_PX: Final = 16
-_SLIDER_PX: Final = 110
 _MARGIN_PX: Final = 16
 _TOP_PX: Final = 6
 _GAP_PX: Final = 10
 _LEAST_PX: Final = 220
 """The width that the run's words have at least beside an obstacle."""
 _UNBOUNDED_PX: Final = 10_000
-
-
-class OverrideControl(Translated, QWidget):
-    """倍率: slider and field for 0–100 % of a run's own speed.
-
-    A lower one takes effect while dragging, a higher one when the handle is released.
-
-    Args:
-        controller: Has the override.
-
-    Attributes:
-        field: The field for a figure.
-    """
-
-    def __init__(self, controller: ArmController) -> None:
-        super().__init__()
-        self._controller = controller
-        self._label = QLabel()
-        override = controller.speed_override
-        self._input = PercentInput(
-            "override", lambda: override.percent, override.set_percent, self, warns=True
-        )
-        self._input.slider.setFixedWidth(_SLIDER_PX)
-        self.field = self._input.field
-        self.field.setSingleStep(STEP_PERCENT)
-        self._label.setBuddy(self.field)
-        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
-        in_row(self._label, self._input.slider, self.field, on=self, spacing=6, margins=0)
-        controller.operating_state_changed.connect(self._on_operating_state)
-        self.retranslate_ui()
-        self._input.show_value()
-
-    def _on_operating_state(self, _now: OperatingState) -> None:
-        if self.isVisible():
-            self._input.follow_value()
-
-    def retranslate_ui(self) -> None:
-        """Set all texts in the operator's language."""
-        self._label.setText(self.tr("Override"))
-        tip = self.tr(
-            "Share of the run's own speed; can be changed while it runs, 0 % pauses it. Slower "
-            "{slower}, faster {faster}."
-        ).format(slower=key_text("everywhere.slower"), faster=key_text("everywhere.faster"))
-        for widget in (self._input.slider, self.field):
-            describe(widget, self.tr("Speed override of the run"), tip)
-
-    def showEvent(self, event: QShowEvent) -> None:
-        """Show the present override."""
-        super().showEvent(event)
-        self._input.show_value()
 
 
 class RunStrip(HasActs, Translated, QWidget):
@@ -117,16 +61,7 @@ class RunStrip(HasActs, Translated, QWidget):
     """
 
     turned = Signal()
-    commands = (
-        Command("run.go_on", operation=operation_of(Player.go_on)),
-        Command(
-            "run.override",
-            Text("OverrideControl", "Speed override of the run"),
-            operation_of(SpeedOverride.set_percent),
-            {"percent": STEP_PERCENT},
-            synonyms=also("velocity fast slow 速度 快 慢"),
-        ),
-    )
+    commands = (Command("run.go_on", operation=operation_of(Player.go_on)),)
     # no button becomes another one under the finger: a pause pressed late never moves the arm
     _next = Act("Next step", named="run_next")
     _pause = Act(
@@ -158,12 +93,11 @@ class RunStrip(HasActs, Translated, QWidget):
         self._bar.setFixedWidth(_BAR_PX)
         self._told = QWidget()
         self._beside = False
-        self._override = OverrideControl(controller)
         self._close.setIconSize(QSize(_ICON_PX, _ICON_PX))
         lines = in_column(self._name, self._text, spacing=0, margins=0)
         lines.setAlignment(Qt.AlignmentFlag.AlignVCenter)
         in_row((lines, 1), self._bar, on=self._told, spacing=12, margins=0)
-        row = in_row((self._told, 1), self._override, self._next, on=self, spacing=12)
+        row = in_row((self._told, 1), self._next, on=self, spacing=12)
         fill(row, self._pause, self._continue, self._stop, self._close)
         row.setContentsMargins(_MARGIN_PX + _GAP_PX, _TOP_PX, _MARGIN_PX + _GAP_PX, 0)
         self._runner.progressed.connect(self._on_progress)
@@ -173,7 +107,7 @@ class RunStrip(HasActs, Translated, QWidget):
 
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
-        targets = {**super().command_targets(), "run.override": self._override.field}
+        targets = super().command_targets()
         go_on = self.go_on_button  # a press of the palette never sets the arm moving
         return targets if go_on is None else {**targets, "run.go_on": go_on}
 
@@ -241,7 +175,6 @@ class RunStrip(HasActs, Translated, QWidget):
         self._told.setVisible(not (running and self._beside))
         self._told.setMaximumWidth(_LEAST_PX if self._beside else _UNBOUNDED_PX)
         self._told.setMinimumWidth(_LEAST_PX if self._beside else 0)
-        self._override.setVisible(running or not self._beside)
         self._bar.setVisible(not self._beside)
 
         self.update()

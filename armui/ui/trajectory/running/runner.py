@@ -51,8 +51,9 @@ class Runner(QObject):
     def start(self, checked: Preflight) -> Refusal | None:
         """Run a checked content; return ``None`` if the run has begun, or why not."""
         content, options = checked.content, checked.basis.options
+        speed_percent = self._controller.motion.speed_percent
         if isinstance(content, Recording):
-            replay = Replay(content, options.speed_factor, options.cycles, checked.outcome.profile)
+            replay = Replay(content, speed_percent, options.cycles, checked.outcome.profile)
             return refusal_of(self._controller.replayer.start(replay))
         run = Run(
             content.name,
@@ -60,7 +61,7 @@ class Runner(QObject):
             checked.outcome.expected_s,
             options.cycles,
             options.first,
-            options.speed_factor,
+            speed_percent,
             options.step_by_step,
             checked.outcome.path.even_s,
         )
