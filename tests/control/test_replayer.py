@@ -157,11 +157,14 @@ def test_what_the_arm_cannot_follow_is_not_begun(ready, replay, code):
     assert ready.firmware.joints_deg == at
 
 
-def test_the_speed_named_as_possible_is_possible(ready):
-    fast = wave(seconds=5.0, swing_deg=120.0)
-    refusal = ready.controller.replayer.start(Replay(fast, factor=2.0))
-    factor = refusal.params["percent"] / 100.0
-    accepted(ready.controller.replayer.start(Replay(fast, factor=factor)))
+def test_one_too_fast_for_the_arm_is_capped_at_what_it_can(ready):
+    replayer = ready.controller.replayer
+    accepted(replayer.start(Replay(wave(seconds=2.5, swing_deg=120.0))))
+    percent = ready.controller.operating_state.speed_percent
+    assert 20 < percent < 100, "the slider shows the cap"
+    refusal = ready.controller.motion.set_speed_percent(percent + 1)
+    assert (refusal.code, refusal.params["percent"]) == ("replay_too_fast", percent)
+    assert replayer.speed_percent == percent
     ready.run_until(over(ready))
     assert (phase(ready), ready.controller.replayer.progress.refusal) == (RunPhase.DONE, None)
 

@@ -289,8 +289,6 @@ def test_a_recording_is_replayed_from_the_list(operator):
     app_driver.run_until(lambda: max(map(abs, app_driver.firmware.joints_deg)) < 0.01)
     app_driver.run_until(lambda: not app_driver.controller.operating_state.moving)
     operator.list.findChild(QWidget, "library_table").selectRow(0)
-    speed = operator.list.findChild(QWidget, "run_speed")
-    speed.setValue(50)
     assert not operator.list.findChild(QWidget, "run_first").isVisible()
     app_driver.click(operator.list.findChild(QWidget, "run_send"))
     accept = operator.list.findChild(QWidget, "accept_warnings")

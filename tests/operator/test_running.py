@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QComboBox, QListWidget, QSpinBox, QToolTip, QWidge
 
 from armui.control.run.progress import RunPhase
 from armui.protocol.codes import MoveMode
+from armui.trajectory.library.run_options import RunOptions
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.ui.trajectory.editor.editor_page import EditorPage
@@ -40,13 +41,15 @@ class Operator:
         self.app_driver = app_driver
         self.path = []
         app_driver.ready()
-        Library(app_driver.library_folder).save(Trajectory("Test", points=points))
+        library = Library(app_driver.library_folder)
+        library.save(Trajectory("Test", points=points))
+        library.note_run("Test", RunOptions())  # a first run would begin at 20 %
         app_driver.click("library_button")
         self.library = app_driver.page(LibraryPage)
         self.library.open_trajectory("Test")
         self.window = app_driver.page(EditorPage)
         app_driver.wait(self.window.isActiveWindow)
-        self.child("run_speed", QSpinBox).setValue(100)  # a first run would begin at 20 %
+        app_driver.controller.motion.set_speed_percent(100)
 
     @property
     def progress(self):
@@ -278,9 +281,9 @@ def test_motors_that_are_off_keep_it_from_being_sent(app_driver):
     assert operator.child("run_send").toolTip()
 
 
-def test_the_speed_is_that_of_the_points_times_a_factor(app_driver):
+def test_the_speed_is_that_of_the_points_times_the_one_at_the_top(app_driver):
     operator = Operator(app_driver, replace(to(OUT), speed_percent=60), to(UP))
-    operator.child("run_speed", QSpinBox).setValue(50)
+    app_driver.type_into("speed_field", "50")
     app_driver.heard()
     operator.send()
     operator.until(lambda: operator.progress.index == 1)
@@ -304,7 +307,7 @@ def test_the_library_sends_the_chosen_one(app_driver):
 def test_the_time_left_is_that_which_short_ways_take(app_driver, percent, override):
     near = tuple(angle + 5.0 for angle in OUT)
     operator = Operator(app_driver, to(OUT), to(near), to(OUT, dwell_s=1.0), to(near))
-    operator.child("run_speed", QSpinBox).setValue(percent)
+    app_driver.controller.motion.set_speed_percent(percent)
     operator.send()
     operator.until(lambda: operator.progress.index == 1)
     app_driver.controller.motion.set_speed_percent(override)

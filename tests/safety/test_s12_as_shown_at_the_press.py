@@ -20,7 +20,7 @@ class AtRunBar(Operator):
 
     def choose(self, *, speed=None, steps=None, first=None, times=None):
         if speed is not None:
-            self.child("run_speed").setValue(speed)
+            self.app_driver.controller.motion.set_speed_percent(speed)
         if steps is not None:
             self.child("run_steps").setChecked(steps)
         if first is not None:
@@ -94,7 +94,7 @@ def test_any_choice_turned_is_driven(warned, choice):
     run = warned.app_driver.controller.player._run
     assert run is not None
     shown = {
-        "speed": round(100 * run.speed_factor),
+        "speed": run.speed_percent,
         "steps": run.step_by_step,
         "first": run.first + 1,
         "times": run.cycles,
@@ -122,7 +122,7 @@ def test_turned_while_the_check_is_under_way(slow_driver):
     slow_driver.workers.work()
     slow_driver.step()
     run = slow_driver.controller.player._run
-    assert (run.speed_factor, run.step_by_step) == (0.05, True)
+    assert (run.speed_percent, run.step_by_step) == (5, True)
 
 
 def test_go_on_from_a_row_goes_as_shown(app_driver):
@@ -142,7 +142,7 @@ def test_go_on_from_a_row_goes_as_shown(app_driver):
 def test_the_choices_of_a_run_under_way_are_its_own(app_driver):
     operator = AtRunBar(app_driver, to(OUT), to(BACK))
     operator.send()
-    names = ("run_cycles", "run_speed", "run_first", "run_steps")
+    names = ("run_cycles", "run_first", "run_steps")
     assert not any(operator.child(name).isEnabled() for name in names)
     operator.until_over()
     assert all(operator.child(name).isEnabled() for name in names)

@@ -71,11 +71,3 @@ def test_a_lower_percentage_slows_a_step_under_way_at_once(ready):
     assert told(rig) == [5]
     rig.run(0.5)  # it brakes from where it was
     assert fastest_deg_s(rig, 0.3) <= SLACK * 0.05 * 180.0
-
-
-def test_the_override_of_runs_leaves_a_jog_alone(ready):
-    """It is shown beside runs, and can be lowered without one: a jog has the top bar's speed."""
-    rig = ready
-    accepted(rig.controller.motion.set_speed_percent(10))
-    accepted(rig.controller.jogging.start(JointJog(1, 1)))
-    assert fastest_deg_s(rig, 1.0) > SLACK * 0.1 * highest_deg_s(rig)

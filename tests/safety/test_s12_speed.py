@@ -266,9 +266,7 @@ def test_a_way_at_its_own_speed_is_left_alone(seed):
     """Runs and replays at every percentage, looked at as often as the program does."""
     way = Ways(seed).way()
     driver = Driver(way.start_deg, way.model, way.generation, STREAM_S)
-    request = CheckRequest(
-        way.content, driver.arm_model(), way.start_deg, way.first, 1
-    )
+    request = CheckRequest(way.content, driver.arm_model(), way.start_deg, way.first, 1)
     checked = check(request)
     assert not [each for each in checked.findings if each.severity is Severity.ERROR]
     assert driver.run(replace(way, cycles=1), checked).refusal is None

@@ -1,4 +1,4 @@
-"""S12, S11: a speed override lowers at once, raises in order, and holds back at 0 %."""
+"""S12, S11: the speed in a run lowers at once, raises in order, and holds back at 0 %."""
 
 import math
 from itertools import pairwise
@@ -9,9 +9,10 @@ import pytest
 from armui.arm.figures import FIGURE_NOT_A_NUMBER, FIGURE_OUT_OF_RANGE
 from armui.control.motion.jog_path import JointJog
 from armui.control.motion.motion_command import Hold
-from armui.control.run.player import NOT_RUNNING, RUN_SPEED_ZERO
+from armui.control.run.player import RUN_SPEED_ZERO
 from armui.control.run.progress import Run, RunPhase
 from armui.control.run.replay import Replay
+from armui.control.safety.interlocks import SPEED_ZERO
 from armui.protocol.codes import MoveMode
 from armui.protocol.frame import Frame
 from armui.trajectory.points.program import Waypoint
@@ -146,7 +147,10 @@ def test_on_the_way_to_the_first_sample_it_slows_down_too(ready):
     ready.heard()
     override(ready, 20)
     ready.step()
-    assert mode_words(ready) == [3]  # 20 % of 15
+    assert mode_words(ready) == [15], "its own cap is the lesser one"
+    override(ready, 3)
+    ready.step()
+    assert mode_words(ready) == [3]
     assert max(speeds_deg_s(ready, 1.0)[20:]) < 1.02 * 0.03 * HIGHEST_DEG_S
     override(ready, 0)
     ready.run(0.5)
@@ -187,7 +191,7 @@ def test_in_a_single_motion_the_operators_speed_counts_at_once(ready):
     ready.run(0.4)
     ready.controller.speed_override.step(-95)
     assert max(speeds_deg_s(ready, 1.5)[40:]) < 1.02 * 0.05 * HIGHEST_DEG_S
-    assert ready.controller.speed_override.percent == 100
+    assert ready.controller.speed_override.percent == 5
     assert "motion_too_fast" not in ready.codes()
 
 
@@ -287,26 +291,23 @@ def test_step_by_step_does_not_go_on_at_0_percent(ready):
     assert player.go_on() is None  # a step is no command of its own
 
 
-def test_it_is_there_for_a_run_and_stays_for_the_next(ready):
-    assert override(ready, 0).reason == NOT_RUNNING
+def test_0_percent_stays_after_the_run_and_nothing_begins_at_it(ready):
     player = started(ready, FAR)
     override(ready, 30)
     override(ready, 0)
     player.stop()
     ready.run_until(lambda: not player.running)
     ready.run(0.1)
-    assert ready.controller.operating_state.speed_percent == 30
-    ready.heard()
-    started(ready, HERE)
-    ready.step()
-    assert mode_words(ready)[-1] == 24  # 30 % of 80
+    assert ready.controller.operating_state.speed_percent == 0
+    assert player.start(Run("run", [Waypoint(MoveMode.MOVE_J, HERE)], [2.0])).reason == SPEED_ZERO
+    assert ready.controller.replayer.start(Replay(even_turn())).reason == SPEED_ZERO
 
 
 def test_a_figure_that_is_no_percentage_is_refused(ready):
     for value in (-1, 101):
         assert override(ready, value).reason == FIGURE_OUT_OF_RANGE
     assert override(ready, math.nan).reason == FIGURE_NOT_A_NUMBER
-    assert ready.controller.speed_override.percent == 100
+    assert ready.controller.speed_override.percent == 40
 
 
 # Afterwards, others, losses ----------------------------------------------------------------------
@@ -324,6 +325,19 @@ def test_afterwards_the_operators_percentage_is_back_in_the_arm(ready, what):
     part.stop()
     ready.run_until(lambda: not part.running, seconds=60.0)
     ready.run(1.5)
+    assert ready.firmware.condition.speed_percent == 20, "the lower one of before and of the run"
+
+
+@pytest.mark.parametrize("what", ["run", "replay"])
+def test_what_was_raised_in_a_run_goes_back(ready, what):
+    part = started(ready, FAR, speed_percent=40) if what == "run" else replaying(ready)
+    accepted(override(ready, 90))
+    assert ready.controller.operating_state.speed_percent == 90
+    ready.run(0.5)
+    part.stop()
+    ready.run_until(lambda: not part.running, seconds=60.0)
+    ready.run(1.5)
+    assert ready.controller.operating_state.speed_percent == 40
     assert ready.firmware.condition.speed_percent == 40
 
 

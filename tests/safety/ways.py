@@ -293,9 +293,7 @@ def judge(way: Way) -> Judged:
     start_deg = driver.state().angles_deg()
     assert start_deg is not None
     arm = driver.arm_model()
-    checked = check(
-        CheckRequest(way.content, arm, start_deg, way.first, way.cycles)
-    )
+    checked = check(CheckRequest(way.content, arm, start_deg, way.first, way.cycles))
     findings, path = checked.findings, checked.path
     cycles = int(path.cycles.max(initial=1))
     for found in findings:

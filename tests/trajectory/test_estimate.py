@@ -72,7 +72,8 @@ def test_a_recording_takes_its_own_time():
 
 
 def test_points_take_longer_at_a_lower_speed_but_for_their_dwells():
-    (full_s, slow_s) = estimates_s(BOTH, ARM, RunOptions(), (100, 20))
+    known: Any = estimates_s(BOTH, ARM, RunOptions(), (100, 20))
+    full_s, slow_s = known
     assert full_s + 0.2 < slow_s < 5 * (full_s - 2.0) + 2.0 + 0.01
 
 

@@ -33,7 +33,8 @@ class Press:
     """
 
     def __init__(self, **more: Any) -> None:
-        self.controller = Mock(mark=ArmMark(1), operating_state=Mock(cannot_run=None))
+        now = Mock(cannot_run=None, occupied=None, speed_percent=30, model_fit=Mock(wrong=None))
+        self.controller = Mock(mark=ArmMark(1), operating_state=now)
         self.checks, self.runner, self.page = Mock(), Mock(), Mock()
         self.runner.start.return_value = None
         self.options = RunOptions()
