@@ -33,12 +33,11 @@ ARGUMENTS: dict[str, tuple[dict[str, Any], ...]] = {
         {"command": TrajectoryCommand[name]}
         for name in ("PAUSE", "CONTINUE", "CLEAR_CURRENT", "CLEAR_ALL", "ABORT")
     ),
-    "run.override": ({"percent": 0}, {"percent": 50}),
     "reference.drive": ({"joint": 1},),
 }
 """What a reason may depend on beside the state."""
 
-OTHERWISE = {"run.go_on", "run.override", "settings.read"}
+OTHERWISE = {"run.go_on", "settings.read"}
 """What asks, records and refuses in its own way: there is not always a record, or nothing is told.
 """
 

@@ -126,7 +126,6 @@ BEGIN: dict[str, tuple[Any, Ending]] = {
     "planned.command": ((TrajectoryCommand.PAUSE,), SENT),
     "run.start": (lambda _rig: (run_of(to(OUT), to(BACK)),), DONE),
     **dict.fromkeys(("run.pause", "run.go_on", "replay.pause", "replay.go_on"), (NONE, SENT)),
-    "run.override": ((50,), SENT),
     "replay.start": (lambda _rig: (Replay(wave()),), DONE),
     "recorder.start": (NONE, DONE),
     "teaching.command": ((TeachingState.START_RECORDING,), DONE),

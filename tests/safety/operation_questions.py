@@ -68,9 +68,7 @@ _NO_LINE: Final[Reasons] = {
 NOT_ASKED: Final[Mapping[Question, Reasons]] = {
     Question.MOVES: {
         "It is the operator's choice, kept in any state, and told where it sets nothing going: to "
-        "refuse it would keep a motion under way from being slowed.": (
-            *("motion.set_speed", "run.override"),
-        ),
+        "refuse it would keep a motion under way from being slowed.": ("motion.set_speed",),
     },
     Question.HALT: {
         "It sends no motion frame, and a halt is no reason against it.": [

@@ -339,7 +339,6 @@ ENTRIES: Final[Mapping[str, Entry]] = {
     "gripper.move": Entry(_always(40.0, 1.0), _GRIPPER),
     # what tells it how
     "motion.set_speed": Entry(_always(50), _WORD, percent=50),
-    "run.override": Entry(_always(50), _WORD, running, percent=RUN_PERCENT),
     "mounting.tell": Entry(_always(Mounting.LEVEL), _WORD),
     "gripper.enable": Entry(_always(1.0), _GRIPPER),
     # what sends no motion frame

@@ -49,8 +49,6 @@ from tests.safety.operations_table import (
     Way,
     motion_paused,
     motion_under_way,
-    run_paused,
-    running,
 )
 
 NewDriver = Callable[[], Driver]
@@ -240,7 +238,6 @@ def test_what_sends_a_motion_frame_is_declared_to_move(new_driver: NewDriver, na
 
 HELD_BACK: Final = {
     "motion.set_speed": (motion_paused, motion_under_way),
-    "run.override": (run_paused, running),
 }
 """For what is not declared to move: a motion that is held back, and one that is under way."""
 
@@ -325,7 +322,7 @@ def test_s09_no_motion_frame_while_the_arm_is_not_heard(new_driver: NewDriver, n
             assert isinstance(answer, Refusal)
 
 
-GOES_ON: Final = frozenset({"planned.command", "run.go_on", "replay.go_on", "run.override"})
+GOES_ON: Final = frozenset({"planned.command", "run.go_on", "replay.go_on"})
 """What goes on with something that another host's word ends."""
 ENDED_BY_THE_OTHER: Final = {
     "planned.command": "the motion held back is the other host's to go on with",

@@ -70,6 +70,7 @@ def test_what_is_raised_in_a_run_counts_and_is_back_after_it(app_driver):
     operator.send()
     app_driver.run(0.2)
     app_driver.type_into("speed_field", "50")
+    app_driver.run(0.1)
     assert app_driver.firmware.condition.speed_percent == 45
     assert operator.progress.phase is RunPhase.MOVING
     operator.until_over()
