@@ -46,6 +46,7 @@ from armui.trajectory.points.program import GripperAction, Waypoint
 
 if TYPE_CHECKING:
     from armui.arm.models import ArmModel
+    from armui.control.motion.motion_command import MotionCommand
 
 RUN_SPEED_ZERO = Reason(
     "run_speed_zero", "The speed is 0 %: raise it at the top, then hold “Continue” for 1 s."
@@ -382,7 +383,7 @@ class Player(Execution):
                 why_not=lambda now: now.cannot_run,
                 joints_deg=point.target if point.is_joint else None,
                 tool_way=tool_way(point, context.state()),
-                sent=lambda _command: self._on_sent(point),
+                sent=lambda command: self._on_sent(point, command),
                 refused=self._fail,
             )
         )
@@ -391,9 +392,10 @@ class Player(Execution):
         else:
             self._publish()
 
-    def _on_sent(self, point: Waypoint) -> None:
+    def _on_sent(self, point: Waypoint, command: MotionCommand) -> None:
         self._since_s = self._looked_s = self._context.clock()
-        self._untold = False
+        # the speed may have been changed while the gate checked the way
+        self._untold = command.speed_percent != self._percent
         self._watch = ArrivalWatch(point, self._since_s)
 
     def _arm(self) -> ArmModel:

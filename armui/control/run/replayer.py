@@ -267,7 +267,8 @@ class Replayer(Execution):
             return
         self._passed = self._context.gate().passed(command)
         self._since_s = self._looked_s = self._context.clock()
-        self._waited_s, self._untold = 0.0, False
+        # the speed may have been changed while the gate checked the way
+        self._waited_s, self._untold = 0.0, command.speed_percent != self._approach_percent
         target_deg = self._way_in[0] if self._way_in else replay.first_deg
         self._watch = ArrivalWatch(Waypoint(MoveMode.MOVE_J, target_deg), self._since_s)
 
