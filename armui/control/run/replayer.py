@@ -258,7 +258,8 @@ class Replayer(Execution):
         )
         request = replace(request, sent=self._on_set_out, refused=self._fail)
         if not self._way_in:
-            request = replace(request, plan=replay.way)
+            most = self._most_percent
+            request = replace(request, plan=lambda begin_deg: replay.way(begin_deg, most))
         return self._context.gate().send(request)
 
     def _on_set_out(self, command: MotionCommand) -> None:

@@ -329,8 +329,11 @@ def _findings(
     if len(path.times_s):
         findings += _far_from_start(path)
         findings += _tool_too_fast(path, ~slow, arm)
+        caps = [int(each.params["percent"]) for each in findings if each.kind == JOINT_TOO_FAST]
+        capped = (min(caps, default=100) / 100.0) ** 2
+        astray = None if profile is None else profile.astray_deg.astype(float) * capped
         for carried, legs in _carried_legs(content, path, request):
-            findings += _broken(path, legs, carried, request, profile)
+            findings += _broken(path, legs, carried, request, astray)
         findings = _tell_approach(findings, path)
     if any(each.cycle > 1 and each.severity is Severity.ERROR for each in findings):
         # The error of a later cycle already says why the cycles do not repeat.
@@ -406,17 +409,16 @@ def _broken(
     legs: Sequence[_Leg],
     carried: Carried,
     request: CheckRequest,
-    profile: ReplayProfile | None,
+    astray_deg: Array | None,
 ) -> Iterator[Finding]:
     """Yield where parts of a path break a rule, as the gate will ask it."""
     arm = replace(request.arm, held=carried.held)
     rules = rules_of(arm, carried.area, request.lowest_mm)
     ways = [rules.ramped(leg.way(path)) for leg in legs]
-    if profile is not None:
-        astray = profile.astray_deg.astype(float)
+    if astray_deg is not None:
         rows = [path.rows[leg.begin : leg.end + 1] for leg in legs]
         ways[1:] = [
-            replace(way, beside_deg=astray[row])
+            replace(way, beside_deg=astray_deg[row])
             for way, row in zip(ways[1:], rows[1:], strict=True)
         ]
     for rule in rules.every:
