@@ -180,7 +180,7 @@ def test_points_by_joints():
     first, second = read.points
     assert (first.move, first.target) == (MoveMode.MOVE_J, (1, 2, -3, 4, 5, 6))
     assert (first.speed_percent, first.dwell_s, first.gripper, first.note) == (40, 1.5, None, "")
-    assert (second.speed_percent, second.dwell_s) == (30, 0.0)
+    assert (second.speed_percent, second.dwell_s) == (100, 0.0)
     assert (second.gripper, second.note) == (GripperOpening(35), "go")
 
 

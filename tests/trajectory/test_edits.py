@@ -162,7 +162,7 @@ def test_points_copied_and_pasted_are_the_same(points):
 def test_rows_of_a_spreadsheet():
     pasted = from_text("J1\tJ2\tJ3\tJ4\tJ5\tJ6\n1\t2\t-3\t4\t5\t6\t50\t0.5\n7\t8\t-9\t0\t1\t2\n")
     assert [each.target for each in pasted] == [(1, 2, -3, 4, 5, 6), (7, 8, -9, 0, 1, 2)]
-    assert [(each.speed_percent, each.dwell_s) for each in pasted] == [(50, 0.5), (30, 0.0)]
+    assert [(each.speed_percent, each.dwell_s) for each in pasted] == [(50, 0.5), (100, 0.0)]
 
 
 def test_rows_are_poses_where_the_row_in_the_table_is_one():

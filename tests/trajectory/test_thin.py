@@ -89,5 +89,5 @@ def test_samples_become_points_with_the_speed_they_had():
     angles = np.zeros((3, 6))
     angles[1:, 1] = 0.5 * FACTORY_LIMITS[1].max_speed_deg_s  # in one second
     trajectory = to_points(recording(angles, step_s=1.0), FACTORY_LIMITS)
-    assert [point.speed_percent for point in trajectory.points] == [30, 50, 1]
+    assert [point.speed_percent for point in trajectory.points] == [100, 50, 1]
     assert trajectory.points[1].target[1] == pytest.approx(angles[1, 1], abs=1e-3)

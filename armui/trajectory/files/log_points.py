@@ -57,6 +57,9 @@ _LIGHT: Final = re.compile(r"([1-6])/(all|\d{1,3}):(\d{1,3}),(\d{1,3}),(\d{1,3})
 Token = tuple[str, int]
 """A word of a line, and the column where it begins, from 1."""
 
+_UNTOLD_PERCENT: Final = 30
+"""The speed in percent of a line that tells none."""
+
 
 def write_point(point: Waypoint) -> str:
     """Return the line of a point, without its comments and without a line end."""
@@ -116,6 +119,7 @@ def read_point(text: str, line: int, comments: tuple[str, ...]) -> Waypoint:
         if field in fields:
             raise broken(OPTION_TWICE, line, column, value=name)
         fields[field] = read(value, line, column + len(name) + 1)
+    fields.setdefault("speed_percent", _UNTOLD_PERCENT)
     point = Waypoint(move, target, middle, comments=comments, **fields)
     return verified_point(point, line, letter_column)
 
