@@ -68,6 +68,7 @@ def operating_states() -> Iterator[OperatingState]:
                 generation=generation,
                 gripper_heard=True,
                 running=running,
+                speed_percent=30,
                 cannot_move=None,
                 cannot_run=None,
                 cannot_enable=None,
@@ -130,7 +131,7 @@ def test_each_says_in_any_state_whether_it_may_be_done(rig):
             silent.add(name)
         if None not in reasons:
             never.add(name)
-    assert (silent, never) == (set(), set())
+    assert (silent, never) == ({"motion.set_speed"}, set()), "slowing down is never refused"
 
 
 def test_what_moves_the_arm_is_refused_without_one(rig):
