@@ -4161,7 +4161,7 @@
     </message>
     <message>
         <source>Joint {joint} would have to turn at {value}°/s; its limit is {maximum}°/s. The replay goes at {percent} % at most.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 {joint} 需以 {value}°/s 转动，其上限为 {maximum}°/s。重放速度最高 {percent} %。</translation>
     </message>
     <message>
         <source>After {gone} % of the way the tool would be out of reach. Put another point between, or use MOVE J.</source>
@@ -5901,7 +5901,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
     <message>
         <source>The speed in the top bar: it counts for every jog and step, also while one goes on.</source>
-        <translation type="unfinished"></translation>
+        <translation>顶栏的速度：对每次点动和步进有效，进行中也立即生效。</translation>
     </message>
     <message>
         <source>Step of − and +</source>
@@ -7788,7 +7788,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
     <message>
         <source>The run goes at {percent} %</source>
-        <translation type="unfinished"></translation>
+        <translation>运行速度 {percent} %</translation>
     </message>
     <message>
         <source>Checking the way…</source>
@@ -8454,7 +8454,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
     <message>
         <source>Set the speed</source>
-        <translation type="unfinished"></translation>
+        <translation>设置速度</translation>
     </message>
     <message>
         <source>Move with the reference in doubt</source>
@@ -10879,7 +10879,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>The speed is 0 %: raise it at the top, then hold “Continue” for 1 s.</source>
-        <translation type="unfinished"></translation>
+        <translation>速度为 0 %：请先在顶栏调高，再按住“继续”1 秒。</translation>
     </message>
     <message>
         <source>At the recorded pace joint {joint} would turn at {value}°/s; its limit is {maximum}°/s. This replay goes at {percent} % at most.</source>
@@ -12290,7 +12290,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>The recorded pace × the speed at the top, here {percent} %.</source>
-        <translation type="unfinished"></translation>
+        <translation>录制速度 × 顶栏速度，此处为 {percent} %。</translation>
     </message>
     <message>
         <source>The speed of each row × that at the top: {percent} from row {row} on.</source>
@@ -13899,7 +13899,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>The speed of everything, 0–100 %: of the arm&apos;s highest, and in a run of each point&apos;s or the recorded one. 0 % holds a run back. Slower {slower}, faster {faster}. A motion measured to be more than 1.5 times as fast as it was told is ended.</source>
-        <translation type="unfinished"></translation>
+        <translation>所有运动的速度，0–100 %：相对机械臂最高速度；运行时相对各点或录制的速度。0 % 使运行暂停。降速 {slower}，提速 {faster}。测得速度超过指令的 1.5 倍时，终止该运动。</translation>
     </message>
     <message>
         <source>Speed percentage</source>
