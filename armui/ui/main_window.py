@@ -189,7 +189,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._work_area = WorkArea(StackArea(self._panels), self._page_area, picture)
         self._work_column = WorkColumn(self._work_area, self._drawer)
 
-        top = TopBar(self._controller, self._opening("connect"))
+        top = TopBar(self._controller, self._opening("connect"), self._joint_monitor)
         recovery = RecoveryLine(
             self._controller, self._opening("connect"), self._opening("reference")
         )

@@ -3322,6 +3322,10 @@
         <source>Stopped</source>
         <translation>已急停</translation>
     </message>
+    <message>
+        <source>Fault: {joints}</source>
+        <translation>故障：{joints}</translation>
+    </message>
 </context>
 <context>
     <name>EndLimitsPanel</name>
@@ -10121,10 +10125,6 @@ The other program must have ended.</source>
         <translation>关节 {joints} 电源电压过低。请检查 24 V 电源，恢复后自动继续。</translation>
     </message>
     <message>
-        <source>Too hot, joint {joints}. Let the arm cool down; the message goes by itself.</source>
-        <translation>关节 {joints} 过温。请等待冷却，恢复后提示自动消失。</translation>
-    </message>
-    <message>
         <source>The arm reports a joint status fault. Look at the joint status, then clear the errors.</source>
         <translation>机械臂报告关节状态异常。请查看关节状态，然后清除错误。</translation>
     </message>
@@ -10201,6 +10201,10 @@ The other program must have ended.</source>
         <translation>关节 {joints} 的电机未使能。请扶住机械臂，然后使能。</translation>
     </message>
     <message>
+        <source>{reason}</source>
+        <translation>{reason}</translation>
+    </message>
+    <message>
         <source>The motors are off. Enable them to move the arm.</source>
         <translation>电机未使能。使能后可运动。</translation>
     </message>
@@ -10239,6 +10243,10 @@ The other program must have ended.</source>
     <message>
         <source>Emergency stop. Support the arm: its release cuts the power and it drops.</source>
         <translation>急停中。请扶住机械臂：解除急停时会断电，机械臂会下落。扶稳后再解除。</translation>
+    </message>
+    <message>
+        <source>Too hot, joint {joints}: {temperature} °C. Let the arm cool down; the message goes by itself.</source>
+        <translation>关节 {joints} 过温：{temperature} °C。请等待冷却，恢复后提示自动消失。</translation>
     </message>
     <message>
         <source>Another program drives the arm in {other_mode} mode. Nothing is sent by itself: a new mode leaves the joints limp. Stop that program first.</source>
@@ -10319,6 +10327,10 @@ The other program must have ended.</source>
     <message>
         <source>Motions are agreed to, though joint {joints} may stand elsewhere than it reports.</source>
         <translation>已同意运动，但关节 {joints} 的实际位置可能与上报不符。</translation>
+    </message>
+    <message>
+        <source>Motion is locked: {obstacle}</source>
+        <translation>运动已锁定：{obstacle}</translation>
     </message>
 </context>
 <context>

@@ -14,7 +14,7 @@ from armui.arm.device import Device
 from armui.arm.other_hosts import OtherHosts, OtherTraffic
 from armui.arm.state import ArmState, DriverSlow, Reading, Status
 from armui.control.assessment import ActiveTasks, AssessmentInputs, assess
-from armui.control.authority import Authority
+from armui.control.authority import MET_MOVING, PART_FAILED, Authority
 from armui.control.cell.cell_reasons import (
     CELL_HOLDING_NOT_CONFIRMED,
     CELL_NOT_CONFIRMED,
@@ -24,9 +24,18 @@ from armui.control.cell.intrusion import AreaIntrusion
 from armui.control.devices.teaching_phase import why_not_teach
 from armui.control.events import Level
 from armui.control.link.link_state import LinkState
+from armui.control.link.offsets import OffsetFollower
 from armui.control.motion.motion_command import Hold, Observation
-from armui.control.operating_state import Busy, OperatingState, OtherHostReport, StopState
+from armui.control.operating_state import (
+    BUSY,
+    RUN_UNDER_WAY,
+    Busy,
+    OperatingState,
+    OtherHostReport,
+    StopState,
+)
 from armui.control.run.progress import OVER, RunPhase
+from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN, SPEED_ZERO
 from armui.control.safety.recovery_rules import STEP_IN_VAIN, next_step
 from armui.control.safety.recovery_steps import UNHINDERED, Action, Step, StepKind
 from armui.control.safety.reference_status import ReferenceStatus
@@ -186,12 +195,29 @@ def online() -> Iterator[tuple[ArmState, OperatingState]]:
         yield state, operating_state(state, stop=stop, stop_unconfirmed=unconfirmed, busy=busy)
     yield from in_company()
     yield from in_a_cell()
+    yield from locked_otherwise()
     state = arm(status())
     yield state, operating_state(state, below_base_mm=40)
     resting = arm(status(), pose_deg=(0.0, -2.0, 2.0, 0.0, 22.0, 0.0))
     yield resting, operating_state(resting)
     for generation in (None, *Generation):
         yield ArmState(last_feedback_s=NOW_S), operating_state(ArmState(), generation=generation)
+
+
+def locked_otherwise() -> Iterator[tuple[ArmState, OperatingState]]:
+    """Arms without a fault and with their motors on, of which nothing may move for one reason."""
+    state = arm(status())
+    yield state, operating_state(state, speed_percent=0)
+    yield state, operating_state(state, tasks=ActiveTasks(altering="linkage"))
+    unproven = OffsetFollower()
+    unproven.control_known = False
+    yield state, operating_state(state, offsets=unproven)
+    failed = Authority()
+    failed.failed = True
+    yield state, operating_state(state, authority=failed)
+    joints_deg = (*state.joints_deg[:5], None)
+    unheard = state._replace(joints_deg=joints_deg)
+    yield unheard, operating_state(unheard)
 
 
 def in_a_cell() -> Iterator[tuple[ArmState, OperatingState]]:
@@ -283,6 +309,7 @@ WAITS = {
         StepKind.STOP_REQUESTED,
         StepKind.WORKING,
         StepKind.HANDSHAKE,
+        StepKind.NO_MOTION,
     ),
     *(StepKind.UNDERVOLTAGE, StepKind.OVERTEMPERATURE),
     *(
@@ -309,8 +336,8 @@ def test_every_combination_has_one_next_step_that_can_be_taken(qapp):
             assert again.kind is step.kind
             assert again.action is not None
             assert is_valid(again.action, state, now), told
-        if step.kind is StepKind.READY:
-            assert now.cannot_move is None, told
+        if step.kind in UNHINDERED:
+            assert now.cannot_move in (None, RUN_UNDER_WAY()), told
         seen.setdefault((step.kind, frozenset(step.params), bool(step.joints)), step)
     assert {kind for kind, _, _ in seen} == set(StepKind)
     for step in seen.values():
@@ -346,7 +373,10 @@ def test_an_arm_on_its_way_is_not_called_ready():
     authority = Authority()
     state = arm(status(reached=False))
     assert not authority.at_rest
-    assert step_of(state, authority=authority).kind is StepKind.MOVING
+    met = step_of(state, authority=authority)  # by somebody before us: nothing of ours may move
+    assert (met.kind, met.params) == (StepKind.NO_MOTION, {"reason": MET_MOVING()})
+    ours = replace(operating_state(state), cannot_move=None)
+    assert next_step(state, ours, NOW_S).kind is StepKind.MOVING
 
 
 def test_what_a_step_is_about_is_named():
@@ -357,6 +387,30 @@ def test_what_a_step_is_about_is_named():
     assert (step.kind, step.joints) == (StepKind.COLLISION, ())
     step = step_of(arm(status(control_mode=ControlMode.TEACHING), pose_deg=POSES_DEG[1]))
     assert step.params == {"joint": 2, "angle": 40.0, "near": "15"}
+
+
+def test_the_line_tells_what_is_too_hot_how_hot_that_nothing_moves_and_what_to_do(qapp):
+    hot = {"motor_overtemperature": True, "motor_temperature_c": 94.2}
+    step = step_of(arm(status(arm_status=9), protection=hot))
+    assert words.step(step) == (
+        "Motion is locked: Too hot, joint 2: 94 °C. Let the arm cool down; the message goes by "
+        "itself."
+    )
+    still_moves = step_of(arm(status(), protection=hot))
+    assert words.step(still_moves).startswith("Too hot, joint 2: 94 °C.")
+
+
+def test_the_line_tells_every_reason_that_locks_all_motion(qapp):
+    """Those without a step of their own are told in their own words."""
+    told = set()
+    for state, now in locked_otherwise():
+        step = next_step(state, now, NOW_S)
+        assert now.cannot_move is not None
+        assert step.kind in {StepKind.NO_MOTION, StepKind.STATUS_UNKNOWN}, now.cannot_move
+        if step.kind is StepKind.NO_MOTION:
+            assert words.step(step) == words.refusal(now.cannot_move)
+            told.add(now.cannot_move.reason)
+    assert told == {SPEED_ZERO, BUSY, CONTROL_OFFSET_UNKNOWN, PART_FAILED}
 
 
 def test_what_was_tried_in_vain_leads_to_the_next_stronger_means():

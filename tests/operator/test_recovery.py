@@ -252,3 +252,20 @@ def test_a_resting_arm_is_brought_inside_from_the_line(app_driver):
     assert driver.firmware.joints_deg[:5] == inside_deg
     driver.click("jog_plus_1")
     driver.run_until(lambda: driver.firmware.joints_deg[0] > 0.5)
+
+
+@ONE_IS_ENOUGH
+def test_a_joint_that_is_too_hot_is_told_with_its_figure_and_its_lamp(ready):
+    ready.firmware.drivers.overheat_motor(1, on=True)
+    reads(ready, "Motion is locked: Too hot, joint 2: 95 °C. Let the arm cool down")
+    ready.run_until(lambda: ready.find("enable_button").faulty == (2,))
+    ready.type_into("target_field_1", "40")
+    assert not ready.find("send_button").isEnabled()
+
+
+@ONE_IS_ENOUGH
+def test_a_speed_of_zero_is_told_where_the_next_step_is(ready):
+    ready.controller.motion.set_speed_percent(0)
+    reads(ready, "The speed is set to 0 %: the arm would not move. Set a speed from 1 to 100 %")
+    ready.controller.motion.set_speed_percent(30)
+    reads(ready, "Ready")

@@ -8,6 +8,7 @@ from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialog, QLineEdit, QVBoxLayout, QWidget
 
+from armui.control.devices.joint_monitor import JointMonitor
 from armui.control.operating_state import OperatingState, StopState
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.shell.top_bar import TopBar
@@ -30,7 +31,7 @@ def host(qtbot):
 
 @pytest.fixture
 def button(host, controller):
-    button = TopBar(controller, lambda: None, host).findChild(StopButton)
+    button = TopBar(controller, lambda: None, JointMonitor(controller), host).findChild(StopButton)
     host.layout().addWidget(button)
     host.show()
     return button

@@ -6,6 +6,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QSpinBox
 
+from armui.control.devices.joint_monitor import JointMonitor
 from armui.control.link.link_state import LinkState
 from armui.control.operating_state import RUN_UNDER_WAY, Busy, OperatingState, StopState
 from armui.control.safety.interlocks import STOPPED
@@ -15,8 +16,9 @@ from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.shell.top_bar import CommunicationButton, EnableButton, TopBar
 from armui.ui.widgets.text_label import ValueLabel
 from armui.ui.widgets.track_slider import TrackSlider
-from tests.ui.arm_states import arm_state, operating_state
+from tests.ui.arm_states import arm_state, heard_six, operating_state
 from tests.ui.dialog_reading import hold
+from tests.ui.test_joint_status import WELL
 
 LEFT = Qt.MouseButton.LeftButton
 
@@ -28,7 +30,9 @@ def opened():
 
 @pytest.fixture
 def bar(qtbot, controller, opened):
-    bar = TopBar(controller, lambda: opened.append("connect"))
+    bar = TopBar(
+        controller, lambda: opened.append("connect"), JointMonitor(controller, parent=controller)
+    )
     qtbot.addWidget(bar)
     bar.resize(1280, 64)
     bar.show()
@@ -167,6 +171,22 @@ def test_enable_button_shows_the_six_joints(enable, controller, marks, busy, wor
     controller.be(operating_state(enabled=marks, busy=busy))
     assert enable.marks == marks
     assert enable.text() == word
+
+
+def test_a_joint_with_a_fault_has_another_mark_though_it_is_enabled(enable, controller):
+    controller.be(operating_state(generation=Generation.TWO))
+    well = enable.grab().toImage()
+    hot = WELL._replace(motor_overtemperature=True)
+    drivers = heard_six((WELL, hot, WELL, WELL, WELL, WELL))
+    controller.hear(arm_state(sequence=2)._replace(drivers_slow=drivers))
+    assert enable.faulty == (2,)
+    assert "Fault: J2" in enable.accessibleName()
+    assert "J2" in enable.toolTip()
+    grey = well.Format.Format_Grayscale8  # the shape alone has to tell
+    assert enable.grab().toImage().convertToFormat(grey) != well.convertToFormat(grey)
+    controller.hear(arm_state(sequence=3)._replace(drivers_slow=heard_six((WELL,) * 6)))
+    assert enable.faulty == ()
+    assert enable.grab().toImage() == well
 
 
 def test_in_an_emergency_stop_the_motors_are_not_called_disabled(enable, controller):

@@ -66,7 +66,13 @@ _SHOWS_LATER_S: Final = 0.5
 
 _SETTLE_S: Final = 0.25
 _MAY_BE_BRIEF: Final = frozenset(
-    {StepKind.HANDSHAKE, StepKind.STATUS_UNKNOWN, StepKind.MOTORS_UNKNOWN, StepKind.MOTORS_MIXED}
+    {
+        StepKind.HANDSHAKE,
+        StepKind.STATUS_UNKNOWN,
+        StepKind.MOTORS_UNKNOWN,
+        StepKind.MOTORS_MIXED,
+        StepKind.NO_MOTION,
+    }
 )
 """The steps that may be only transitional: drivers and controller report one after the other. Such
 a step is shown only if it lasts for ``_SETTLE_S``, because a flickering line leads to wrong clicks.

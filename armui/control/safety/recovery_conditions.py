@@ -19,7 +19,7 @@ from armui.control.devices.teaching_phase import (
 )
 from armui.control.link.link_state import LinkState
 from armui.control.motion.motion_command import Hold
-from armui.control.operating_state import OperatingState, StopState
+from armui.control.operating_state import RUN_UNDER_WAY, OperatingState, StopState
 from armui.control.run.progress import RunPhase
 from armui.control.safety import interlocks
 from armui.control.safety.feedback_freshness import FEEDBACK_SILENT
@@ -106,6 +106,32 @@ def joints_flagged(
 def drivers(fault: Callable[[DriverSlow], bool | None]) -> Callable[[RecoveryView], list[bool]]:
     """Return a function for the flags of the joints whose drivers report a fault (0x261–0x266)."""
     return lambda view: [each is not None and bool(fault(each)) for each in view.drivers]
+
+
+def too_hot(view: RecoveryView) -> Params | None:
+    """Return the joints whose motor or driver is too hot and the highest temperature, if any is."""
+    hot_c: dict[int, float] = {}
+    for joint, each in zip(JOINTS, view.drivers, strict=True):
+        parts_c = [] if each is None else _hot_parts_c(each)
+        if parts_c:
+            hot_c[joint] = max(parts_c)
+    if not hot_c:
+        return None
+    hottest = f"{max(hot_c.values()):.0f}"
+    joints = list(hot_c)
+    return {
+        "joints": interlocks.joint_list(joints),
+        "numbers": tuple(joints),
+        "temperature": hottest,
+    }
+
+
+def _hot_parts_c(driver: DriverSlow) -> list[float]:
+    parts = (
+        (driver.motor_overtemperature, driver.motor_temperature_c),
+        (driver.driver_overtemperature, driver.driver_temperature_c),
+    )
+    return [temperature_c for hot, temperature_c in parts if hot]
 
 
 def status_flags(
@@ -200,6 +226,14 @@ def held_back(hold: Hold) -> Applies:
 def run_is(*phases: RunPhase) -> Applies:
     """Return a check that applies while a run or a replay is in one of these phases."""
     return when(lambda view: view.operating_state.run_phase in phases)
+
+
+def otherwise_locked(view: RecoveryView) -> Params | None:
+    """Return the reason against every motion that no step of its own tells, or ``None``."""
+    reason = view.operating_state.cannot_move
+    if reason is None or reason == RUN_UNDER_WAY():
+        return None
+    return {"reason": reason}
 
 
 def moves(view: RecoveryView) -> bool:

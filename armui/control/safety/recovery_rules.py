@@ -47,6 +47,7 @@ from armui.control.safety.recovery_conditions import (
     other_host_is,
     other_mode,
     other_mode_that_ends,
+    otherwise_locked,
     outside,
     overspeed,
     reference_in_doubt,
@@ -54,6 +55,7 @@ from armui.control.safety.recovery_conditions import (
     status_flags,
     stop_lapsed_away,
     stop_waits,
+    too_hot,
     unknown_status,
     when,
     working,
@@ -124,6 +126,7 @@ def next_step(
         failed=STEP_IN_VAIN() if failures else None,
         alternative=rule.alternative,
         motion=motion,
+        locked=operating_state.cannot_move is not None,
     )
 
 
@@ -211,9 +214,7 @@ _RULES: Final = (
         StepKind.OVERTEMPERATURE,
         Level.FAULT,
         None,
-        joints_flagged(
-            drivers(lambda each: each.motor_overtemperature or each.driver_overtemperature)
-        ),
+        too_hot,
     ),
     _latched(StepKind.JOINT_STATUS, has_code(ArmStatusCode.JOINT_STATUS_ABNORMAL)),
     _Rule(
@@ -312,6 +313,7 @@ _RULES: Final = (
         alternative=Action.ALLOW,
     ),
     _Rule(StepKind.MOTORS_OFF, Level.INFO, Action.ENABLE, when(lambda view: not view.enabled)),
+    _Rule(StepKind.NO_MOTION, Level.WARNING, None, otherwise_locked),
     _Rule(StepKind.OUTSIDE, Level.WARNING, Action.COME_INSIDE, outside),
     # a target was refused; the arm stands where it was and takes the next
     _Rule(

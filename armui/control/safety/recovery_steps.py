@@ -218,7 +218,8 @@ class StepKind(enum.Enum):
     )
     OVERTEMPERATURE = StepText(
         "overtemperature",
-        "Too hot, joint {joints}. Let the arm cool down; the message goes by itself.",
+        "Too hot, joint {joints}: {temperature} °C. Let the arm cool down; the message goes by "
+        "itself.",
     )
     JOINT_STATUS = StepText(
         "joint_status",
@@ -320,6 +321,7 @@ class StepKind(enum.Enum):
     MOTORS_MIXED = StepText(
         "motors_mixed", "The motors of joint {joints} are off. Hold the arm, then enable them."
     )
+    NO_MOTION = StepText("no_motion", "{reason}")
     MOTORS_OFF = StepText("motors_off", "The motors are off. Enable them to move the arm.")
     REFERENCE_CHECK = StepText(
         "reference_check",
@@ -373,6 +375,26 @@ class StepKind(enum.Enum):
     READY = StepText("ready", "Ready")
 
 
+ARM_FAULTS: Final = frozenset(
+    {
+        StepKind.COMMUNICATION,
+        StepKind.COLLISION,
+        StepKind.DRIVER_FAULT,
+        StepKind.OVERCURRENT,
+        StepKind.STALL,
+        StepKind.SENSOR,
+        StepKind.UNDERVOLTAGE,
+        StepKind.OVERTEMPERATURE,
+        StepKind.JOINT_STATUS,
+        StepKind.BRAKE_CLOSED,
+        StepKind.CONTROLLER_HOT,
+        StepKind.RESISTOR_HOT,
+        StepKind.OTHER_FAULT,
+        StepKind.UNKNOWN_STATUS,
+    }
+)
+"""The faults that the arm reports: with some of them it still moves, with others it does not."""
+
 UNHINDERED: Final = frozenset(
     {
         StepKind.RUN_PAUSED,
@@ -402,6 +424,7 @@ class Step:
         waiting: True if the action was taken and the arm has not shown it yet.
         failed: The reason why the action came to nothing, once it was taken.
         motion: What the arm is measured to do meanwhile, though nothing holds it or told it to.
+        locked: True if nothing may be moved meanwhile.
     """
 
     kind: StepKind
@@ -413,6 +436,7 @@ class Step:
     failed: Refusal | None = None
     alternative: Action | None = None
     motion: UncommandedMotion | None = None
+    locked: bool = False
 
     @property
     def actions(self) -> frozenset[Action]:

@@ -67,7 +67,7 @@ _NUMBER: Final[Mapping[StepKind, int]] = {
 arm's feedback leads from one to the next.
 """
 
-_OVER: Final = UNHINDERED | {StepKind.NO_DEVICE, StepKind.OPENING}
+_OVER: Final = UNHINDERED | {StepKind.NO_DEVICE, StepKind.OPENING, StepKind.NO_MOTION}
 _PHASES: Final = Texts("TeachingPhase") | {
     TeachingPhase.OFF: "Not in drag teaching",
     TeachingPhase.IDLE: "In drag teaching, nothing under way",

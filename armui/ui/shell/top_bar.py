@@ -40,6 +40,7 @@ from armui.ui.words.text import Text, Texts
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
+    from armui.control.devices.joint_monitor import JointMonitor
 
 
 _SIGN_PX: Final = 8.0
@@ -48,6 +49,7 @@ _HEIGHT_PX: Final = 46
 _TEXT_LEFT_PX: Final = 12 + 2 * _SIGN_PX + 12
 _TEXT_RIGHT_PX: Final = 8
 _MARK_PX: Final = 20.0
+_RING_PX: Final = 2.6
 _GAP_PX: Final = 4.0
 _PAD_PX: Final = 10.0
 _WORDS: Final = Texts("EnableButton") | {
@@ -144,13 +146,14 @@ class EnableButton(Translated, QAbstractButton):
 
     After an emergency stop the word is that of the stop: the motors report disabled, but resuming
     is what cuts their power. Of an arm that moves by itself it is what the arm does: «Stopped» is
-    said once it is measured at rest.
+    said once it is measured at rest. A joint with a fault has a ring with «!», enabled or not.
     """
 
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("enable_button")
         self._enabled: tuple[bool | None, ...] = (None,) * len(JOINTS)
+        self._faulty: tuple[int, ...] = ()
         self._busy: Busy | None = None
         self._stopped = False
         self._motion: MotionKind | None = None
@@ -165,9 +168,20 @@ class EnableButton(Translated, QAbstractButton):
         return self._enabled
 
     @property
+    def faulty(self) -> tuple[int, ...]:
+        """The joints whose mark warns of a fault."""
+        return self._faulty
+
+    @property
     def turns_off(self) -> bool:
         """True if a click would disable: all six are enabled."""
         return all(self._enabled)
+
+    def show_faults(self, joints: tuple[int, ...]) -> None:
+        """Let the marks of these joints warn of a fault that the arm reports."""
+        if joints != self._faulty:
+            self._faulty = joints
+            self.retranslate_ui()
 
     def show_operating_state(self, operating_state: OperatingState) -> None:
         """Show the state of the motors as reported by the arm."""
@@ -185,7 +199,9 @@ class EnableButton(Translated, QAbstractButton):
             _WORDS.text(self._stands()) if motion is None else words.uncommanded_motion_word(motion)
         )
         known = [fmt.joints([j for j, on in zip(JOINTS, self._enabled, strict=True) if on])]
-        self.setAccessibleName(f"{self.text()} {known[0]}".strip())
+        if self._faulty:
+            known.append(self.tr("Fault: {joints}").format(joints=fmt.joints(list(self._faulty))))
+        self.setAccessibleName(" ".join(filter(None, (self.text(), *known))))
         self.updateGeometry()
         self.update()
 
@@ -238,7 +254,11 @@ class EnableButton(Translated, QAbstractButton):
         painter.setFont(scaled_font(self, 0.85, bold=True))
         for joint, enabled in zip(JOINTS, self._enabled, strict=True):
             x = left + (joint - 1) * (_MARK_PX + _GAP_PX) + _MARK_PX / 2
-            _draw_mark(painter, colors, QPointF(x, self.height() / 2), joint, enabled)
+            center = QPointF(x, self.height() / 2)
+            if joint in self._faulty:
+                _draw_warning(painter, colors, center)
+            else:
+                _draw_mark(painter, colors, center, joint, enabled)
         painter.end()
 
 
@@ -262,6 +282,15 @@ def _draw_mark(
     painter.setPen(QColor(colors.surface if enabled else colors.muted))
     box = QRectF(center.x() - radius, center.y() - radius, 2 * radius, 2 * radius)
     painter.drawText(box, Qt.AlignmentFlag.AlignCenter, str(joint))
+
+
+def _draw_warning(painter: QPainter, colors: Colors, center: QPointF) -> None:
+    painter.setPen(QPen(QColor(colors.warn), _RING_PX))
+    painter.setBrush(QColor(colors.warn_pale))
+    radius = (_MARK_PX - _RING_PX) / 2
+    painter.drawEllipse(center, radius, radius)
+    box = QRectF(center.x() - radius, center.y() - radius, 2 * radius, 2 * radius)
+    painter.drawText(box, Qt.AlignmentFlag.AlignCenter, "!")
 
 
 class CommunicationButton(Translated, QAbstractButton):
@@ -422,6 +451,7 @@ class TopBar(Translated, QWidget):
     Args:
         controller: The controller of the arm.
         open_connection: Opens the window in which a CAN device is chosen.
+        monitor: Gives the faults of the joints.
     """
 
     commands = (
@@ -443,12 +473,14 @@ class TopBar(Translated, QWidget):
         self,
         controller: ArmController,
         open_connection: Callable[[], None],
+        monitor: JointMonitor,
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
         self.setObjectName("top_bar")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self._controller = controller
+        self._monitor = monitor
         self._communication = CommunicationButton()
         self._enable = EnableButton()
         self._speed = SpeedControl(controller)
@@ -459,7 +491,9 @@ class TopBar(Translated, QWidget):
         self._communication.clicked.connect(open_connection)
         self._enable.clicked.connect(self._on_enable)
         controller.operating_state_changed.connect(self._show_operating_state)
+        monitor.worst_changed.connect(self._show_faults)
         self._show_operating_state(controller.operating_state)
+        self._show_faults()
 
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
@@ -474,6 +508,11 @@ class TopBar(Translated, QWidget):
         self._enable.show_operating_state(operating_state)
         self._describe_enable(operating_state)
 
+    def _show_faults(self) -> None:
+        joints = {joint for joint, _item, _word in self._monitor.faults}
+        self._enable.show_faults(tuple(sorted(joints)))
+        self._describe_enable(self._controller.operating_state)
+
     def _describe_enable(self, operating_state: OperatingState) -> None:
         off = self._enable.turns_off
         blocked = (why_not_disable if off else why_not_enable)(operating_state)
@@ -484,7 +523,11 @@ class TopBar(Translated, QWidget):
             tip = self.tr("Disables all six motors: the arm will drop, so hold it first.")
         else:
             tip = self.tr("Enables all six motors.")
-        self._enable.setToolTip(tip)
+        faults = [
+            f"J{joint}  {words.joint_item(item)} {words.joint_word(word)}"
+            for joint, item, word in self._monitor.faults
+        ]
+        self._enable.setToolTip("\n".join([*faults, tip]))
 
     def _on_enable(self) -> None:
         if not self._enable.turns_off:

@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
-from armui.control.safety.recovery_steps import Action, Step
+from typing import Final
+
+from armui.arm.refusal import Refusal
+from armui.control.safety.recovery_steps import ARM_FAULTS, Action, Step
 from armui.ui.words import arm
 from armui.ui.words.arm import held_target, other_mode
 from armui.ui.words.motion import uncommanded_motion, uncommanded_motion_short
 from armui.ui.words.refusals import refusal, under_way
-from armui.ui.words.text import said, sentence
+from armui.ui.words.text import Text, said, sentence
+
+_LOCKED: Final = Text("RecoveryStep", "Motion is locked: {obstacle}")
+"""What precedes a fault with which the arm takes no motion."""
 
 
 def step(this: Step) -> str:
@@ -39,11 +45,15 @@ def _obstacle(this: Step) -> str:
         params["status"] = f"0x{code:02X}"
     if isinstance(what := params.get("what"), str):
         params["what"] = under_way(what)
+    if isinstance(reason := params.get("reason"), Refusal):
+        params["reason"] = refusal(reason)
     if isinstance(part := params.get("part"), str):
         params["part"] = arm.part_name(part)
     told = this.kind.value
     source = told.source if this.joints else told.somewhere or told.source
     text = sentence(told.context, source, params)
+    if this.locked and this.kind in ARM_FAULTS:
+        text = _LOCKED.text().format(obstacle=text)
     return text if this.failed is None else f"{refusal(this.failed)} {text}"
 
 
