@@ -295,6 +295,28 @@ def test_the_fields_go_along_with_a_step_until_something_is_typed(bent):
 
 
 @ONE_IS_ENOUGH
+@pytest.mark.parametrize("way", ["load", "escape"])
+def test_a_target_that_nobody_typed_goes_along_with_a_motion_from_elsewhere(bent, way):
+    if way == "load":
+        bent.type_into("pose_field_X", "300")
+        bent.click("load_pose_button")
+    else:
+        field = bent.find("pose_field_X")
+        field.setFocus()
+        QTest.keyClick(field, Qt.Key.Key_5)
+        QTest.keyClick(field, Qt.Key.Key_Escape)
+    before = bent.read("pose_field_X")
+    bent.controller.motion.send_joints((-20.0, *BENT_DEG[1:]))
+    bent.come_to_rest()
+    bent.run(0.2)
+    assert bent.read("pose_field_X") != before
+    assert f"{bent.read('pose_field_X')} mm" == bent.read("pose_measured_X")
+    assert not bent.find("move_p_button").property("primary")
+    bent.type_into("pose_field_X", "230")
+    assert bent.find("move_p_button").property("primary")
+
+
+@ONE_IS_ENOUGH
 def test_a_pose_that_is_no_longer_heard_is_not_captured(bent):
     bent.powered = False
     bent.run_until(lambda: bent.controller.operating_state.link is LinkState.OFFLINE)

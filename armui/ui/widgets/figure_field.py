@@ -24,6 +24,8 @@ class FigureField(QLineEdit):
 
     value_edited = Signal()
     """Emitted when the operator has changed the text."""
+    restored = Signal()
+    """Emitted after ``value_edited`` when Escape has restored the former text."""
 
     def __init__(self, decimals: int, unit: str = "") -> None:
         super().__init__()
@@ -96,6 +98,7 @@ class FigureField(QLineEdit):
         if event.key() == Qt.Key.Key_Escape and self.text() != self._committed:
             self.setText(self._committed)
             self.value_edited.emit()
+            self.restored.emit()
         elif steps is not None and value is not None:
             self.setText(fmt.number(value + steps * self.step, self._decimals))
             self.value_edited.emit()

@@ -399,7 +399,8 @@ class CartesianPanel(JogPanel):
     def _on_load(self) -> None:
         pose = self._shown_pose()
         if pose is not None:
-            self._fill(pose)
+            self._sent = False
+            self._release()
             self._follow_arm()
         self._accepted(None if pose is not None else POSE_UNKNOWN())
 

@@ -127,13 +127,16 @@ class TargetRow(JogRow):
         super().__init__(kind, name, number)
         painting.fill_ground(self)
         self.own = False
+        self._own_before = False
         self.field = field
         self.measured = measured
         self.field.value_edited.connect(self._on_field_edited)
+        self.field.editingFinished.connect(self._on_field_left)
+        self.field.restored.connect(self._on_field_restored)
 
     def show_target(self, value: float | None) -> None:
         """Set a target; ``None`` empties the field."""
-        self.own = value is not None
+        self.own = self._own_before = value is not None
         self.field.show_value(value)
         self._after_target()
 
@@ -145,7 +148,10 @@ class TargetRow(JogRow):
 
     def follow(self, value: float) -> None:
         """Set a target that is not the operator's own to the arm's position or last target."""
-        if not self.own and self.field.follow(value):
+        if self.own:
+            return
+        self._own_before = False
+        if self.field.follow(value):
             self._after_target()
 
     def differs_from(self, value: float) -> bool:
@@ -160,6 +166,15 @@ class TargetRow(JogRow):
 
     def _on_field_edited(self) -> None:
         self.own = bool(self.field.text())
+        self._after_target()
+        self.edited.emit()
+
+    def _on_field_left(self) -> None:
+        self._own_before = self.own
+
+    def _on_field_restored(self) -> None:
+        """Follow the arm again, if the figure before the entry did."""
+        self.own = self._own_before
         self._after_target()
         self.edited.emit()
 

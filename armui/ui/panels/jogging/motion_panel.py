@@ -101,7 +101,7 @@ class JointRow(TargetRow):
         return None if target is None else check_joint(self.joint, target, self._limits)
 
     def _on_slider_moved(self) -> None:
-        self.own = True
+        self.own = self._own_before = True
         self.field.show_value(self.slider.requested)
         self._after_target()
         self.edited.emit()
