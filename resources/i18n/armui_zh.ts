@@ -4443,8 +4443,8 @@
         <translation>未选择坐标系。</translation>
     </message>
     <message>
-        <source>Adds the frame found under a new name, and chooses it.</source>
-        <translation>以新名称添加所得坐标系并选用。</translation>
+        <source>Adds the frame found under a new name; it is in force once it is chosen.</source>
+        <translation>以新名称添加求得的坐标系；选择后才生效。</translation>
     </message>
     <message>
         <source>Puts the frame found in the place of “{name}”. Points of trajectories that belong to it move with it; their way is checked anew.</source>
@@ -4880,20 +4880,12 @@ Z 轴指向 {direction}</translation>
         <translation>用这些数值取代所选坐标系的数值。轨迹中属于它的点随之移动，其路径将重新检查。</translation>
     </message>
     <message>
-        <source>Adds a frame of this name and chooses it.</source>
-        <translation>以此名称添加坐标系并选用。</translation>
-    </message>
-    <message>
         <source>Deletes the chosen frame; the base is chosen then. Trajectories with points that belong to it are not run until they have another frame.</source>
         <translation>删除所选坐标系，随后改用基坐标系。含有属于它的点的轨迹，在改换坐标系之前不能运行。</translation>
     </message>
     <message>
         <source>No frame is chosen. Add one, or choose one above.</source>
         <translation>未选择坐标系。请添加，或在上方选择。</translation>
-    </message>
-    <message>
-        <source>Press Add: poses are shown and typed in this frame from then on.</source>
-        <translation>按“添加”：此后位姿均以该坐标系显示和输入。</translation>
     </message>
     <message>
         <source>Press Add for a further frame, or Apply to rename the chosen one.</source>
@@ -4912,6 +4904,10 @@ Z 轴指向 {direction}</translation>
         <translation>坐标系名称</translation>
     </message>
     <message>
+        <source>Adds a frame of this name; it is in force once it is chosen.</source>
+        <translation>以此名称添加坐标系；选择后才生效。</translation>
+    </message>
+    <message>
         <source>Type it</source>
         <translation>手动输入</translation>
     </message>
@@ -4924,12 +4920,20 @@ Z 轴指向 {direction}</translation>
         <translation>坐标系</translation>
     </message>
     <message>
+        <source>Press Add. It is in force once it is chosen above.</source>
+        <translation>请按“添加”。在上方选择后该坐标系才生效。</translation>
+    </message>
+    <message>
         <source>The frame&apos;s own pose, in the base (mm, °)</source>
         <translation>该坐标系在基坐标系中的位姿（mm、°）</translation>
     </message>
     <message>
         <source>From the present tool pose</source>
         <translation>取当前末端位姿</translation>
+    </message>
+    <message>
+        <source>“{name}” is added; poses are shown and typed as before. Choose it above to have them shown and typed in it.</source>
+        <translation>已添加“{name}”，位姿仍按原坐标系显示和输入。在上方选择它后，位姿即按它显示和输入。</translation>
     </message>
 </context>
 <context>

@@ -52,5 +52,13 @@ def made(app_driver):
     """It is taken over, and in force."""
     by_points(app_driver)
     app_driver.click("frame_points_add")
+    choose(app_driver, "cell_frame", 1)
     app_driver.run(0.3)
     return app_driver
+
+
+def choose(driver, name, place):
+    """Choose another one in a list."""
+    box = driver.find(name)
+    box.setCurrentIndex(place)
+    box.activated.emit(place)

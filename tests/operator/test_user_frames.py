@@ -16,7 +16,17 @@ from tests.accepted import accepted
 from tests.control.jogger import BENT_DEG, hold
 from tests.family import PIPER
 from tests.operator.editor.actions import Editor
-from tests.operator.frame_actions import PEN, PLACES, WORK, at_frames, by_points, made, take, touch
+from tests.operator.frame_actions import (
+    PEN,
+    PLACES,
+    WORK,
+    at_frames,
+    by_points,
+    choose,
+    made,
+    take,
+    touch,
+)
 
 
 def tip_mm(driver):
@@ -37,12 +47,6 @@ def work():
 
 def shown(driver, what="pose_measured"):
     return [float(driver.read(f"{what}_{axis}").rstrip(" m°")) for axis in AXES]
-
-
-def choose(driver, name, place):
-    box = driver.find(name)
-    box.setCurrentIndex(place)
-    box.activated.emit(place)
 
 
 # Three points -------------------------------------------------------------------------------------
@@ -73,8 +77,13 @@ def test_each_sentence_leads_to_the_next_and_the_last_press_takes_it(app_driver)
     assert app_driver.controller.cell.cell.frames == ()
     app_driver.click("frame_points_add")
     (frame,) = app_driver.controller.cell.cell.frames
-    assert (frame.name, app_driver.controller.cartesian.frame) == ("Frame 1", frame)
+    assert (frame.name, app_driver.controller.cartesian.frame) == ("Frame 1", None)
     assert frame.pose == pytest.approx(WORK, abs=0.05)
+    assert "“Frame 1” is added; poses are shown and typed as before" in app_driver.read(
+        "frame_points_next"
+    )
+    choose(app_driver, "cell_frame", 1)
+    assert app_driver.controller.cartesian.frame == frame
     assert "“Frame 1” is in force" in app_driver.read("frame_points_next")
     (mark,) = app_driver.window._view._frames
     assert (mark.name, mark.lit) == ("Frame 1", True)
@@ -168,6 +177,11 @@ def test_a_frame_is_typed_renamed_taken_from_the_tool_and_deleted(app_driver):
     app_driver.click("cell_frame_add")
     cells = app_driver.controller.cell
     assert cells.cell.frames == (UserFrame("jig", (300.0, 0.0, 50.0, 0.0, 0.0, 90.0)),)
+    said = app_driver.read("cell_frame_next")
+    assert "“jig” is added; poses are shown and typed as before. Choose it above" in said
+    assert cells.cell.frame == ""
+    choose(app_driver, "cell_frame", 1)
+    assert cells.cell.frame == "jig"
     app_driver.type_into("cell_frame_name", "table")
     app_driver.click("cell_frame_apply")
     assert (cells.cell.frame, cells.cell.frames[0].name) == ("table", "table")

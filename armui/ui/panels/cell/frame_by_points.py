@@ -28,8 +28,16 @@ from armui.ui.panels.cell.point_search import PointSearch, Pose
 from armui.ui.widgets.buttons import caption, enable_or_explain, push_button, show_primary
 from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row
 from armui.ui.widgets.text_label import text_label
+from armui.ui.words.text import Text
 
 _POINTS: Final = 3
+
+ADDED: Final = Text(
+    "FramesTab",
+    "“{name}” is added; poses are shown and typed as before. Choose it above to have them shown "
+    "and typed in it.",
+)
+"""What is said of a frame that was added, and is not in force."""
 
 
 class FrameByPoints(PointSearch):
@@ -126,7 +134,7 @@ class FrameByPoints(PointSearch):
         reason = reason or ("" if found is not None else self.tr("Not all points are taken yet."))
         self._result.setText(self._result_text(found) if isinstance(found, tuple) else "")
         none = "" if self._chosen is not None else self.tr("No frame is chosen.")
-        use = self.tr("Adds the frame found under a new name, and chooses it.")
+        use = self.tr("Adds the frame found under a new name; it is in force once it is chosen.")
         enable_or_explain(self._add, self._why_not or reason, use)
         use = self.tr(
             "Puts the frame found in the place of “{name}”. Points of trajectories that belong to "
@@ -134,7 +142,7 @@ class FrameByPoints(PointSearch):
         )
         name = "" if self._chosen is None else self._chosen.name
         enable_or_explain(self._apply, self._why_not or reason or none, use.format(name=name))
-        taken = self._is_taken(found)
+        taken = self._taken(found) is not None
         show_primary(self._add, wanted=not reason and not taken and not self._why_not)
         self._restart.setEnabled(any(self._points))
         self._next.setText(self._next_step(found, missing))
@@ -143,14 +151,17 @@ class FrameByPoints(PointSearch):
 
     def _propose(self, found: Pose | Refusal | None) -> None:
         """Have the frame found shown in the picture until it is taken, or this is hidden."""
-        shown = isinstance(found, tuple) and self.isVisible() and not self._is_taken(found)
+        shown = isinstance(found, tuple) and self.isVisible() and self._taken(found) is None
         pose = found if isinstance(found, tuple) else ()
         self._controller.cell.propose(UserFrame(self.tr("New frame"), pose) if shown else None)
 
-    def _is_taken(self, found: Pose | Refusal | None) -> bool:
-        if self._chosen is None or not isinstance(found, tuple):
-            return False
-        return tuple(round(each, fmt.DECIMALS) for each in found) == self._chosen.pose
+    def _taken(self, found: Pose | Refusal | None) -> UserFrame | None:
+        """Return the frame of the cell that was made of what was found, or ``None``."""
+        cell = self._controller.cell.cell
+        if cell is None or not isinstance(found, tuple):
+            return None
+        pose = tuple(round(each, fmt.DECIMALS) for each in found)
+        return next((frame for frame in cell.all_frames if frame.pose == pose), None)
 
     def _place_text(self, point: Pose | None) -> str:
         if point is None:
@@ -172,10 +183,13 @@ class FrameByPoints(PointSearch):
             return words.refusal(CELL_NONE())
         if isinstance(found, Refusal):
             return words.refusal(found)
-        if self._is_taken(found):
+        taken = self._taken(found)
+        if taken is not None and taken != self._chosen:
+            return ADDED.text().format(name=taken.name)
+        if taken is not None:
             return self.tr(
                 "“{name}” is in force: jog along it in Cartesian, by its button beside − and +."
-            ).format(name=self._chosen.name if self._chosen is not None else "")
+            ).format(name=taken.name)
         steps: tuple[Callable[[], str], ...] = (
             lambda: self.tr(
                 "Jog the tool's tip to what becomes the origin (Motion control or Cartesian, or "
