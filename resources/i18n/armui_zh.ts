@@ -6649,7 +6649,11 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
     <message>
         <source>At 100 % of the speed below, so at the points&apos; own or as recorded, without the way to the first point. How long a run takes at its speed stands beside Run.</source>
-        <translation>按下方速度 100 % 计，即各点自己的速度或录制的速度，不含到第一点的路程。实际运行速度下的时长显示在“发送”旁。</translation>
+        <translation></translation>
+    </message>
+    <message>
+        <source>✓ with warnings</source>
+        <translation>✓ 有警告</translation>
     </message>
     <message>
         <source>Name</source>

@@ -10,6 +10,7 @@ from armui.protocol.codes import MoveMode
 from armui.protocol.generation import PiperModel
 from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.ui.trajectory.editor.editor_page import EditorPage
+from armui.viewport.path_picture import NOTHING
 from tests.app_driver import Slow
 from tests.operator.library.actions import POINT
 
@@ -162,3 +163,21 @@ def test_where_the_arm_stands_is_no_mark_of_a_trajectory(driver):
     check_in_editor(driver, "far")
     driver.window.refresh()
     assert marks(driver)["far"] == "✓ checked"
+
+
+def test_a_check_that_waits_and_its_path_belong_to_the_chosen_row(driver):
+    """Send waits for the warning of the way there; another row has neither mark nor path."""
+    driver.library.save(Trajectory("far", points=(POINT,)))
+    driver.app_driver.ready()
+    driver.app_driver.click("library_button")
+    driver.window.refresh()
+    driver.app_driver.run_until(lambda: "far" in driver.names())
+    driver.choose("far")
+    driver.app_driver.click(driver.window.findChild(QWidget, "run_send"))
+    driver.app_driver.run_until(lambda: marks(driver)["far"] == "✓ with warnings")
+    assert driver.app_driver.program.view._state.preview.path.rows == (0,)
+    assert driver.app_driver.find("preview_bar").isVisible()
+    driver.choose("one")
+    assert marks(driver)["far"] == "✓ checked"
+    assert driver.app_driver.program.view._state.preview == NOTHING
+    assert not driver.app_driver.find("preview_bar").isVisible()

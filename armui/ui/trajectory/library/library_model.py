@@ -62,6 +62,7 @@ class LibraryModel(TableModel):
         self._kind = ""
         self._fingerprints: dict[tuple[str, ...], str] = {}
         self._tells_folders = True
+        self._found_of = ""
         self._sort_keys: dict[tuple[int, int], tuple[Any, ...]] = {}
 
     @property
@@ -108,6 +109,15 @@ class LibraryModel(TableModel):
         self._arm, self._kind = arm, arm.kind
         self._fingerprints.clear()
         self._sort_keys.clear()
+        if self._rows:
+            column = LibraryColumn.CHECK
+            self.dataChanged.emit(self.index(0, column), self.index(len(self._rows) - 1, column))
+
+    def note_found(self, name: str) -> None:
+        """Note of which one the last check has findings, were it of the way to its first point."""
+        if name == self._found_of:
+            return
+        self._found_of = name
         if self._rows:
             column = LibraryColumn.CHECK
             self.dataChanged.emit(self.index(0, column), self.index(len(self._rows) - 1, column))
@@ -260,6 +270,8 @@ class LibraryModel(TableModel):
         mark = self._mark(entry)
         if mark is None:
             return self.tr("! other arm") if self._is_of_other_arm(entry) else fmt.NOTHING
+        if mark == "ok" and entry.name == self._found_of:
+            return self.tr("✓ with warnings")
         return words_of[mark]
 
     def headerData(  # noqa: N802 - Qt's name

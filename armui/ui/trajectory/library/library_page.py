@@ -80,7 +80,7 @@ class LibraryPage(Page):
         page_made: A new :class:`Page`, before it wants to be shown.
         editor_opened: The :class:`EditorPage` of a trajectory, before it is shown: a preview must
             connect to its ``preview_wanted`` and ``selected_row_changed``.
-        preview_wanted: A :class:`Preflight` whose path is to be shown in 3D.
+        preview_wanted: A :class:`Preflight` whose path is to be shown in 3D; ``None``: no longer.
         run_asks: The name of the trajectory that waits for confirmation; "" if none does.
     """
 
@@ -470,6 +470,7 @@ class LibraryPage(Page):
                 refused=self._on_refused,
             )
         self._found_of = name
+        self._model.note_found(name if checked.findings else "")
         self.refresh()
         self._say("")
         self._findings.show_check(checked, accept)
@@ -478,7 +479,11 @@ class LibraryPage(Page):
         self.preview_wanted.emit(checked)
 
     def _drop_findings(self) -> None:
+        """Forget what was found, and take its path out of the picture."""
+        if self._found_of:
+            self.preview_wanted.emit(None)
         self._found_of = ""
+        self._model.note_found("")
         self._findings.clear()
 
     def _on_progress(self, progress: Progress) -> None:

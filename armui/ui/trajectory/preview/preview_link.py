@@ -375,7 +375,10 @@ class PreviewLink(QObject):
         self._watch(editor)
 
     def _on_preview(self, checked: Preflight | None) -> None:
-        """Take a check of the library page, or of the recording that is seen."""
+        """Take a check of the library page, or of the recording seen; drop the library's."""
+        if checked is None:
+            self._take(self._library, None)
+            return
         pages = (page for page in self._pages if page not in self._targets and page.isVisible())
         self._take(next(pages, self._library), checked)
 
