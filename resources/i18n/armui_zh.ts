@@ -14122,16 +14122,16 @@ The other program must have ended.</source>
         <translation>结束当前动作，用手将各关节拖动到零位附近。</translation>
     </message>
     <message>
-        <source>Hold the arm. Emergency stop: the motors go limp, the arm sinks.</source>
-        <translation>请扶住机械臂。急停：电机失去保持力，机械臂会下沉。</translation>
+        <source>Hold the arm, press “{action}”: the motors go limp, the arm sinks.</source>
+        <translation>请扶住机械臂，按“{action}”：电机失去保持力，机械臂会下沉。</translation>
     </message>
     <message>
-        <source>Release: the arm will drop, keep holding it.</source>
-        <translation>解除急停：机械臂会下落，请扶住机械臂。</translation>
+        <source>Hold down “{action}”: the arm will drop, keep holding it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Enable the motors.</source>
-        <translation>使能电机。</translation>
+        <source>Press “{action}”.</source>
+        <translation>按“{action}”。</translation>
     </message>
     <message>
         <source>To leave drag teaching, take the steps in the line at the top:</source>

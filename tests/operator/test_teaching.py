@@ -234,6 +234,15 @@ def test_what_the_button_on_the_arm_does_is_followed(enabled):
     assert enabled.heard() == []
 
 
+def assert_the_list_names_the_button(app_driver):
+    """The step that is due in the list is the one that the line offers, in the same word."""
+    steps = app_driver.find("teaching_exit_steps")
+    app_driver.run_until(lambda: app_driver.find("recovery_button").isVisible())
+    line = steps._lines[steps.due - 1].text()
+    assert f"“{app_driver.read('recovery_button')}”" in line
+    assert "mergency stop" not in line
+
+
 def test_teaching_is_left_one_step_at_a_time(taught):
     app_driver = taught
     assert due(app_driver) == 1
@@ -244,13 +253,16 @@ def test_teaching_is_left_one_step_at_a_time(taught):
     lead(app_driver, HOME_DEG)
     give(app_driver, "stop_recording")
     app_driver.run_until(lambda: due(app_driver) == 2)
+    assert_the_list_names_the_button(app_driver)
     app_driver.click("recovery_button")
     assert "the arm will drop" in app_driver.dialog(ConfirmDialog).text()
     app_driver.confirm()
     app_driver.run_until(lambda: due(app_driver) == 3)
+    assert_the_list_names_the_button(app_driver)
     assert app_driver.firmware.status is ArmStatusCode.EMERGENCY_STOP
     app_driver.hold_button("recovery_hold_button")
     app_driver.run_until(lambda: due(app_driver) == 4)
+    assert_the_list_names_the_button(app_driver)
     assert app_driver.firmware.control_mode is ControlMode.STANDBY
     app_driver.click("recovery_button")
     app_driver.run_until(lambda: not app_driver.find("teaching_exit_steps").isVisible())

@@ -137,9 +137,13 @@ class TeachingExitSteps(QFrame):
     def _words(self) -> tuple[str, ...]:
         return (
             self.tr("End what is under way; lead every joint near its zero by hand."),
-            self.tr("Hold the arm. Emergency stop: the motors go limp, the arm sinks."),
-            self.tr("Release: the arm will drop, keep holding it."),
-            self.tr("Enable the motors."),
+            self.tr("Hold the arm, press “{action}”: the motors go limp, the arm sinks.").format(
+                action=words.step_action(Action.RESET)
+            ),
+            self.tr("Hold down “{action}”: the arm will drop, keep holding it.").format(
+                action=words.step_action(Action.RESUME)
+            ),
+            self.tr("Press “{action}”.").format(action=words.step_action(Action.ENABLE)),
         )
 
     def retranslate_ui(self) -> None:
