@@ -10046,6 +10046,10 @@ The other program must have ended.</source>
         <translation>下一步</translation>
     </message>
     <message>
+        <source>Below the arm: {names}.</source>
+        <translation>机械臂下方是 {names}。</translation>
+    </message>
+    <message>
         <source>Waiting…</source>
         <translation>等待中…</translation>
     </message>

@@ -19,6 +19,7 @@ from armui.ui.trajectory.library.library_page import LibraryPage
 from armui.ui.widgets.hold_button import HoldButton
 from tests.accepted import accepted
 from tests.app_driver import PANELS
+from tests.control.test_started import outside_limits
 from tests.operator.test_running import BACK, OUT, Operator, to
 
 RELEASE = "window.resume"
@@ -359,6 +360,14 @@ def test_release_is_found_with_its_reason_and_once_stopped_only_led_to(app_drive
     app_driver.hold_button(held)
     app_driver.run_until(lambda: not app_driver.firmware.stopped)
     assert release().reason
+
+
+def test_the_way_back_inside_the_limits_is_led_to(app_driver):
+    app_driver.ready()
+    outside_limits(app_driver)
+    app_driver.run_until(lambda: app_driver.controller.recovery.step.kind is StepKind.OUTSIDE)
+    command(app_driver, "bring the arm inside its limits")
+    assert app_driver.window.focusWidget() is app_driver.find("recovery_hold_button")
 
 
 def test_the_next_step_of_a_run_that_is_paused_leads_to_its_button(app_driver):

@@ -215,7 +215,7 @@ def test_the_emergency_stop_ends_it_and_says_where(app_driver):
     app_driver.store.change(language="zh")
     app_driver.step()
     assert operator.text("editor_message") == (
-        "在第 2 行结束。原因是急停：请扶住机械臂，按恢复并重新使能电机，之后可从本行继续。"
+        "在第 2 行结束。原因是急停：请扶住机械臂，解除急停并重新使能电机，之后可从本行继续。"
     )
 
 

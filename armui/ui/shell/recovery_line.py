@@ -232,7 +232,8 @@ class RecoveryLine(Translated, QWidget):
         if self._step.action is not Action.RESUME:
             return ""
         names = self._controller.area_guard.below()
-        return f" {self.tr('Below the arm: {names}.').format(names=names)}" if names else ""
+        sentence = self.tr("Below the arm: {names}.").format(names=names)
+        return f" {sentence}" if names else ""
 
     def _fit_text(self) -> None:
         """Show as much of the text as there is room for, where a shorter one says enough."""
