@@ -10907,7 +10907,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>At the recorded pace joint {joint} would turn at {value}°/s; its limit is {maximum}°/s. This replay goes at {percent} % at most.</source>
-        <translation type="unfinished">按录制速度，关节 {joint} 会以 {value}°/s 转动，其上限为 {maximum}°/s。本次重放最高 {percent} %。</translation>
+        <translation>按录制速度，关节 {joint} 会以 {value}°/s 转动，其上限为 {maximum}°/s。本次重放最高 {percent} %。</translation>
     </message>
     <message>
         <source>Nothing was sent: a second after the press the arm did not rest yet, or its way was still being checked. Press again.</source>
@@ -12318,23 +12318,23 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>The speed of each row × that at the top: {percent} from row {row} on.</source>
-        <translation type="unfinished">每行速度 × 顶栏速度：从第 {row} 行起为 {percent}。</translation>
+        <translation>每行速度 × 顶栏速度：从第 {row} 行起为 {percent}。</translation>
     </message>
     <message>
         <source>first run</source>
-        <translation type="unfinished">首次运行</translation>
+        <translation>首次运行</translation>
     </message>
     <message>
         <source>“{name}” is not known to have run: the speed at the top is lowered to {percent} % as it begins.</source>
-        <translation type="unfinished">“{name}”没有运行记录：开始时顶栏速度降到 {percent} %。</translation>
+        <translation>“{name}”没有运行记录：开始时顶栏速度降到 {percent} %。</translation>
     </message>
     <message>
         <source>without its unsaved changes</source>
-        <translation type="unfinished">不含未保存的修改</translation>
+        <translation>不含未保存的修改</translation>
     </message>
     <message>
         <source>at {percent} % ≈ {time}</source>
-        <translation type="unfinished">{percent} % 时 ≈ {time}</translation>
+        <translation>{percent} % 时 ≈ {time}</translation>
     </message>
     <message>
         <source>Checks it and runs it</source>
@@ -14131,7 +14131,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>Hold down “{action}”: the arm will drop, keep holding it.</source>
-        <translation type="unfinished"></translation>
+        <translation>按住“{action}”：机械臂会下落，请继续扶住。</translation>
     </message>
     <message>
         <source>Press “{action}”.</source>
