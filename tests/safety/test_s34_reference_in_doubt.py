@@ -9,6 +9,7 @@ from armui.arm.reference_record import ReferenceRecord, read_record
 from armui.control.link.link_state import LinkState
 from armui.control.motion.jog_path import JointJog
 from armui.control.run.progress import RunPhase
+from armui.control.safety.interlocks import SPEED_ZERO
 from armui.control.safety.recovery_steps import Action, StepKind
 from armui.control.safety.reference_control import BROUGHT_BY_HAND, JOINTS_UNANSWERED, LOOK_FIRST
 from armui.control.safety.reference_status import REFERENCE_CHECK_OPEN, REFERENCE_IN_DOUBT
@@ -508,9 +509,15 @@ def test_the_joint_in_doubt_is_driven_by_nothing_during_the_check(lost):
     ):
         assert begin().reason == REFERENCE_CHECK_OPEN
     assert [each for each in lost.heard() if each.arbitration_id in (0x155, 0x156, 0x157)] == []
+    controller.motion.set_speed_percent(0)
+    assert reference.drive(1).reason == SPEED_ZERO
+    controller.motion.set_speed_percent(4)
+    lost.heard()
     accepted(reference.drive(1))
     lost.run(0.1)
-    (sent,) = [each.data for each in lost.heard() if each.arbitration_id == 0x157]
+    heard = lost.heard()
+    assert {each.data[2] for each in heard if each.arbitration_id == 0x151} == {4}  # not 5 %
+    (sent,) = [each.data for each in heard if each.arbitration_id == 0x157]
     # J5 stays where it is measured: 20.000° = 20,000 = 0x00004E20; J6 at 0
     assert sent.hex() == "00004e2000000000"
     lost.run(8.0)

@@ -23,7 +23,12 @@ from armui.control.operating_state import OperatingState, StopState
 from armui.control.operations.operation import Consent, operation
 from armui.control.operations.started import Ending, Started
 from armui.control.safety.feedback_freshness import any_motor_off, in_drag_teaching
-from armui.control.safety.interlocks import JOINTS_UNKNOWN, MOVABLE_MODES, joint_list
+from armui.control.safety.interlocks import (
+    JOINTS_UNKNOWN,
+    MOVABLE_MODES,
+    SPEED_ZERO,
+    joint_list,
+)
 from armui.control.safety.reference_check import ReferenceCheck
 from armui.control.safety.reference_status import REFERENCE_CHECK_OPEN, ReferenceStatus
 from armui.control.safety.reference_watch import AngleListener, ReferenceWatch, WatchedArm
@@ -138,7 +143,7 @@ def why_not_drive(now: OperatingState, joint: int = 0) -> Refusal | None:
         return LOOK_FIRST()
     if joint in reference.by_hand:
         return BROUGHT_BY_HAND(joint=joint)
-    return reference.cannot_drive
+    return reference.cannot_drive or (SPEED_ZERO() if now.speed_percent == 0 else None)
 
 
 def why_not_finish(now: OperatingState) -> Refusal | None:
@@ -239,8 +244,12 @@ class ReferenceControl(ControllerPart):
         consent=Consent.HELD,
     )
     def drive(self, started: Started, joint: JointNumber) -> Refusal | None:
-        """Drive one joint that is not in doubt to its mark, slowly; the others stay."""
+        """Drive one joint that is not in doubt to its mark, slowly; the others stay.
+
+        It goes at the operator's speed where that is lower than the check's own.
+        """
         context, check = self._context, self.check
+        now = context.operating_state()
         measured_deg = context.authority.measured_deg()
         if check is None:
             return CHECK_NOT_OPEN()
@@ -253,7 +262,7 @@ class ReferenceControl(ControllerPart):
             context,
             started,
             target_deg,
-            _DRIVE_PERCENT,
+            min(_DRIVE_PERCENT, now.speed_percent),
             why_not=lambda now: why_not_drive(now, joint),
             told=(REFERENCE_DRIVEN, {"joint": joint, "target": mark_deg}),
         )
