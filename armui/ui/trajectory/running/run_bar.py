@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
-from PySide6.QtCore import QObject, QSignalBlocker, Qt, Signal
+from PySide6.QtCore import QObject, QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QCheckBox, QLabel, QSpinBox, QWidget
 
@@ -31,10 +31,12 @@ from armui.ui import words
 from armui.ui.actions.command import Command, Target, also, of_place
 from armui.ui.actions.keys import keys_of, listen_for
 from armui.ui.dialogs.confirm_dialog import ASKED_OTHERWISE
+from armui.ui.theme import colors_of
 from armui.ui.trajectory.running.preflight import Checks
 from armui.ui.trajectory.running.run_estimate import RunEstimate, estimate_tip
 from armui.ui.trajectory.running.run_request import RequestState, RunRequest
 from armui.ui.trajectory.running.runner import Runner, ended_early
+from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import drop_down, enable_or_explain, named, push_button, show_primary
 from armui.ui.widgets.flow import in_flow, pair
 from armui.ui.widgets.layouts import fill, in_column, in_row
@@ -44,6 +46,8 @@ from armui.ui.words.text import Text
 
 _ONCE, _TIMES, _LOOP = range(3)
 _SPIN_PX: Final = 34
+_SEND_SIZE: Final = QSize(150, 42)
+"""The least size of 发送: running is what the program is for."""
 _SEND_KEY: Final = keys_of("editor.send")
 
 
@@ -191,6 +195,7 @@ class RunBar(Translated, QWidget):
         self._again: _Started | None = None
         self._make_widgets()
         self._lay_out()
+        self._recolor()
         self._send.clicked.connect(self.send)
         self._call_off.clicked.connect(lambda _checked=False: self.drop_check())
         self._resume.clicked.connect(self.resume)
@@ -207,6 +212,8 @@ class RunBar(Translated, QWidget):
 
     def _make_widgets(self) -> None:
         self._send = push_button("run_send", primary=True, on_enter=False)
+        self._send.setProperty("large", True)
+        self._send.setMinimumSize(_SEND_SIZE)
         self._call_off = push_button("run_call_off", on_enter=False)
         self._state = text_label("run_checking", rank="muted")
         self._resume = push_button("run_resume", on_enter=False)
@@ -537,6 +544,9 @@ class RunBar(Translated, QWidget):
         self._resume.setText(self.tr("Continue from row {row}").format(row=progress.index + 1))
 
     # Words ------------------------------------------------------------------------------------
+
+    def _recolor(self) -> None:
+        self._send.setIcon(icons.icon("play", colors_of(self).on_accent))
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
