@@ -159,7 +159,6 @@ PLANS: Mapping[str, Command] = {
 }
 
 BESIDE_A_RUN: Mapping[str, Command] = {
-    "speed": lambda b: b.controller.motion.set_speed_percent(5),
     "gripper": lambda b: b.controller.gripper.move(10.0, 1.0),
     "gripper on": lambda b: b.controller.gripper.enable(1.0),
     "gripper error": lambda b: b.controller.gripper.clear_error(),
