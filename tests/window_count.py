@@ -96,7 +96,7 @@ def _is_part(widget: QWidget) -> bool:
         if isinstance(parent, (*_COMPOUND, *_MOMENT)):
             return True
         parent = parent.parentWidget()
-    return isinstance(widget, _MOMENT)
+    return isinstance(widget, _MOMENT) or widget.objectName() == "notice_label"
 
 
 def _text(widget: QWidget) -> str:
@@ -115,30 +115,38 @@ def _is_icon(widget: QWidget) -> bool:
     )
 
 
-def motion_panel() -> WindowCount:
-    """Open the program, connect and enable the simulated arm, and count."""
-    app = QApplication.instance() or make_application([])
-    assert isinstance(app, QApplication)
-    with tempfile.TemporaryDirectory() as folder:
-        settings = Path(folder) / "settings.json"
-        driver = AppDriver(app, "window-count", settings, Generation.TWO, draws=True)
-        try:
-            driver.store.change(language="zh", theme="light")
-            driver.window.resize(*SIZE)
-            driver.connect()
-            driver.enable_by_hand()
-            driver.run(0.5)
-            return count(driver.window)
-        finally:
-            driver.close()
+def motion_panel(app: QApplication, settings: Path) -> dict[str, WindowCount]:
+    """Open the program, connect and enable the simulated arm, and count.
+
+    Args:
+        app: Qt's application.
+        settings: The file of the operator's settings.
+
+    Returns:
+        The counts with the group of the arm's settings open, and folded.
+    """
+    driver = AppDriver(app, "window-count", settings, Generation.TWO, draws=True)
+    try:
+        driver.store.change(language="zh", theme="light")
+        driver.window.resize(*SIZE)
+        driver.connect()
+        driver.enable_by_hand()
+        driver.run(0.5)
+        counts = {"open": count(driver.window)}
+        driver.click("menu_fold")
+        return {**counts, "folded": count(driver.window)}
+    finally:
+        driver.close()
 
 
 def main() -> None:
     """Print the numbers, and what was counted."""
-    found = motion_panel()
-    print(found)
-    for name in ("controls", "figures", "words"):
-        print(f"{name}: {', '.join(getattr(found, name))}")
+    app = make_application([])
+    with tempfile.TemporaryDirectory() as folder:
+        for name, found in motion_panel(app, Path(folder) / "settings.json").items():
+            print(f"{name}: {found}")
+            for part in ("controls", "figures", "words"):
+                print(f"  {part}: {', '.join(getattr(found, part))}")
 
 
 if __name__ == "__main__":
