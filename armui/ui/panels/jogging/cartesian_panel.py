@@ -267,8 +267,7 @@ class CartesianPanel(JogPanel):
         rows = in_column(head, *self._rows, spacing=4)
         parts = (rows, self._extras, STRETCH)
         in_column(*parts, on=card, spacing=10, margins=(16, 8, 16, 10))
-        buttons = (self.load, self.move_p, self.move_l)
-        self._finish(card, buttons, above=(self._frame,))
+        self._finish(card, (self.load,), (self.move_p, self.move_l), above=(self._frame,))
 
     def _connect(self) -> None:
         self._follow_rows()

@@ -29,8 +29,8 @@ from armui.ui.widgets.text_label import ValueLabel, text_label
 from armui.ui.widgets.translated import Translated
 
 _BUTTON_PX: Final = 38
-_LAST_PX: Final = 110
-"""The width of the button that sends."""
+_SEND_PX: Final = 110
+"""The width of a button that sends."""
 _FOLLOW_S: Final = 0.1
 DEAD_MAN_KEY: Final = Qt.Key.Key_Space
 """A key under the thumb of either hand, no letter, and none of the keys that stop the arm."""
@@ -423,6 +423,7 @@ class JogPanel(Panel):
         self,
         card: QFrame,
         buttons: Sequence[QWidget],
+        sends: Sequence[QWidget],
         *,
         above: Sequence[QWidget] = (),
     ) -> None:
@@ -430,18 +431,19 @@ class JogPanel(Panel):
 
         Args:
             card: Holds the rows.
-            buttons: Those below it, from left to right; the last is what the panel is for.
+            buttons: Those below it, from left to right.
+            sends: What the panel is for: the buttons that send the targets, at the right.
             above: What stands between the title and the card.
         """
         head = in_row(self._title, STRETCH, *(self._keys, self._step_label, self._step_box))
-        *others, last = buttons
-        for button in buttons:
+        for button in (*buttons, *sends):
             button.setMinimumHeight(_BUTTON_PX)
-        for other in others:
+        for other in buttons:
             for button in (other, *other.findChildren(QPushButton)):
                 button.setProperty("compact", True)
-        last.setMinimumWidth(_LAST_PX)
-        row = in_row(*others, STRETCH, last, spacing=8)
+        for button in sends:
+            button.setMinimumWidth(_SEND_PX)
+        row = in_row(*buttons, STRETCH, *sends, spacing=8)
         parts: list[QWidget | QLayout] = [
             *above,
             scrolled(card),

@@ -240,8 +240,7 @@ class MotionPanel(JogPanel):
     def _lay_out(self) -> None:
         card = QFrame()
         in_column(*self._rows, on=card, spacing=4, margins=(16, 10, 16, 8))
-        buttons = (self.home, self._own_home, self.load, self.send)
-        self._finish(card, buttons)
+        self._finish(card, (self.home, self._own_home, self.load), (self.send,))
 
     def _connect(self) -> None:
         self._follow_rows()
