@@ -200,7 +200,10 @@ def test_an_older_program_refuses_the_rows_of_the_clipboard():
 
 PLAIN = Trajectory(
     "t",
-    points=(Waypoint(MoveMode.MOVE_P, POSE), Waypoint(MoveMode.MOVE_J, (0.0,) * 6, note="n")),
+    points=(
+        Waypoint(MoveMode.MOVE_P, POSE, speed_percent=30),
+        Waypoint(MoveMode.MOVE_J, (0.0,) * 6, speed_percent=30, note="n"),
+    ),
 )
 
 
