@@ -92,7 +92,7 @@ SHOWN = {
     "settings.reset_end_limits": Shown(
         "end_limits", "end_limits_reset_button", "end_limits", "joint settings", "关节设置"
     ),
-    "run.start": Shown("library", "run_send", "library", "“Send” runs", "“发送”运行"),
+    "run.start": Shown("library", "run_send", "library", "“Run” runs", "“发送”运行"),
     "run.pause": Shown("run", "run_pause", "library", "paused", "暂停"),
     "run.go_on": Shown("run_paused", "run_continue", "library", "gone on with (held)", "按住继续"),
     "replay.start": Shown("library", "run_send", "recording", "replayed", "重放"),

@@ -241,9 +241,26 @@ class Replayer(Execution):
     def _approach(self, replay: Replay) -> Refusal | None:
         """Set out for the first sample, slowly: the arm may stand anywhere.
 
-        What is checked is the way there and the whole recording. An arm that lies outside its
-        limits is brought inside first.
+        What is checked is the way there and the whole recording, at the highest speed. Where that
+        is refused, the operator's lower speed is tried, above which the replay may not go then. An
+        arm that lies outside its limits is brought inside first.
         """
+        refusal = self._send_off(replay)
+        return None if refusal is None else self._more_slowly(refusal)
+
+    def _more_slowly(self, refusal: Refusal) -> Refusal | None:
+        replay, percent = self._replay, self.speed_percent
+        if replay is None or self._way_in or not 0 < percent < self._most_percent:
+            return refusal
+        self._most_percent, self._too_fast = percent, refusal
+        return self._send_off(replay)
+
+    def _on_refused(self, refusal: Refusal) -> None:
+        left = self._more_slowly(refusal)
+        if left is not None:
+            self._fail(left)
+
+    def _send_off(self, replay: Replay) -> Refusal | None:
         self._watch = self._passed = None
         self._since_s = self._looked_s = self._context.clock()
         self._phase = RunPhase.MOVING
@@ -256,7 +273,7 @@ class Replayer(Execution):
             why_not=lambda now: now.cannot_run,
             kind=CommandKind.RUN,
         )
-        request = replace(request, sent=self._on_set_out, refused=self._fail)
+        request = replace(request, sent=self._on_set_out, refused=self._on_refused)
         if not self._way_in:
             most = self._most_percent
             request = replace(request, plan=lambda begin_deg: replay.way(begin_deg, most))
