@@ -234,12 +234,12 @@ def test_what_the_button_on_the_arm_does_is_followed(enabled):
     assert enabled.heard() == []
 
 
-def assert_the_list_names_the_button(app_driver):
+def assert_the_list_names_the_button(app_driver, name="recovery_button"):
     """The step that is due in the list is the one that the line offers, in the same word."""
     steps = app_driver.find("teaching_exit_steps")
-    app_driver.run_until(lambda: app_driver.find("recovery_button").isVisible())
+    app_driver.run_until(lambda: app_driver.find(name).isVisible())
     line = steps._lines[steps.due - 1].text()
-    assert f"“{app_driver.read('recovery_button')}”" in line
+    assert f"“{app_driver.read(name)}”" in line
     assert "mergency stop" not in line
 
 
@@ -258,7 +258,7 @@ def test_teaching_is_left_one_step_at_a_time(taught):
     assert "the arm will drop" in app_driver.dialog(ConfirmDialog).text()
     app_driver.confirm()
     app_driver.run_until(lambda: due(app_driver) == 3)
-    assert_the_list_names_the_button(app_driver)
+    assert_the_list_names_the_button(app_driver, "recovery_hold_button")
     assert app_driver.firmware.status is ArmStatusCode.EMERGENCY_STOP
     app_driver.hold_button("recovery_hold_button")
     app_driver.run_until(lambda: due(app_driver) == 4)

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Final
 
 from PySide6.QtCore import QSignalBlocker, Signal
-from PySide6.QtWidgets import QLineEdit, QWidget
+from PySide6.QtWidgets import QButtonGroup, QLineEdit, QWidget
 
 from armui.telemetry.bus_senders import Sender
 from armui.ui.actions.act import Act, HasActs, check_box, toggle_button
@@ -72,8 +72,9 @@ class FilterBar(HasActs, Translated, QWidget):
         self._now_s = now_s
         self._ids = IdFilter()
         self._changed_since_s: float | None = None
+        views = QButtonGroup(self)
         for button in (self.by_id, self.in_order):
-            button.setAutoExclusive(True)
+            views.addButton(button)
         self.by_id.setChecked(True)
         self.text = named("bus_text", QLineEdit())
         self.text.setClearButtonEnabled(True)
