@@ -6648,12 +6648,12 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>! 未保存</translation>
     </message>
     <message>
-        <source>At 100 % of the speed below, so at the points&apos; own or as recorded, without the way to the first point. How long a run takes at its speed stands beside Run.</source>
-        <translation></translation>
-    </message>
-    <message>
         <source>✓ with warnings</source>
         <translation>✓ 有警告</translation>
+    </message>
+    <message>
+        <source>At a speed of 100 % at the top: at the points&apos; own or as recorded, without the way to the first point. How long a run takes at its speed stands beside Run.</source>
+        <translation>顶栏速度为 100 % 时：按各点自身或录制的速度，不含到第一个点的路程。按当前速度运行所需的时间在“发送”旁。</translation>
     </message>
     <message>
         <source>Name</source>

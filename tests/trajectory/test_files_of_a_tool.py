@@ -81,7 +81,7 @@ def test_a_rod_of_100_mm_by_hand():
     """The tip of a flange that points straight up is 100 mm above it."""
     up = Trajectory("t", points=(Waypoint(MoveMode.MOVE_P, (200.0, 50.0, 300.0, 0.0, 0.0, 0.0)),))
     rod = PosesOf(Tool("rod", (0.0, 0.0, 100.0, 0.0, 0.0, 0.0)))
-    assert "P 200 50 400 0 0 0 speed=30" in text_of(".log", up, rod).splitlines()
+    assert "P 200 50 400 0 0 0 speed=100" in text_of(".log", up, rod).splitlines()
     assert files.read_text(text_of(".log", up, rod), "x").points == up.points
 
 

@@ -281,7 +281,7 @@ class LibraryModel(TableModel):
         across = orientation is Qt.Orientation.Horizontal
         if across and role == Qt.ItemDataRole.ToolTipRole and section == LibraryColumn.LENGTH:
             return self.tr(
-                "At 100 % of the speed below, so at the points' own or as recorded, without the "
+                "At a speed of 100 % at the top: at the points' own or as recorded, without the "
                 "way to the first point. How long a run takes at its speed stands beside Run."
             )
         return super().headerData(section, orientation, role)
