@@ -132,6 +132,31 @@ def test_an_arm_that_does_not_follow_is_noticed(ready):
     assert replayer.progress.refusal.reason == REPLAY_LAGGING
 
 
+def test_a_slow_replay_may_lag_less(ready):
+    """What a hand or an obstacle holds is noticed as near as the pace allows."""
+    replayer, away_deg, follows = ready.controller.replayer, {}, ready.firmware.on_frame
+    for percent in (100, 20):
+        accepted(replayer.start(Replay(wave(swing_deg=60.0), speed_percent=percent)))
+        ready.run_until(lambda: replayer.progress.done > 0.2, seconds=60.0)
+        ready.firmware.on_frame = lambda _frame: []
+        ready.run_until(over(ready), seconds=60.0)
+        away_deg[percent] = replayer.progress.refusal.params["away"]
+        ready.firmware.on_frame = follows
+        ready.run(2.0)
+    assert 5.0 <= away_deg[20] < 0.8 * away_deg[100]
+
+
+def test_a_replay_that_is_slowed_and_sped_up_again_is_no_obstacle(ready):
+    replayer = ready.controller.replayer
+    accepted(replayer.start(Replay(wave(seconds=8.0, swing_deg=100.0))))
+    for percent in (10, 100, 30, 100):
+        ready.run_until(lambda: replayer.progress.done > 0.0, seconds=60.0)
+        ready.run(1.2)
+        accepted(ready.controller.motion.set_speed_percent(percent))
+    ready.run_until(over(ready), seconds=60.0)
+    assert (phase(ready), replayer.progress.refusal) == (RunPhase.DONE, None)
+
+
 def test_a_joint_may_be_as_late_as_the_one_that_brakes_longest(ready):
     """The joints arrive together: joint 6, at 164 °/s, takes more than half a second to brake."""
     fast = wave(seconds=2.2)

@@ -99,7 +99,7 @@ class Execution(QObject, ControllerPart):
 
     # What each of the two does its own way ----------------------------------------------------
 
-    def why_not_at(self, _percent: int) -> Refusal | None:
+    def why_not_at(self, percent: int) -> Refusal | None:
         """Return why the run under way may not go at a speed, or ``None``."""
         raise NotImplementedError
 

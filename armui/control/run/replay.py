@@ -38,7 +38,7 @@ FULL_PERCENT: Final = 100
 _SPEED_SLACK: Final = 1.02
 _LAG_SLACK_DEG: Final = 5.0
 _LAG_S: Final = 0.15
-_LAG_MEMORY_S: Final = 1.0
+LAG_MEMORY_S: Final = 1.0
 _ACCELERATION_DEG_S2: Final = math.degrees(5.0)
 """The acceleration assumed while the arm has not reported its own."""
 
@@ -99,7 +99,7 @@ class Replay:
 
     @cached_property
     def _cursor_behind(self) -> SampleCursor:
-        """Follows the first one, :data:`_LAG_MEMORY_S` behind it."""
+        """Follows the first one, :data:`LAG_MEMORY_S` behind it."""
         return SampleCursor(self.recording)
 
     def joints_deg_at(self, at_s: float) -> tuple[float, ...]:
@@ -122,20 +122,25 @@ class Replay:
     def _speeds_deg_s(self, at_s: float) -> list[float]:
         """Return the fastest of each joint in the last second."""
         last = self._cursor.index_at(at_s)
-        first = self._cursor_behind.index_at(at_s - _LAG_MEMORY_S)
+        first = self._cursor_behind.index_at(at_s - LAG_MEMORY_S)
         highest = self.known.speeds_deg_s[first : last + 1].max(axis=0)
         return [float(speed) for speed in highest]
 
-    def lag_allowed_deg(self, at_s: float, state: ArmState) -> tuple[float, ...]:
+    def lag_allowed_deg(self, at_s: float, state: ArmState, pace: float) -> tuple[float, ...]:
         """Return the lag that the arm's braking explains, in degrees, with a small margin.
 
         An arm that brakes late for a target that has already turned round has met no obstacle: so
         the highest speed of the last second counts. Joints arrive together: all take as long to
         brake as the slowest one.
+
+        Args:
+            at_s: The recorded time.
+            state: The arm's state.
+            pace: The highest pace of :data:`LAG_MEMORY_S`, 0–1: a slow replay lags less.
         """
-        braking_s = self.braking_s(at_s, state)
+        braking_s = pace * self.braking_s(at_s, state)
         return tuple(
-            _LAG_SLACK_DEG + (_LAG_S + braking_s / 2.0) * speed
+            _LAG_SLACK_DEG + (_LAG_S + braking_s / 2.0) * pace * speed
             for speed in self._speeds_deg_s(at_s)
         )
 
@@ -168,8 +173,8 @@ def most_percent(replay: Replay, operating_state: OperatingState) -> tuple[int, 
     return most, why
 
 
-def why_behind(replay: Replay, at_s: float, state: ArmState) -> Refusal | None:
-    """Return the joint that lags too far, and by how much; ``None``: the arm follows."""
+def why_behind(replay: Replay, at_s: float, state: ArmState, pace: float) -> Refusal | None:
+    """Return the joint that lags too far, and by how much; see :meth:`Replay.lag_allowed_deg`."""
     measured_deg = state.angles_deg()
     if measured_deg is None:
         return None
@@ -177,7 +182,7 @@ def why_behind(replay: Replay, at_s: float, state: ArmState) -> Refusal | None:
         JOINTS,
         replay.joints_deg_at(at_s),
         measured_deg,
-        replay.lag_allowed_deg(at_s, state),
+        replay.lag_allowed_deg(at_s, state, pace),
         strict=True,
     ):
         away_deg = abs(target - measured)

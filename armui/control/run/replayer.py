@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import deque
 from dataclasses import replace
 from typing import Final
 
@@ -28,7 +29,14 @@ from armui.control.run.player import (
     why_not_run,
 )
 from armui.control.run.progress import ENDLESS, Progress, RunPhase, capped_percent
-from armui.control.run.replay import FULL_PERCENT, Replay, most_percent, why_behind, why_not
+from armui.control.run.replay import (
+    FULL_PERCENT,
+    LAG_MEMORY_S,
+    Replay,
+    most_percent,
+    why_behind,
+    why_not,
+)
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode
 from armui.telemetry.events import Asker, EventKind, Level
@@ -97,6 +105,7 @@ class Replayer(Execution):
         self._passed: Pass | None = None
         self._at_s = 0.0
         self._pace = 0.0
+        self._paces: deque[tuple[float, float]] = deque()
         self._cycle = 1
         self._looked_s = self._waited_s = 0.0
         self._gripper_mm: float | None = None
@@ -169,9 +178,9 @@ class Replayer(Execution):
         self._publish()
         return None
 
-    def why_not_at(self, _percent: int) -> Refusal | None:
-        """Return that a joint would have to turn faster than it may, or ``None``."""
-        return self._too_fast if _percent > self._most_percent else None
+    def why_not_at(self, percent: int) -> Refusal | None:
+        """Return what stands against more than the highest speed that was checked, or ``None``."""
+        return self._too_fast if percent > self._most_percent else None
 
     def set_speed(self, percent: int) -> None:
         """Let the recorded time pass at another pace; 0 % brings it to a stop, as a pause."""
@@ -322,6 +331,7 @@ class Replayer(Execution):
             return
         self._command, self._watch = sent, None
         self._since_s, self._at_s, self._pace = now_s, 0.0, self._share
+        self._paces.clear()
 
     def _send_first(self, replay: Replay) -> MotionCommand | Refusal:
         """Send the first sample, at which the arm stands, at full speed."""
@@ -360,7 +370,7 @@ class Replayer(Execution):
         self._change_pace(replay, gone_s)
         self._at_s = min(self._at_s + gone_s * self._pace, replay.duration_s)
         state = self._context.state()
-        behind = why_behind(replay, self._at_s, state)
+        behind = why_behind(replay, self._at_s, state, self._highest_pace(now_s))
         if behind is not None and state.in_time(now_s):
             self._fail(behind)
             return
@@ -370,6 +380,13 @@ class Replayer(Execution):
         self._move_gripper(replay.gripper_mm_at(self._at_s))
         if self._at_s >= replay.duration_s and self._phase is RunPhase.MOVING:
             self._end_cycle(replay)
+
+    def _highest_pace(self, now_s: float) -> float:
+        """Return the highest pace of late; the arm may still lag by it."""
+        self._paces.append((now_s, self._pace))
+        while self._paces[0][0] < now_s - LAG_MEMORY_S:
+            self._paces.popleft()
+        return max(pace for _at_s, pace in self._paces)
 
     def _change_pace(self, replay: Replay, gone_s: float) -> None:
         """Let the recorded time go over to the operator's speed, as fast as the joints can follow.
