@@ -60,7 +60,7 @@ def operating_states() -> Iterator[OperatingState]:
                 link=LinkState.ONLINE, generation=generation, running=True, run_sets_lamps=True
             )
     for reference in (ReferenceStatus((5,)), ReferenceStatus((5,), checking=True, looked=True)):
-        yield OperatingState(link=LinkState.ONLINE, reference=reference)
+        yield OperatingState(link=LinkState.ONLINE, reference=reference, speed_percent=30)
     for generation in Generation:  # everything is as it should be, with a gripper; then a run
         for running in (False, True):
             yield OperatingState(
