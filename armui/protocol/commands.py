@@ -3,17 +3,13 @@
 Each takes the codec first and physical units after it (degrees and millimetres; any other unit is
 in the name), and returns the frames in sending order. All raise `EncodeError` for a value the
 protocol cannot carry and for a command the generation does not have; they do not check whether the
-arm can do it. The commands to the motor drivers, MIT and CPV, are at the end; no window offers
-them.
+arm can do it.
 """
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
-from functools import reduce
-from operator import xor
-from typing import TYPE_CHECKING, Final, TypeVar
+from typing import TYPE_CHECKING
 
 from armui.protocol.codes import (
     ALL_JOINTS,
@@ -21,12 +17,9 @@ from armui.protocol.codes import (
     VALID,
     ArcPointNumber,
     ControlMode,
-    CpvAction,
-    CpvKind,
     EndLoad,
     FactoryReset,
     GripperMeasure,
-    LeaderZero,
     LimitQuery,
     LinkageRole,
     MitMode,
@@ -46,32 +39,12 @@ if TYPE_CHECKING:
 
     from armui.protocol.codec import Codec
 
-_T = TypeVar("_T")
-
 _JOINTS = tuple(f"J{joint}" for joint in range(1, 7))
-
-CPV_GRIPPER: Final = 7
-"""The number that means the gripper in zero learning (0x187)."""
-
-_CHECK: Final = "Crc4"
-_CPV_SIGNALS: Final = {
-    CpvKind.ACCELERATION: "Acceleration",
-    CpvKind.DECELERATION: "Deceleration",
-    CpvKind.SPEED_KI: "SpeedKi",
-    CpvKind.SPEED_KP: "SpeedKp",
-    CpvKind.POSITION_TARGET: "PositionTarget",
-    CpvKind.POSITION_KP: "PositionKp",
-    CpvKind.SPEED_TARGET: "SpeedTarget",
-    CpvKind.PROFILE_SPEED: "ProfileSpeed",
-}
-_LEARN: Final = 0x65
-_LEARNERS: Final = (4, 5, 6, CPV_GRIPPER)
-"""The joints that learn their zero in this way, by the maker's example."""
 
 
 def _exactly(
-    message: str, values: Sequence[_T], count: int, what: str, unit: str
-) -> tuple[_T, ...]:
+    message: str, values: Sequence[float], count: int, what: str, unit: str
+) -> tuple[float, ...]:
     """The values, if there are as many as the message wants.
 
     Raises:
@@ -358,22 +331,6 @@ def set_linkage(
     ]
 
 
-def set_drag_assistance(codec: Codec, levels: Sequence[int | None]) -> list[Frame]:
-    """Sets how much each joint supports the hand in drag teaching (0x487, from S-V1.8-1).
-
-    Args:
-        codec: The arm's codec.
-        levels: 0–10 for each joint; None leaves a joint's level as it is.
-    """
-    six = _exactly("DragAssistanceSetting", levels, len(_JOINTS), "levels", "")
-    return [codec.encode("DragAssistanceSetting", **dict(zip(_JOINTS, six, strict=True)))]
-
-
-def send_leader_to_zero(codec: Codec, command: LeaderZero) -> list[Frame]:
-    """Sends a leader arm to its zero, or back to leading (0x191, from S-V1.7-4): arms MOVE."""
-    return [codec.encode("LeaderZero", Command=command)]
-
-
 def set_bus_silence(codec: Codec, mode: SilenceMode) -> list[Frame]:
     """Silences the bus for a firmware upgrade, or ends the silence (0x422)."""
     return [codec.encode("BusSilence", Mode=mode)]
@@ -436,11 +393,6 @@ def query_collision_levels(codec: Codec) -> list[Frame]:
     return [codec.encode("ParameterCommand", Query=ParameterQuery.COLLISION_LEVELS)]
 
 
-def query_trajectory_index(codec: Codec) -> list[Frame]:
-    """Asks for the index of the trajectory (0x477, generation 2)."""
-    return [codec.encode("ParameterCommand", Query=ParameterQuery.TRAJECTORY_INDEX)]
-
-
 def query_teaching(codec: Codec) -> list[Frame]:
     """Asks for the teaching setting; answered by TeachingFeedback (0x477, generation 2)."""
     return [codec.encode("ParameterCommand", Query=ParameterQuery.TEACHING_SETTING)]
@@ -461,150 +413,3 @@ def query_firmware(codec: Codec) -> list[Frame]:
     generation 2.
     """
     return [codec.encode("FirmwareVersion", Byte0=1)]
-
-
-# Past the arm's own planning: MIT 0x15A–0x15F, CPV 0x181–0x187, their mode words --------------
-#
-# No operator is offered these: they are for hosts that close a loop of their own, such as those
-# that drive the simulated arm in the tests. The signs, the torque factor and the code of MOVE M
-# depend on the firmware: `armui.protocol.firmware_version.quirks_of`.
-
-
-def set_mit_mode(codec: Codec, *, speed_percent: float = 0) -> list[Frame]:
-    """Gives the joints to their drivers' control loop (0x151); limp until the first setpoint.
-
-    The code of MOVE M is that of the codec's firmware.
-    """
-    return set_mode(
-        codec,
-        control_mode=ControlMode.CAN_CONTROL,
-        move_mode=codec.quirks.mit_code,
-        speed_percent=speed_percent,
-        mit_mode=MitMode.MIT,
-    )
-
-
-def set_high_follow(codec: Codec, *, speed_percent: float = 0) -> list[Frame]:
-    """Lets the joints follow joint targets without a plan (0x151); limp until the first ones."""
-    return set_mode(
-        codec,
-        control_mode=ControlMode.CAN_CONTROL,
-        move_mode=MoveMode.MOVE_J,
-        speed_percent=speed_percent,
-        mit_mode=MitMode.MIT,
-    )
-
-
-def set_cpv_mode(codec: Codec, *, speed_percent: float = 50) -> list[Frame]:
-    """Prepares for setpoints of position, speed and gains joint by joint (0x151); from S-V1.8-1."""
-    return set_mode(
-        codec,
-        control_mode=ControlMode.CAN_CONTROL,
-        move_mode=MoveMode.MOVE_CPV,
-        speed_percent=speed_percent,
-    )
-
-
-def mit_setpoint(
-    codec: Codec,
-    joint: int,
-    *,
-    position_rad: float,
-    speed_rad_s: float,
-    kp: float,
-    kd: float,
-    torque_nm: float,
-) -> list[Frame]:
-    """Sends one joint's setpoint in MIT mode (0x15A + joint - 1), in the firmware's layout.
-
-    Values are rounded down to a raw step, as in the maker's kits: 0 is not exact (0 rad/s becomes
-    -0.011). The torque is that on the wire: the caller applies its sign and its factor.
-
-    Args:
-        codec: The arm's codec.
-        joint: 1–6.
-        position_rad: ±12.5.
-        speed_rad_s: ±45.
-        kp: 0–500 N·m/rad.
-        kd: ±5 N·m·s/rad.
-        torque_nm: ±8 up to S-V1.8-7, ±16 from S-V1.8-8.
-
-    Raises:
-        EncodeError: A value is out of range: it would wrap to another one.
-    """
-    name = f"MitControl{_joint('MitControl', joint, range(1, 7))}"
-    wanted = {
-        "Position": position_rad,
-        "Velocity": speed_rad_s,
-        "Kp": kp,
-        "Kd": kd,
-        "Torque": torque_nm,
-    }
-    frame = codec.encode(name, **wanted)  # refuses what is out of range
-    layout = codec.layout(frame.arbitration_id)
-    if layout is None:
-        raise EncodeError(f"There is no {name} in this generation", message=name)
-    raw = dict.fromkeys(layout.signals, 0)
-    for signal, value in wanted.items():
-        low, high = layout.signals[signal].minimum, layout.signals[signal].maximum
-        steps = (value - low) * ((1 << layout.signals[signal].bits) - 1) / (high - low)
-        raw[signal] = max(math.trunc(steps), 0)
-    data = layout.pack(raw)
-    if _CHECK in raw:
-        data = data[:-1] + bytes((data[-1] | reduce(xor, data[:-1]) & 0x0F,))
-    return [Frame(frame.arbitration_id, data)]
-
-
-def cpv_write(codec: Codec, joint: int, kind: CpvKind, value: float) -> list[Frame]:
-    """Sets one value of a joint in CPV (0x180 + joint).
-
-    Args:
-        codec: The arm's codec.
-        joint: 1–6.
-        kind: Any but zero learning. The first position after entering CPV counts only when sent
-            twice.
-        value: Degrees, rad/s, rad/s² or a bare number, according to the kind.
-    """
-    return [_cpv(codec, joint, CpvAction.WRITE, kind, value)]
-
-
-def cpv_read(codec: Codec, joint: int, kind: CpvKind) -> list[Frame]:
-    """Asks a joint for one value of CPV; answered with the same identifier (0x180 + joint)."""
-    return [_cpv(codec, joint, CpvAction.READ, kind, 0)]
-
-
-def cpv_learn_zero(codec: Codec, joint: int) -> list[Frame]:
-    """Lets joint 4, 5 or 6, or the gripper with 7, find its zero at its stop (0x184–0x187).
-
-    Its motor must be disabled first: the joint moves by itself, and the others may drop.
-    """
-    number = _joint("CpvControl", joint, _LEARNERS)
-    name = "CpvGripper" if number == CPV_GRIPPER else f"CpvControl{number}"
-    return [
-        codec.encode(name, Action=CpvAction.WRITE, Kind=CpvKind.ZERO_LEARNING, ZeroLearning=_LEARN)
-    ]
-
-
-def _cpv(codec: Codec, joint: int, action: CpvAction, kind: CpvKind, value: float) -> Frame:
-    name = f"CpvControl{_joint('CpvControl', joint, range(1, 7))}"
-    signal = _CPV_SIGNALS.get(kind)
-    if signal is None:
-        raise EncodeError(
-            f"{name}.Kind cannot be {kind.name} here; give one with a value, or use cpv_learn_zero",
-            message=name,
-            signal="Kind",
-            value=int(kind),
-        )
-    return codec.encode(name, Action=action, Kind=kind, **{signal: value})
-
-
-def _joint(message: str, joint: int, allowed: range | tuple[int, ...]) -> int:
-    if joint not in allowed:
-        raise EncodeError(
-            f"{message} has no joint {joint}; it has {', '.join(map(str, allowed))}",
-            message=message,
-            value=joint,
-            minimum=min(allowed),
-            maximum=max(allowed),
-        )
-    return joint

@@ -22,7 +22,6 @@ _AS_MOVE_J: Final[SixSigns] = (1, 1, 1, 1, 1, 1)
 
 _ALL: Final = frozenset(PiperModel)
 _X: Final = frozenset({PiperModel.PIPER_X})
-_HLX: Final = _ALL - {PiperModel.PIPER}
 _ONE: Final[SixFactors] = (1.0,) * 6
 
 VERSION_ID: Final = 0x4AF
@@ -113,17 +112,13 @@ class FirmwareQuirks(NamedTuple):
         mit_signs: The factors, 1 or -1, by which a MIT command (position, speed and torque) of
             joints 1-6 is multiplied so that the joint turns as with MOVE J. Feedback is not
             affected.
-        mit_signs_known: True if the signs were seen on an arm of this model; else they are the
-            PiPER's, or unflipped.
         mit_torque_factors: The factors by which the firmware multiplies the torque on the wire,
             joints 1-6 (b of the table: 4, 4, 4, 1, 1, 1 up to S-V1.8-2). The host divides by it.
-        mit_torque_nm: The largest torque on the wire.
         mode_exit: The way to leave MIT and high-follow. The maker's texts contradict one another
             about S-V1.8-5, so a mode word counts from S-V1.8-6 on.
         exits_by_mode_word: True if a mode word leaves them by the likelier reading of the texts,
             from S-V1.8-5 on; the simulated arm does so.
         shifted_zeros: Joints 2 and 3 count from zeros 2° elsewhere (before S-V1.6-3).
-        has_friction: 0x47D and 0x47E byte 2, the teaching handle's friction.
         has_leader_zero: 0x191 sends the leader arm to its zero.
         has_cpv: 0x181-0x187.
         cpv_position_signs: The factors for ``po`` of joints 1-6, so that the joint turns as with
@@ -142,13 +137,10 @@ class FirmwareQuirks(NamedTuple):
     mit_code: int = 0x04
     mit_layout: MitLayout = MitLayout.A
     mit_signs: SixSigns = (-1, -1, 1, -1, 1, -1)
-    mit_signs_known: bool = True
     mit_torque_factors: SixFactors = (4.0, 4.0, 4.0, 1.0, 1.0, 1.0)
-    mit_torque_nm: float = 8.0
     mode_exit: ModeExit = ModeExit.RESET
     exits_by_mode_word: bool = False
     shifted_zeros: bool = True
-    has_friction: bool = False
     has_leader_zero: bool = False
     has_cpv: bool = False
     cpv_position_signs: SixSigns = _AS_MOVE_J
@@ -168,15 +160,12 @@ class _Change(NamedTuple):
 
 
 _CHANGES: Final = (
-    _Change(FIRST, _HLX, {"mit_signs_known": False}),
     _Change(FIRST, _X, {
         "cpv_position_signs": (1, 1, 1, -1, -1, 1),
         "cpv_speed_signs": (1, -1, -1, 1, 1, 1),
     }),
-    _Change(FirmwareVersion(1, 5, 8), _ALL, {"has_friction": True}),
     _Change(FirmwareVersion(1, 6, 3), _ALL, {"shifted_zeros": False}),
     _Change(FirmwareVersion(1, 7, 3), _ALL, {"mit_signs": _AS_MOVE_J}),
-    _Change(FirmwareVersion(1, 7, 3), _HLX - _X, {"mit_signs_known": True}),
     _Change(FirmwareVersion(1, 7, 4), _ALL, {"has_leader_zero": True}),
     _Change(FirmwareVersion(1, 8, 1), _ALL, {"has_cpv": True, "has_drag_assistance": True}),
     _Change(FirmwareVersion(1, 8, 3), _ALL, {"mit_torque_factors": _ONE}),
@@ -185,14 +174,11 @@ _CHANGES: Final = (
     _Change(FirmwareVersion(1, 8, 8), _ALL, {
         "mit_code": 0x06,
         "mit_layout": MitLayout.B,
-        "mit_torque_nm": 16.0,
         "has_ik_solution": True,
         "has_upside_down": True,
         "has_gripper_angle": True,
     }),
-    _Change(FirmwareVersion(1, 8, 8), _X, {
-        "mit_signs": (1, 1, 1, -1, -1, 1), "mit_signs_known": True,
-    }),
+    _Change(FirmwareVersion(1, 8, 8), _X, {"mit_signs": (1, 1, 1, -1, -1, 1)}),
     _Change(FirmwareVersion(1, 8, 9), _X, {"mit_signs": _AS_MOVE_J}),
     _Change(FirmwareVersion(1, 9, 0), _ALL, {"disable_frees_gripper": True}),
 )  # fmt: skip

@@ -13,9 +13,7 @@ from armui.protocol.codec import Codec
 from armui.protocol.codes import (
     ArcPointNumber,
     ControlMode,
-    CpvKind,
     EndLoad,
-    LeaderZero,
     LinkageRole,
     MitMode,
     Mounting,
@@ -69,7 +67,6 @@ BY_HAND = {
     "query_acceleration": ["472 0602000000000000"],
     "query_end_limits": ["477 0100000000000000"],
     "query_collision_levels": ["477 0200000000000000"],
-    "query_trajectory_index": ["477 0300000000000000"],
     "query_teaching": ["477 0400000000000000"],
     "query_drag_assistance": ["477 0500000000000000"],
     "query_firmware": ["4AF 0100000000000000"],
@@ -84,17 +81,8 @@ BY_HAND = {
     "set_linkage": ["470 FA10002000000000"],
     "set_bus_silence": ["422 0100000000000000"],
     "set_light": ["121 0102FFFF80000007"],
-    "set_drag_assistance": ["487 000AFF05FFFF0000"],
-    "send_leader_to_zero": ["191 0100010000000000"],
     # 45.5° = 45500 = 0xB1BC; 1 N·m = 0x3E8; bits 0 and 2
     "move_gripper_to_angle": ["159 0000B1BC03E80500"],
-    "set_mit_mode": ["151 010600AD00000000"],
-    "set_high_follow": ["151 010100AD00000000"],
-    "set_cpv_mode": ["151 0105320000000000"],
-    "mit_setpoint": ["15A 851E7FF0519478FF"],
-    "cpv_write": ["181 77706F00006FE8"],
-    "cpv_read": ["181 726B7000000000"],
-    "cpv_learn_zero": ["187 77656565000000"],
 }  # fmt: skip
 CALLS: dict[str, tuple[tuple[Any, ...], dict[str, Any]]] = {
     "trajectory_command": ((TrajectoryCommand.ABORT,), {}),
@@ -124,15 +112,7 @@ CALLS: dict[str, tuple[tuple[Any, ...], dict[str, Any]]] = {
     ),
     "set_bus_silence": ((SilenceMode.SILENCE_FOR_CONTROLLER_UPGRADE,), {}),
     "set_light": ((2, (255, 128, 0)), {"counter": 7}),
-    "set_drag_assistance": (([0, 10, None, 5, None, None],), {}),
-    "send_leader_to_zero": ((LeaderZero.BOTH_TO_ZERO,), {}),
     "move_gripper_to_angle": ((), {"angle_deg": 45.5, "torque_nm": 1}),
-    "mit_setpoint": ((1,), {
-        "position_rad": 0.5, "speed_rad_s": 0, "kp": 10, "kd": 0.8, "torque_nm": 2,
-    }),
-    "cpv_write": ((1, CpvKind.POSITION_TARGET, 28.648), {}),
-    "cpv_read": ((1, CpvKind.SPEED_KP), {}),
-    "cpv_learn_zero": ((7,), {}),
 }  # fmt: skip
 
 

@@ -42,7 +42,6 @@ def test_what_is_no_version_is_none(text):
 @pytest.mark.parametrize(
     ("field", "before", "since", "was", "then"),
     [
-        ("has_friction", "S-V1.5-2", "S-V1.5-8", False, True),
         ("shifted_zeros", "S-V1.6-2", "S-V1.6-3", True, False),
         ("mit_signs", "S-V1.7-2", "S-V1.7-3", (-1, -1, 1, -1, 1, -1), STRAIGHT),
         ("has_leader_zero", "S-V1.7-3", "S-V1.7-4", False, True),
@@ -53,7 +52,6 @@ def test_what_is_no_version_is_none(text):
         ("mode_exit", "S-V1.8-5", "S-V1.8-6", ModeExit.RESET, ModeExit.MODE_WORD),
         ("mit_code", "S-V1.8-7", "S-V1.8-8", 4, 6),
         ("mit_layout", "S-V1.8-7", "S-V1.8-8", MitLayout.A, MitLayout.B),
-        ("mit_torque_nm", "S-V1.8-7", "S-V1.8-8", 8, 16),
         ("has_ik_solution", "S-V1.8-7", "S-V1.8-8", False, True),
         ("has_upside_down", "S-V1.8-7", "S-V1.8-8", False, True),
         ("has_gripper_angle", "S-V1.8-7", "S-V1.8-8", False, True),
@@ -67,22 +65,19 @@ def test_what_a_version_changed(field, before, since, was, then):
 
 
 @pytest.mark.parametrize(
-    ("version", "model", "signs", "known"),
+    ("version", "model", "signs"),
     [
-        ("S-V1.7-2", PiperModel.PIPER, (-1, -1, 1, -1, 1, -1), True),
-        ("S-V1.7-2", PiperModel.PIPER_H, (-1, -1, 1, -1, 1, -1), False),
-        ("S-V1.7-3", PiperModel.PIPER_L, STRAIGHT, True),
-        ("S-V1.8-7", PiperModel.PIPER_X, STRAIGHT, False),
-        ("S-V1.8-8", PiperModel.PIPER_X, (1, 1, 1, -1, -1, 1), True),
-        ("S-V1.8-8", PiperModel.PIPER_H, STRAIGHT, True),
-        ("S-V1.8-9", PiperModel.PIPER_X, STRAIGHT, True),
+        ("S-V1.7-2", PiperModel.PIPER, (-1, -1, 1, -1, 1, -1)),
+        ("S-V1.7-2", PiperModel.PIPER_H, (-1, -1, 1, -1, 1, -1)),
+        ("S-V1.7-3", PiperModel.PIPER_L, STRAIGHT),
+        ("S-V1.8-7", PiperModel.PIPER_X, STRAIGHT),
+        ("S-V1.8-8", PiperModel.PIPER_X, (1, 1, 1, -1, -1, 1)),
+        ("S-V1.8-8", PiperModel.PIPER_H, STRAIGHT),
+        ("S-V1.8-9", PiperModel.PIPER_X, STRAIGHT),
     ],
 )
-def test_the_signs_of_mit_depend_on_the_model(version, model, signs, known):
-    assert (quirks(version, model).mit_signs, quirks(version, model).mit_signs_known) == (
-        signs,
-        known,
-    )
+def test_the_signs_of_mit_depend_on_the_model(version, model, signs):
+    assert quirks(version, model).mit_signs == signs
 
 
 def test_the_signs_of_cpv_are_wrong_in_every_version():
@@ -101,7 +96,7 @@ def test_a_bug_belongs_to_the_version_it_was_reported_of():
 
 def test_a_version_before_generation_2_counts_as_its_first():
     old = quirks("S-V1.4-0")
-    assert (old.mit_code, old.mit_layout, old.has_friction) == (4, MitLayout.A, False)
+    assert (old.mit_code, old.mit_layout) == (4, MitLayout.A)
 
 
 def answer(
