@@ -70,11 +70,6 @@ class Device:
     options: tuple[tuple[str, Any], ...] = ()
 
     @property
-    def kind(self) -> str:
-        """The back-end's name, or ``simulated``."""
-        return "simulated" if self.simulated else self.interface
-
-    @property
     def name(self) -> str:
         """A short name for the top bar and messages."""
         return self.label or f"{self.interface} {self.channel}"

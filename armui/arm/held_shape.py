@@ -38,12 +38,6 @@ class HeldShape:
     hull: tuple[Rod, ...]
     edges: tuple[Rod, ...]
 
-    @property
-    def reach_mm(self) -> float:
-        """The greatest distance of any of its points from the flange's centre."""
-        ends = [(end, rod) for rod in self.hull for end in (rod.start_mm, rod.end_mm)]
-        return max(float(np.linalg.norm(end)) + rod.radius_mm for end, rod in ends)
-
     def lowest(self, flange_mm: Height, ups: Sequence[Height]) -> Height:
         """Return the height of its lowest place.
 

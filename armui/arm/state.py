@@ -318,10 +318,6 @@ class ArmState(NamedTuple):
     frames: int = 0
     invalid_frames: Mapping[str, int] = _NO_INVALID_FRAMES
 
-    def online(self, now_s: float) -> bool:
-        """Return whether the arm has been heard within the last half second."""
-        return is_fresh(self.last_feedback_s, now_s)
-
     def angles_deg(self) -> Six[float] | None:
         """Return six joint angles, or ``None`` while one of them has never been heard."""
         return _six_values(self.joints_deg)

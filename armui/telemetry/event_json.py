@@ -17,9 +17,6 @@ from armui.arm.refusal import Reason, Refusal
 from armui.system.files import open_file
 from armui.telemetry.events import Asker, EventEntry, EventKind, EventOutcome, Level
 
-LONGEST: Final = 100_000
-"""The most characters of a line; a longer one is none of ours."""
-
 _YEARS: Final = 1970, 2300
 LATEST_S: Final = 1e10
 """Times further away overflow a calendar."""
@@ -55,20 +52,6 @@ def to_json(entry: EventEntry) -> str:
         if outcome is not None:
             fields[name] = _outcome(outcome)
     return json.dumps(fields, ensure_ascii=False, separators=(",", ":"))
-
-
-def from_json(text: str) -> EventEntry:
-    """Return the event in a line.
-
-    Raises:
-        ValueError: The line is no event, or holds impossible values.
-    """
-    if len(text) > LONGEST:
-        raise ValueError(f"a line of {len(text)} characters; events have {LONGEST} at most")
-    try:
-        return from_record(json.loads(text))
-    except RecursionError as error:
-        raise ValueError(f"no event: {type(error).__name__}: {error}") from error
 
 
 def from_record(record: Mapping[str, Any]) -> EventEntry:
@@ -177,13 +160,13 @@ def _figure(read: object) -> float:
 
 def _whole(read: object) -> int:
     if isinstance(read, bool) or not isinstance(read, int):
-        raise ValueError(f"{str(read)[:60]!r} is no whole number")  # noqa: TRY004 - what from_json raises
+        raise ValueError(f"{str(read)[:60]!r} is no whole number")  # noqa: TRY004 - what from_record raises
     return read
 
 
 def _text(read: object) -> str:
     if not isinstance(read, str):
-        raise ValueError(f"{str(read)[:60]!r} is no text")  # noqa: TRY004 - what from_json raises
+        raise ValueError(f"{str(read)[:60]!r} is no text")  # noqa: TRY004 - what from_record raises
     return read
 
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from armui.arm.state import FRESH_FOR_S, common_to_generations
+from armui.arm.state import FRESH_FOR_S, common_to_generations, is_fresh
 from armui.arm.tracker import Tracker
 from armui.protocol.codec import Codec
 from armui.protocol.frame import Frame
@@ -32,7 +32,7 @@ def test_nothing_heard_is_nothing_known(listener):
     assert snapshot.angles_deg() is None
     assert snapshot.end_pose() is None
     assert snapshot.enabled() == (None,) * 6
-    assert not snapshot.online(now_s=0.0)
+    assert snapshot.last_feedback_s is None
 
 
 def test_joint_angles_are_complete_only_when_all_three_frames_were_heard(listener):
@@ -124,13 +124,13 @@ def test_a_snapshot_stays_the_same_object_until_something_is_heard(listener):
 
 def test_an_arm_is_online_for_half_a_second_after_its_last_frame(listener):
     snapshot = listener.hear(0x2A5, "00002EE0 00000000", at_s=10.0)
-    assert snapshot.online(10.0 + FRESH_FOR_S)
-    assert not snapshot.online(10.0 + FRESH_FOR_S + 0.001)
+    assert is_fresh(snapshot.last_feedback_s, 10.0 + FRESH_FOR_S)
+    assert not is_fresh(snapshot.last_feedback_s, 10.0 + FRESH_FOR_S + 0.001)
 
 
 def test_the_programs_own_commands_do_not_make_an_arm_online(listener):
     # another host's joint target on the bus
-    assert not listener.hear(0x155, "00002EE0 00000000").online(1.0)
+    assert listener.hear(0x155, "00002EE0 00000000").last_feedback_s is None
 
 
 TARGETS = (0x155, 0x156, 0x157)
@@ -141,7 +141,7 @@ def test_another_senders_joint_targets_are_noticed_whatever_their_offset(listene
     for at_s, target_id in enumerate(TARGETS, start=2):
         snapshot = listener.hear(target_id + offset, "00002EE0 00000000", at_s=float(at_s))
     assert snapshot.foreign_targets_s == 2.0
-    assert not snapshot.online(2.0)
+    assert snapshot.last_feedback_s is None
 
 
 def test_a_stray_joint_target_makes_no_teaching_input(listener):

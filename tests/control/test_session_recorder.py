@@ -39,7 +39,7 @@ from armui.session.recording.lane import MOST_WAITING
 from armui.session.recording.recorded_session import RecordedSession
 from armui.session.session import MarkKind
 from armui.sim.faults.schedule import fault
-from armui.telemetry.event_json import from_json
+from armui.telemetry.event_json import from_record
 from tests.accepted import accepted
 
 
@@ -204,7 +204,7 @@ def test_a_fault_of_the_arm_is_marked_with_its_end_and_saves_the_ring(rig, sessi
     faults = [mark for mark in session.marks if mark.kind is MarkKind.FAULT]
     assert session.start_s <= faults[0].at_s <= session.end_s
     for mark in session.marks:
-        assert from_json(json.dumps(mark.entry)).code == mark.entry["code"]
+        assert from_record(mark.entry).code == mark.entry["code"]
 
 
 def test_a_lost_device_does_not_end_a_recording(rig, sessions, wait_for):

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from armui.arm.device import Device
 from armui.control.link.link_state import LINK_LOST
-from armui.telemetry.event_json import NAME, append, from_json, to_json
+from armui.telemetry.event_json import NAME, append, from_record, to_json
 from armui.telemetry.events import (
     REPEAT_S,
     REPEATS_SPAN_S,
@@ -173,7 +173,7 @@ def test_a_line_says_everything():
     line = to_json(WHOLE)
     assert "\n" not in line
     assert "臂" in line
-    assert from_json(line) == WHOLE
+    assert from_record(json.loads(line)) == WHOLE
 
 
 @given(
@@ -191,7 +191,7 @@ def test_any_entry_comes_back(at_s, count, text, figure, ended):
         ended_s=None if ended is None else round(ended, 6),
         count=count,
     )
-    assert from_json(to_json(entry)) == entry
+    assert from_record(json.loads(to_json(entry))) == entry
 
 
 @pytest.mark.parametrize(
@@ -216,25 +216,23 @@ def test_any_entry_comes_back(at_s, count, text, figure, ended):
 def test_an_impossible_line_is_refused(change):
     line = json.dumps({**json.loads(to_json(WHOLE)), **change})
     with pytest.raises(ValueError, match=r".+"):
-        from_json(line)
+        from_record(json.loads(line))
 
 
-@pytest.mark.parametrize(
-    "line", ["", "null", "[]", "7", "{}", '{"number":', "[" * 100_000, "x" * 200_000, "\x00"]
-)
+@pytest.mark.parametrize("line", ["null", "[]", "7", "{}", '"x"'])
 def test_nonsense_is_refused(line):
     with pytest.raises(ValueError, match=r".+"):
-        from_json(line)
+        from_record(json.loads(line))
 
 
 def test_a_reason_of_a_newer_program_is_kept_by_its_id():
     line = to_json(WHOLE).replace(str(LINK_LOST), "some_new_reason")
-    assert str(from_json(line).params["reason"]).startswith("some_new_reason(")
+    assert str(from_record(json.loads(line)).params["reason"]).startswith("some_new_reason(")
 
 
 def test_figures_that_json_has_no_word_for_become_text():
     entry = put(EventLog(), params={"torque": float("inf"), "what": object})
-    params = from_json(to_json(entry)).params
+    params = from_record(json.loads(to_json(entry))).params
     assert params["torque"] == "inf"
     assert isinstance(params["what"], str)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Iterable, Iterator
 from datetime import UTC, datetime
 from itertools import product
@@ -38,7 +39,7 @@ from armui.control.operations.started import ANSWERED
 from armui.protocol.codec import InvalidFrameKind
 from armui.setting_checks import Language
 from armui.system.sentence import Sentence
-from armui.telemetry.event_json import from_json
+from armui.telemetry.event_json import from_record
 from armui.telemetry.events import Asker, EventEntry, EventKind, EventOutcome, Level
 from armui.ui.translation import Translator
 from armui.ui.words import event_log as words
@@ -230,7 +231,7 @@ OLD_LINE = (
 
 
 def test_an_event_of_an_older_file_reads_as_a_sentence(translated):
-    read = from_json(OLD_LINE)
+    read = from_record(json.loads(OLD_LINE))
     translated("en")
     assert words.entry_text(read) == "J3 is at its limit of -12.500°. Jog the other way."
     translated("zh")
@@ -238,7 +239,7 @@ def test_an_event_of_an_older_file_reads_as_a_sentence(translated):
 
 
 def test_a_reason_of_a_newer_program_is_named(translated):
-    read = from_json(OLD_LINE.replace("jog_at_limit", "jog_on_the_moon"))
+    read = from_record(json.loads(OLD_LINE.replace("jog_at_limit", "jog_on_the_moon")))
     translated("en")
     said = "Not possible now: jog_on_the_moon(joint=3, limit=-12.5)."
     assert words.entry_text(read) == said

@@ -9,7 +9,7 @@ import pytest
 
 from armui.control.event_log import keeper as module
 from armui.control.event_log.keeper import EventKeeper
-from armui.telemetry.event_json import NAME, from_json, to_json
+from armui.telemetry.event_json import NAME, from_record, to_json
 from tests.accepted import accepted
 from tests.app_driver import AtOnce, Slow
 
@@ -45,7 +45,7 @@ def keep(rig, tmp_path):
 def kept(tmp_path):
     """The last line of each number."""
     text = (tmp_path / "logs" / NAME).read_text(encoding="utf-8")
-    entries = [from_json(line) for line in text.splitlines()]
+    entries = [from_record(json.loads(line)) for line in text.splitlines()]
     return {each.number: each for each in entries}, len(entries)
 
 

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QApplication, QMenu
 
 from armui.control.events import Notice
 from armui.settings import SETTINGS_IN_USE
-from armui.telemetry.event_json import from_json, to_json
+from armui.telemetry.event_json import from_record, to_json
 from armui.telemetry.events import Asker, EventKind, Level
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.watch.events.event_page import EventPage
@@ -235,7 +235,7 @@ def test_csv(events, tmp_path):
 
 def test_json_is_read_back(events, tmp_path):
     path = save(events, "json", tmp_path / "events.json")
-    read = [from_json(json.dumps(each)) for each in json.loads(path.read_text(encoding="utf-8"))]
+    read = [from_record(each) for each in json.loads(path.read_text(encoding="utf-8"))]
     assert [to_json(each) for each in read] == [to_json(each) for each in events.model.entries()]
 
 

@@ -99,7 +99,7 @@ def as_csv(entries: Sequence[EventEntry]) -> str:
 
 
 def as_json(entries: Sequence[EventEntry]) -> str:
-    """Return a JSON list of what `from_json` reads, one event a line."""
+    """Return a JSON list of what `from_record` reads, one event a line."""
     lines = ",\n".join(to_json(each) for each in entries)
     return f"[\n{lines}\n]\n"
 
