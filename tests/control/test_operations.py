@@ -123,7 +123,7 @@ def test_each_says_in_any_state_whether_it_may_be_done(rig):
         reasons = set()
         for now in states:
             for arguments in ARGUMENTS.get(name, ({},)):
-                reason = rig.controller.operations.why_not(name, now, **arguments)
+                reason = rig.controller.operations[name].operation.why_not(now, **arguments)
                 if reason is not None:
                     assert words.refusal(reason), (name, reason)
                 reasons.add(None if reason is None else reason.code)

@@ -152,7 +152,6 @@ def test_the_arm_stays_for_the_dwell() -> None:
     moved_s = path.expected_s[0] - 2.5
     assert path.at(moved_s + 0.001) == pytest.approx(FAR)
     assert path.at(moved_s + 2.49) == pytest.approx(FAR)
-    assert path.row_at(moved_s + 1.0) == 0
     assert path.expected_s[1] == pytest.approx(moved_s)
     assert path.duration_s == pytest.approx(2 * moved_s + 2.5)
 
@@ -265,7 +264,6 @@ def test_a_recording_is_approached_slowly_and_then_kept_to_its_time() -> None:
     assert path.duration_s == pytest.approx(approach_s + 4.0)
     assert path.at(0.0) == pytest.approx(FAR)
     assert path.at(approach_s + 1.0) == pytest.approx([angle + 2.5 for angle in HERE])
-    assert path.row_at(approach_s + 3.0) == 2
     assert path.expected_s == ()
 
 

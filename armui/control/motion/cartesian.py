@@ -203,16 +203,6 @@ class Cartesian(ControllerPart):
 
     # Motions --------------------------------------------------------------------------------
 
-    def check(self, target: Sequence[float], move_mode: MoveMode) -> Refusal | None:
-        """Return why the tool centre point cannot go from its place to a pose, or ``None``.
-
-        Args:
-            target: X, Y, Z in mm and RX, RY, RZ in degrees.
-            move_mode: MOVE_P, or MOVE_L for a straight line.
-        """
-        way = self._plan(target, move_mode)(self._start_deg())
-        return way if isinstance(way, Refusal) else self._context.gate().judge(way)
-
     def _plan(self, target: Sequence[float], move_mode: MoveMode) -> Plan:
         """Return what plans the way to a pose: by the nearest angles, or on a straight line."""
 

@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any, Concatenate, Final, ParamSpec, Protocol, 
 
 from armui.arm.figures import check_arguments
 from armui.arm.refusal import Refusal
-from armui.control.operating_state import OperatingState
 from armui.control.operations.started import Ending, Started
 
 if TYPE_CHECKING:
@@ -229,13 +228,3 @@ class Operations(Mapping[str, BoundOperation]):
 
     def __len__(self) -> int:
         return len(self._bound)
-
-    def why_not(self, name: str, now: OperatingState, **arguments: object) -> Refusal | None:
-        """Return why an operation may not be done now, or ``None``.
-
-        Args:
-            name: Its id.
-            now: What the operator can do.
-            **arguments: Those of its method that the reason depends on.
-        """
-        return self._bound[name].operation.why_not(now, **arguments)

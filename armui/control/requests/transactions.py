@@ -142,11 +142,6 @@ class TransactionQueue(ControllerPart):
         context.connection.answered.connect(self._on_answer)
 
     @property
-    def busy(self) -> bool:
-        """True if a transaction is under way or waits."""
-        return self._task is not None
-
-    @property
     def altering(self) -> str | None:
         """The setting being changed, or waiting to be, that motions rely on, or ``None``."""
         altered = (task.transaction.alters for task in self._all())

@@ -197,11 +197,6 @@ class Gate(ControllerPart):
             self._of, self._rules, self._marks = of, make(), {}
         return self._rules
 
-    @property
-    def pending(self) -> bool:
-        """True while a motion waits for the arm to rest, or for its check."""
-        return self._pending is not None
-
     # What is asked ------------------------------------------------------------------------------
 
     def judge(self, way: Way) -> Refusal | None:

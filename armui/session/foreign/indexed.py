@@ -106,7 +106,6 @@ class LogIndex:
         frames: The number of frames.
         channels: The channels in the order of their first frames.
         groups: The beginning of each identifier's frames in `ORDER`, and at the end their number.
-        long_frames: The number of frames with more than 8 bytes.
         marks: The marks found in the frames, in the order of time.
         damages: Damaged places, bounded.
         damage_count: The number of all damaged places.
@@ -118,7 +117,6 @@ class LogIndex:
     frames: int
     channels: tuple[Channel, ...]
     groups: tuple[int, ...]
-    long_frames: int
     marks: tuple[SessionMark, ...]
     damages: tuple[Damage, ...]
     damage_count: int

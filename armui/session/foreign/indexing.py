@@ -180,7 +180,6 @@ def index_log(path: Path, folder: Path, most_frames: int = MOST_FRAMES) -> LogIn
         frames=columns.frames,
         channels=columns.channels,
         groups=groups,
-        long_frames=columns.long_frames,
         marks=marks,
         damages=tuple(damages),
         damage_count=damage_count,
@@ -230,14 +229,14 @@ class _Columns:
     """The files of the columns, as they grow; use it in a ``with`` statement.
 
     Attributes:
-        frames, long_frames: Written so far.
+        frames: Written so far.
         channels: Met so far.
     """
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
         self._files: dict[str, BinaryIO] = {}
-        self.frames = self.long_frames = 0
+        self.frames = 0
         self.channels: tuple[Channel, ...] = ()
 
     def __enter__(self) -> _Columns:
@@ -257,7 +256,6 @@ class _Columns:
         for row, data in batch.long_data.items():
             self._files[LONG_ROWS].write(np.uint32(self.frames + row).tobytes())
             self._files[LONG_DATA].write(data[:LONG_BYTES].ljust(LONG_BYTES, b"\0"))
-        self.long_frames += len(batch.long_data)
         self.frames += len(batch)
         self.channels = batch.channel_names
 

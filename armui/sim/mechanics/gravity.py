@@ -78,11 +78,6 @@ class Weight:
         return body
 
 
-def gravity_torques_nm(joints_deg: Sequence[float], payload_kg: float = 0.0) -> tuple[float, ...]:
-    """Return gravity's torque on each joint of a PiPER that stands level, in N·m."""
-    return Weight(payload_kg=payload_kg).torques_nm(joints_deg)
-
-
 @lru_cache(maxsize=64)
 def _body(links: tuple[RigidLink, ...], payload_kg: float) -> RigidBody:
     return RigidBody(links, payload_kg)

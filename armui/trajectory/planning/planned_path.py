@@ -92,11 +92,6 @@ class PlannedPath:
         wanted[::step] = True
         return np.flatnonzero(wanted)
 
-    def row_at(self, t_s: float) -> int:
-        """Return the index of the point that is active at a time after the start."""
-        index = int(np.searchsorted(self.times_s, t_s, side="left"))
-        return int(self.rows[min(index, len(self.rows) - 1)])
-
 
 def sampled_path(
     times_s: Array,

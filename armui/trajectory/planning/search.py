@@ -33,7 +33,7 @@ class Search:
     def rows(self, points: Sequence[Waypoint], tool: ToolPoints) -> list[int] | Refusal:
         """Return the rows that match as they are shown, or why nothing can be searched."""
         if self.field == NOTE:
-            found = edits.find_text(points, self.wanted, match_case=True)
+            found = edits.find_text(points, self.wanted)
             return list(found) if self.wanted else []
         value = figure(self.field, self.wanted, far=True)
         if isinstance(value, Refusal):

@@ -139,11 +139,10 @@ class FigureQuery:
     tolerance: float = 0.0005
 
 
-def find_text(points: Sequence[Waypoint], text: str, *, match_case: bool = False) -> Iterator[int]:
+def find_text(points: Sequence[Waypoint], text: str) -> Iterator[int]:
     """Yield the indices of the points whose note contains a text."""
-    wanted = text if match_case else text.casefold()
     for index, point in enumerate(points):
-        if wanted in (point.note if match_case else point.note.casefold()):
+        if text in point.note:
             yield index
 
 

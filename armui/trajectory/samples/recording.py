@@ -185,19 +185,15 @@ class SampleCursor:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ReplayProfile:
-    """The extreme angles and the speeds of a recording at its recorded speed.
+    """The speeds of a recording at its recorded speed.
 
     Attributes:
         speeds_deg_s: (n, 6) the speed of each joint at each sample.
-        low_deg: The smallest angle of each joint.
-        high_deg: The largest angle of each joint.
         fastest_deg_s: The highest speed of each joint.
         astray_deg: (n, 6) how far the arm may be off the way there, as :func:`astray_deg` has it.
     """
 
     speeds_deg_s: npt.NDArray[np.float32]
-    low_deg: tuple[float, ...]
-    high_deg: tuple[float, ...]
     fastest_deg_s: tuple[float, ...]
     astray_deg: npt.NDArray[np.float32]
 
@@ -241,17 +237,11 @@ def replay_profile(recording: Recording) -> ReplayProfile:
     speeds = np.zeros((len(recording.samples), len(JOINTS)), dtype=np.float32)
     astray = np.zeros_like(speeds)
     if not len(speeds):
-        return ReplayProfile(speeds, (0.0,) * 6, (0.0,) * 6, (0.0,) * 6, astray)
+        return ReplayProfile(speeds, (0.0,) * 6, astray)
     times_s = np.ascontiguousarray(recording.times_s - recording.times_s[0])
     for index, angles_deg in enumerate(recording.joints_deg.T):
         speeds[:, index] = turning_speeds(times_s, angles_deg)
         astray[:, index] = astray_deg(times_s, angles_deg)
     # The joints arrive together, so that a lag of one delays the others by a part of it.
     astray += _WITH_THE_WORST * astray.max(axis=1, keepdims=True)
-    return ReplayProfile(
-        speeds,
-        tuple(recording.joints_deg.min(axis=0).tolist()),
-        tuple(recording.joints_deg.max(axis=0).tolist()),
-        tuple(speeds.max(axis=0).tolist()),
-        astray,
-    )
+    return ReplayProfile(speeds, tuple(speeds.max(axis=0).tolist()), astray)
