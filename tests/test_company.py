@@ -81,7 +81,7 @@ def test_a_leader_leads_the_rig_s_arm(rig, leader):
     leader.firmware.hand_guiding.lead_to(THERE, speed_deg_s=40.0)
     rig.run(2.0)
     assert rig.firmware.joints_deg == pytest.approx(THERE, abs=0.01)
-    assert rig.firmware.control_mode is ControlMode.CAN_CONTROL
+    assert rig.firmware.condition.control_mode is ControlMode.CAN_CONTROL
     said = {each.arbitration_id for each in rig.node.heard}
     assert said == {0x151, 0x155, 0x156, 0x157, 0x159}
 

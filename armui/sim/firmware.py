@@ -18,18 +18,15 @@ from armui.protocol.codec import Codec, InvalidFrame, InvalidFrameKind
 from armui.protocol.codes import (
     ALL_JOINTS,
     MOVE_UNCHANGED,
-    ArmStatusCode,
     ControlMode,
     LeaderZero,
     LinkageRole,
-    MotionState,
     MotorAction,
     Mounting,
     MoveMode,
     SettingIndex,
     SilenceMode,
     StopCommand,
-    TeachingState,
 )
 from armui.protocol.firmware_version import RECOMMENDED, FirmwareBug
 from armui.protocol.frame import Frame
@@ -207,41 +204,6 @@ class Firmware:
     def enabled(self) -> tuple[bool, ...]:
         """For each motor, true if it has power."""
         return self.mechanics.powered
-
-    @property
-    def status(self) -> ArmStatusCode:
-        """The status code as in 0x2A1 byte 1."""
-        return self.condition.status
-
-    @property
-    def stopped(self) -> bool:
-        """True if an emergency stop is in force."""
-        return self.condition.stopped
-
-    @property
-    def control_mode(self) -> ControlMode:
-        """The source of the arm's commands."""
-        return self.condition.control_mode
-
-    @property
-    def move_mode(self) -> MoveMode:
-        """The kind of motion to targets."""
-        return self.condition.move_mode
-
-    @property
-    def speed_percent(self) -> int:
-        """The share of the joints' highest speeds."""
-        return self.condition.speed_percent
-
-    @property
-    def motion_state(self) -> MotionState:
-        """The state of arrival: whether the last target has been reached."""
-        return self.condition.motion_state
-
-    @property
-    def teaching_state(self) -> TeachingState:
-        """The state of drag teaching that the feedback 0x2A1 reports."""
-        return self.condition.teaching_state
 
     @property
     def targets_deg(self) -> SixValues:

@@ -279,7 +279,7 @@ def status_line(node: Node, sent: int, received: int, load_percent: float) -> st
         received: Frames received in that second.
         load_percent: Share of the bus those frames take.
     """
-    arm = node.firmware
+    arm, now = node.firmware, node.firmware.condition
     enabled = "".join("1" if on else "0" for on in arm.enabled)
     broken = ", ".join(f"{each.name}:{each.value:g}" for each in list(node.faults.active))
     faults = f"  broken: {broken}" if broken else ""
@@ -287,5 +287,5 @@ def status_line(node: Node, sent: int, received: int, load_percent: float) -> st
     return (
         f"{arm.time_s:8.1f} s  sent {sent}/s  received {received}/s  load {load_percent:.0f} %  "
         f"lost {node.lost}  late {1e3 * node.worst_lateness_s:.1f} ms  "
-        f"{arm.control_mode.name} {arm.status.name}  enabled {enabled}{faults}{problem}\n"
+        f"{now.control_mode.name} {now.status.name}  enabled {enabled}{faults}{problem}\n"
     )

@@ -157,13 +157,13 @@ def test_the_speed_goes_to_the_arm_in_the_mode_it_is_in(rig):
     rig.step()
     assert rig.heard() == [Frame(0x151, bytes.fromhex("00 00 37 00 00 00 00 00"))]  # standby
     rig.controller.motion.jog(1, 1.0)
-    rig.run_until(lambda: rig.firmware.control_mode is ControlMode.CAN_CONTROL)
+    rig.run_until(lambda: rig.firmware.condition.control_mode is ControlMode.CAN_CONTROL)
     rig.run(0.1)
     rig.heard()
     rig.controller.motion.set_speed_percent(80)
     rig.step()
     assert rig.heard() == [Frame(0x151, bytes.fromhex("01 01 50 00 00 00 00 00"))]
-    assert rig.firmware.speed_percent == 80
+    assert rig.firmware.condition.speed_percent == 80
 
 
 @pytest.mark.parametrize("percent", [-1, 100.5, 255])
@@ -189,7 +189,7 @@ def test_stop_resume_enable_and_on(any_rig):
     assert now(rig.controller.operating_state.stop) is StopState.REQUESTED
     assert rig.heard() == [STOP]  # on the bus before emergency_stop() came back
     rig.run_until(lambda: rig.controller.operating_state.stop is StopState.STOPPED)
-    assert rig.firmware.stopped
+    assert rig.firmware.condition.stopped
     assert rig.codes()[-1] == "stop_confirmed"
     assert rig.controller.motion.jog(1, 1.0).reason == STOPPED
     assert rig.controller.motors.enable().reason == STOPPED
@@ -197,7 +197,7 @@ def test_stop_resume_enable_and_on(any_rig):
     accepted(rig.controller.motors.resume())
     rig.run_until(lambda: rig.controller.operating_state.stop is StopState.RUNNING)
     assert rig.heard()[0] == RESUME
-    assert not rig.firmware.stopped
+    assert not rig.firmware.condition.stopped
     rig.run(0.3)  # the slow driver feedback has to come round
     assert rig.controller.motion.jog(1, 1.0).reason == NOT_ENABLED
 
@@ -217,7 +217,7 @@ def test_a_stop_drops_what_was_about_to_be_sent(rig):
     frames = rig.heard()
     after_stop = frames[frames.index(STOP) :]
     assert set(after_stop) == {STOP}
-    assert rig.firmware.stopped
+    assert rig.firmware.condition.stopped
 
 
 def test_a_stop_is_repeated_until_the_arm_confirms_it(rig):
@@ -300,7 +300,7 @@ def test_a_stop_pressed_while_the_device_is_gone_goes_out_when_it_is_back(rig, q
     rig.plug_in()
     qtbot.waitUntil(lambda: "reconnected" in rig.codes())
     rig.run_until(lambda: rig.controller.operating_state.stop is StopState.STOPPED)
-    assert rig.firmware.stopped
+    assert rig.firmware.condition.stopped
 
 
 def test_a_device_that_cannot_be_opened_is_explained_and_another_may_be_tried(rig, qtbot):

@@ -203,7 +203,7 @@ def test_left_over_drag_teaching_far_from_rest_is_left_by_hand_and_reset(any_rig
     ]
     # while the arm drops each moment is told, also that in which only some motors are off
     assert kinds[4] in {StepKind.MOTORS_OFF, StepKind.MOTORS_MIXED}
-    assert rig.firmware.control_mode is ControlMode.STANDBY
+    assert rig.firmware.condition.control_mode is ControlMode.STANDBY
 
 
 def test_drag_teaching_without_power_is_enabled_first(rig):
@@ -240,7 +240,7 @@ def test_a_replay_under_way_is_no_dead_end(rig, command):
     rig.controller.teaching.command(TeachingState.STOP_RECORDING)
     rig.run(0.2)
     rig.controller.teaching.command(TeachingState.RUN_RECORDING)
-    rig.run_until(lambda: rig.firmware.status == 0x0C and rig.firmware.mechanics.moving)
+    rig.run_until(lambda: rig.firmware.condition.status == 0x0C and rig.firmware.mechanics.moving)
     rig.run(2.5)
     if command is TeachingState.PAUSE:
         rig.controller.teaching.command(command)

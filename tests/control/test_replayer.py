@@ -120,7 +120,7 @@ def test_an_emergency_stop_ends_the_replay(ready):
     ready.controller.emergency_stop()
     assert (phase(ready), replayer.progress.refusal.code) == (RunPhase.FAILED, "run_stopped")
     ready.run(0.5)
-    assert ready.firmware.stopped
+    assert ready.firmware.condition.stopped
 
 
 def test_an_arm_that_does_not_follow_is_noticed(ready):

@@ -231,7 +231,7 @@ def test_the_speed_slider_reaches_the_arm(ready):
     ready.find("speed_field").selectAll()
     QTest.keyClicks(ready.find("speed_field"), "75")
     QTest.keyClick(ready.find("speed_field"), Qt.Key.Key_Return)
-    ready.run_until(lambda: ready.firmware.speed_percent == 75)
+    ready.run_until(lambda: ready.firmware.condition.speed_percent == 75)
     assert ready.find("speed_slider").value() == 75
     ready.click("jog_plus_1")
     ready.step()

@@ -355,10 +355,10 @@ def test_release_is_found_with_its_reason_and_once_stopped_only_led_to(app_drive
     assert not palette.isVisible()
     assert app_driver.window.focusWidget() is held
     app_driver.run(1.5)
-    assert app_driver.firmware.stopped, "it is to be held by hand"
+    assert app_driver.firmware.condition.stopped, "it is to be held by hand"
     assert app_driver.heard() == []
     app_driver.hold_button(held)
-    app_driver.run_until(lambda: not app_driver.firmware.stopped)
+    app_driver.run_until(lambda: not app_driver.firmware.condition.stopped)
     assert release().reason
 
 

@@ -191,7 +191,7 @@ def test_left_over_drag_teaching_is_left_step_by_step(ready):
     reads(ready, "motors are off")
     press(ready, "Enable")
     reads(ready, "Ready")
-    assert ready.firmware.control_mode is ControlMode.STANDBY
+    assert ready.firmware.condition.control_mode is ControlMode.STANDBY
 
 
 @ONE_IS_ENOUGH

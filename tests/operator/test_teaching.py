@@ -259,11 +259,11 @@ def test_teaching_is_left_one_step_at_a_time(taught):
     app_driver.confirm()
     app_driver.run_until(lambda: due(app_driver) == 3)
     assert_the_list_names_the_button(app_driver, "recovery_hold_button")
-    assert app_driver.firmware.status is ArmStatusCode.EMERGENCY_STOP
+    assert app_driver.firmware.condition.status is ArmStatusCode.EMERGENCY_STOP
     app_driver.hold_button("recovery_hold_button")
     app_driver.run_until(lambda: due(app_driver) == 4)
     assert_the_list_names_the_button(app_driver)
-    assert app_driver.firmware.control_mode is ControlMode.STANDBY
+    assert app_driver.firmware.condition.control_mode is ControlMode.STANDBY
     app_driver.click("recovery_button")
     app_driver.run_until(lambda: not app_driver.find("teaching_exit_steps").isVisible())
     assert app_driver.controller.operating_state.cannot_move is None

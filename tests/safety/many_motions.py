@@ -312,7 +312,7 @@ class Scene:
         still = 0
         for _ in range(round(_GHOST_S / 0.02)):
             twin.step(0.02)
-            if twin.status != 0:
+            if twin.condition.status != 0:
                 return None
             judge.see(twin.true_joints_deg, opening_mm)
             if judge.least.mm <= self.margin_mm + NO_REASON_MM:

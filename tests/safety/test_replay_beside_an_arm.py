@@ -41,7 +41,7 @@ def replay(app_driver, monkeypatch, log):
 def stopped(replay):
     driver = replay.driver
     driver.run_until(lambda: driver.controller.operating_state.stop is StopState.STOPPED, 1.0)
-    return driver.firmware.stopped
+    return driver.firmware.condition.stopped
 
 
 def test_the_stop_in_the_replay_window_stops_the_arm_at_the_press(replay):

@@ -29,7 +29,7 @@ def test_the_first_stop_reaches_an_arm_that_kept_a_control_offset(any_rig, offse
     rig.controller.emergency_stop()
     rig._settle()
     rig.node.poll(0.0)
-    assert rig.firmware.stopped
+    assert rig.firmware.condition.stopped
 
 
 def test_it_goes_out_on_all_three_its_own_first(any_rig):
@@ -76,7 +76,7 @@ def test_a_linkage_change_the_arm_never_heard_is_not_told_as_in_use(any_rig):
     assert rig.controller.operating_state.cannot_move.reason == CONTROL_OFFSET_UNKNOWN
     rig.controller.emergency_stop()
     rig.step()
-    assert rig.firmware.stopped
+    assert rig.firmware.condition.stopped
 
 
 def test_an_answer_proves_it(any_rig):

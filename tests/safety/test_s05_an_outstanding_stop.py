@@ -49,7 +49,7 @@ def test_it_goes_out_by_itself_on_a_new_connection_to_the_same_device(moving, qt
     pass_time(rig, 5.0)
     reconnect(rig)
     assert now(rig.controller.operating_state.stop) is StopState.REQUESTED
-    rig.run_until(lambda: rig.firmware.stopped)
+    rig.run_until(lambda: rig.firmware.condition.stopped)
     rig.run_until(lambda: "stop_confirmed" in rig.codes())
     assert now(rig.controller.operating_state.stop) is StopState.STOPPED
 
@@ -62,7 +62,7 @@ def test_after_ten_seconds_the_operator_is_asked(moving, qtbot):
     assert rig.controller.recovery.step.kind is StepKind.STOP_LAPSED_AWAY
     reconnect(rig)
     rig.run(2.0)
-    assert not rig.firmware.stopped
+    assert not rig.firmware.condition.stopped
     assert "stop_lapsed" in rig.codes()
     step = rig.controller.recovery.step
     assert (step.kind, step.action) == (StepKind.STOP_LAPSED, Action.WITHDRAW_STOP)
@@ -80,7 +80,7 @@ def test_it_lapses_while_nothing_is_connected_too(moving, qtbot):
     rig.time_s += 11.0
     rig.controller.connect_device(rig.device)
     rig.run(1.0)
-    assert not rig.firmware.stopped
+    assert not rig.firmware.condition.stopped
     assert rig.controller.recovery.step.kind is StepKind.STOP_LAPSED
 
 
@@ -93,7 +93,7 @@ def test_a_withdrawn_stop_is_over(moving, qtbot):
     rig.run_until(lambda: rig.controller.recovery.step.kind is StepKind.STOP_LAPSED)
     assert rig.controller.recovery.act(rig.controller.recovery.step) is None
     rig.run(1.0)
-    assert not rig.firmware.stopped
+    assert not rig.firmware.condition.stopped
     assert rig.controller.operating_state.stop is StopState.RUNNING
     assert rig.codes().count("stop_withdrawn") == 1
 
@@ -106,7 +106,7 @@ def test_an_arm_heard_all_the_time_is_told_for_as_long_as_it_takes(rig):
     rig.run(12.0)
     ear.deaf_to = set()
     rig.run(0.3)
-    assert rig.firmware.stopped
+    assert rig.firmware.condition.stopped
 
 
 def test_a_stop_is_not_sent_to_another_device(moving, qtbot):
@@ -118,7 +118,7 @@ def test_a_stop_is_not_sent_to_another_device(moving, qtbot):
     rig.controller.disconnect_device()
     rig.controller.connect_device(other)
     rig.run(1.0)
-    assert not rig.firmware.stopped
+    assert not rig.firmware.condition.stopped
     (told,) = [each for each in rig.events if each.code == "stop_abandoned"]
     assert told.params["device"] == rig.device
 
@@ -143,7 +143,7 @@ def test_the_button_says_that_it_is_outstanding(app_driver, qtbot):
     app_driver.run(1.0)
     assert button.text() == "Stop outstanding"
     app_driver.press(button)
-    app_driver.run_until(lambda: app_driver.firmware.stopped)
+    app_driver.run_until(lambda: app_driver.firmware.condition.stopped)
 
 
 def test_it_outlives_a_part_that_fails(rig, monkeypatch):
@@ -161,4 +161,4 @@ def test_it_outlives_a_part_that_fails(rig, monkeypatch):
     rig.run(0.5)
     ear.deaf_to = set()
     rig.run(0.3)
-    assert rig.firmware.stopped
+    assert rig.firmware.condition.stopped

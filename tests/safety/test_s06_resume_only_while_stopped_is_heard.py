@@ -31,7 +31,7 @@ def test_with_a_silent_status_the_button_stops(stopped):
     assert not app_driver.find("recovery_hold_button").isVisible()
     app_driver.press(button)
     app_driver.run(0.1)
-    assert app_driver.firmware.stopped
+    assert app_driver.firmware.condition.stopped
 
 
 def test_while_it_is_heard_release_is_a_held_press_in_the_line(stopped):
@@ -41,15 +41,15 @@ def test_while_it_is_heard_release_is_a_held_press_in_the_line(stopped):
     stopped.press(stopped.window.findChild(StopButton))
     stopped.run(0.5)
     assert frame(RESUME) not in stopped.node.heard
-    assert stopped.firmware.stopped
+    assert stopped.firmware.condition.stopped
     button = stopped.find("recovery_hold_button")
     assert button.isVisible()
     assert button.text() == "Release (the arm drops)"
     stopped.click("recovery_hold_button")
     stopped.run(0.5)
-    assert stopped.firmware.stopped
+    assert stopped.firmware.condition.stopped
     stopped.hold_button("recovery_hold_button")
-    stopped.run_until(lambda: not stopped.firmware.stopped)
+    stopped.run_until(lambda: not stopped.firmware.condition.stopped)
 
 
 @pytest.mark.parametrize("key", [Qt.Key.Key_F12, Qt.Key.Key_Pause])
@@ -64,7 +64,7 @@ def test_a_stop_while_release_is_held_is_the_last_word(stopped, key):
     stopped.run(0.5)
     assert frame(STOP) in stopped.node.heard
     assert frame(RESUME) not in stopped.node.heard
-    assert stopped.firmware.stopped
+    assert stopped.firmware.condition.stopped
 
 
 def test_a_running_arm_offers_no_release(any_driver):

@@ -106,7 +106,7 @@ def test_stop_halt_and_disable_never_ask_for_it(kept):
     kept.controller.emergency_stop()
     kept.run(0.1)
     assert Frame(0x150, bytes.fromhex("01 00 00 00 00 00 00 00")) in kept.heard()
-    kept.run_until(lambda: kept.firmware.stopped)
+    kept.run_until(lambda: kept.firmware.condition.stopped)
 
 
 def test_it_is_asked_for_at_every_connection(kept):

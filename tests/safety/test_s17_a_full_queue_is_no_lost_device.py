@@ -127,7 +127,7 @@ def test_a_stop_waits_in_front_and_goes_out_when_the_queue_takes_it(rig, qtbot):
     rig.controller.emergency_stop()
     assert rig.codes()[-1] == "stop_not_sent"
     step_blocked(rig, qtbot, tries, 1.0)
-    assert not rig.firmware.stopped
+    assert not rig.firmware.condition.stopped
     rig.heard()
     empty(rig)
     qtbot.waitUntil(lambda: rig.controller._connection.idle)

@@ -41,7 +41,7 @@ def teaching_replay(rig):
     teach(TeachingState.STOP_RECORDING)
     rig.run(0.2)
     teach(TeachingState.RUN_RECORDING)
-    rig.run_until(lambda: rig.firmware.status == 0x0C and rig.firmware.mechanics.moving)
+    rig.run_until(lambda: rig.firmware.condition.status == 0x0C and rig.firmware.mechanics.moving)
 
 
 MOTIONS = {
@@ -257,7 +257,7 @@ def test_the_button_and_the_key_act_on_the_press(app_driver):
     assert halts(app_driver) == 1
     QTest.keyPress(app_driver.window, Qt.Key.Key_F9)
     assert halts(app_driver) == 2
-    assert app_driver.firmware.stopped is False
+    assert app_driver.firmware.condition.stopped is False
 
 
 @pytest.mark.styled

@@ -24,7 +24,7 @@ def test_it_is_said_at_once_and_not_stopped_again(stopped, other_host):
     stopped.run(0.5)
     told = [each for each in stopped.events if each.code == "stop_undone"]
     assert [each.level for each in told] == [Level.FAULT]
-    assert not stopped.firmware.stopped
+    assert not stopped.firmware.condition.stopped
     assert stopped.controller.operating_state.stop is StopState.RUNNING
 
 
@@ -33,10 +33,10 @@ def test_as_a_setting_it_stops_again(stopped, other_host):
     other_host.say(RESUME)
     stopped.run(0.5)
     assert "stop_undone" in stopped.codes()
-    assert stopped.firmware.stopped
+    assert stopped.firmware.condition.stopped
     other_host.say(RESUME)  # as often as it takes
     stopped.run(0.5)
-    assert stopped.firmware.stopped
+    assert stopped.firmware.condition.stopped
 
 
 def test_a_resume_from_here_is_none(stopped):
@@ -45,7 +45,7 @@ def test_a_resume_from_here_is_none(stopped):
     stopped.run_until(lambda: "resumed" in stopped.codes())
     stopped.run(1.0)
     assert "stop_undone" not in stopped.codes()
-    assert not stopped.firmware.stopped
+    assert not stopped.firmware.condition.stopped
 
 
 def test_another_hosts_stop_may_be_undone_by_it(rig, other_host):

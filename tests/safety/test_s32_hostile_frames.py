@@ -63,4 +63,4 @@ def test_a_jog_towards_a_wall_never_enters(rig, other_host, lines, jog):
     rig.controller.emergency_stop()
     assert STOP in rig.heard()
     stream.end()
-    rig.run_until(lambda: rig.firmware.stopped)
+    rig.run_until(lambda: rig.firmware.condition.stopped)

@@ -421,7 +421,7 @@ def test_a_slow_motion_is_not_made_fast_under_way(lost):
     accepted(controller.motion.send_joints(FAR_DEG))
     lost.run(0.3)
     assert controller.motion.set_speed_percent(60).reason == REFERENCE_IN_DOUBT
-    assert lost.firmware.speed_percent == 10
+    assert lost.firmware.condition.speed_percent == 10
 
 
 def test_a_fast_motion_under_way_may_be_made_slower(ready):
@@ -434,9 +434,9 @@ def test_a_fast_motion_under_way_may_be_made_slower(ready):
     assert controller.operating_state.moving
     accepted(controller.motion.set_speed_percent(20))
     ready.run(0.1)
-    assert ready.firmware.speed_percent == 20
+    assert ready.firmware.condition.speed_percent == 20
     assert controller.motion.set_speed_percent(30).reason == REFERENCE_IN_DOUBT
-    assert ready.firmware.speed_percent == 20
+    assert ready.firmware.condition.speed_percent == 20
 
 
 def test_the_press_holds_for_a_minute_and_for_what_began_in_it(lost):

@@ -51,7 +51,7 @@ def test_feedback_parts_from_the_true_place_and_a_reset_mends_it() -> None:
     arm.step(10.1)
     assert arm.joints_deg == HERE  # what the arm tells
     assert arm.true_joints_deg[2] == pytest.approx(HERE[2] - 20.0, abs=0.1)
-    assert arm.status.name == "NORMAL"
+    assert arm.condition.status.name == "NORMAL"
     arm.step(60.0)
     assert arm.true_joints_deg[2] == pytest.approx(HERE[2] - 30.0, abs=0.1)
     true_deg = arm.true_joints_deg

@@ -254,7 +254,7 @@ def test_two_arms_on_one_bus_by_offsets() -> None:
         host.send(can.Message(arbitration_id=identifier, data=data, is_extended_id=False))
         for node in nodes:
             node.poll(0.005)
-        assert [node.firmware.stopped for node in nodes] == [False, True]
+        assert [node.firmware.condition.stopped for node in nodes] == [False, True]
         identifiers = set()
         while (message := host.recv(timeout=0.0)) is not None:
             identifiers.add(message.arbitration_id)

@@ -308,7 +308,7 @@ def test_the_feedback_of_another_arm_is_nothing_to_the_arm() -> None:
     arm = Firmware(TWO)
     assert tell(arm, "2A1#0101010000000000", "476#7100000000000000") == []
     assert not arm.ignored
-    assert arm.status == 0
+    assert arm.condition.status == 0
 
 
 def test_offsets_move_feedback_and_commands_at_once_in_standby() -> None:
@@ -319,9 +319,9 @@ def test_offsets_move_feedback_and_commands_at_once_in_standby() -> None:
     assert {0x2B1, 0x2B5, 0x2B8, 0x251, 0x266} <= identifiers
     assert not identifiers & set(range(0x2A1, 0x2A9))
     tell(arm, "150#0100000000000000")
-    assert not arm.stopped
+    assert not arm.condition.stopped
     tell(arm, "170#0100000000000000")
-    assert arm.stopped
+    assert arm.condition.stopped
 
 
 def test_offsets_wait_for_standby() -> None:

@@ -74,7 +74,7 @@ def test_a_held_pose_sags_by_what_gravity_says(gains: dict[str, int]) -> None:
         # half a step of the position, and the torque nearest to 0, 0.0039 N·m
         assert kp * sag_rad == pytest.approx(weight_nm, abs=dry_nm + kp * 0.0004 + 0.004)
     assert abs(sags_rad[2]) > 0.5 * 0.4 / kp
-    assert arm.move_mode is MoveMode.MOVE_M_FROM_1_8_8
+    assert arm.condition.move_mode is MoveMode.MOVE_M_FROM_1_8_8
     assert arm.enabled == (True,) * 6
 
 
@@ -94,7 +94,7 @@ def test_there_is_no_watchdog_and_joint_limits_do_not_bound_a_setpoint() -> None
     tell(arm, setpoint(6, 80.0, **STIFF))
     arm.step(6.0)
     assert arm.joints_deg[5] == pytest.approx(80.0, abs=0.1)
-    assert arm.status.name == "NORMAL"
+    assert arm.condition.status.name == "NORMAL"
 
 
 @pytest.mark.parametrize("word", [MIT, mode(30), mode(0, move=2), STANDBY, CPV, HIGH_FOLLOW])
@@ -225,7 +225,7 @@ def test_a_stop_damps_the_joints_and_a_resume_ends_mit() -> None:
     tell(arm, mode(30))
     arm.step(1.0)
     assert arm.joints_deg == caught
-    assert arm.control_mode is ControlMode.CAN_CONTROL
+    assert arm.condition.control_mode is ControlMode.CAN_CONTROL
 
 
 def test_a_joint_switched_on_in_mit_is_limp_and_enabling_again_changes_nothing() -> None:
@@ -247,14 +247,14 @@ def test_high_follow_takes_targets_without_planning() -> None:
     tell(arm, HIGH_FOLLOW, *target(*goal))
     arm.step(0.05)
     assert arm.mechanics.speeds_deg_s[0] > 30.0
-    assert arm.move_mode is MoveMode.MOVE_J
-    assert arm.motion_state is MotionState.REACHED  # no plan, nothing to reach
+    assert arm.condition.move_mode is MoveMode.MOVE_J
+    assert arm.condition.motion_state is MotionState.REACHED  # no plan, nothing to reach
     arm.step(2.0)
     # softer than MOVE J, but it carries its own weight: off by no more than friction holds
     assert arm.joints_deg == pytest.approx(goal, abs=math.degrees(0.4 / 50))
     tell(arm, *target(151, 30, -30, 0, 0, 0))
     arm.step(1.0)
-    assert arm.status.name == "TARGET_BEYOND_LIMIT"
+    assert arm.condition.status.name == "TARGET_BEYOND_LIMIT"
     assert arm.joints_deg == pytest.approx(goal, abs=math.degrees(0.4 / 50))
 
 
@@ -302,8 +302,8 @@ def test_a_mode_word_that_keeps_the_mode_changes_the_speed_and_voids_nothing() -
     tell(arm, "151#01FF320000000000")
     arm.step(1.0)
     assert arm.joints_deg == pytest.approx(LEANING, abs=0.5)
-    assert arm.move_mode is MoveMode.MOVE_M_FROM_1_8_8
-    assert arm.speed_percent == 50
+    assert arm.condition.move_mode is MoveMode.MOVE_M_FROM_1_8_8
+    assert arm.condition.speed_percent == 50
 
 
 def test_the_old_code_is_taken_without_error_and_does_nothing() -> None:
@@ -329,4 +329,4 @@ def test_generation_1_knows_neither() -> None:
     tell(arm, MIT, OLD_MIT, HIGH_FOLLOW, *hold(LEANING))
     arm.step(1.0)
     assert arm.joints_deg == LEANING
-    assert arm.move_mode is MoveMode.MOVE_J
+    assert arm.condition.move_mode is MoveMode.MOVE_J

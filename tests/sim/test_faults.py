@@ -60,7 +60,7 @@ def test_a_joint_fault_shows_and_stops_the_motion(
     fine = FINE[generation]
     shown = one if generation is ONE else two
     assert told(arm) == (status, "00", [fine, shown, fine, fine, fine, fine])
-    assert arm.motion_state is MotionState.NOT_REACHED
+    assert arm.condition.motion_state is MotionState.NOT_REACHED
     assert 0.0 < arm.joints_deg[0] < 90.0
     here = arm.joints_deg[0]
     tell(arm, *target(0, 0, 0, 0, 0, 0))
@@ -134,7 +134,7 @@ def test_a_driver_that_gave_up_drops_its_joint_and_is_enabled_again_once_cleared
     assert not arm.enabled[1]  # the alarm is kept
     assert tell(arm, CLEAR_2, ENABLE)
     assert arm.enabled == (True,) * 6
-    assert arm.status is ArmStatusCode.NORMAL
+    assert arm.condition.status is ArmStatusCode.NORMAL
 
 
 @pytest.mark.parametrize("remedy", [CLEAR_ALL, RESUME])
@@ -145,13 +145,13 @@ def test_a_collision_is_kept_until_cleared(remedy: str) -> None:
     arm.step(0.01)
     faults.end(broken)
     arm.step(1.0)
-    assert now(arm.status) is ArmStatusCode.COLLISION
+    assert now(arm.condition.status) is ArmStatusCode.COLLISION
     assert arm.enabled == (True,) * 6
     tell(arm, "475#0100000000AE0000")  # joint 1 is not the one
-    assert now(arm.status) is ArmStatusCode.COLLISION
+    assert now(arm.condition.status) is ArmStatusCode.COLLISION
     tell(arm, remedy)
     arm.step(0.1)
-    assert now(arm.status) is ArmStatusCode.NORMAL
+    assert now(arm.condition.status) is ArmStatusCode.NORMAL
 
 
 @pytest.mark.parametrize("level", range(9))
@@ -162,10 +162,10 @@ def test_a_push_is_felt_from_the_level_s_torque_on(level: int, joint: int, step_
     tell(arm, f"47A#{levels}0000")
     arm.protection.push(joint - 1, level * step_nm - 0.01)
     arm.step(0.1)
-    assert arm.status is ArmStatusCode.NORMAL
+    assert arm.condition.status is ArmStatusCode.NORMAL
     arm.protection.push(joint - 1, -(level * step_nm + 0.01) if level else 40.0)
     arm.step(0.1)
-    assert arm.status is (ArmStatusCode.COLLISION if level else ArmStatusCode.NORMAL)
+    assert arm.condition.status is (ArmStatusCode.COLLISION if level else ArmStatusCode.NORMAL)
 
 
 def test_an_arm_without_power_feels_no_collision_but_is_pushed() -> None:
@@ -175,7 +175,7 @@ def test_an_arm_without_power_feels_no_collision_but_is_pushed() -> None:
     resting = arm.joints_deg
     arm.protection.push(0, 40.0)
     arm.step(0.5)
-    assert arm.status is ArmStatusCode.NORMAL
+    assert arm.condition.status is ArmStatusCode.NORMAL
     assert arm.joints_deg[0] > resting[0] + 1.0
 
 
@@ -192,7 +192,7 @@ def test_a_heated_motor_cools_and_the_alarm_ends_with_it() -> None:
     assert motor_c() == 95
     faults.end(broken)
     hot_for_s = 0.0
-    while arm.status is ArmStatusCode.JOINT_STATUS_ABNORMAL:
+    while arm.condition.status is ArmStatusCode.JOINT_STATUS_ABNORMAL:
         arm.step(1.0)
         hot_for_s += 1.0
         assert hot_for_s < 100.0
@@ -204,12 +204,12 @@ def test_a_load_nobody_told_the_arm_of_is_taken_for_a_collision() -> None:
     arm = ready(joints_deg=LEANING)
     arm.settings_applier.hang(1.5)
     arm.step(0.1)
-    assert arm.status is ArmStatusCode.COLLISION
+    assert arm.condition.status is ArmStatusCode.COLLISION
     told_so = ready(joints_deg=LEANING)
     tell(told_so, "477#000000AE02000000")
     told_so.step(0.1)
     assert told_so.settings.load is EndLoad.FULL
-    assert told_so.status is ArmStatusCode.NORMAL
+    assert told_so.condition.status is ArmStatusCode.NORMAL
 
 
 def test_corrupt_limits_stay_until_reset() -> None:

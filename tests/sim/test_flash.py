@@ -63,7 +63,7 @@ def test_a_power_cycle_forgets_the_moment_and_keeps_the_settings(generation: Gen
     arm.step(0.2)
     arm.power_cycle()
     assert arm.enabled == (False,) * 6
-    assert (arm.control_mode, arm.speed_percent) == (ControlMode.STANDBY, 0)
+    assert (arm.condition.control_mode, arm.condition.speed_percent) == (ControlMode.STANDBY, 0)
     assert tell(arm, "477#0200000000000000") == ["47B#0001020304080000"]
     assert arm.settings.lights == {}
     before = arm.joints_deg
@@ -78,8 +78,8 @@ def test_a_power_cycle_ends_an_emergency_stop() -> None:
     arm = ready()
     tell(arm, STOP)
     arm.power_cycle()
-    assert arm.status is ArmStatusCode.NORMAL
-    assert not arm.stopped
+    assert arm.condition.status is ArmStatusCode.NORMAL
+    assert not arm.condition.stopped
 
 
 def test_offsets_take_effect_after_a_power_cycle() -> None:

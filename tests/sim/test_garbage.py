@@ -122,7 +122,7 @@ def test_half_a_million_frames_of_garbage_leave_the_arm_running_and_truthful(
             moved = identifier + offset if identifier == 0x150 else identifier
             arm.on_frame(Frame(moved, data))
     assert arm.addressing == Addressing()
-    assert not arm.stopped
+    assert not arm.condition.stopped
     # what it keeps is what it tells, and what an arm started from its flash tells
     for question in ("472#0301000000000000", "472#0302000000000000", "477#0200000000000000"):
         answers = tell(arm, question)

@@ -37,7 +37,7 @@ def test_a_teaching_input_sends_commands_and_no_feedback() -> None:
         "157#FFFFEC7800001770",  # −5.000°, 6.000°
         "159#0000000003E80100",  # 0 mm, 1 N·m, enabled
     ]
-    assert arm.control_mode is ControlMode.LINKED_TEACHING_INPUT
+    assert arm.condition.control_mode is ControlMode.LINKED_TEACHING_INPUT
     # 200 times a second, and nothing else
     assert len(arm.step(1.0)) == 5 * 200
     assert {each.arbitration_id for each in arm.step(0.5)} == {*range(0x155, 0x158), 0x151, 0x159}
@@ -70,7 +70,7 @@ def test_leader_and_follower_move_together(generation: Generation, offset: int) 
     assert behind.joints_deg == pytest.approx(THERE, abs=0.001)
     # v²/2a of 40 °/s, and a frame's time
     assert 0.0 < max(strays) < 40.0**2 / (2 * 286.0) + 2.0
-    assert behind.control_mode is ControlMode.CAN_CONTROL
+    assert behind.condition.control_mode is ControlMode.CAN_CONTROL
     assert not ahead.ignored
 
 
@@ -96,9 +96,9 @@ def test_every_pair_of_offsets(generation: Generation, feedback: int, control: i
     assert said == {base + feedback for base in range(0x2A1, 0x2A9)}
     for other in {0x00, 0x10, 0x20} - {control}:
         tell(arm, f"{0x150 + other:03X}#0100000000000000")
-        assert not arm.stopped
+        assert not arm.condition.stopped
     tell(arm, f"{0x150 + control:03X}#0100000000000000")
-    assert arm.stopped
+    assert arm.condition.stopped
 
 
 @pytest.mark.parametrize(
@@ -112,8 +112,8 @@ def test_a_teaching_input_obeys_no_command(line: str) -> None:
     arm, other = leader(), leader()
     assert tell(arm, line) == []
     assert arm.step(0.3) == other.step(0.3)
-    assert arm.control_mode is ControlMode.LINKED_TEACHING_INPUT
-    assert not arm.stopped
+    assert arm.condition.control_mode is ControlMode.LINKED_TEACHING_INPUT
+    assert not arm.condition.stopped
 
 
 def test_a_teaching_input_still_answers_questions() -> None:
@@ -127,7 +127,7 @@ def test_0xfc_makes_it_a_motion_output_in_standby_again(generation: Generation) 
     arm.hand_guiding.lead_to(THERE)
     arm.step(2.0)
     assert tell(arm, "470#FC00000000000000") == ANSWER
-    assert arm.control_mode is ControlMode.STANDBY
+    assert arm.condition.control_mode is ControlMode.STANDBY
     frames = arm.step(0.1)
     assert heard(frames, 0x2A1)
     assert not heard(frames, 0x155)
@@ -136,7 +136,7 @@ def test_0xfc_makes_it_a_motion_output_in_standby_again(generation: Generation) 
     arm.step(1.0)
     assert arm.joints_deg == THERE
     tell(arm, mode(100), *target(*HOME))
-    while arm.motion_state is MotionState.NOT_REACHED:
+    while arm.condition.motion_state is MotionState.NOT_REACHED:
         arm.step(0.005)
     assert arm.joints_deg == HOME
 
@@ -152,7 +152,7 @@ def test_the_role_waits_for_standby() -> None:
 def test_the_role_waits_for_the_end_of_a_stop() -> None:
     arm = ready()
     tell(arm, STOP, "470#FA00000000000000")
-    assert arm.stopped
+    assert arm.condition.stopped
     assert heard(arm.step(0.05), 0x2A1)
     tell(arm, RESUME)
     assert heard(arm.step(0.05), 0x155)
@@ -211,4 +211,4 @@ def test_a_node_hears_again_what_it_said_as_a_leader() -> None:
         node.poll(0.05)
         say(mode(50))
         node.poll(0.05)
-        assert node.firmware.control_mode is ControlMode.CAN_CONTROL
+        assert node.firmware.condition.control_mode is ControlMode.CAN_CONTROL

@@ -10,7 +10,7 @@ from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codec import Codec, Message
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
-from armui.sim.mechanics.gravity import gravity_torques_nm
+from armui.sim.mechanics.gravity import Weight
 from tests.family import PIPER
 from tests.sim.talk import DISABLE, STOP, ready, tell
 
@@ -40,7 +40,7 @@ def test_a_payload_weighs_as_its_height_changes(joint: int, pose: tuple[float, .
         nudged[joint - 1] += sign * nudge_deg
         heights_m.append(kinematics.forward(nudged).z_mm / 1000)
     gradient_m = (heights_m[1] - heights_m[0]) / math.radians(2 * nudge_deg)
-    torques_nm = [gravity_torques_nm(pose, mass_kg)[joint - 1] for mass_kg in (0.0, 1.5)]
+    torques_nm = [Weight(payload_kg=mass_kg).torques_nm(pose)[joint - 1] for mass_kg in (0.0, 1.5)]
     assert torques_nm[1] - torques_nm[0] == pytest.approx(-1.5 * 9.81 * gradient_m, abs=0.05)
 
 

@@ -119,7 +119,7 @@ def test_the_way_out_needs_a_reset_before_1_8_5(version: str, word: str) -> None
     arm.step(2.0)
     follows = version >= "S-V1.8-5"
     assert (arm.joints_deg[0] == pytest.approx(20.0)) is follows
-    assert arm.move_mode is MoveMode.MOVE_J
+    assert arm.condition.move_mode is MoveMode.MOVE_J
     tell(arm, RESUME, ENABLE, mode(100), *target(30, 0, 0, 0, 0, 0))
     arm.step(2.0)
     assert arm.joints_deg[0] == pytest.approx(30.0)

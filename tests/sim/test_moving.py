@@ -31,7 +31,7 @@ HOME = (0.0,) * 6
 def run_until_reached(arm: Firmware, *, most_s: float = 60.0) -> float:
     """Steps until the motion state is 0 again; returns the time it took."""
     start_s = arm.time_s
-    while arm.motion_state is MotionState.NOT_REACHED:
+    while arm.condition.motion_state is MotionState.NOT_REACHED:
         arm.step(0.005)
         assert arm.time_s - start_s < most_s
     return arm.time_s - start_s
@@ -55,7 +55,7 @@ def test_targets_and_mode_in_any_order_move_the_arm(
 ) -> None:
     arm = ready(generation)
     assert tell(arm, *script) == []
-    assert arm.motion_state is MotionState.NOT_REACHED
+    assert arm.condition.motion_state is MotionState.NOT_REACHED
     run_until_reached(arm)
     assert arm.joints_deg == pytest.approx(GOAL, abs=0.001)
     assert arm.targets_deg == GOAL
@@ -79,7 +79,7 @@ def test_what_does_not_move_the_arm(script: list[str]) -> None:
     tell(arm, *script)
     arm.step(0.5)
     assert arm.joints_deg == HOME
-    assert arm.motion_state is MotionState.REACHED
+    assert arm.condition.motion_state is MotionState.REACHED
 
 
 @pytest.mark.parametrize("joint", range(1, 7))
@@ -98,7 +98,7 @@ def test_a_new_set_of_targets_is_enough_once_in_can_control() -> None:
     tell(arm, mode(100), *target(*GOAL))
     run_until_reached(arm)
     tell(arm, *target(*HOME))
-    assert arm.motion_state is MotionState.NOT_REACHED
+    assert arm.condition.motion_state is MotionState.NOT_REACHED
     run_until_reached(arm)
     assert arm.joints_deg == HOME
 
@@ -135,7 +135,7 @@ def test_a_host_that_repeats_everything_at_200_hz_gets_the_same_motion() -> None
         once.step(0.005)
         often.step(0.005)
         assert often.joints_deg == pytest.approx(once.joints_deg, abs=0.001)
-        assert often.motion_state is once.motion_state
+        assert often.condition.motion_state is once.condition.motion_state
     assert often.joints_deg == GOAL
 
 
@@ -179,7 +179,7 @@ def test_speed_0_in_the_middle_halts_and_more_speed_goes_on() -> None:
     arm.step(1.0)
     assert arm.joints_deg == halted
     assert HOME != halted != GOAL
-    assert arm.motion_state is MotionState.NOT_REACHED
+    assert arm.condition.motion_state is MotionState.NOT_REACHED
     tell(arm, mode(50))
     run_until_reached(arm)
     assert arm.joints_deg == GOAL
@@ -197,7 +197,7 @@ def test_leaving_can_control_or_move_j_halts_for_good(line: str) -> None:
     arm.step(1.0)
     assert arm.joints_deg == halted
     # cut short is not reached
-    assert arm.motion_state is MotionState.NOT_REACHED
+    assert arm.condition.motion_state is MotionState.NOT_REACHED
 
 
 @pytest.mark.parametrize(
@@ -222,7 +222,7 @@ def test_a_target_beyond_the_limits_is_refused_and_the_arm_stays(
     assert arm.joints_deg == HOME
     assert arm.targets_deg == HOME
     tell(arm, *target(1.0, 1.0, -1.0, 0, 0, 0))
-    assert arm.status is ArmStatusCode.NORMAL
+    assert arm.condition.status is ArmStatusCode.NORMAL
     run_until_reached(arm)
     assert arm.joints_deg == (1.0, 1.0, -1.0, 0, 0, 0)
 
@@ -233,7 +233,7 @@ def test_a_target_beyond_the_limits_is_refused_and_the_arm_stays(
 def test_the_limits_themselves_are_within(angles: tuple[float, ...]) -> None:
     arm = ready()
     tell(arm, mode(100), *target(*angles))
-    assert arm.status is ArmStatusCode.NORMAL
+    assert arm.condition.status is ArmStatusCode.NORMAL
     run_until_reached(arm)
     assert arm.joints_deg == angles
 
@@ -253,7 +253,7 @@ def test_limits_set_over_the_bus_count_at_once() -> None:
     arm = ready()
     # joint 1: ±10.0° (0x0064, 0xFF9C), 0.30 rad/s (0x001E)
     tell(arm, "474#010064FF9C001E00", mode(100), *target(11.0, 0, 0, 0, 0, 0))
-    assert arm.status is ArmStatusCode.TARGET_BEYOND_LIMIT
+    assert arm.condition.status is ArmStatusCode.TARGET_BEYOND_LIMIT
     tell(arm, *target(10.0, 0, 0, 0, 0, 0))
     speed, acceleration = math.degrees(0.3), math.degrees(5.0)
     assert run_until_reached(arm) == pytest.approx(10 / speed + speed / acceleration, abs=0.006)
@@ -272,9 +272,9 @@ def test_modes_and_speed_are_reported() -> None:
     tell(arm, mode(77, control=1, move=3))
     # CAN control, normal, MOVE C, 77 % = 0x4D
     assert status_bytes(arm) == "01000300004D0000"
-    assert arm.control_mode is ControlMode.CAN_CONTROL
-    assert arm.move_mode is MoveMode.MOVE_C
-    assert arm.speed_percent == 77
+    assert arm.condition.control_mode is ControlMode.CAN_CONTROL
+    assert arm.condition.move_mode is MoveMode.MOVE_C
+    assert arm.condition.speed_percent == 77
 
 
 def test_generation_2_knows_more_modes() -> None:

@@ -103,7 +103,7 @@ def test_frames_that_no_arm_reads_are_not_heard(open_bus: OpenBus) -> None:
         host.send(message)
     node.poll(0.005)
     assert not node.heard
-    assert not node.firmware.stopped
+    assert not node.firmware.condition.stopped
 
 
 def test_an_echo_of_the_own_feedback_is_not_heard(open_bus: OpenBus) -> None:

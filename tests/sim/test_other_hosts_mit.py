@@ -124,7 +124,7 @@ def test_the_maker_s_kit(arm: Node, sdk: Sdk) -> None:
 
     def in_mit() -> bool:
         sdk("MotionCtrl_2", 0x01, 0x04, 100, 0xAD)
-        return firmware.move_mode == 0x04
+        return firmware.condition.move_mode == 0x04
 
     until(in_mit, "the mode is taken")
     goal = [sign * angle for sign, angle in zip(quirks.mit_signs, radians(GOAL), strict=True)]

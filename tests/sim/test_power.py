@@ -80,7 +80,7 @@ def test_emergency_stop_halts_at_once_and_cuts_the_power(generation: Generation)
     payload = status_bytes(arm)
     # CAN control, emergency stop, MOVE J, -, not reached
     assert payload[:10] == "0101010001"
-    assert arm.stopped
+    assert arm.condition.stopped
 
 
 def test_a_stopped_arm_sinks_slowly_and_within_its_limits() -> None:
@@ -127,9 +127,9 @@ def test_resume_drops_the_arm_and_needs_enabling_again() -> None:
     sunk = stopped.joints_deg[1] - LEANING[1]
     dropped = resumed.joints_deg[1] - LEANING[1]
     assert dropped > 5.0 * sunk > 0.0
-    assert resumed.status is ArmStatusCode.NORMAL
-    assert resumed.control_mode is ControlMode.STANDBY
-    assert resumed.motion_state is MotionState.REACHED
+    assert resumed.condition.status is ArmStatusCode.NORMAL
+    assert resumed.condition.control_mode is ControlMode.STANDBY
+    assert resumed.condition.motion_state is MotionState.REACHED
     assert enabled_bits(resumed) == "000000"
     tell(resumed, mode(50), *target(*LEANING))
     fallen = resumed.joints_deg
@@ -196,9 +196,9 @@ def test_what_a_stopped_arm_ignores(lines: list[str]) -> None:
     arm = ready()
     tell(arm, STOP, *lines)
     arm.step(0.5)
-    assert arm.stopped
+    assert arm.condition.stopped
     assert arm.enabled == (False,) * 6
-    assert arm.control_mode is ControlMode.STANDBY
+    assert arm.condition.control_mode is ControlMode.STANDBY
     tell(arm, RESUME, ENABLE, mode(50))
     arm.step(0.5)
     assert arm.joints_deg == (0.0,) * 6
@@ -208,7 +208,7 @@ def test_what_a_stopped_arm_ignores(lines: list[str]) -> None:
 def test_resume_clears_a_refused_target() -> None:
     arm = ready()
     tell(arm, mode(50), *target(151.0, 0, 0, 0, 0, 0))
-    assert arm.status is ArmStatusCode.TARGET_BEYOND_LIMIT
+    assert arm.condition.status is ArmStatusCode.TARGET_BEYOND_LIMIT
     tell(arm, RESUME)
     assert status_bytes(arm)[2:4] == "00"
     assert arm.enabled == (False,) * 6

@@ -16,7 +16,7 @@ def moving(generation: Generation) -> Firmware:
     arm = ready(generation, joints_deg=LEANING)
     tell(arm, mode(30), *target(90, 60, -60, 0, 20, 0))
     arm.step(0.5)
-    assert arm.motion_state is MotionState.NOT_REACHED
+    assert arm.condition.motion_state is MotionState.NOT_REACHED
     return arm
 
 
@@ -43,7 +43,7 @@ def test_no_target_outlives_it(generation: Generation) -> None:
     tell(arm, target(0, 0, 0, 0, 0, 0)[2])
     arm.step(2.0)
     assert arm.joints_deg == lies
-    assert arm.control_mode is ControlMode.CAN_CONTROL
+    assert arm.condition.control_mode is ControlMode.CAN_CONTROL
 
 
 def test_what_the_flash_holds_is_kept_and_the_rest_is_gone(generation: Generation) -> None:
@@ -64,7 +64,7 @@ def test_while_it_is_off_it_hears_and_says_nothing_and_falls(generation: Generat
     assert abs(arm.joints_deg[1] - LEANING[1]) > 5.0
     arm.switch_on()
     assert arm.step(0.02)
-    assert not arm.stopped
+    assert not arm.condition.stopped
     assert arm.enabled == (False,) * 6
 
 
@@ -99,7 +99,7 @@ def test_at_speed_0_a_motion_waits_and_counts_as_not_reached(generation: Generat
     waits = arm.joints_deg
     arm.step(60.0)
     assert arm.joints_deg == waits
-    assert arm.motion_state is MotionState.NOT_REACHED
+    assert arm.condition.motion_state is MotionState.NOT_REACHED
     tell(arm, mode(30))
     arm.step(10.0)
     assert arm.joints_deg[0] == 90.0

@@ -43,7 +43,7 @@ def test_it_stays_where_it_lies_also_with_power(generation: Generation) -> None:
     tell(arm, ENABLE, mode(100))
     run(arm, 1.0)
     assert now(arm.joints_deg) == REST_DEG
-    assert arm.status is ArmStatusCode.NORMAL
+    assert arm.condition.status is ArmStatusCode.NORMAL
 
 
 # status 0x04 behind the modes; bytes 6 and 7: the joints beyond their limits, the first worth 1
@@ -71,10 +71,10 @@ def test_one_that_brings_all_of_them_inside_is_driven(before) -> None:
     if before:
         tell(arm, *target(*before))
     tell(arm, *target(*INSIDE_DEG))
-    assert arm.motion_state is MotionState.NOT_REACHED
+    assert arm.condition.motion_state is MotionState.NOT_REACHED
     run(arm, 2.0)
     assert now(arm.joints_deg) == INSIDE_DEG
-    assert arm.status is ArmStatusCode.NORMAL
+    assert arm.condition.status is ArmStatusCode.NORMAL
 
 
 def test_a_pose_inside_is_driven_and_a_line_from_outside_is_not() -> None:
@@ -83,7 +83,7 @@ def test_a_pose_inside_is_driven_and_a_line_from_outside_is_not() -> None:
     pose = arm.kinematics.forward(goal_deg)
     tell(arm, mode(100, move=MOVE_L), *pose_target(*pose))
     run(arm, 1.0)
-    assert arm.status is ArmStatusCode.TARGET_BEYOND_LIMIT
+    assert arm.condition.status is ArmStatusCode.TARGET_BEYOND_LIMIT
     assert now(arm.joints_deg) == REST_DEG
     tell(arm, mode(100, move=MOVE_P), *pose_target(*pose))
     run(arm, 3.0)
@@ -110,7 +110,7 @@ def test_an_arm_found_within_its_limits_sinks_to_them() -> None:
 def test_a_joint_pushed_outside_by_hand_comes_back_and_goes_no_further() -> None:
     arm = ready(joints_deg=(152.0, 30.0, -30.0, 0.0, 0.0, 0.0))
     tell(arm, mode(100), *target(151.0, 30.0, -30.0, 0.0, 0.0, 0.0))
-    assert arm.status is ArmStatusCode.TARGET_BEYOND_LIMIT
+    assert arm.condition.status is ArmStatusCode.TARGET_BEYOND_LIMIT
     tell(arm, *target(150.0, 30.0, -30.0, 0.0, 0.0, 0.0))
     run(arm, 1.0)
     assert now(arm.joints_deg)[0] == 150.0
@@ -130,7 +130,7 @@ def test_a_reset_where_it_lies_ends_drag_teaching() -> None:
     arm = ready(joints_deg=REST_DEG, version="S-V1.7-3")
     tell(arm, RECORD, STOP_RECORDING, STOP, RESUME)
     assert not arm.teaching.entered
-    assert arm.control_mode is ControlMode.STANDBY
+    assert arm.condition.control_mode is ControlMode.STANDBY
 
 
 def test_how_far_from_rest() -> None:

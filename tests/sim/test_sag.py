@@ -29,7 +29,7 @@ def sagging(joints_deg: tuple[float, ...] = HERE) -> Firmware:
     arm.mechanics.sag_deg = SAG
     tell(arm, mode(100), *target(*joints_deg))
     arm.step(3.0)
-    assert arm.motion_state is MotionState.REACHED
+    assert arm.condition.motion_state is MotionState.REACHED
     return arm
 
 
@@ -62,7 +62,7 @@ def test_the_same_target_again_moves_nothing() -> None:
     tell(arm, mode(100), *target(*HERE))
     arm.step(0.5)
     assert arm.joints_deg == before
-    assert arm.motion_state is MotionState.REACHED
+    assert arm.condition.motion_state is MotionState.REACHED
 
 
 def test_nothing_jumps_when_joints_are_caught_halted_or_let_go() -> None:
@@ -93,7 +93,7 @@ def test_a_motion_of_the_tool_starts_without_a_jump_and_ends_beside_its_target(m
         before = arm.joints_deg
         arm.step(0.005)
         fastest = max(fastest, *(abs(a - b) for a, b in zip(arm.joints_deg, before, strict=True)))
-    assert arm.motion_state is MotionState.REACHED
+    assert arm.condition.motion_state is MotionState.REACHED
     assert 0.0 < fastest < 172.0 * 0.005
     reached = arm.kinematics.forward(arm.mechanics.setpoints_deg)
     assert reached[2] == pytest.approx(pose[2] + 10.0, abs=0.01)

@@ -316,12 +316,12 @@ def test_stop_and_reset(arm: Node, sdk: Sdk) -> None:
     sdk.until_reads("GetArmStatus", "arm_status", {"motion_status": MotionState.NOT_REACHED})
     sdk("EmergencyStop", 0x01)
     sdk.until_reads("GetArmStatus", "arm_status", {"arm_status": ArmStatusCode.EMERGENCY_STOP})
-    assert now(firmware.stopped)
+    assert now(firmware.condition.stopped)
     until(lambda: sdk("GetArmEnableStatus") == [False] * 6, "the motors are off")
     assert firmware.joints_deg[0] < 140.0
     sdk("ResetPiper")
     sdk.until_reads("GetArmStatus", "arm_status", {"arm_status": 0, "ctrl_mode": 0})
-    assert not now(firmware.stopped)
+    assert not now(firmware.condition.stopped)
     enable(sdk)
     assert firmware.enabled == (True,) * 6
 

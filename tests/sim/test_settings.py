@@ -125,13 +125,13 @@ def test_without_the_mark_no_zero_is_set() -> None:
 def test_clearing_errors_clears_the_joint_that_was_sent_too_far() -> None:
     arm = ready()
     tell(arm, mode(50), *target(151.0, 0, 0, 0, 0, 0))
-    assert now(arm.status) is ArmStatusCode.TARGET_BEYOND_LIMIT
+    assert now(arm.condition.status) is ArmStatusCode.TARGET_BEYOND_LIMIT
     # byte 6 means nothing; joint 2 is not the one
     assert tell(arm, "475#010000000000AE00") == ["476#7500000000000000"]
     assert tell(arm, "475#0200000000AE0000") == ["476#7500000000000000"]
-    assert now(arm.status) is ArmStatusCode.TARGET_BEYOND_LIMIT
+    assert now(arm.condition.status) is ArmStatusCode.TARGET_BEYOND_LIMIT
     assert tell(arm, "475#0100000000AE0000") == ["476#7500000000000000"]
-    assert now(arm.status) is ArmStatusCode.NORMAL
+    assert now(arm.condition.status) is ArmStatusCode.NORMAL
     assert arm.enabled == (True,) * 6
 
 
@@ -234,7 +234,7 @@ def test_limits_that_read_ffff_refuse_every_target_until_reset_to_factory() -> N
         "47C#02FFFF0000000000",
     ]
     tell(arm, mode(50), *target(0, 10.0, 0, 0, 0, 0))
-    assert arm.status is ArmStatusCode.TARGET_BEYOND_LIMIT
+    assert arm.condition.status is ArmStatusCode.TARGET_BEYOND_LIMIT
     tell(arm, "477#0002000000000000", RESUME)
     assert tell(arm, "472#0201000000000000") == ["473#0207080000012C00"]
 

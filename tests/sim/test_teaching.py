@@ -60,7 +60,7 @@ def steps(arm: Firmware, count: int) -> list[tuple[float, ...]]:
 
 def until_reached(arm: Firmware) -> list[tuple[float, ...]]:
     track = [arm.joints_deg]
-    while arm.motion_state is MotionState.NOT_REACHED:
+    while arm.condition.motion_state is MotionState.NOT_REACHED:
         track += steps(arm, 1)
         assert len(track) < 10_000
     return track
@@ -131,8 +131,8 @@ def test_an_aborted_replay_stays_where_it_brakes() -> None:
     tell(arm, CONTINUE)
     arm.step(1.0)
     assert arm.joints_deg == standing
-    assert arm.status is ArmStatusCode.NORMAL
-    assert arm.motion_state is MotionState.NOT_REACHED
+    assert arm.condition.status is ArmStatusCode.NORMAL
+    assert arm.condition.motion_state is MotionState.NOT_REACHED
 
 
 def test_dragging_too_fast_ends_the_recording() -> None:
@@ -159,8 +159,8 @@ def test_what_makes_no_sense_without_a_recording_is_ignored(line: str) -> None:
 def test_an_arm_without_power_cannot_be_taught() -> None:
     arm = Firmware(TWO)
     tell(arm, RECORD)
-    assert arm.status is ArmStatusCode.NORMAL
-    assert arm.control_mode is ControlMode.STANDBY
+    assert arm.condition.status is ArmStatusCode.NORMAL
+    assert arm.condition.control_mode is ControlMode.STANDBY
 
 
 def test_drag_teaching_is_left_by_a_reset_near_the_rest_pose_only() -> None:
@@ -168,23 +168,23 @@ def test_drag_teaching_is_left_by_a_reset_near_the_rest_pose_only() -> None:
     tell(arm, TO_START)
     until_reached(arm)
     tell(arm, mode(50))
-    assert now(arm.control_mode) is ControlMode.TEACHING
+    assert now(arm.condition.control_mode) is ControlMode.TEACHING
     tell(arm, STOP)
     arm.step(1.0)
     tell(arm, RESUME)
-    assert now(arm.control_mode) is ControlMode.STANDBY
+    assert now(arm.condition.control_mode) is ControlMode.STANDBY
     tell(arm, ENABLE, mode(50))
-    assert arm.control_mode is ControlMode.CAN_CONTROL
+    assert arm.condition.control_mode is ControlMode.CAN_CONTROL
 
 
 def test_a_reset_far_from_the_rest_pose_does_not_leave_drag_teaching() -> None:
     arm = taught(version="S-V1.8-4")
     tell(arm, STOP, RESUME, ENABLE, mode(50))
-    assert now(arm.control_mode) is ControlMode.TEACHING
+    assert now(arm.condition.control_mode) is ControlMode.TEACHING
     tell(arm, TO_START)
     until_reached(arm)
     tell(arm, STOP, RESUME)
-    assert now(arm.control_mode) is ControlMode.STANDBY
+    assert now(arm.condition.control_mode) is ControlMode.STANDBY
 
 
 @pytest.mark.parametrize("far", [True, False], ids=["far from rest", "near rest"])
@@ -199,7 +199,7 @@ def test_newer_firmware_leaves_drag_teaching_by_a_mode_word_and_holds(far: bool)
     tell(arm, mode(50))
     track = steps(arm, 400)
 
-    assert now(arm.control_mode) is ControlMode.CAN_CONTROL
+    assert now(arm.condition.control_mode) is ControlMode.CAN_CONTROL
     assert not arm.teaching.entered
     assert all(arm.mechanics.powered)
     assert np.abs(np.array(track) - here).max() < 1e-6
@@ -217,7 +217,7 @@ def test_a_mode_word_ends_a_recording_or_a_replay_of_newer_firmware() -> None:
     here = now(arm.joints_deg)
     arm.step(1.0)
     assert arm.joints_deg == here
-    assert arm.status is ArmStatusCode.NORMAL
+    assert arm.condition.status is ArmStatusCode.NORMAL
 
     arm = taught()
     tell(arm, RUN)
@@ -226,7 +226,7 @@ def test_a_mode_word_ends_a_recording_or_a_replay_of_newer_firmware() -> None:
     track += steps(arm, 400)
     check_limits(track)  # it brakes
     assert track[-1] == track[-2]
-    assert now(arm.control_mode) is ControlMode.CAN_CONTROL
+    assert now(arm.condition.control_mode) is ControlMode.CAN_CONTROL
 
 
 @pytest.mark.parametrize("line", [STOP, DISABLE])
@@ -238,14 +238,14 @@ def test_a_stop_or_a_cut_of_the_power_ends_a_replay(line: str) -> None:
     assert status_bytes(arm)[6:8] == "00"
     tell(arm, CONTINUE)
     arm.step(0.5)
-    assert arm.status in (ArmStatusCode.EMERGENCY_STOP, ArmStatusCode.NORMAL)
+    assert arm.condition.status in (ArmStatusCode.EMERGENCY_STOP, ArmStatusCode.NORMAL)
     assert not any(arm.enabled)
 
 
 def test_a_power_cycle_forgets_the_recording_and_drag_teaching() -> None:
     arm = taught()
     arm.power_cycle()
-    assert now(arm.control_mode) is ControlMode.STANDBY
+    assert now(arm.condition.control_mode) is ControlMode.STANDBY
     tell(arm, ENABLE, mode(50))
-    assert now(arm.control_mode) is ControlMode.CAN_CONTROL
+    assert now(arm.condition.control_mode) is ControlMode.CAN_CONTROL
     assert arm.teaching.recording == []

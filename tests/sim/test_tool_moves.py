@@ -62,7 +62,7 @@ def arc_script(*poses: Pose) -> list[str]:
 def track_until_reached(arm: Firmware, dt_s: float = 0.005) -> list[tuple[float, ...]]:
     """Steps until the motion state is 0; where the joints were at each step."""
     track = [arm.joints_deg]
-    while arm.motion_state is MotionState.NOT_REACHED:
+    while arm.condition.motion_state is MotionState.NOT_REACHED:
         arm.step(dt_s)
         track.append(arm.joints_deg)
         assert len(track) * dt_s < 60.0
@@ -177,7 +177,7 @@ def test_poses_and_mode_in_any_order_move_the_tool(
 ) -> None:
     arm = ready(generation, HERE)
     assert tell(arm, *arrange(move)) == []
-    assert arm.motion_state is MotionState.NOT_REACHED
+    assert arm.condition.motion_state is MotionState.NOT_REACHED
     track_until_reached(arm, 0.05)
     assert KINEMATICS.forward(arm.joints_deg) == pytest.approx(THERE, abs=1e-5)
     # the frames say so too, to a thousandth
@@ -209,8 +209,8 @@ def test_what_does_not_move_the_tool(script: list[str]) -> None:
     tell(arm, *script)
     arm.step(0.5)
     assert arm.joints_deg == HERE
-    assert arm.motion_state is MotionState.REACHED
-    assert arm.status is ArmStatusCode.NORMAL
+    assert arm.condition.motion_state is MotionState.REACHED
+    assert arm.condition.status is ArmStatusCode.NORMAL
 
 
 @pytest.mark.parametrize("move", [P, L])
@@ -222,8 +222,8 @@ def test_a_host_that_repeats_a_pose_at_200_hz_gets_the_same_motion(move: int) ->
         once.step(0.005)
         often.step(0.005)
         assert often.joints_deg == pytest.approx(once.joints_deg, abs=1e-3)
-        assert often.motion_state is once.motion_state
-    assert once.motion_state is MotionState.REACHED
+        assert often.condition.motion_state is once.condition.motion_state
+    assert once.condition.motion_state is MotionState.REACHED
 
 
 def test_a_host_that_repeats_an_arc_at_200_hz_gets_it_once() -> None:
@@ -235,7 +235,7 @@ def test_a_host_that_repeats_an_arc_at_200_hz_gets_it_once() -> None:
         once.step(0.005)
         often.step(0.005)
         assert often.joints_deg == pytest.approx(once.joints_deg, abs=1e-3)
-    assert once.motion_state is often.motion_state is MotionState.REACHED
+    assert once.condition.motion_state is often.condition.motion_state is MotionState.REACHED
 
 
 def test_the_end_limits_of_0x479_bound_the_tool() -> None:
@@ -303,7 +303,7 @@ def test_speed_0_halts_on_the_line_and_more_speed_goes_on() -> None:
     halted = arm.joints_deg
     arm.step(1.0)
     assert arm.joints_deg == halted
-    assert arm.motion_state is MotionState.NOT_REACHED
+    assert arm.condition.motion_state is MotionState.NOT_REACHED
     tell(arm, mode(20, move=L))
     places = flange(track_until_reached(arm))
     assert off_the_line(places, start, np.array(THERE[:3])) < 0.1
@@ -320,7 +320,7 @@ def test_leaving_the_mode_halts_for_good(line: str) -> None:
     tell(arm, mode(50, move=L))
     arm.step(1.0)
     assert arm.joints_deg == halted
-    assert arm.motion_state is MotionState.NOT_REACHED
+    assert arm.condition.motion_state is MotionState.NOT_REACHED
 
 
 @pytest.mark.parametrize("generation", BOTH)
@@ -353,6 +353,6 @@ def test_an_arc_in_bytes_of_both_lengths() -> None:
         *(*pose_target(*THERE), "158#03"),
         "151#0103640000000000",
     )
-    assert arm.motion_state is MotionState.NOT_REACHED
+    assert arm.condition.motion_state is MotionState.NOT_REACHED
     track_until_reached(arm)
     assert KINEMATICS.forward(arm.joints_deg) == pytest.approx(THERE, abs=1e-5)

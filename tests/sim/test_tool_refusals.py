@@ -43,9 +43,9 @@ def test_move_p_says_what_the_inverse_kinematics_says() -> None:
         pose = Pose(*rng.uniform((-500, -500, 0, -180, -80, -180), (500, 500, 600, 180, 80, 180)))
         pose = Pose(*(round(value, 3) for value in pose))
         tell(arm, *pose_target(*pose))
-        assert arm.status is expected_for_move_p(pose, arm.joints_deg)
+        assert arm.condition.status is expected_for_move_p(pose, arm.joints_deg)
         assert arm.joints_deg == HERE
-        seen.add(arm.status)
+        seen.add(arm.condition.status)
     assert len(seen) == 3
 
 
@@ -82,8 +82,8 @@ def test_move_l_says_what_the_inverse_kinematics_says_along_the_line() -> None:
         arm = ready(TWO, start.tolist())
         tell(arm, mode(100, move=L), *pose_target(*pose))
         expected = expected_for_move_l(pose, arm.joints_deg)
-        assert arm.status is expected
-        assert arm.motion_state is (
+        assert arm.condition.status is expected
+        assert arm.condition.motion_state is (
             MotionState.NOT_REACHED if expected is ArmStatusCode.NORMAL else MotionState.REACHED
         )
         seen[expected] += 1
@@ -144,11 +144,11 @@ def test_a_line_to_a_pose_within_reach_that_leaves_it_on_the_way_is_refused() ->
     arm = ready(TWO, (89.0, 90.0, -60.0, 0.0, 30.0, 0.0))
     pose = KINEMATICS.forward((-89.0, 90.0, -60.0, 0.0, 30.0, 0.0))
     tell(arm, mode(50, move=L), *pose_target(*pose))
-    assert arm.status is expected_for_move_l(
+    assert arm.condition.status is expected_for_move_l(
         Pose(*(round(value, 3) for value in pose)), arm.joints_deg
     )
-    assert arm.status is not ArmStatusCode.NORMAL
-    assert arm.motion_state is MotionState.REACHED
+    assert arm.condition.status is not ArmStatusCode.NORMAL
+    assert arm.condition.motion_state is MotionState.REACHED
 
 
 def test_points_on_a_line_are_no_arc() -> None:
@@ -181,7 +181,7 @@ def test_a_refused_pose_ends_the_motion_under_way_on_its_line() -> None:
     tell(arm, mode(50, move=L), *pose_target(x, y + 100.0, z, rx, ry, rz))
     arm.step(0.3)
     tell(arm, *pose_target(*OUT_OF_REACH))
-    assert arm.status is ArmStatusCode.NO_SOLUTION
+    assert arm.condition.status is ArmStatusCode.NO_SOLUTION
     arm.step(2.0)
     halted = arm.joints_deg
     arm.step(1.0)
@@ -196,7 +196,7 @@ def test_an_end_limit_of_0_leaves_no_way() -> None:
     tell(arm, "479#00007FFF7FFF7FFF", mode(50, move=L))
     x, y, z, rx, ry, rz = KINEMATICS.forward(HERE)
     tell(arm, *pose_target(x, y + 100.0, z, rx, ry, rz))
-    assert arm.status is ArmStatusCode.NO_SOLUTION
+    assert arm.condition.status is ArmStatusCode.NO_SOLUTION
 
 
 def test_a_refused_pose_is_tried_again_when_the_limits_have_changed() -> None:
@@ -204,13 +204,13 @@ def test_a_refused_pose_is_tried_again_when_the_limits_have_changed() -> None:
     pose = pose_target(*KINEMATICS.forward((20.0, 70.0, -60.0, 10.0, 25.0, -20.0)))
     # joint 1: ±10.0° (0x0064, 0xFF9C); then ±150.0°
     tell(arm, "474#010064FF9C7FFF00", mode(50, move=P), *pose, *pose)
-    assert now(arm.status) is ArmStatusCode.TARGET_BEYOND_LIMIT
+    assert now(arm.condition.status) is ArmStatusCode.TARGET_BEYOND_LIMIT
     tell(arm, "474#0105DCFA247FFF00", *pose)
-    assert now(arm.status) is ArmStatusCode.NORMAL
-    assert arm.motion_state is MotionState.NOT_REACHED
+    assert now(arm.condition.status) is ArmStatusCode.NORMAL
+    assert arm.condition.motion_state is MotionState.NOT_REACHED
 
 
 def test_a_joint_target_clears_what_was_wrong_with_a_pose() -> None:
     arm = ready(TWO)
     tell(arm, mode(50, move=P), *pose_target(*OUT_OF_REACH), mode(50), *target(*HERE))
-    assert arm.status is ArmStatusCode.NORMAL
+    assert arm.condition.status is ArmStatusCode.NORMAL

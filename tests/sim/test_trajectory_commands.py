@@ -56,7 +56,7 @@ def script(move: int, speed_percent: int = 100) -> list[str]:
 def run(arm: Firmware, most_s: float = 20.0) -> list[tuple[float, ...]]:
     """Steps until the target is reached."""
     track = [arm.joints_deg]
-    while arm.motion_state is MotionState.NOT_REACHED:
+    while arm.condition.motion_state is MotionState.NOT_REACHED:
         track.append(stepped(arm))
         assert len(track) * 0.005 < most_s
     return track
@@ -93,7 +93,7 @@ def test_a_pause_brakes_and_continuing_goes_on_to_the_target(
     standing = paused.joints_deg
     track += [stepped(paused) for _ in range(100)]
     assert paused.joints_deg == standing
-    assert paused.motion_state is MotionState.NOT_REACHED
+    assert paused.condition.motion_state is MotionState.NOT_REACHED
     assert tell(paused, CONTINUE) == []
     track += run(paused)
     undisturbed = run(free)

@@ -47,7 +47,7 @@ def driven(start_deg: Sequence[float], points: Sequence[Waypoint]) -> list[list[
     for point in points:
         send(arm, point)
         track = [arm.joints_deg]
-        while arm.motion_state is MotionState.NOT_REACHED:
+        while arm.condition.motion_state is MotionState.NOT_REACHED:
             arm.step(STEP_S)
             track.append(arm.joints_deg)
             assert len(track) * STEP_S < 120.0

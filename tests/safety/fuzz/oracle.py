@@ -373,7 +373,7 @@ class Oracle:
         world = self._world
         if self._stop_s is None:
             return []
-        if world.firmware.stopped or world.firmware._off:
+        if world.firmware.condition.stopped or world.firmware._off:
             self._stop_holds = True
             return []
         if self._stop_holds:
@@ -439,7 +439,7 @@ class Oracle:
         world, firmware = self._world, self._world.firmware
         deep_mm = max(depth_in_box_mm(firmware.reported_deg, *self.zone), 0.0)
         foreign = world.time_s - max(self._other_s, self._suspended_s, self._led_s) < _OTHERS_WAY_S
-        powered = all(firmware.enabled) and not firmware.stopped
+        powered = all(firmware.enabled) and not firmware.condition.stopped
         if foreign or self._mixed or not powered or not firmware.mechanics.moving:
             self._deepest_mm = deep_mm
             return []

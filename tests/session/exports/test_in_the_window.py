@@ -42,7 +42,7 @@ def test_a_stop_during_an_export_stops_the_arm(app_driver, log):
     dialog = app_driver.dialog(ExportDialog)
     QTest.mouseClick(dialog.export_button, LEFT)
     app_driver.click(dialog.stop_button)
-    app_driver.run_until(lambda: app_driver.firmware.stopped)
+    app_driver.run_until(lambda: app_driver.firmware.condition.stopped)
     wait_until(dialog.export_button.isEnabled)
 
 
