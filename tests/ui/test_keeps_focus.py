@@ -12,14 +12,17 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from armui.ui.widgets.halt_button import HaltButton
 from armui.ui.widgets.keeps_focus import KeepsFocus
 from armui.ui.widgets.press_button import PressButton
+from tests.ui.fake_controller import FakeController
 
 
 class Window(KeepsFocus, QWidget):
     def __init__(self):
         super().__init__()
-        self.buttons = [QPushButton("enable"), PressButton(), QPushButton("jog")]
+        halt = HaltButton(FakeController().as_real)
+        self.buttons = [QPushButton("enable"), halt, QPushButton("jog")]
 
 
 @pytest.fixture

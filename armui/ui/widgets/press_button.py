@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Final, NamedTuple
 
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QMouseEvent
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QFontMetrics, QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QPushButton, QSizePolicy, QWidget
+
+from armui.ui.theme import Colors, colors_of, scaled_font
+from armui.ui.widgets import painting
+
+_CAPTION_SCALE: Final = 0.82
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,11 +41,33 @@ class Face:
     has_caption: bool
 
 
-class PressButton(QPushButton):
-    """The base of the stop and the halt button."""
+class Inks(NamedTuple):
+    """The colours of a stop button.
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    Attributes:
+        ground: Behind everything.
+        edge: The line around it.
+        word: Of sign and word.
+        caption: Of the line below the word.
+    """
+
+    ground: str
+    edge: str
+    word: str
+    caption: str
+
+
+class PressButton(QPushButton):
+    """The base of the stop and the halt button, which draws sign, word and caption.
+
+    Args:
+        face: The measures.
+        parent: Qt's.
+    """
+
+    def __init__(self, face: Face, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self._face = face
         self.setAutoDefault(False)
         self.setCursor(Qt.CursorShape.PointingHandCursor)
         self.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
@@ -62,3 +91,70 @@ class PressButton(QPushButton):
         """Act on a press by keyboard or assistive program; one by the mouse has acted already."""
         if not self._has_acted:
             self.act()
+
+    # What the two differ in -----------------------------------------------------------------------
+
+    def _inks(self, colors: Colors, *, pressed: bool) -> Inks:
+        """Return the colours, for a button that is pressed or pointed at, or not."""
+        raise NotImplementedError
+
+    def _all_words(self) -> Sequence[str]:
+        """Return every word it may show, so that its width does not change."""
+        raise NotImplementedError
+
+    def _caption(self) -> str:
+        """Return what stands below the word, smaller."""
+        raise NotImplementedError
+
+    def _draw_sign(self, painter: QPainter, center: QPointF, colors: Colors) -> None:
+        """Draw the sign, which tells what the button is without its colour."""
+        raise NotImplementedError
+
+    # Appearance -----------------------------------------------------------------------------------
+
+    def sizeHint(self) -> QSize:
+        """Return a size for the longest of its words."""
+        face = self._face
+        return self._size(face.padding_px).expandedTo(QSize(face.least_px, face.height_px))
+
+    def minimumSizeHint(self) -> QSize:
+        """Return the same with smaller margins."""
+        return self._size(self._face.tight_px)
+
+    def _size(self, padding_px: float) -> QSize:
+        face = self._face
+        metrics = QFontMetrics(scaled_font(self, face.word_scale, bold=True))
+        width = max(metrics.horizontalAdvance(word) for word in self._all_words())
+        return QSize(int(2 * face.sign_px + face.gap_px + width + 2 * padding_px), face.height_px)
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Draw the button."""
+        colors = colors_of(self)
+        inks = self._inks(colors, pressed=self.isDown() or self.underMouse())
+        painter = painting.begin(self)
+        painting.panel(painter, QRectF(self.rect()), inks.ground, inks.edge, 2)
+        if self.hasFocus():
+            painter.setPen(QPen(QColor(inks.word), 1.5))
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.drawRoundedRect(QRectF(self.rect()).adjusted(4, 4, -4, -4), 5, 5)
+        self._draw_face(painter, colors, inks)
+        painter.end()
+
+    def _draw_face(self, painter: QPainter, colors: Colors, inks: Inks) -> None:
+        """Draw sign, word and caption, centred."""
+        face = self._face
+        word_font = scaled_font(self, face.word_scale, bold=True)
+        caption_font = scaled_font(self, _CAPTION_SCALE)
+        word, caption = QFontMetrics(word_font), QFontMetrics(caption_font)
+        below = self._caption() if face.has_caption else ""
+        text_width = max(word.horizontalAdvance(self.text()), caption.horizontalAdvance(below))
+        left = (self.width() - (2 * face.sign_px + face.gap_px + text_width)) / 2
+        self._draw_sign(painter, QPointF(left + face.sign_px, self.height() / 2), colors)
+        text_left = left + 2 * face.sign_px + face.gap_px
+        top = (self.height() - word.height() - (caption.height() if below else 0)) / 2
+        painter.setPen(QColor(inks.word))
+        painter.setFont(word_font)
+        painter.drawText(QPointF(text_left, top + word.ascent()), self.text())
+        painter.setPen(QColor(inks.caption))
+        painter.setFont(caption_font)
+        painter.drawText(QPointF(text_left, top + word.height() + caption.ascent()), below)
