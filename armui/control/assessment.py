@@ -3,133 +3,79 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
-from armui.arm.device import Device
 from armui.arm.limits import JointLimits, outside_list, plausible
-from armui.arm.model_check import ModelFit
 from armui.arm.models import model_data
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, Six, is_fresh
 from armui.control.authority import Authority
-from armui.control.cell.intrusion import AreaIntrusion
 from armui.control.link.link_state import LinkState, why_unreachable
 from armui.control.link.offsets import OffsetFollower
 from armui.control.operating_state import (
     BUSY,
     RUN_UNDER_WAY,
-    Busy,
     OperatingState,
-    OtherHostReport,
     StopState,
 )
-from armui.control.run.progress import RunPhase
 from armui.control.safety import interlocks
 from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN, SPEED_ZERO
-from armui.control.safety.reference_status import ReferenceStatus
-from armui.control.safety.uncommanded_motion import UncommandedMotion
-from armui.protocol.generation import Generation
 
 
-@dataclass(frozen=True, slots=True)
-class ActiveTasks:
-    """The activities of this program that concern the arm; see :class:`OperatingState`."""
+def assess(
+    state: ArmState,
+    known: OperatingState,
+    authority: Authority,
+    offsets: OffsetFollower,
+    now_s: float,
+) -> OperatingState:
+    """Return what the operator can do.
 
-    running: bool = False
-    jogging: bool = False
-    recording: bool = False
-    altering: str | None = None
-    run_sets_lamps: bool = False
-    run_phase: RunPhase = RunPhase.IDLE
-    pending: frozenset[str] = frozenset()
-
-
-@dataclass(frozen=True, slots=True)
-class AssessmentInputs:
-    """The program's knowledge beside the arm's feedback; fields as in :class:`OperatingState`.
-
-    Attributes:
+    Args:
+        state: The arm as last heard.
+        known: What the program knows beside that: what follows from it is put in here.
         authority: Knows who moves the arm.
-        other_host: The other host that moves the arm, as told to the operator.
-        tasks: The activities of this program that concern the arm.
+        offsets: Follows the arm's identifiers.
+        now_s: Monotonic time.
     """
-
-    link: LinkState
-    device: Device | None
-    link_problem: Refusal | None
-    stop: StopState
-    stop_unconfirmed: bool
-    busy: Busy | None
-    speed_percent: int
-    generation: Generation | None
-    authority: Authority
-    other_host: OtherHostReport | None = None
-    tasks: ActiveTasks = field(default_factory=ActiveTasks)
-    stop_lapsed: bool = False
-    model_fit: ModelFit = field(default_factory=ModelFit)
-    below_base_mm: int | None = None
-    intrusion: AreaIntrusion | None = None
-    keeps_area: bool = False
-    offsets: OffsetFollower = field(default_factory=OffsetFollower)
-    reference: ReferenceStatus = field(default_factory=ReferenceStatus)
-    uncommanded: UncommandedMotion | None = None
-
-
-def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> OperatingState:
-    """Return what the operator can do at monotonic time ``now_s``."""
     enabled = _fresh_enabled(state, now_s)
-    tasks, authority = around.tasks, around.authority
     no_command = interlocks.why_no_command(
-        why_unreachable(around.link, around.device), around.stop, around.busy
+        why_unreachable(known.link, known.device), known.stop, known.busy
     )
     cannot_drive = _first(
         lambda: no_command,
-        lambda: None if around.offsets.certain else CONTROL_OFFSET_UNKNOWN(),
-        lambda: BUSY(what=tasks.altering) if tasks.altering else None,
+        lambda: None if offsets.certain else CONTROL_OFFSET_UNKNOWN(),
+        lambda: BUSY(what=known.altering) if known.altering else None,
         authority.why_not_ours,
         lambda: authority.unconfirmed_cell,
         lambda: interlocks.why_not_enabled(enabled),
         lambda: interlocks.why_not_ready(state),
     )
-    held, reference = authority.why_held(), around.reference
+    held, reference = authority.why_held(), known.reference
     cannot_run = cannot_drive or reference.why_not_run()
     read = [
         heard.value if heard is not None and plausible(heard.value) else None
         for heard in state.limits
     ]
-    factory_limits = model_data(around.model_fit.chosen).limits
-    limits = tuple(known or factory for known, factory in zip(read, factory_limits, strict=True))
+    factory_limits = model_data(known.model_fit.chosen).limits
+    limits = tuple(own or factory for own, factory in zip(read, factory_limits, strict=True))
     r1, r2, r3, r4, r5, r6 = (each is not None for each in read)
-    return OperatingState(
-        link=around.link,
-        device=around.device,
-        link_problem=around.link_problem,
-        stop=around.stop,
-        stop_unconfirmed=around.stop_unconfirmed,
-        stop_lapsed=around.stop_lapsed,
+    return replace(
+        known,
         enabled=enabled,
-        busy=around.busy,
         cannot_move=_first(
             lambda: cannot_drive,
-            lambda: RUN_UNDER_WAY() if tasks.running else held,
-            lambda: SPEED_ZERO() if around.speed_percent == 0 else None,
-            lambda: reference.why_not_move(around.speed_percent),
+            lambda: RUN_UNDER_WAY() if known.running else held,
+            lambda: SPEED_ZERO() if known.speed_percent == 0 else None,
+            lambda: reference.why_not_move(known.speed_percent),
         ),
         cannot_run=cannot_run,
-        running=tasks.running,
-        run_phase=tasks.run_phase,
-        jogging=tasks.jogging,
-        recording=tasks.recording,
         cannot_send_motion=authority.why_not_ours() or authority.unconfirmed_cell,
         unconfirmed_cell=authority.unconfirmed_cell,
         mover=authority.mover,
-        other_host=around.other_host,
         holds=authority.holds,
         held_target_deg=authority.held_target_deg,
         cancel_unheeded=authority.cancel_unheeded,
-        altering=tasks.altering,
-        run_sets_lamps=tasks.run_sets_lamps,
-        pending=tasks.pending,
         status=None if state.status is None else state.status.value,
         angles_known=state.angles_deg() is not None,
         pose_known=state.end_pose() is not None,
@@ -137,23 +83,16 @@ def assess(state: ArmState, around: AssessmentInputs, now_s: float) -> Operating
         cannot_enable=no_command,
         limits=limits,
         limits_read=(r1, r2, r3, r4, r5, r6),
-        speed_percent=around.speed_percent,
-        moving=around.link is LinkState.ONLINE
-        and around.stop is StopState.RUNNING
+        moving=known.link is LinkState.ONLINE
+        and known.stop is StopState.RUNNING
         and (bool(authority.holds) or _on_its_way(state, authority)),
-        generation=around.generation,
-        addressing=around.offsets.addressing,
-        control_certain=around.offsets.certain,
-        model_fit=around.model_fit,
-        below_base_mm=around.below_base_mm,
+        addressing=offsets.addressing,
+        control_certain=offsets.certain,
         outside=_outside(state, limits),
-        intrusion=around.intrusion,
-        keeps_area=around.keeps_area,
-        uncommanded=around.uncommanded,
         reference=replace(
-            reference, cannot_drive=cannot_drive or (RUN_UNDER_WAY() if tasks.running else held)
+            reference, cannot_drive=cannot_drive or (RUN_UNDER_WAY() if known.running else held)
         ),
-        teaching_input=around.link in (LinkState.OFFLINE, LinkState.ONLINE)
+        teaching_input=known.link in (LinkState.OFFLINE, LinkState.ONLINE)
         and is_fresh(state.foreign_targets_s, now_s)
         and not _controller_heard(state, now_s),
     )

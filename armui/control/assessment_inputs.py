@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from armui.control.assessment import ActiveTasks, AssessmentInputs, assess
+from armui.control.assessment import assess
 from armui.control.operating_state import Busy, OperatingState
 
 if TYPE_CHECKING:
@@ -66,7 +66,9 @@ class Assessor:
     def assess(self) -> OperatingState:
         """Return a new operating state, from the last observation and the state of the parts."""
         now_s = self._clock()
-        operating_state = assess(self._state(), self._inputs(now_s), now_s)
+        authority, offsets = self._watch.authority, self._connection.offsets
+        known = self._known(now_s)
+        operating_state = assess(self._state(), known, authority, offsets, now_s)
         if operating_state != self.read():
             self._operating_state = operating_state
             self._announce(operating_state)
@@ -83,7 +85,7 @@ class Assessor:
         }
         return frozenset(part for part, is_busy in busy.items() if is_busy)
 
-    def _inputs(self, now_s: float) -> AssessmentInputs:
+    def _known(self, now_s: float) -> OperatingState:
         """Return what the program knows beside the arm's feedback at monotonic time ``now_s``."""
         controller, connection, emergency_stop = (
             self._controller,
@@ -93,7 +95,7 @@ class Assessor:
         busy = controller.motors.busy or (Busy.ZEROING if controller.zeroing.busy else None)
         resuming = busy is Busy.RESUMING
         run = controller.replayer if controller.replayer.running else controller.player
-        return AssessmentInputs(
+        return OperatingState(
             link=connection.link,
             device=connection.device,
             link_problem=connection.problem,
@@ -103,22 +105,18 @@ class Assessor:
             busy=busy,
             speed_percent=controller.speed_override.percent,
             generation=connection.generation,
-            offsets=connection.offsets,
             model_fit=controller.model_watch.fit(),
             below_base_mm=controller.jog_floor.below_base_mm(self._state()),
             intrusion=controller.area_guard.intrusion(self._state()),
             keeps_area=controller.area_guard.area is not None,
             reference=controller.reference.status,
             uncommanded=controller.sinking.motion,
-            authority=self._watch.authority,
             other_host=self._watch.report(),
-            tasks=ActiveTasks(
-                running=run.running,
-                run_phase=run.phase,
-                jogging=controller.jogging.active,
-                recording=controller.recorder.recording,
-                altering=controller.transactions.altering,
-                run_sets_lamps=controller.player.sets_lamps,
-                pending=self._pending(),
-            ),
+            running=run.running,
+            run_phase=run.phase,
+            jogging=controller.jogging.active,
+            recording=controller.recorder.recording,
+            altering=controller.transactions.altering,
+            run_sets_lamps=controller.player.sets_lamps,
+            pending=self._pending(),
         )

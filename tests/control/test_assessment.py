@@ -10,11 +10,11 @@ import pytest
 from armui.arm.device import Device
 from armui.arm.limits import JointLimits
 from armui.arm.state import ArmState, Reading
-from armui.control.assessment import ActiveTasks, AssessmentInputs, assess
+from armui.control.assessment import assess
 from armui.control.link.link_state import LINK_LOST, LISTEN_ONLY, OFFLINE, LinkState
 from armui.control.link.offsets import OffsetFollower
 from armui.control.motion.motion_command import PLAN_PAUSED, Hold, Mover
-from armui.control.operating_state import BUSY, RUN_UNDER_WAY, Busy, StopState
+from armui.control.operating_state import BUSY, RUN_UNDER_WAY, Busy, OperatingState, StopState
 from armui.control.run.progress import RunPhase
 from armui.control.safety.feedback_freshness import FEEDBACK_SILENT
 from armui.control.safety.interlocks import (
@@ -42,7 +42,7 @@ class Console:
 
     def __init__(self) -> None:
         self.arm = Arm()
-        self.inputs = AssessmentInputs(
+        self.known = OperatingState(
             link=LinkState.ONLINE,
             device=DEVICE,
             link_problem=None,
@@ -51,8 +51,8 @@ class Console:
             busy=None,
             speed_percent=30,
             generation=Generation.TWO,
-            authority=self.arm.authority,
         )
+        self.offsets = OffsetFollower()
         self.changes: dict[str, Any] = {}
 
     @property
@@ -68,15 +68,11 @@ class Console:
 
     def given(self, **fields) -> None:
         """What the program knows beside the arm's own words."""
-        self.inputs = replace(self.inputs, **fields)
-
-    def does(self, **fields) -> None:
-        """What the program does to the arm."""
-        self.given(tasks=replace(self.inputs.tasks, **fields))
+        self.known = replace(self.known, **fields)
 
     def assess(self):
         """What the operator can do."""
-        return assess(self.state, self.inputs, self.arm.now_s)
+        return assess(self.state, self.known, self.arm.authority, self.offsets, self.arm.now_s)
 
 
 @pytest.fixture
@@ -100,7 +96,7 @@ def held(console):
 
 
 def running(console):
-    console.does(running=True)
+    console.given(running=True)
 
 
 def not_ready(console):
@@ -123,13 +119,13 @@ def silent(console):
 
 
 def altering(console):
-    console.does(altering="limits")
+    console.given(altering="limits")
 
 
 def uncertain(console):
     offsets = OffsetFollower()
     offsets.control_known = False
-    console.given(offsets=offsets)
+    console.offsets = offsets
 
 
 def busy(console):
@@ -319,10 +315,6 @@ def test_a_controller_that_is_heard_is_none(teaching_input, what, age_s, feeds):
 # What is handed on --------------------------------------------------------------------------------
 
 
-def test_at_first_the_program_does_nothing_to_the_arm():
-    assert ActiveTasks() == ActiveTasks(False, False, False, None, False)
-
-
 def test_what_the_program_does_and_knows_is_told(console):
     problem = LINK_LOST()
     console.given(
@@ -331,9 +323,14 @@ def test_what_the_program_does_and_knows_is_told(console):
         stop_lapsed=True,
         busy=Busy.ZEROING,
         generation=Generation.ONE,
-        tasks=ActiveTasks(True, True, True, "zero", True, RunPhase.PAUSED),
+        running=True,
+        jogging=True,
+        recording=True,
+        altering="zero",
+        run_sets_lamps=True,
+        run_phase=RunPhase.PAUSED,
     )
-    console.inputs.offsets.addressing = Addressing(0x10, 0x20)
+    console.offsets.addressing = Addressing(0x10, 0x20)
     operating = console.assess()
     assert (operating.link, operating.device) == (LinkState.ONLINE, DEVICE)
     assert operating.link_problem is problem

@@ -13,7 +13,7 @@ import pytest
 from armui.arm.device import Device
 from armui.arm.other_hosts import OtherHosts, OtherTraffic
 from armui.arm.state import ArmState, DriverSlow, Reading, Status
-from armui.control.assessment import ActiveTasks, AssessmentInputs, assess
+from armui.control.assessment import assess
 from armui.control.authority import MET_MOVING, PART_FAILED, Authority
 from armui.control.cell.cell_reasons import (
     CELL_HOLDING_NOT_CONFIRMED,
@@ -138,7 +138,7 @@ def operating_state(state: ArmState, link=LinkState.ONLINE, **changes) -> Operat
     if (reason := authority.other.why_not()) is not None:
         since = datetime(2026, 1, 2, 3, 4, 5).astimezone()
         changes["other_host"] = OtherHostReport("0x151", since, 200, reason, True)
-    around = AssessmentInputs(
+    known = OperatingState(
         link=link,
         device=Device("virtual", "test"),
         link_problem=None,
@@ -147,9 +147,9 @@ def operating_state(state: ArmState, link=LinkState.ONLINE, **changes) -> Operat
         busy=None,
         speed_percent=30,
         generation=Generation.TWO,
-        authority=authority,
     )
-    return assess(state, replace(around, **changes), NOW_S)
+    offsets = changes.pop("offsets", None) or OffsetFollower()
+    return assess(state, replace(known, **changes), authority, offsets, NOW_S)
 
 
 def step_of(state: ArmState, **changes) -> Step:
@@ -208,7 +208,7 @@ def locked_otherwise() -> Iterator[tuple[ArmState, OperatingState]]:
     """Arms without a fault and with their motors on, of which nothing may move for one reason."""
     state = arm(status())
     yield state, operating_state(state, speed_percent=0)
-    yield state, operating_state(state, tasks=ActiveTasks(altering="linkage"))
+    yield state, operating_state(state, altering="linkage")
     unproven = OffsetFollower()
     unproven.control_known = False
     yield state, operating_state(state, offsets=unproven)
@@ -257,7 +257,7 @@ def in_company() -> Iterator[tuple[ArmState, OperatingState]]:
     yield state, operating_state(state, authority=authority)
     for phase in set(RunPhase) - OVER:
         state = arm(status(reached=phase is not RunPhase.MOVING))
-        yield state, operating_state(state, tasks=ActiveTasks(running=True, run_phase=phase))
+        yield state, operating_state(state, running=True, run_phase=phase)
     device = Device("virtual", "test", listen_only=True)
     yield state, operating_state(state, device=device)
 
@@ -362,11 +362,10 @@ def test_each_code_of_the_status_has_a_step_of_its_own(code):
     ],
 )
 def test_a_run_is_not_called_ready(phase, kind):
-    assert step_of(arm(status()), tasks=ActiveTasks(running=True, run_phase=phase)).kind is kind
+    assert step_of(arm(status()), running=True, run_phase=phase).kind is kind
     # a fault is said first
     state = arm(status(arm_status=ArmStatusCode.SINGULARITY))
-    tasks = ActiveTasks(running=True, run_phase=phase)
-    assert step_of(state, tasks=tasks).kind is StepKind.SINGULARITY
+    assert step_of(state, running=True, run_phase=phase).kind is StepKind.SINGULARITY
 
 
 def test_an_arm_on_its_way_is_not_called_ready():
