@@ -6940,10 +6940,6 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>通道</translation>
     </message>
     <message>
-        <source>e.g. COM5, /dev/ttyACM0, 239.0.0.1</source>
-        <translation>例如 COM5、/dev/ttyACM0、239.0.0.1</translation>
-    </message>
-    <message>
         <source>Add to the list</source>
         <translation>添加到列表</translation>
     </message>

@@ -10,7 +10,6 @@ from PySide6.QtCore import (
     QAbstractListModel,
     QEvent,
     QObject,
-    QPoint,
     QRect,
     QSize,
     Qt,
@@ -50,8 +49,6 @@ _TWO_LINES_PX: Final = 50
 _SIZE_PX: Final = (440, 600)
 """The size of the palette: as wide as the panel it covers, so that the picture stays visible."""
 _FOLLOW_MS: Final = 200
-_PLACE: Final = QPoint(184, 72)
-"""Its place in the main window: right of the menu, below the stop."""
 _TO_THE_LIST: Final = frozenset(
     {Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_PageUp, Qt.Key.Key_PageDown}
 )
@@ -306,13 +303,10 @@ class CommandPalette(ArmDialog):
         return super().eventFilter(watched, event)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Start a new search at each opening, over the panel and beside the picture."""
+        """Start a new search at each opening."""
         super().showEvent(event)
         if event.spontaneous():
             return
-        window = self.parentWidget()
-        if window is not None:
-            self.move(window.mapToGlobal(window.rect().topLeft()) + _PLACE)
         self.search.clear()
         self.search.setFocus()
         self._gather()

@@ -16,13 +16,8 @@ if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.ui.words.text import Text
 
-_SIZE_PX: Final = (980, 640)
+_SIZE_PX: Final = (600, 640)
 _GAPS_PX: Final = (16, 6)
-_LEFT: Final = (
-    *("everywhere", "window", "view", "motion", "light", "gripper", "parameters", "jogging"),
-    "library",
-)
-"""The places in the left column; the others are in the right one."""
 
 
 class ShortcutList(ArmDialog):
@@ -37,11 +32,10 @@ class ShortcutList(ArmDialog):
     def __init__(
         self, controller: ArmController, places: Mapping[str, Text], parent: QWidget | None = None
     ) -> None:
-        left = [_section(place, places[place]) for place in _LEFT]
-        right = [_section(place, title) for place, title in places.items() if place not in _LEFT]
-        columns = ([each for each in column if each.lines] for column in (left, right))
+        sections = [_section(place, title) for place, title in places.items()]
         super().__init__(controller, parent)
-        self.body.addWidget(SectionsArea(*columns, gaps_px=_GAPS_PX), 1)
+        shown = [each for each in sections if each.lines]
+        self.body.addWidget(SectionsArea(shown, gaps_px=_GAPS_PX), 1)
         fill(self.footer, STRETCH, CloseButton(self, on_enter=True))
         self.setObjectName("shortcut_list")
         self.resize(*_SIZE_PX)

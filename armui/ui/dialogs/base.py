@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final, Protocol, runtime_checkable
 
-from PySide6.QtCore import QEvent, QMargins, QRect, Qt
+from PySide6.QtCore import QEvent, QMargins, QRect, QSize, Qt
 from PySide6.QtGui import QContextMenuEvent, QGuiApplication, QMoveEvent, QShowEvent
 from PySide6.QtWidgets import QDialog, QPushButton, QWidget
 
@@ -37,9 +37,9 @@ class HasRoomForQuestions(Protocol):
 
 
 def place(dialog: QDialog) -> None:
-    """Move a dialog to the top right of that area, and fit it on the screen.
+    """Move a dialog to the top right of that area, and fit it into its width and on the screen.
 
-    One that is wider than the area begins at its left edge; a higher one extends below.
+    One that cannot be so narrow begins at its left edge; a higher one extends below.
 
     Args:
         dialog: The dialog before it is shown; Qt places it if no window has such an area.
@@ -52,11 +52,12 @@ def place(dialog: QDialog) -> None:
     dialog.ensurePolished()
     wanted = dialog.size().expandedTo(dialog.sizeHint())
     if not isinstance(window, HasRoomForQuestions):
-        dialog.resize(dialog.size().boundedTo(reach.size()))
+        dialog.resize(dialog.size().boundedTo(QSize(window.width(), reach.height())))
         return
     room = window.room_for_questions()
-    left = max(room.x(), room.x() + room.width() - _EDGE_PX - wanted.width())
-    wish = Place(left, room.y() + _EDGE_PX, wanted.width(), wanted.height())
+    width = min(wanted.width(), max(dialog.minimumSizeHint().width(), room.width() - _EDGE_PX))
+    left = max(room.x(), room.x() + room.width() - _EDGE_PX - width)
+    wish = Place(left, room.y() + _EDGE_PX, width, wanted.height())
     there = _rect_of(fitted(wish, [place_of(reach)]))
     if there.size() == wanted:
         dialog.move(there.topLeft())  # Qt sizes it as it is shown

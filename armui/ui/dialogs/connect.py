@@ -63,7 +63,7 @@ _LIST_PX: Final = 194
 """The height for the titles and five devices: adapters of a bench, and the simulated arm below
 them.
 """
-_BOX_PX: Final = 190
+_BOX_PX: Final = 140
 
 Leaving = Callable[[QWidget, Callable[[], object]], object]
 """Called with the window that asks and a function to go on with, now or once the operator agrees.
@@ -95,9 +95,10 @@ class ManualEntry(HasActs, Translated, QWidget):
         self.interface_label.setBuddy(self.interface_box)
         self._channel_label = QLabel()
         self.channel_edit = QLineEdit()
+        self.channel_edit.setPlaceholderText("COM5, /dev/ttyACM0")
         self._channel_label.setBuddy(self.channel_edit)
-        of_interface = (self.interface_label, (self.interface_box, 2), 6)
-        of_channel = (self._channel_label, (self.channel_edit, 3))
+        of_interface = (self.interface_label, self.interface_box, 6)
+        of_channel = (self._channel_label, (self.channel_edit, 1))
         in_row(*of_interface, *of_channel, self.add_button, on=self, spacing=8, margins=0)
         self.channel_edit.textChanged.connect(lambda _text: self.show_acts())
         self.interface_box.editTextChanged.connect(lambda _text: self.show_acts())
@@ -107,7 +108,6 @@ class ManualEntry(HasActs, Translated, QWidget):
         """Set all texts in the operator's language."""
         self.interface_label.setText(self.tr("Interface"))
         self._channel_label.setText(self.tr("Channel"))
-        self.channel_edit.setPlaceholderText(self.tr("e.g. COM5, /dev/ttyACM0, 239.0.0.1"))
         self.show_acts()
 
     @add_button.why_not

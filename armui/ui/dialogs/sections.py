@@ -1,4 +1,4 @@
-"""Text for reading: sections in two columns, each with a heading and explaining lines."""
+"""Text for reading: sections in columns, each with a heading and explaining lines."""
 
 from __future__ import annotations
 
@@ -63,15 +63,13 @@ class SectionsArea(Translated, QScrollArea):
     """Shows the sections.
 
     Args:
-        left, right: The columns.
+        columns: The columns, from left to right.
         gaps_px: The gaps within a line, and between two.
     """
 
     def __init__(
         self,
-        left: Sequence[HelpSection],
-        right: Sequence[HelpSection],
-        *,
+        *columns: Sequence[HelpSection],
         gaps_px: tuple[int, int],
     ) -> None:
         super().__init__()
@@ -80,14 +78,14 @@ class SectionsArea(Translated, QScrollArea):
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._texts: list[tuple[QLabel, Text]] = []
         self._content = QWidget()
-        columns = in_row(on=self._content, spacing=_COLUMN_GAP_PX, margins=(0, 0, 8, 0))
-        for sections in (left, right):
+        row = in_row(on=self._content, spacing=_COLUMN_GAP_PX, margins=(0, 0, 8, 0))
+        for sections in columns:
             grid = empty_grid(gaps=gaps_px)
             grid.setColumnStretch(1, 1)
             for section in sections:
                 self._add_section(grid, section)
             grid.setRowStretch(grid.rowCount(), 1)
-            columns.addLayout(grid, 1)
+            row.addLayout(grid, 1)
         self.setWidget(self._content)
         self.retranslate_ui()
 

@@ -45,7 +45,7 @@ if TYPE_CHECKING:
     from armui.control.operating_state import OperatingState
 
 _SIZE_PX: Final = (680, 500)
-_STEP_WIDTH_PX: Final = 110
+_STEP_WIDTH_PX: Final = 90
 _LANGUAGES: Final = (("zh", "中文"), ("en", "English"))
 """The languages, each in its own name, so that its readers find it."""
 _BOXES: Final = ("stop_again",)
@@ -140,7 +140,8 @@ class SettingsDialog(ArmDialog):
             self.language_box.addItem(name, code)
         for code in ("light", "dark", "system"):
             self.theme_box.addItem("", code)
-        self.jog_step_edit.setFixedWidth(_STEP_WIDTH_PX)
+        for field in (self.jog_step_edit, self.jog_floor_spin):
+            field.setFixedWidth(_STEP_WIDTH_PX)
         self.jog_step_edit.setAlignment(Qt.AlignmentFlag.AlignRight)
         self._jog_hint.setProperty("rank", "muted")
         grid = empty_grid(gaps=(18, 12))
