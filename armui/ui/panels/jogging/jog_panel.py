@@ -436,13 +436,12 @@ class JogPanel(Panel):
             above: What stands between the title and the card.
         """
         head = in_row(self._title, STRETCH, *(self._keys, self._step_label, self._step_box))
-        for button in (*buttons, *sends):
-            button.setMinimumHeight(_BUTTON_PX)
         for other in buttons:
             for button in (other, *other.findChildren(QPushButton)):
+                button.setMinimumHeight(_BUTTON_PX)
                 button.setProperty("compact", True)
         for button in sends:
-            button.setMinimumWidth(_SEND_PX)
+            button.setMinimumSize(_SEND_PX, _BUTTON_PX)
         row = in_row(*buttons, STRETCH, *sends, spacing=8)
         parts: list[QWidget | QLayout] = [
             *above,

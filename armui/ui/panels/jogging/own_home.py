@@ -98,10 +98,7 @@ class OwnHome(HasActs, Translated, QWidget):
         self._menu.addActions([self.set_measured, self.set_typed])
         give_menu(self._set, self._menu)
         self._set.setFixedWidth(_ARROW_PX)
-        for button in (self.go, self._set):
-            button.setSizePolicy(
-                button.sizePolicy().horizontalPolicy(), QSizePolicy.Policy.Expanding
-            )
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
         in_row((self.go, 1), self._set, on=self, spacing=2, margins=0)
         self.set_measured.triggered.connect(lambda _checked=False: self._keep_measured())
         self.set_typed.triggered.connect(lambda _checked=False: self._keep(self._typed()))
