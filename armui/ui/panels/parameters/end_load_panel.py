@@ -97,7 +97,7 @@ class MountingCard(HasActs, QFrame):
         for mounting, name in _CHOICES.items():
             button = choice_button(f"mounting_{name}")
             button.setProperty("tight", True)
-            button.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+            button.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
             self._choices.addButton(button, int(mounting))
             row.addWidget(button, 1)
         column = in_column(on=self, margins=(16, 12, 16, 12))
