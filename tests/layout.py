@@ -9,6 +9,8 @@ from __future__ import annotations
 
 import argparse
 import os
+import subprocess
+import sys
 import tempfile
 import time
 from collections import Counter
@@ -25,16 +27,24 @@ from PySide6.QtWidgets import QApplication, QWidget
 
 from armui.protocol.generation import Generation
 from armui.setting_checks import Language
-from armui.ui.dialogs.adapter_line import AdapterLine
-from armui.ui.dialogs.base import ArmDialog
+from armui.ui.actions.palette import CommandPalette
+from armui.ui.actions.shortcut_list import ShortcutList
+from armui.ui.dialogs.adapter_line import AdapterLine, KeepDialog
+from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
+from armui.ui.gamepad.gamepad_dialog import GamepadDialog
+from armui.ui.panels.light_panel import ColorDialog
+from armui.ui.panels.parameters.levels_panel import DragAssistanceDialog
+from armui.ui.shell import operation_area
 from armui.ui.shell.page_entry import Home
 from armui.ui.shell.pages import PAGES
 from armui.ui.theme import make_application
+from armui.ui.trajectory.library.bin_dialog import BinDialog
+from armui.ui.trajectory.library.library_exchange import ImportReport
+from armui.ui.trajectory.table_import.columns_page import ColumnsPage
 from armui.ui.watch.replay.replay_window import ReplayWindow
-from armui.ui.widgets.page import Page
 from armui.viewport.client import PictureClient
-from tests.app_driver import PANELS, AppDriver
+from tests.app_driver import AppDriver
 from tests.gallery_scenes import dialogs, firmware, library, panels, trajectories
 from tests.layout_rules import ACCEPTED, Finding, covering, findings, shown_dialogs
 
@@ -82,20 +92,22 @@ _PREPARED: Final[Mapping[str, Callable[[AppDriver], object]]] = {
 }
 """The declared pages that show something of a subject, and how it comes there."""
 
-MORE: Final[Mapping[str, Callable[[AppDriver], object]]] = {
-    "columns": trajectories.columns,
-    "palette": dialogs.palette,
-    "shortcuts": dialogs.shortcut_list,
-    "question": dialogs.confirm_disable,
-    "bin": library.bin_,
-    "import_report": library.report,
-    "colors": _colors,
-    "drag_assistance": firmware.drag_assistance,
-    "gamepad": _gamepad,
-    "kept_adapter": _kept_adapter,
+MORE: Final[Mapping[str, tuple[type[QWidget], Callable[[AppDriver], object]]]] = {
+    "columns": (ColumnsPage, trajectories.columns),
+    "palette": (CommandPalette, dialogs.palette),
+    "shortcuts": (ShortcutList, dialogs.shortcut_list),
+    "question": (ConfirmDialog, dialogs.confirm_disable),
+    "bin": (BinDialog, library.bin_),
+    "import_report": (ImportReport, library.report),
+    "colors": (ColorDialog, _colors),
+    "drag_assistance": (DragAssistanceDialog, firmware.drag_assistance),
+    "gamepad": (GamepadDialog, _gamepad),
+    "kept_adapter": (KeepDialog, _kept_adapter),
 }
-"""The pages and dialogs that another page opens; that none is missing is a test."""
+"""The pages and dialogs that another page opens: that none is missing is a test."""
 
+PANELS: Final = {entry.key: entry.kind for entry in operation_area.PANELS}
+"""The class of each panel of the menu, by its key."""
 PLACES: Final = (*(f"menu_{key}" for key in PANELS), *PAGES, *MORE)
 
 
@@ -147,7 +159,6 @@ class Shown:
         self.driver.repeat_nothing()
         self.driver.program.view.setVisible(True)
         self.driver.ready()
-        self.kinds: set[type] = set()
 
     def close(self) -> None:
         """End the program."""
@@ -160,10 +171,10 @@ class Shown:
         if driver.store.settings.language != look.language:
             driver.store.change(language=look.language)
         window.resize(*SIZES[look.size])
+        _settle()
         self._show(place, look)
-        for _ in range(3):
-            QCoreApplication.processEvents()
-        self._note_kinds()
+        _settle()
+        assert any(map(QWidget.isVisible, window.findChildren(kind_at(place)))), f"no {place}"
         found = findings(window)
         for dialog in shown_dialogs():
             found += findings(dialog)
@@ -180,7 +191,7 @@ class Shown:
         if look.drawer and not is_tab:
             driver.window.pages.show("events")
         if place in MORE:
-            MORE[place](driver)
+            MORE[place][1](driver)
         elif place in PAGES:
             _PREPARED.get(place, lambda it: it.window.pages.show(place))(driver)
         if is_tab and not look.drawer:
@@ -207,11 +218,18 @@ class Shown:
             dialog.close()
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
 
-    def _note_kinds(self) -> None:
-        every = QApplication.allWidgets()
-        self.kinds |= {
-            type(each) for each in every if isinstance(each, Page | ArmDialog) and each.isVisible()
-        }
+
+def kind_at(place: str) -> type[QWidget]:
+    """Return the class of what is shown at a place."""
+    if place in PAGES:
+        return PAGES[place].kind()
+    return MORE[place][0] if place in MORE else PANELS[place.removeprefix("menu_")]
+
+
+def _settle() -> None:
+    """Let the layouts be as they will stay."""
+    for _ in range(3):
+        QCoreApplication.processEvents()
 
 
 def full(places: list[str], sizes: list[str]) -> Iterator[tuple[str, Look, Finding]]:
@@ -230,12 +248,22 @@ def full(places: list[str], sizes: list[str]) -> Iterator[tuple[str, Look, Findi
             shown.close()
 
 
+def _scaled(places: list[str], sizes: list[str], scale: float = 1.0) -> int:
+    """Look at some sizes in a process whose pixels are so many of the screen's; its result."""
+    command = [sys.executable, "-m", "tests.layout", *places, "--sizes", *sizes]
+    environment = {**os.environ, "QT_SCALE_FACTOR": str(scale)}
+    return subprocess.run(command, check=False, env=environment).returncode
+
+
 def main() -> int:
     """Print what was found, and how often; returns 1 if there is anything."""
     parser = argparse.ArgumentParser(prog="python -m tests.layout", description=__doc__)
     parser.add_argument("places", nargs="*", metavar="PLACE", help=f"of {', '.join(PLACES)}")
     parser.add_argument("--sizes", nargs="*", choices=SIZES, default=list(SIZES))
     asked = parser.parse_args()
+    if _SCALED in asked.sizes and asked.sizes != [_SCALED]:
+        others = [each for each in asked.sizes if each != _SCALED]
+        return max(_scaled(asked.places, [_SCALED], _SCALE), _scaled(asked.places, others))
     began_s = time.monotonic()
     counted: dict[Finding, list[str]] = {}
     used: Counter[tuple[str, str]] = Counter()
