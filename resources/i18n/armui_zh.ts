@@ -1232,8 +1232,8 @@
         <translation>已暂停：显示的是 {time} 的数值</translation>
     </message>
     <message>
-        <source>Generation not known yet: read as generation 2</source>
-        <translation>协议代次未知：暂按第 2 代解读</translation>
+        <source>Generation not known yet: read as generation 2.</source>
+        <translation>协议代次未知：暂按第 2 代解读。</translation>
     </message>
     <message>
         <source>Show as curve</source>
@@ -1287,11 +1287,11 @@
         <translation>帧</translation>
     </message>
     <message>
-        <source>Error frames</source>
+        <source>Errors</source>
         <translation>错误帧</translation>
     </message>
     <message>
-        <source>Lost frames</source>
+        <source>Lost</source>
         <translation>丢失帧</translation>
     </message>
     <message>
@@ -3427,6 +3427,10 @@
         <translation>{shown} / {kept}</translation>
     </message>
     <message>
+        <source>{count} kinds</source>
+        <translation>{count} 类</translation>
+    </message>
+    <message>
         <source>Search</source>
         <translation>搜索</translation>
     </message>
@@ -3479,16 +3483,8 @@
         <translation>复制所示事件</translation>
     </message>
     <message>
-        <source>Only “{kind}”</source>
-        <translation>仅“{kind}”</translation>
-    </message>
-    <message>
         <source>All kinds</source>
         <translation>全部类别</translation>
-    </message>
-    <message>
-        <source>Click: show or hide. Double-click: only this kind.</source>
-        <translation>单击：显示或隐藏。双击：仅此类别。</translation>
     </message>
 </context>
 <context>
@@ -4017,6 +4013,10 @@
     <message>
         <source>“{value}” is not an identifier; the filter is unchanged.</source>
         <translation>“{value}”不是 ID；筛选保持不变。</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>筛选</translation>
     </message>
     <message>
         <source>By ID</source>
@@ -12484,8 +12484,8 @@ The other program must have ended.</source>
         <translation>手动发送的帧只检查格式，并按其他程序的指令处理：本程序正在进行的运动会结束。</translation>
     </message>
     <message>
-        <source>Hold to send frames by hand</source>
-        <translation>按住以启用手动发送</translation>
+        <source>Send by hand</source>
+        <translation>手动发送</translation>
     </message>
     <message>
         <source>Lock</source>

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from armui.ui.shell.page_entry import PageEntry
 
 _ICON_PX: Final = 16
-DRAWER_PX: Final = 300
+DRAWER_PX: Final = 324
 _LEAST_PX: Final = 190
 
 

@@ -13,8 +13,10 @@ from PySide6.QtWidgets import (
     QPushButton,
     QToolButton,
     QWidget,
+    QWidgetAction,
 )
 
+from armui.ui.widgets.layouts import in_column
 from armui.ui.widgets.painting import repolish
 
 Named = TypeVar("Named", bound=QObject)
@@ -80,6 +82,17 @@ def give_menu(button: QAbstractButton, menu: QMenu) -> None:
             button.update()
 
     menu.aboutToHide.connect(lambda: QTimer.singleShot(0, button, look))
+
+
+def fold_into(button: QToolButton, *widgets: QWidget) -> None:
+    """Make a button open a panel of widgets below it, which stays open while they are used."""
+    menu, room = QMenu(button), QWidget()
+    in_column(*widgets, on=room, spacing=6, margins=10)
+    panel = QWidgetAction(menu)
+    panel.setDefaultWidget(room)
+    menu.addAction(panel)
+    give_menu(button, menu)
+    button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
 
 
 def show_primary(button: QAbstractButton, *, wanted: bool) -> None:

@@ -38,6 +38,11 @@ class BusMonitor:
     def click(self, name):
         self.driver.click(self.find(name))
 
+    def unfold_filter(self):
+        """Open the panel below the button; it stays open."""
+        more = self.window.filter_bar.more
+        more.menu().popup(more.mapToGlobal(more.rect().bottomLeft()))
+
     def type_into(self, name, text):
         field = self.find(name)
         field.setFocus()

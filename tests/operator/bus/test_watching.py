@@ -114,6 +114,7 @@ def test_unknown_and_malformed_frames_with_the_reason(monitor, company):
     error = monitor.index("0x040", "adapter")
     assert monitor.cell(error, frame_model.NAME) == "Error frame of the adapter"
     assert monitor.read("bus_errors").startswith("1")
+    monitor.unfold_filter()
     monitor.click("bus_only_unknown")
     assert monitor.ids() == ["0x151", "0x2A8", "0x3C1", "0x18FF50E5", "0x040"]
 
@@ -178,11 +179,23 @@ def test_filters_by_text_identifier_and_sender(monitor, company):
     assert monitor.ids() == ["0x472"]
 
 
+def test_the_button_of_the_filter_says_that_something_is_left_out(monitor):
+    assert monitor.find("bus_filter").text() == "Filter"
+    monitor.unfold_filter()
+    monitor.click("bus_only_unknown")
+    monitor.type_into("bus_ids", "2A6")
+    assert monitor.find("bus_filter").text() == "Filter (2)"
+    monitor.click("bus_only_unknown")
+    monitor.type_into("bus_ids", "")
+    assert monitor.find("bus_filter").text() == "Filter"
+
+
 def test_only_what_has_changed_since(monitor, company):
     company.say(UNKNOWN)
     monitor.run(0.5)
     monitor.type_into("bus_ids", "3C1")
     assert monitor.ids() == ["0x3C1"]
+    monitor.unfold_filter()
     monitor.click("bus_only_changed")
     monitor.run()
     assert monitor.ids() == []
@@ -200,6 +213,7 @@ def test_pause_lets_the_figures_stand_and_says_so(monitor):
     monitor.run(1.0)
     assert [monitor.cell(i, frame_model.COUNT) for i in monitor.indexes()] == before
     assert monitor.read("bus_paused").startswith("Paused")
+    assert not monitor.find("bus_rate").isVisible()  # no figure of now beside those that stand
     monitor.click("bus_pause")
     monitor.run()
 
@@ -249,6 +263,7 @@ def test_the_filter_holds_for_single_frames_too(monitor, company):
     monitor.run()
     model = monitor.window.trace_model
     assert model.rowCount() == 3
+    monitor.unfold_filter()
     monitor.click("bus_only_changed")
     monitor.run()
     assert model.rowCount() == 1
@@ -370,11 +385,13 @@ def test_opened_before_any_device(app_driver):
 
 
 def test_a_codec_that_is_not_proven_is_said(monitor):
-    assert "Generation" not in monitor.read("bus_counted")
+    message = monitor.find("bus_message")
+    assert not message.isVisible()
     monitor.window.statistics.know_generation(None)
     monitor.window.look()
 
-    assert monitor.read("bus_counted").startswith("Generation not known yet")
+    assert message.isVisible()
+    assert message.text().startswith("Generation not known yet")
 
 
 @pytest.mark.styled

@@ -8,7 +8,7 @@ import json
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMenu
+from PySide6.QtWidgets import QApplication
 
 from armui.control.events import Notice
 from armui.settings import SETTINGS_IN_USE
@@ -100,6 +100,7 @@ def test_faults_alone(events):
 
 
 def test_one_sort_less_and_one_asker_alone(events):
+    unfold_kinds(events)
     events.driver.click(events.bar.kinds[EventKind.FAULT])
     assert HOT not in events.read()
     place = events.bar.askers.findData(Asker.OPERATOR)
@@ -108,35 +109,39 @@ def test_one_sort_less_and_one_asker_alone(events):
     assert set(events.read(EventColumn.WHO)) == {"Operator"}
 
 
-def test_one_sort_alone_by_a_double_click_and_by_its_menu(events):
-    kinds = events.bar.kinds
-    fault = kinds[EventKind.FAULT]
-
-    def chosen():
-        return {kind for kind, button in kinds.items() if button.isChecked()}
-
-    def twice(button):
-        place = button.rect().center()
-        QTest.mouseClick(button, Qt.MouseButton.LeftButton, pos=place)
-        QTest.mouseDClick(button, Qt.MouseButton.LeftButton, pos=place)
-
-    twice(fault)
-    assert chosen() == {EventKind.FAULT}
+def test_one_kind_alone_and_all_again_and_the_button_says_which(events):
+    bar = events.bar
+    unfold_kinds(events)
+    assert bar.chosen_kinds.text() == "All kinds"
+    events.driver.click(bar.all_kinds)
+    assert events.read() == []
+    events.driver.click(bar.kinds[EventKind.FAULT])
     assert HOT in events.read()
-    assert {events.model.entry(row).kind for row in range(events.model.rowCount())} == {
-        EventKind.FAULT
-    }
-    twice(fault)
-    assert chosen() == set(EventKind)
-    fault.customContextMenuRequested.emit(fault.rect().center())
-    menu = events.bar.findChild(QMenu, "event_kind_menu")
-    only, every = menu.actions()
-    assert "Double-click" in fault.toolTip()
-    only.trigger()
-    assert chosen() == {EventKind.FAULT}
-    every.trigger()
-    assert chosen() == set(EventKind)
-    menu.close()
+    assert set(events.read(EventColumn.KIND)) == {"Fault"}
+    assert bar.chosen_kinds.text() == "Fault"
+    events.driver.click(bar.kinds[EventKind.COMMAND])
+    assert bar.chosen_kinds.text() == "2 kinds"
+    events.driver.click(bar.all_kinds)
+    assert bar.wanted.everything
+    assert bar.chosen_kinds.text() == "All kinds"
+    bar.chosen_kinds.menu().close()
+
+
+def unfold_kinds(events):
+    button = events.bar.chosen_kinds
+    button.menu().popup(button.mapToGlobal(button.rect().bottomLeft()))
+
+
+def test_the_detail_stands_beside_the_rows_and_goes_when_the_newest_are_followed(events):
+    index = events.model.index(events.row(HOT), 0)
+    events.table.scrollTo(index, events.table.ScrollHint.PositionAtCenter)
+    top_px = events.table.visualRect(index).top()
+    events.click(index.row())
+    QApplication.processEvents()
+    assert events.window.detail.isVisible()
+    assert events.table.visualRect(index).top() == top_px
+    events.driver.click(events.bar.follow)
+    assert not events.window.detail.isVisible()
 
 
 def test_the_curves_of_an_event_are_in_front_of_the_events(events):

@@ -1,12 +1,13 @@
 """The drawer has its height in every panel, whichever was seen before."""
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QAbstractItemView, QWidget
 
 from armui.ui.shell.drawer import DRAWER_PX
 from tests.app_driver import PANELS
+from tests.operator.workspace.actions import rect_in_window
 
 pytestmark = pytest.mark.styled
 
@@ -68,3 +69,23 @@ def test_the_question_of_a_check_is_in_sight_too(pages, where):
     pages.driver.click(page.findChild(QWidget, "run_send"))
     assert is_in_sight(pages, "accept_warnings")
     assert is_in_sight(pages, "run_send")
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+@pytest.mark.parametrize(
+    ("page", "content"),
+    [("plots", "quantity_tree"), ("events", "event_table"), ("bus", "bus_tree")],
+)
+def test_it_has_a_low_head_and_eight_rows(pages, page, content, language):
+    pages.driver.ready()
+    pages.driver.store.change(language=language)
+    pages.driver.window.resize(1280, 800)
+    pages.driver.click(f"{page}_button")
+    pages.driver.run(0.2)
+    rows = pages.driver.find("drawer").findChild(QAbstractItemView, content)
+    head_px = rect_in_window(rows).top() - rect_in_window(pages.driver.find("drawer")).top()
+    assert head_px <= 100
+    assert rows.viewport().height() >= 8 * 24
+    last = rows.indexAt(QPoint(5, 8 * 24 - 1)).row()
+    first = rows.indexAt(QPoint(5, 0)).row()
+    assert page == "plots" or last - first >= 7

@@ -30,12 +30,12 @@ from armui.ui.watch.bus.trace_model import TraceModel
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.curve_menu import show_curves, tell_quantities
-from armui.ui.widgets.layouts import fill, in_column, in_row
+from armui.ui.widgets.layouts import fill, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.page import Page
 from armui.ui.widgets.seen_timer import SeenTimer
 from armui.ui.widgets.table_model import Index, chosen_rows
-from armui.ui.widgets.text_label import ElidedLabel, text_label
+from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
@@ -70,6 +70,8 @@ _PAD_PX: Final = 24
 _INDENT_PX: Final = 22
 _NAME_PX: Final = 150
 _SAYS_PX: Final = 240
+_WIDE: Final = "9000 /s"
+"""A figure this wide moves nothing beside it."""
 
 
 class FrameTree(RowView):
@@ -187,10 +189,13 @@ class TraceList(RowView):
 
 
 class BusSummary(Translated, QWidget):
-    """Four figures in a row, and below them a fault of the bus, if there is one.
+    """Four figures in a row.
 
     Args:
         controller: Gives the state of the connection.
+
+    Attributes:
+        message: The line for a fault of the bus, seen while there is one; its page places it.
     """
 
     def __init__(self, controller: ArmController) -> None:
@@ -204,35 +209,31 @@ class BusSummary(Translated, QWidget):
         ]
         for key, value in zip(_KEYS, self._values, strict=False):
             tell_quantities(value, key)
-        self.counted = named("bus_counted", ElidedLabel())
-        self.counted.setProperty("rank", "muted")
         self.paused = text_label("bus_paused", rank="warning")
-        row = in_row(spacing=6)
+        self.paused.hide()
+        row = in_row(self.paused, on=self, spacing=6, margins=0)
         for name, value in zip(self._names, self._values, strict=True):
-            row.addWidget(name)
-            row.addWidget(value)
-            row.addSpacing(18)
-        row.addStretch(1)
-        row.addWidget(self.paused)
-        row.addSpacing(10)
-        row.addWidget(self.counted)
+            fill(row, name, value)
         self.message = named("bus_message", MessageLine())
         self.message.hide()
-        in_column(row, self.message, on=self, spacing=6, margins=0)
         self.retranslate_ui()
 
     def begin(self) -> None:
         """Count losses from now on."""
         self._lost_before = self._controller.bus.frames_dropped
 
-    def show_bus(self, snapshot: BusSnapshot, now_s: float, counted: str, paused: str) -> None:
+    def show_bus(
+        self, snapshot: BusSnapshot, now_s: float, counted: str, paused: str, read_as: str
+    ) -> None:
         """Show the state of the bus.
 
         Args:
             snapshot: The counts.
             now_s: Monotonic time.
             counted: The text on the beginning of the count.
-            paused: The text that the figures are paused; "" if they are not.
+            paused: The text that the figures are paused, which stands in their place; "" if they
+                are not.
+            read_as: The text that the frames are read as those of a generation that is not known.
         """
         load = self._latest("bus.bus_load", now_s)
         _put(self.load, f"{fmt.number(load, 0)} %" if load is not None else fmt.NOTHING)
@@ -242,10 +243,14 @@ class BusSummary(Translated, QWidget):
         often = f" ({fmt.number(errors, 0)} /s)" if errors else ""
         _put(self.errors, f"{fmt.count(snapshot.error_frames)}{often}")
         _put(self.lost, fmt.count(self._lost))
-        if self.counted.text() != counted:
-            self.counted.show_text(counted)
-        _put(self.paused, paused)
-        self._show_trouble(snapshot, load)
+        if self.toolTip() != counted:
+            self.setToolTip(counted)
+        if paused != self.paused.text():
+            self.paused.setText(paused)
+            self.paused.setVisible(bool(paused))
+            for figure in (*self._names, *self._values):
+                figure.setVisible(not paused)
+        self._show_trouble(snapshot, load, read_as)
 
     @property
     def _lost(self) -> int:
@@ -259,9 +264,9 @@ class BusSummary(Translated, QWidget):
             return None
         return latest[1]
 
-    def _show_trouble(self, snapshot: BusSnapshot, load: float | None) -> None:
+    def _show_trouble(self, snapshot: BusSnapshot, load: float | None, read_as: str) -> None:
         operating_state = self._controller.operating_state
-        found: list[str] = []
+        found = [read_as] if read_as else []
         level = Level.WARNING
         if operating_state.link_problem is not None:
             found.append(words.refusal(operating_state.link_problem))
@@ -298,8 +303,8 @@ class BusSummary(Translated, QWidget):
         texts = (
             self.tr("Bus load"),
             self.tr("Frames"),
-            self.tr("Error frames"),
-            self.tr("Lost frames"),
+            self.tr("Errors"),
+            self.tr("Lost"),
         )
         tips = (
             self.tr("Of the bit rate, stuff bits not counted; right button: show as curve"),
@@ -312,6 +317,7 @@ class BusSummary(Translated, QWidget):
             name.setToolTip(tip)
             value.setToolTip(tip)
             value.setAccessibleName(text)
+            value.setMinimumWidth(value.fontMetrics().horizontalAdvance(_WIDE))
         self._trouble = ("", Level.INFO)
 
 
@@ -369,8 +375,9 @@ class BusPage(Page):
         return self.filter_bar, self.send_box
 
     def _lay_out(self) -> None:
-        self.body.setSpacing(6)
-        fill(self.body, self.summary, self.filter_bar, (self._views, 1), self.send_box)
+        self.body.setSpacing(4)
+        head = in_row((self.filter_bar, 1), self.summary, self.send_box.unlock, spacing=12)
+        fill(self.body, head, self.summary.message, (self._views, 1), self.send_box)
 
     def _connect(self) -> None:
         self._soon.timeout.connect(self._count)
@@ -477,10 +484,9 @@ class BusPage(Page):
         if self._standing is not None:
             stands = self.tr("Paused: the figures are those of {time}")
             paused = stands.format(time=self._clock_text(snapshot.at_s))
-        if self.statistics.codec is not None and not self.statistics.generation_known:
-            unknown = self.tr("Generation not known yet: read as generation 2")
-            counted = f"{unknown} · {counted}"
-        self.summary.show_bus(snapshot, self._now_s(), counted, paused)
+        unknown = self.statistics.codec is not None and not self.statistics.generation_known
+        read_as = self.tr("Generation not known yet: read as generation 2.") if unknown else ""
+        self.summary.show_bus(snapshot, self._now_s(), counted, paused, read_as)
 
     def _clock_text(self, at_s: float) -> str:
         at = self._clock_zero + timedelta(seconds=at_s)

@@ -6,26 +6,25 @@ from collections.abc import Callable
 from typing import Final
 
 from PySide6.QtCore import QSignalBlocker, Signal
-from PySide6.QtWidgets import QButtonGroup, QLineEdit, QWidget
+from PySide6.QtWidgets import QButtonGroup, QLineEdit, QToolButton, QWidget
 
 from armui.telemetry.bus_senders import Sender
 from armui.ui.actions.act import Act, HasActs, check_box, toggle_button
 from armui.ui.watch.bus.frame_filter import FrameFilter, IdFilter, parse_ids
-from armui.ui.widgets.buttons import drop_down, named
-from armui.ui.widgets.flow import in_flow
-from armui.ui.widgets.layouts import in_column
+from armui.ui.widgets.buttons import drop_down, fold_into, named
+from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.painting import repolish
 from armui.ui.widgets.translated import Translated
 from armui.ui.words import frames
 from armui.ui.words.text import Text
 
 _IDS_PX: Final = 140
-_TEXT_PX: Final = 130
+_TEXT_PX: Final = 110
 _BOLDER: Final = 1.15
 
 
 class FilterBar(HasActs, Translated, QWidget):
-    """Controls in a row, which goes on below where the window is narrow.
+    """Controls in a row; what is asked for seldom is folded into one of them.
 
     Args:
         now_s: Returns the present time by the frames' clock.
@@ -83,17 +82,16 @@ class FilterBar(HasActs, Translated, QWidget):
         self.ids.setClearButtonEnabled(True)
         self.ids.setFixedWidth(_IDS_PX)
         self.senders = drop_down("bus_senders")
-        self._lay_out()
+        self.more = named("bus_filter", QToolButton())
+        fold_into(self.more, self.ids, self.senders, self.only_changed, self.only_unknown)
+        parts = (self.by_id, self.in_order, (self.text, 1), self.more, self.pause, self.clear)
+        in_row(*parts, on=self, spacing=6, margins=0)
+        self.changed.connect(self._show_narrowed)
         self.pause.toggled.connect(self._on_pause)
         self.text.textChanged.connect(self.changed)
         self.ids.textChanged.connect(self._on_ids)
         self.senders.currentIndexChanged.connect(self.changed)
         self.retranslate_ui()
-
-    def _lay_out(self) -> None:
-        wanted = (self.text, self.ids, self.senders, self.only_changed, self.only_unknown)
-        parts = (self.by_id, self.in_order, *wanted, self.pause, self.clear)
-        in_column(in_flow(*parts, spacing_px=6), on=self, margins=0)
 
     @property
     def wanted(self) -> FrameFilter:
@@ -146,6 +144,14 @@ class FilterBar(HasActs, Translated, QWidget):
             self._changed_since_s = self._now_s()
         self.clear_wanted.emit()
 
+    def _show_narrowed(self) -> None:
+        """Say on the button how many of its filters leave something out."""
+        boxes = (self.only_changed, self.only_unknown)
+        chosen = (self.ids.text(), self._sender, *(each.isChecked() for each in boxes))
+        count = sum(map(bool, chosen))
+        text = self.tr("Filter")
+        self.more.setText(f"{text} ({count})" if count else text)
+
     def _on_pause(self, wanted: bool) -> None:
         self.pause_wanted.emit(wanted)
         self.show_acts()
@@ -171,3 +177,4 @@ class FilterBar(HasActs, Translated, QWidget):
             self.senders.addItems([frames.frame_sender(sender) for sender in Sender])
             self.senders.setCurrentIndex(chosen)
         self.senders.setAccessibleName(self.tr("Sender"))
+        self._show_narrowed()

@@ -17,7 +17,7 @@ from armui.ui.watch.bus.cells import byte_font
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.message_line import MessageLine
-from armui.ui.widgets.text_label import ElidedLabel, text_label
+from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.frames import frame_effect
 
@@ -38,9 +38,10 @@ _GRAVE: Final = frozenset(
 
 
 class SendBox(HasActs, Translated, QWidget):
-    """A lock, a frame, its meaning, and the button that sends it.
+    """A frame, its meaning, and the button that sends it; seen only while it is unlocked.
 
-    It locks when it is hidden, at disconnecting, and after a minute.
+    It locks when it is hidden, at disconnecting, and after a minute. Its page gives the button that
+    unlocks it a place.
 
     Args:
         controller: Sends the frame.
@@ -48,7 +49,7 @@ class SendBox(HasActs, Translated, QWidget):
     """
 
     unlock = Act(
-        "Hold to send frames by hand",
+        "Send by hand",
         named="bus_unlock",
         key="bus.unlock",
         held=True,
@@ -78,8 +79,6 @@ class SendBox(HasActs, Translated, QWidget):
         for field in (self.identifier, self.data):
             field.setFont(byte_font(field))
             field.textChanged.connect(self._on_typed)
-        self._hint = named("bus_send_hint", ElidedLabel())
-        self._hint.setProperty("rank", "muted")
         self.decoded = text_label("bus_send_decoded", wraps=True, plain=True)
         self.message = named("bus_send_message", MessageLine())
         self._timer = QTimer(self, singleShot=True, interval=UNLOCKED_MS)
@@ -92,16 +91,7 @@ class SendBox(HasActs, Translated, QWidget):
         self.close_lock()
 
     def _lay_out(self) -> None:
-        row = in_row(
-            self.unlock,
-            (self._hint, 1),
-            self.identifier,
-            (self.data, 1),
-            self.send,
-            self.hold,
-            self.lock,
-            spacing=8,
-        )
+        row = in_row(self.identifier, (self.data, 1), self.send, self.hold, self.lock, spacing=8)
         in_column(row, self.decoded, self.message, on=self, spacing=6, margins=0)
 
     # The lock ---------------------------------------------------------------------------------
@@ -126,7 +116,7 @@ class SendBox(HasActs, Translated, QWidget):
             self.identifier.setFocus()
 
     def _on_operating_state(self, _operating_state: OperatingState) -> None:
-        if not self.isVisible():
+        if not self.unlock.isVisible():
             return
         if self.is_open and self._controller.operating_state.device is None:
             self.close_lock()
@@ -183,19 +173,12 @@ class SendBox(HasActs, Translated, QWidget):
 
     def _show(self) -> None:
         is_open = self.is_open
-        self.unlock.setVisible(not is_open)
-        self._hint.setVisible(not is_open)
-        for widget in (self.identifier, self.data, self.lock):
-            widget.setVisible(is_open)
+        self.setVisible(is_open)
         self.show_acts()
-        why_not = self._why_not_unlock()
-        self._hint.show_text(self._use if why_not is None else words.refusal(why_not))
         frame = self._typed()
         harmless = isinstance(frame, Frame) and effect_of(frame) is FrameEffect.HARMLESS
-        self.send.setVisible(is_open and harmless)
-        self.hold.setVisible(is_open and not harmless)
-        self.message.setVisible(is_open)
-        self.decoded.setVisible(is_open)
+        self.send.setVisible(harmless)
+        self.hold.setVisible(not harmless)
         if is_open:
             means = self._texts.describe(frame) if isinstance(frame, Frame) else ""
             if means != self.decoded.text():
@@ -207,6 +190,10 @@ class SendBox(HasActs, Translated, QWidget):
     @unlock.why_not
     def _why_not_unlock(self) -> Refusal | None:
         return self._controller.bus.why_not_send()
+
+    @unlock.tip
+    def _unlock_tip(self) -> str:
+        return self._use
 
     @send.why_not
     @hold.why_not

@@ -8,9 +8,9 @@ from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QCoreApplication, QEvent, QObject, QPoint, Qt, Signal
+from PySide6.QtCore import QCoreApplication, Signal
 from PySide6.QtGui import QFont, QFontMetrics, QGuiApplication
-from PySide6.QtWidgets import QLineEdit, QMenu, QWidget
+from PySide6.QtWidgets import QLineEdit, QToolButton, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.system.atomic import write_whole
@@ -18,15 +18,15 @@ from armui.telemetry.event_json import to_json
 from armui.telemetry.events import Asker, EventEntry, EventKind, Level
 from armui.ui import format as fmt
 from armui.ui import words
-from armui.ui.actions.act import Act, ActFamily, HasActs, toggle_button
+from armui.ui.actions.act import Act, ActFamily, HasActs, check_box, toggle_button
 from armui.ui.actions.command import Command, Target
 from armui.ui.background import Job
 from armui.ui.dialogs.files import FileExport
 from armui.ui.watch.events.event_filter import EventFilter, gravity
 from armui.ui.watch.events.event_table import EventColumn, cell_text, column_title
 from armui.ui.watch.save_button import SaveButton
-from armui.ui.widgets.buttons import drop_down, named
-from armui.ui.widgets.layouts import in_column, in_row
+from armui.ui.widgets.buttons import drop_down, fold_into, named
+from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.event_log import EVENT_KINDS, asker, event_kind, event_level
@@ -138,15 +138,15 @@ class EventBar(HasActs, Translated, QWidget):
         Command("events.save", Text("SaveButton", "Save")),
         *(Command(f"events.{name}", SAVES.entry(name)) for name in SAVES),
     )
+    all_kinds = Act("All kinds", named="event_all_kinds", key="events.all_kinds", kind=check_box)
     follow = Act("Follow", named="event_follow", key="events.follow", kind=toggle_button)
     kinds = ActFamily(
         {
             kind: Act(
                 EVENT_KINDS.entry(kind),
                 named=f"event_kind_{kind}",
-                tip="Click: show or hide. Double-click: only this kind.",
                 key=f"events.kind_{kind}",
-                kind=toggle_button,
+                kind=check_box,
             )
             for kind in EventKind
         }
@@ -158,46 +158,34 @@ class EventBar(HasActs, Translated, QWidget):
         self.search.setClearButtonEnabled(True)
         self.levels = drop_down("event_levels")
         self.askers = drop_down("event_askers")
+        self.chosen_kinds = named("event_kinds", QToolButton())
         self.follow.setChecked(True)
         self.count = text_label("event_count", rank="muted")
         self.save = SaveButton("event", SAVES)
         self.save.wanted.connect(self.save_wanted)
         self.saves = self.save.saves
-        self._lay_out()
-        for kind, button in self.kinds.items():
+        fold_into(self.chosen_kinds, self.all_kinds, *self.kinds.values())
+        wanted = (self.levels, self.askers, self.chosen_kinds, self.follow)
+        in_row((self.search, 1), *wanted, self.count, self.save, on=self, spacing=8, margins=0)
+        for button in self.kinds.values():
             button.setChecked(True)
-            button.installEventFilter(self)
-            button.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
-            button.customContextMenuRequested.connect(partial(self._open_menu, kind))
         self.search.textChanged.connect(self._tell)
         self.levels.activated.connect(self._tell)
         self.askers.activated.connect(self._tell)
         self.follow.toggled.connect(self.follow_changed)
         self.retranslate_ui()
 
-    def _lay_out(self) -> None:
-        first = in_row((self.search, 1), spacing=8)
-        for widget in (self.levels, self.askers, self.follow, self.save):
-            first.addWidget(widget)
-        second = in_row(spacing=6)
-        for button in self.kinds.values():
-            second.addWidget(button)
-        second.addStretch(1)
-        second.addWidget(self.count)
-        in_column(first, second, on=self, spacing=8, margins=0)
-
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
         saves = {f"events.{name}": action for name, action in self.saves.items()}
         return {**super().command_targets(), "events.save": self.save, **saves}
 
-    def _fit_toggles(self) -> None:
-        """Wide enough for their names in bold, as they are when they are on."""
-        for button in (self.follow, *self.kinds.values()):
-            bold = QFont(button.font())
-            bold.setBold(True)
-            text_px = QFontMetrics(bold).horizontalAdvance(button.text())
-            button.setMinimumWidth(text_px + _TOGGLE_PAD_PX)
+    def _fit_follow(self) -> None:
+        """Wide enough for its name in bold, as it is when it is on."""
+        bold = QFont(self.follow.font())
+        bold.setBold(True)
+        text_px = QFontMetrics(bold).horizontalAdvance(self.follow.text())
+        self.follow.setMinimumWidth(text_px + _TOGGLE_PAD_PX)
 
     @property
     def wanted(self) -> EventFilter:
@@ -222,28 +210,12 @@ class EventBar(HasActs, Translated, QWidget):
         self.askers.setCurrentIndex(max(0, self.askers.findData(who)))
         self._tell()
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Show one kind alone at a double click on it; if it is alone already, show all."""
-        if event.type() != QEvent.Type.MouseButtonDblClick:
-            return super().eventFilter(watched, event)
-        kind = next(each for each, button in self.kinds.items() if button is watched)
-        # the first of the two clicks has turned it
-        others = (button for each, button in self.kinds.items() if each is not kind)
-        alone = not any(button.isChecked() for button in others)
-        self._show_kinds(None if alone else kind)
-        return True
-
-    def _open_menu(self, kind: EventKind, at: QPoint) -> None:
-        menu = named("event_kind_menu", QMenu(self))
-        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        only = self.tr("Only “{kind}”").format(kind=event_kind(kind))
-        menu.addAction(only, partial(self._show_kinds, kind))
-        menu.addAction(self.tr("All kinds"), partial(self._show_kinds, None))
-        menu.popup(self.kinds[kind].mapToGlobal(at))
-
-    def _show_kinds(self, kind: EventKind | None) -> None:
-        """Want one sort alone, or all of them; whose they are stays as it is."""
-        self.show_only(kind, self.askers.currentData())
+    @all_kinds.pressed
+    def _on_all_kinds(self) -> None:
+        """Want all kinds, or none, from which some are chosen; whose they are stays as it is."""
+        for each in self.kinds.values():
+            each.setChecked(self.all_kinds.isChecked())
+        self._tell()
 
     def show_count(self, shown: int, kept: int) -> None:
         """Show the number of events."""
@@ -253,7 +225,16 @@ class EventBar(HasActs, Translated, QWidget):
 
     @kinds.pressed
     def _tell(self, *_: object) -> None:
+        self._show_kinds()
         self.filter_changed.emit(self.wanted)
+
+    def _show_kinds(self) -> None:
+        """Say beside the other choices which kinds are shown."""
+        kinds = [kind for kind, box in self.kinds.items() if box.isChecked()]
+        self.all_kinds.setChecked(len(kinds) == len(self.kinds))
+        some = self.tr("{count} kinds").format(count=len(kinds))
+        text = event_kind(kinds[0]) if len(kinds) == 1 else some
+        self.chosen_kinds.setText(self.tr("All kinds") if self.all_kinds.isChecked() else text)
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
@@ -277,7 +258,8 @@ class EventBar(HasActs, Translated, QWidget):
         self.askers.setCurrentIndex(max(0, who))
         self.askers.setAccessibleName(self.tr("Who asked, or says it"))
         self.show_acts()
-        self._fit_toggles()
+        self._fit_follow()
+        self._show_kinds()
 
     @follow.text
     def _follow_text(self) -> str:

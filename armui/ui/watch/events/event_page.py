@@ -14,6 +14,7 @@ from armui.ui.theme import colors_of
 from armui.ui.watch.events.event_bar import EventBar, EventExport
 from armui.ui.watch.events.event_table import EventModel, EventTable, details
 from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import fill, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.page import Page
 from armui.ui.widgets.seen_timer import SeenTimer
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
 _LOOK_MS: Final = 200
 _LEAST_PX: Final = 64
 """The least height of the table: its titles and three rows."""
+_DETAIL_PX: Final = 260
 
 
 class EventPage(Page):
@@ -63,9 +65,11 @@ class EventPage(Page):
         self.detail.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
         self._message = named("event_message", MessageLine())
         self._message.hide()
-        self.body.setSpacing(8)
-        for widget, stretch in ((self.bar, 0), (self.table, 1), (self.detail, 0)):
-            self.body.addWidget(widget, stretch)
+        self.body.setSpacing(4)
+        self.detail.setFixedWidth(_DETAIL_PX)
+        self.detail.hide()
+        # beside the table no row moves under the pointer when the detail comes
+        fill(self.body, self.bar, (in_row((self.table, 1), self.detail, spacing=8), 1))
         self.body.addWidget(self._message)
         self._timer = SeenTimer(self, _LOOK_MS, self.refresh)
         self._connect()
@@ -78,6 +82,7 @@ class EventPage(Page):
     def _connect(self) -> None:
         self.bar.filter_changed.connect(self._on_filter)
         self.bar.follow_changed.connect(self._on_follow)
+        self.bar.follow.clicked.connect(self._on_follow_pressed)
         self.bar.save_wanted.connect(lambda kind: self.export.save(kind, self.model.entries()))
         self.export.said.connect(self._say)
         self.table.clicked.connect(self._on_clicked)
@@ -123,6 +128,7 @@ class EventPage(Page):
         text = "" if entry is None else "\n".join(details(entry))
         if self.detail.text() != text:
             self.detail.setText(text)
+            self.detail.setVisible(bool(text))
 
     def _on_reset(self) -> None:
         self._show_newest()
@@ -141,6 +147,12 @@ class EventPage(Page):
     def _on_follow(self, on: bool) -> None:
         if on:
             self.table.scrollToBottom()
+
+    def _on_follow_pressed(self, on: bool) -> None:
+        """Leave the chosen event, and so its detail, for the newest ones."""
+        if on:
+            self.table.selectionModel().clear()
+            self._show_detail()
 
     def _on_scrolled(self) -> None:
         """The operator looks at something older; at the end of the list it is followed again."""
@@ -205,7 +217,6 @@ class EventPage(Page):
         self.table.setToolTip(self.tr("Double-click: show the moment in the curves"))
         self.model.retranslate()
         self.table.fit_columns()
-        self.detail.setMinimumHeight(2 * self.detail.fontMetrics().lineSpacing() + 8)
         self._show_count()
         self._show_detail()
 

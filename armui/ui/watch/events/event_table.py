@@ -168,7 +168,7 @@ _PAD_PX: Final = 22
 _TEXT_PX: Final = 240
 """The least width of the event's text; the columns below give way to it if there is no room."""
 _GOES_FIRST: Final = (EventColumn.END, EventColumn.COUNT)
-"""The columns hidden first; their content is shown below the table, too."""
+"""The columns hidden first; their content is shown beside the table, too."""
 _AT_ONCE: Final = 200
 """The number of entries searched in one go, in some 3 ms."""
 _ICON_PX: Final = 16
@@ -402,6 +402,7 @@ class EventTable(QTableView):
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setAlternatingRowColors(True)
         self.setWordWrap(False)
+        self.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
         down = self.verticalHeader()
         down.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         down.setDefaultSectionSize(_ROW_PX)
